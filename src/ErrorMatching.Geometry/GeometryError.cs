@@ -1,0 +1,26 @@
+namespace ErrorMatching.Geometry;
+
+/// <summary>Why a geometric question has no usable answer.</summary>
+public enum GeometryError
+{
+    /// <summary>Fewer points than the element has unknowns.</summary>
+    TooFewPoints,
+
+    /// <summary>Points that must differ lie on one another.</summary>
+    CoincidentPoints,
+
+    /// <summary>Points that must not lie on one line do.</summary>
+    CollinearPoints,
+
+    /// <summary>Two lines that must meet are parallel or nearly so.</summary>
+    NearParallel,
+
+    /// <summary>The design of a fit cannot tell its unknowns apart.</summary>
+    RankDeficient,
+
+    /// <summary>An iteration did not reach its tolerance.</summary>
+    NotConverged,
+
+    /// <summary>A coordinate is NaN or infinite.</summary>
+    NotFinite,
+}
