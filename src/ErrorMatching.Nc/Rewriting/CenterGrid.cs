@@ -47,11 +47,12 @@ internal static class CenterGrid
         return best;
     }
 
+    // The middle counts most; then radii that agree; then the exact center, which an offset must keep.
     private static double Cost(Point2 center, Point2 start, Point2 end, Arc2 wanted)
     {
         var radius = (start.DistanceTo(center) + end.DistanceTo(center)) / 2;
         var mismatch = ArcCenter.Mismatch(start, end, center);
         var middle = Math.Abs(wanted.Middle.DistanceTo(center) - radius);
-        return middle + (0.1 * mismatch) + (10 * Math.Max(0, mismatch - (WantedMismatchMm / 2)));
+        return middle + (0.1 * mismatch) + (0.3 * center.DistanceTo(wanted.Center)) + (10 * Math.Max(0, mismatch - (WantedMismatchMm / 2)));
     }
 }
