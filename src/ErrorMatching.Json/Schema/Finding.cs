@@ -1,0 +1,7 @@
+namespace ErrorMatching.Json;
+
+/// <summary>A problem with the item it belongs to.</summary>
+/// <param name="Item">The value that a rule refused.</param>
+/// <param name="Problem">What is wrong.</param>
+/// <param name="ByConst">True if a const refused it: then the alternative with that const was not meant.</param>
+internal readonly record struct Finding(JsonItem Item, JsonProblem Problem, bool ByConst = false);
