@@ -1,0 +1,30 @@
+using System.Globalization;
+
+namespace ErrorMatching.Measurement;
+
+/// <summary>Which column of a table holds something: the one of a name, or the one at a position.</summary>
+public readonly record struct ColumnSelector
+{
+    private ColumnSelector(string? name, int position) => (Name, Position) = (name, position);
+
+    /// <summary>Name in the header line, compared without regard to case; null if the column is given by position.</summary>
+    public string? Name { get; }
+
+    /// <summary>Position counted from 1; 0 if the column is given by name.</summary>
+    public int Position { get; }
+
+    /// <summary>The column of a name.</summary>
+    public static ColumnSelector Named(string name) => new(name, 0);
+
+    /// <summary>The column at a position.</summary>
+    /// <param name="position">Counted from 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The position is less than 1.</exception>
+    public static ColumnSelector At(int position)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(position, 1);
+        return new(null, position);
+    }
+
+    /// <summary>The name, or the position as a number.</summary>
+    public override string ToString() => Name ?? Position.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,16 @@
+namespace ErrorMatching.Measurement;
+
+/// <summary>The columns of a file with one line per coordinate of a feature. Lines whose item is not X, Y or Z (a diameter, an angle) are passed over.</summary>
+/// <param name="Feature">Name of the feature, which becomes the label of its point.</param>
+/// <param name="Item">What the line gives: X, Y, Z or something else.</param>
+/// <param name="Nominal">The value of the drawing.</param>
+/// <param name="Actual">The measured value.</param>
+/// <param name="Deviation">Actual - nominal, checked against the two; null if the file has none.</param>
+public sealed record FeatureTableColumns(ColumnSelector Feature, ColumnSelector Item, ColumnSelector Nominal, ColumnSelector Actual, ColumnSelector? Deviation)
+    : MeasurementColumns
+{
+    /// <inheritdoc/>
+    public override MeasurementKind Kind => MeasurementKind.FeatureTable;
+
+    internal override IEnumerable<ColumnSelector> Required => Deviation is { } d ? [Feature, Item, Nominal, Actual, d] : [Feature, Item, Nominal, Actual];
+}

@@ -1,0 +1,65 @@
+using System.Globalization;
+
+namespace ErrorMatching.Measurement;
+
+/// <summary>A range of numbered labels in short: <c>5..14</c> stands for 5, 6, ... 14, and <c>P05..P14</c> for P05, P06, ... P14.</summary>
+public static class LabelRange
+{
+    private const string Dots = "..";
+    private const int LongestRange = 100_000;
+    private const int MostDigits = 9;
+
+    /// <summary>The labels that a range stands for, in rising order; a text without two dots stands for itself.</summary>
+    /// <param name="range">A label, or two labels of one prefix that end in whole numbers, the smaller first, with two dots between them. Where the first
+    /// number is written with leading zeros, all numbers have as many digits.</param>
+    /// <exception cref="MeasurementException">The range falls, is longer than 100,000, or its ends are no labels of this kind (<see cref="MeasurementError.BadRange"/>).</exception>
+    public static IReadOnlyList<string> Expand(string range)
+    {
+        var dots = range.IndexOf(Dots, StringComparison.Ordinal);
+        if (dots < 0)
+        {
+            var label = range.Trim();
+            return label.Length > 0 ? [label] : throw Bad(range, "a label, or a range such as 5..14");
+        }
+
+        var (prefix, firstDigits) = Split(range[..dots].Trim(), range);
+        var (otherPrefix, lastDigits) = Split(range[(dots + Dots.Length)..].Trim(), range);
+        if (!string.Equals(prefix, otherPrefix, StringComparison.Ordinal))
+        {
+            throw Bad(range, "the same letters before both numbers, such as P5..P14");
+        }
+
+        var first = int.Parse(firstDigits, NumberStyles.None, CultureInfo.InvariantCulture);
+        var last = int.Parse(lastDigits, NumberStyles.None, CultureInfo.InvariantCulture);
+        var width = firstDigits.Length > 1 && firstDigits[0] == '0' ? firstDigits.Length : 1;
+        if (last < first || last - first >= LongestRange)
+        {
+            throw Bad(range, $"the smaller number first and at most {LongestRange} labels");
+        }
+
+        if (!string.Equals(Number(last, width), lastDigits, StringComparison.Ordinal))
+        {
+            throw Bad(range, "both numbers with the same leading zeros, such as P05..P14");
+        }
+
+        return [.. Enumerable.Range(first, last - first + 1).Select(n => prefix + Number(n, width))];
+    }
+
+    private static (string Prefix, string Digits) Split(string label, string range)
+    {
+        var start = label.Length;
+        while (start > 0 && char.IsAsciiDigit(label[start - 1]))
+        {
+            start--;
+        }
+
+        return label.Length - start is > 0 and <= MostDigits
+            ? (label[..start], label[start..])
+            : throw Bad(range, "a whole number at the end of both labels, such as 5..14");
+    }
+
+    private static string Number(int number, int width) => number.ToString("D" + width.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
+
+    private static MeasurementException Bad(string range, string expected) =>
+        new(MeasurementError.BadRange, $"the range {MeasurementException.Quote(range)}", expected);
+}

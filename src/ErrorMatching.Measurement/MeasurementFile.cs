@@ -1,0 +1,63 @@
+namespace ErrorMatching.Measurement;
+
+/// <summary>The points of one measurement, in millimeters, with their provenance.</summary>
+public sealed class MeasurementFile
+{
+    private readonly Dictionary<string, LabelledPoint> _byLabel;
+    private readonly Table _table;
+    private readonly Place _labels;
+
+    internal MeasurementFile(string sha256, LengthUnit unit, Table table, Place labels, IReadOnlyList<LabelledPoint> points, IReadOnlyList<LabelledPoint> nominals)
+    {
+        (Sha256, Unit, _table, _labels) = (sha256, unit, table, labels);
+        (Points, Nominals) = (points, nominals);
+        _byLabel = points.ToDictionary(p => p.Label, StringComparer.Ordinal);
+    }
+
+    /// <summary>The file as the caller named it.</summary>
+    public string File => _table.File;
+
+    /// <summary>SHA-256 of the file's bytes as 64 lower-case hexadecimal digits.</summary>
+    public string Sha256 { get; }
+
+    /// <summary>The unit that the file was written in. The points are in millimeters whatever it was.</summary>
+    public LengthUnit Unit { get; }
+
+    /// <summary>The measured points in the order of the file.</summary>
+    public IReadOnlyList<LabelledPoint> Points { get; }
+
+    /// <summary>The nominal points that a feature table states beside the measured ones, in the same order; empty for the kind <c>points</c>.</summary>
+    public IReadOnlyList<LabelledPoint> Nominals { get; }
+
+    /// <summary>Names and values of the lines above the table, in the order of the file.</summary>
+    public IReadOnlyList<HeaderField> HeaderFields => _table.Fields;
+
+    /// <summary>The measured point of a name.</summary>
+    /// <exception cref="MeasurementException">The file has no such point (<see cref="MeasurementError.MissingPoint"/>).</exception>
+    public LabelledPoint this[string label] => TryGet(label, out var point) ? point : throw Missing(label);
+
+    /// <summary>The measured point of a name, if the file has it.</summary>
+    public bool TryGet(string label, out LabelledPoint point) => _byLabel.TryGetValue(label, out point);
+
+    /// <summary>Demands that the file has a point of each name.</summary>
+    /// <exception cref="MeasurementException">One is missing (<see cref="MeasurementError.MissingPoint"/>): the first of them, named.</exception>
+    public void Require(IEnumerable<string> labels)
+    {
+        foreach (var label in labels)
+        {
+            _ = this[label];
+        }
+    }
+
+    /// <summary>The texts of a column in the order of the file, or null if it has no column of that name.</summary>
+    internal IReadOnlyList<string>? ColumnTexts(string name) => _table.TextsOf(name);
+
+    private MeasurementException Missing(string label)
+    {
+        var other = Points.FirstOrDefault(p => string.Equals(p.Label, label, StringComparison.OrdinalIgnoreCase)).Label;
+        return _labels.Fail(
+            MeasurementError.MissingPoint,
+            $"no point {MeasurementException.Quote(label)} among the {Points.Count} of the file" + (other is null ? "" : $" (but {MeasurementException.Quote(other)})"),
+            $"a point {MeasurementException.Quote(label)}: measure it, or correct the label");
+    }
+}

@@ -1,0 +1,54 @@
+namespace ErrorMatching.Measurement;
+
+/// <summary>Columns of decimal numbers, kept as they are written so that none of their digits is lost before a calculation that needs them.</summary>
+public sealed class NumberTable
+{
+    private readonly IReadOnlyDictionary<string, IReadOnlyList<string>> _columns;
+
+    private NumberTable(string file, IReadOnlyList<int> lines, IReadOnlyDictionary<string, IReadOnlyList<string>> columns) => (File, Lines, _columns) = (file, lines, columns);
+
+    /// <summary>The file as the caller named it.</summary>
+    public string File { get; }
+
+    /// <summary>The line of each row, counted from 1.</summary>
+    public IReadOnlyList<int> Lines { get; }
+
+    /// <summary>How many rows there are; at least one.</summary>
+    public int Count => Lines.Count;
+
+    /// <summary>The numbers of a column in the order of the file: decimal texts with a decimal point and an optional exponent, each within double precision.</summary>
+    /// <param name="name">One of the names that the table was read with.</param>
+    /// <exception cref="KeyNotFoundException">The table was read without this column.</exception>
+    public IReadOnlyList<string> this[string name] => _columns[name];
+
+    /// <summary>Reads columns of a CSV file in UTF-8 with commas and decimal points.</summary>
+    /// <param name="path">The file, named in errors as it is given here.</param>
+    /// <param name="columns">The columns wanted. In the header each may end in <c>_mm</c>; other columns are ignored.</param>
+    /// <exception cref="MeasurementException">The file cannot be opened, lacks a column or has it twice, has no rows, or has a cell there that is no decimal number.</exception>
+    public static NumberTable Read(string path, params IReadOnlyList<string> columns) => Read(FileBytes.Read(path, MeasurementFormat.Points.MaxBytes), path, columns);
+
+    /// <summary>Reads columns of the bytes of a CSV file in UTF-8 with commas and decimal points.</summary>
+    /// <param name="bytes">The bytes.</param>
+    /// <param name="fileName">The name of the file in errors.</param>
+    /// <param name="columns">The columns wanted. In the header each may end in <c>_mm</c>; other columns are ignored.</param>
+    /// <exception cref="MeasurementException">The file lacks a column or has it twice, has no rows, or has a cell there that is no decimal number.</exception>
+    public static NumberTable Read(ReadOnlyMemory<byte> bytes, string fileName, params IReadOnlyList<string> columns)
+    {
+        var format = MeasurementFormat.Points;
+        FileBytes.ThrowIfTooLarge(fileName, bytes.Length, format.MaxBytes);
+        var table = Table.Read(SourceText.Decode(bytes.Span, fileName, format.Encoding, format.Delimiter), fileName, format, hasHeader: true);
+        var indexes = columns.Select(c => table.FindNamed(c, [c, c + "_mm"])).ToArray();
+        var texts = columns.ToDictionary(c => c, _ => new List<string>(table.Rows.Count), StringComparer.Ordinal);
+        foreach (var row in table.Rows)
+        {
+            for (var i = 0; i < indexes.Length; i++)
+            {
+                texts[columns[i]].Add(table.Cell(row, indexes[i]).Number().Text);
+            }
+        }
+
+        return table.Rows.Count > 0
+            ? new(fileName, [.. table.Rows.Select(r => r.Line)], texts.ToDictionary(t => t.Key, t => (IReadOnlyList<string>)t.Value, StringComparer.Ordinal))
+            : throw table.Top(indexes[0]).Fail(MeasurementError.NoPoints, "a table without rows", "at least one row of numbers");
+    }
+}

@@ -1,0 +1,25 @@
+namespace ErrorMatching.Measurement;
+
+/// <summary>What a cell must be to become a coordinate in millimeters.</summary>
+internal static class Coordinate
+{
+    /// <summary>No machine of this trade is a kilometer long: a coordinate beyond it has lost its decimal point or has another unit.</summary>
+    private const double LargestMm = 1e6;
+
+    public static double Read(Cell cell, MeasurementFormat format)
+    {
+        var number = cell.Number();
+        var millimeters = format.Unit == LengthUnit.Inch ? number.InchesInMillimeters : number.Value;
+        return Math.Abs(millimeters) <= LargestMm
+            ? millimeters
+            : throw cell.Fail(MeasurementError.ImplausibleNumber, "a coordinate within a kilometer: has its decimal sign been lost, or is the unit of the format wrong?");
+    }
+
+    public static void ThrowIfTooMany(int count, Cell label, MeasurementFormat format)
+    {
+        if (count > format.MaxPoints)
+        {
+            throw label.Fail(MeasurementError.TooManyPoints, $"at most {format.MaxPoints} points: is this the right file? If so, raise maxPoints of its format");
+        }
+    }
+}

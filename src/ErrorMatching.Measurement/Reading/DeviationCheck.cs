@@ -1,0 +1,41 @@
+using System.Globalization;
+
+namespace ErrorMatching.Measurement;
+
+/// <summary>
+/// Holds the deviations of a feature table against actual - nominal. A gauge rounds the three numbers one by one, so each may be off by half of its last place;
+/// how many places a column has is seen from all its numbers, for exports drop trailing zeros, and a lone "1" must not excuse a wrong sign.
+/// </summary>
+internal sealed class DeviationCheck
+{
+    private readonly List<(DecimalNumber Nominal, DecimalNumber Actual, DecimalNumber Deviation, Cell Cell)> _rows = [];
+
+    /// <summary>Adds a row.</summary>
+    /// <exception cref="MeasurementException">One of the cells is no number.</exception>
+    public void Add(Cell nominal, Cell actual, Cell deviation) => _rows.Add((nominal.Number(), actual.Number(), deviation.Number(), deviation));
+
+    /// <summary>Checks the rows that were added.</summary>
+    /// <exception cref="MeasurementException">A deviation is not actual - nominal: the first such row.</exception>
+    public void Run()
+    {
+        if (_rows.Count == 0)
+        {
+            return;
+        }
+
+        var rounding = 0.5 * (_rows.Min(r => r.Nominal.LastPlace) + _rows.Min(r => r.Actual.LastPlace) + _rows.Min(r => r.Deviation.LastPlace));
+        foreach (var (nominal, actual, deviation, cell) in _rows)
+        {
+            var expected = actual.Value - nominal.Value;
+            var allowed = rounding + (1e-15 * (Math.Abs(actual.Value) + Math.Abs(nominal.Value)));
+            if (Math.Abs(deviation.Value - expected) > allowed)
+            {
+                var isReversed = Math.Abs(deviation.Value + expected) <= allowed;
+                throw cell.Fail(
+                    MeasurementError.InconsistentDeviation,
+                    string.Create(CultureInfo.InvariantCulture, $"actual - nominal = {actual.Text} - {nominal.Text} = {Math.Round(expected, 12)}")
+                    + (isReversed ? ": this file has nominal - actual, the opposite sign; correct its export" : ": find out which of the three numbers is wrong"));
+            }
+        }
+    }
+}

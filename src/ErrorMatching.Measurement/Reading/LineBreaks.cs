@@ -1,0 +1,34 @@
+namespace ErrorMatching.Measurement;
+
+/// <summary>Counts the line breaks of a text: \n, \r\n and \r, as editors do.</summary>
+internal static class LineBreaks
+{
+    public static int Count(ReadOnlySpan<char> text)
+    {
+        var lastLine = 0;
+        return Count(text, ref lastLine);
+    }
+
+    /// <summary>Counts the breaks and tells where the last line starts.</summary>
+    public static int Count(ReadOnlySpan<char> text, ref int lastLine)
+    {
+        var count = 0;
+        for (var i = 0; i < text.Length; i++)
+        {
+            if (text[i] == '\n' || (text[i] == '\r' && !(i + 1 < text.Length && text[i + 1] == '\n')))
+            {
+                count++;
+                lastLine = i + 1;
+            }
+        }
+
+        return count;
+    }
+
+    /// <summary>The position behind the next line break, or the end of the text.</summary>
+    public static int NextLine(string text, int start)
+    {
+        var end = text.AsSpan(start).IndexOfAny('\n', '\r');
+        return end < 0 ? text.Length : start + end + (text.AsSpan(start + end).StartsWith("\r\n") ? 2 : 1);
+    }
+}

@@ -1,0 +1,144 @@
+using System.Globalization;
+
+namespace ErrorMatching.Measurement;
+
+/// <summary>The text of a file as a table: fields above it, a header line if there is one, and rows that have as many cells as it.</summary>
+internal sealed class Table
+{
+    private readonly CsvRow? _header;
+    private readonly bool _decimalComma;
+    private readonly char _delimiter;
+
+    private Table(string file, IReadOnlyList<HeaderField> fields, CsvRow? header, IReadOnlyList<CsvRow> rows, char delimiter, bool decimalComma)
+    {
+        (File, Fields, _header, Rows) = (file, fields, header, rows);
+        (_delimiter, _decimalComma) = (delimiter, decimalComma);
+    }
+
+    public string File { get; }
+
+    public IReadOnlyList<HeaderField> Fields { get; }
+
+    public IReadOnlyList<CsvRow> Rows { get; }
+
+    /// <summary>Reads a table whose rows all have the width of its first line.</summary>
+    /// <exception cref="MeasurementException">The text is empty, or a row has too few or too many cells.</exception>
+    public static Table Read(string text, string file, MeasurementFormat format, bool hasHeader)
+    {
+        if (string.IsNullOrWhiteSpace(text))
+        {
+            throw Place.Start(file).Fail(MeasurementError.EmptyFile, "an empty file", "a measurement: export it again");
+        }
+
+        var start = 0;
+        var fields = new List<HeaderField>();
+        for (var line = 1; line <= format.SkipLines; line++)
+        {
+            var end = LineBreaks.NextLine(text, start);
+            AddField(fields, text[start..end].Trim(), line, format.Delimiter);
+            start = end;
+        }
+
+        List<CsvRow> rows = [.. CsvRows.Read(text[start..], file, format.SkipLines + 1, format.Delimiter)];
+        if (rows.Count == 0)
+        {
+            throw Place.Start(file).Fail(MeasurementError.MissingHeader, $"nothing behind the {format.SkipLines} lines that the format skips", "a table: correct skipLines in its format");
+        }
+
+        foreach (var row in rows)
+        {
+            CheckWidth(row, rows[0]);
+        }
+
+        return new(file, fields, hasHeader ? rows[0] : null, hasHeader ? rows[1..] : rows, format.Delimiter, format.DecimalComma);
+    }
+
+    /// <summary>The index of a column that must be there.</summary>
+    /// <exception cref="MeasurementException">The column is not there, or is there twice.</exception>
+    public int Find(ColumnSelector column) => column.Name is { } name ? FindNamed(name, [name]) : FindAt(column.Position - 1);
+
+    /// <summary>The index of a column that may be missing, or -1.</summary>
+    public int FindOptional(ColumnSelector column) => column.Name is { } name && IndexesOf([name]).Count == 0 ? -1 : Find(column);
+
+    /// <summary>The index of the one column that has one of several names.</summary>
+    public int FindNamed(string shown, IReadOnlyList<string> names)
+    {
+        var indexes = IndexesOf(names);
+        return indexes switch
+        {
+            [var only] => only,
+            [] => throw MissingColumn(shown),
+            [_, var second, ..] => throw _header!.PlaceOf(second).Fail(
+                MeasurementError.DuplicateColumn,
+                $"a second column for {shown}, {MeasurementException.Quote(_header.Texts[second])}",
+                "each needed column once: delete or rename one"),
+        };
+    }
+
+    public Cell Cell(CsvRow row, int index) =>
+        new(row.Texts[index].Trim(), row.PlaceOf(index), _header is null ? "number " + (index + 1).ToString(CultureInfo.InvariantCulture) : _header.Texts[index].Trim(), _decimalComma);
+
+    /// <summary>The place where a column starts: its heading, or its first cell.</summary>
+    public Place Top(int index) => (_header ?? Rows[0]).PlaceOf(index);
+
+    public IReadOnlyList<string>? TextsOf(string name)
+    {
+        var indexes = IndexesOf([name]);
+        return indexes.Count == 0 ? null : [.. Rows.SelectMany(r => indexes.Select(i => r.Texts[i].Trim()))];
+    }
+
+    private int FindAt(int index) => index < (_header ?? Rows[0]).Texts.Count ? index : throw Top(0).Fail(
+        MeasurementError.MissingColumn,
+        $"{(_header ?? Rows[0]).Texts.Count} columns",
+        $"a column number {index + 1}: correct the delimiter or the positions in the format");
+
+    private List<int> IndexesOf(IReadOnlyList<string> names) => _header is null
+        ? []
+        : [.. Enumerable.Range(0, _header.Texts.Count).Where(i => names.Contains(_header.Texts[i].Trim(), StringComparer.OrdinalIgnoreCase))];
+
+    private MeasurementException MissingColumn(string name)
+    {
+        var cells = _header!.Texts;
+        if (cells.Count > 1 && cells.Count(c => DecimalNumber.TryRead(c.Trim(), _decimalComma) is not null) * 2 > cells.Count)
+        {
+            return Top(0).Fail(MeasurementError.MissingHeader, "numbers in the first line", $"a header with the names of the columns, among them {name}");
+        }
+
+        var other = cells.Count == 1 ? ",;\t|".FirstOrDefault(d => d != _delimiter && cells[0].Contains(d)) : '\0';
+        return Top(0).Fail(
+            MeasurementError.MissingColumn,
+            "a header with the columns " + string.Join(", ", cells.Take(20).Select(c => MeasurementException.Quote(c.Trim()))),
+            $"a column {name}" + (other == '\0' ? "" : $": set the delimiter of the format to {MeasurementException.Quote(other.ToString())}"));
+    }
+
+    private static void CheckWidth(CsvRow row, CsvRow first)
+    {
+        var (count, width) = (row.Texts.Count, first.Texts.Count);
+        if (count < width)
+        {
+            throw row.PlaceOf(count).Fail(MeasurementError.ShortRow, $"a line of {count} cells", $"{width} cells as in the first line: the line is cut off, or a delimiter is missing");
+        }
+
+        for (var i = width; i < count; i++)
+        {
+            if (!string.IsNullOrWhiteSpace(row.Texts[i]))
+            {
+                throw row.PlaceOf(i).Fail(
+                    MeasurementError.LongRow,
+                    $"a line of {count} cells",
+                    $"{width} cells as in the first line: are there decimal commas or thousands separators that split a number?");
+            }
+        }
+    }
+
+    private static void AddField(List<HeaderField> fields, string line, int number, char delimiter)
+    {
+        var split = line.AsSpan().IndexOfAny(':', '=', delimiter);
+        if (split > 0)
+        {
+            fields.Add(new(Bare(line[..split]), Bare(line[(split + 1)..].TrimEnd(delimiter)), number));
+        }
+    }
+
+    private static string Bare(string text) => text.Trim().Trim('"').Trim();
+}

@@ -1,0 +1,54 @@
+using System.Text;
+
+namespace ErrorMatching.Measurement.Tests;
+
+public class EncodingTests
+{
+    private const string Table = "point,x_mm,y_mm\nMaß,1,2\n";
+
+    [Fact]
+    public void A_byte_order_mark_is_no_part_of_the_header() => Assert.Equal(2, Text.Read("\uFEFF" + Table)["Maß"].Line);
+
+    [Fact]
+    public void Each_encoding_reads_what_was_written_in_it()
+    {
+        Assert.Equal("Maß", Label(Encoding.Latin1.GetBytes(Table), "latin-1"));
+        Assert.Equal("Maß", Label(Encoding.Unicode.GetBytes(Table), "utf-16"));
+        Assert.Equal("Maß", Label([0xFF, 0xFE, .. Encoding.Unicode.GetBytes(Table)], "utf-16"));
+        Assert.Equal("Maß", Label([0xFE, 0xFF, .. Encoding.BigEndianUnicode.GetBytes(Table)], "utf-16"));
+        Assert.Equal("Maß", Label(Encoding.BigEndianUnicode.GetBytes(Table), "utf-16be"));
+        // 0x80 is the euro sign in Windows-1252; 0xB5E3 and 0x935F are the first character of "point" in GB 18030 and Shift-JIS.
+        Assert.Equal("€", Label([.. "point,x_mm,y_mm\n"u8, 0x80, .. ",1,2"u8], "windows-1252"));
+        Assert.Equal("点", Label([.. "point,x_mm,y_mm\n"u8, 0xB5, 0xE3, .. ",1,2"u8], "gb18030"));
+        Assert.Equal("点", Label([.. "point,x_mm,y_mm\n"u8, 0x93, 0x5F, .. ",1,2"u8], "shift-jis"));
+    }
+
+    [Fact]
+    public void A_byte_that_is_no_text_is_named_with_its_place()
+    {
+        var error = Assert.Throws<MeasurementException>(() => Label([.. "point,x_mm,y_mm\nA,1,2\nB\u00e9,"u8, 0xE9, .. ",4\n"u8], "utf-8"));
+        Assert.Equal((MeasurementError.InvalidEncoding, 3, 2), (error.Code, error.Line, error.Column));
+        Assert.Contains("0xE9", error.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_character_cut_off_at_the_end_is_named()
+    {
+        var error = Assert.Throws<MeasurementException>(() => Label([.. "point,x_mm,y_mm\nA,1,2"u8, 0xE4, 0xB8], "utf-8"));
+        Assert.Equal((MeasurementError.InvalidEncoding, 2, 3), (error.Code, error.Line, error.Column));
+        Assert.Equal(MeasurementError.InvalidEncoding, Assert.Throws<MeasurementException>(() => Label(Encoding.Unicode.GetBytes(Table)[..^1], "utf-16")).Code);
+    }
+
+    [Fact]
+    public void Another_encodings_byte_order_mark_is_named()
+    {
+        var error = Assert.Throws<MeasurementException>(() => Label([0xFF, 0xFE, .. Encoding.Unicode.GetBytes(Table)], "utf-8"));
+        Assert.Equal((MeasurementError.InvalidEncoding, 1, 1), (error.Code, error.Line, error.Column));
+        Assert.Contains("utf-16", error.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_nul_in_utf_16_is_binary() => Assert.Equal(MeasurementError.BinaryFile, Assert.Throws<MeasurementException>(() => Label(Encoding.Unicode.GetBytes("point,\0"), "utf-16")).Code);
+
+    private static string Label(byte[] bytes, string encoding) => MeasurementReader.Read(bytes, "part.csv", Text.Format($$"""{ "encoding": "{{encoding}}" }""")).Points[0].Label;
+}

@@ -1,0 +1,39 @@
+using System.Text;
+
+namespace ErrorMatching.Measurement.Tests;
+
+public class NumberTableTests
+{
+    [Fact]
+    public void Digits_are_kept_as_written_and_other_columns_ignored()
+    {
+        var table = Read("name,Y_mm,x,y_um\n\"a\nb\",1.10,0.1234567890123456789012345,zz\n=x, 2e-3 ,+5,\n", "x", "y");
+        Assert.Equal(["0.1234567890123456789012345", "+5"], table["x"]);
+        Assert.Equal(["1.10", "2e-3"], table["y"]);
+        Assert.Equal([2, 4], table.Lines);
+        Assert.Equal((2, "data.csv"), (table.Count, table.File));
+    }
+
+    [Fact]
+    public void Numbers_have_no_unit_and_no_plausible_limit() => Assert.Equal(["1e300"], Read("x\n1e300\n", "x")["x"]);
+
+    [Theory]
+    [InlineData("x\n1\n", MeasurementError.MissingColumn, 1, 1)]
+    [InlineData("1,2\n3,4\n", MeasurementError.MissingHeader, 1, 1)]
+    [InlineData("x,y,x_mm\n1,2,3\n", MeasurementError.DuplicateColumn, 1, 3)]
+    [InlineData("x,y\n", MeasurementError.NoPoints, 1, 1)]
+    [InlineData("x,y\n1,2\n1,1e999\n", MeasurementError.NumberOutOfRange, 3, 2)]
+    [InlineData("x,y\n1,NaN\n", MeasurementError.NotANumber, 2, 2)]
+    [InlineData("x,y\n1\n", MeasurementError.ShortRow, 2, 2)]
+    [InlineData("", MeasurementError.EmptyFile, 1, 1)]
+    public void A_bad_table_is_named(string text, string code, int line, int column)
+    {
+        var error = Assert.Throws<MeasurementException>(() => Read(text, "x", "y"));
+        Assert.Equal((code, "data.csv", line, column), (error.Code, error.File, error.Line, error.Column));
+    }
+
+    [Fact]
+    public void A_missing_file_is_named() => Assert.Equal(MeasurementError.FileUnreadable, Assert.Throws<MeasurementException>(() => NumberTable.Read("none.csv", "x", "y")).Code);
+
+    private static NumberTable Read(string text, params string[] columns) => NumberTable.Read(Encoding.UTF8.GetBytes(text), "data.csv", columns);
+}

@@ -1,0 +1,14 @@
+using System.Text;
+
+namespace ErrorMatching.Measurement.Tests;
+
+/// <summary>Short forms for tests that write a file in the source.</summary>
+internal static class Text
+{
+    public static MeasurementFile Read(string text, MeasurementFormat? format = null, string file = "part.csv") =>
+        MeasurementReader.Read(Encoding.UTF8.GetBytes(text), file, format ?? MeasurementFormat.Points);
+
+    public static MeasurementException Refused(string text, MeasurementFormat? format = null) => Assert.Throws<MeasurementException>(() => Read(text, format));
+
+    public static MeasurementFormat Format(string json) => MeasurementFormat.FromJson(json);
+}
