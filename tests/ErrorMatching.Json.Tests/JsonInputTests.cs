@@ -95,9 +95,11 @@ public sealed class JsonInputTests
         try
         {
             File.WriteAllText(path, "[1, 2]");
-            Assert.Equal(2, JsonInput.ReadFile(path).Items.Count);
-            var e = Assert.Throws<JsonDocumentException>(() => JsonInput.ReadFile(path, new(5, 3)));
-            Assert.Equal(("too-big", path), (e.Problems[0].Code, e.File));
+            Assert.Equal(2, JsonInput.Read(JsonInput.Load(path), path).Items.Count);
+            Assert.Equal(6, JsonInput.Load(path, new(5, 3)).Length);
+            Assert.Equal("too-big", Assert.Single(Refused(JsonInput.Load(path, new(5, 3)), new(5, 3))).Code);
+            File.WriteAllText(path, "[1, 2, 3, 4]");
+            Assert.Equal(6, JsonInput.Load(path, new(5, 3)).Length);
         }
         finally
         {

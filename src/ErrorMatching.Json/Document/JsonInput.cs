@@ -9,21 +9,19 @@ namespace ErrorMatching.Json;
 /// </summary>
 public static class JsonInput
 {
-    /// <summary>The document of a file.</summary>
+    /// <summary>The bytes of a file, for <see cref="Read"/>; of a file that is too large, just enough for it to say so.</summary>
     /// <param name="path">The file.</param>
     /// <param name="limits">How large it may be; <see cref="JsonLimits.Default"/> if null.</param>
-    /// <exception cref="JsonDocumentException">As of <see cref="Read"/>.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">The file must not be read.</exception>
-    public static JsonItem ReadFile(string path, JsonLimits? limits = null)
+    public static byte[] Load(string path, JsonLimits? limits = null)
     {
-        limits ??= JsonLimits.Default;
         using var stream = File.OpenRead(path);
 
-        // One byte more than allowed is enough to know, whatever the file system says about the length.
-        var bytes = new byte[(int)Math.Min(Math.Max(stream.Length, 0) + 1, limits.MaxBytes + 1L)];
-        var length = stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false);
-        return Read(bytes.AsSpan(0, length), path, limits);
+        // One byte more than allowed is enough to know.
+        var most = (limits ?? JsonLimits.Default).MaxBytes;
+        var bytes = new byte[(stream.CanSeek ? Math.Min(stream.Length, most) : most) + 1];
+        return bytes[..stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false)];
     }
 
     /// <summary>The document in some bytes.</summary>

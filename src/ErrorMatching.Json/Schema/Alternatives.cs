@@ -58,8 +58,9 @@ internal static class Alternatives
         var ruledOut = verdicts.Select(v => v.FirstOrDefault(f => RulesOut(f, item))).Where(f => f.Item is not null).ToArray();
         if (meant.Length == 0 && ruledOut.All(f => ReferenceEquals(f.Item, ruledOut[0].Item)))
         {
-            var (place, first, byConst) = ruledOut[0];
-            findings.Add(new(place, JsonProblem.At(place, first.Code, first.Found, ValueText.Or(ruledOut.Select(f => f.Problem.Expected))), byConst));
+            var (place, first) = (ruledOut[0].Item, ruledOut[0].Problem);
+            var all = JsonProblem.At(place, first.Code, first.Found, ValueText.Or(ruledOut.Select(f => f.Problem.Expected)));
+            findings.Add(new(place, all, ruledOut.All(f => f.ByType), ruledOut.All(f => f.ByConst)));
             return;
         }
 
@@ -70,7 +71,7 @@ internal static class Alternatives
     private static bool RulesOut(Finding finding, JsonItem item) =>
         IsOfOtherType(finding, item) || (finding.ByConst && (ReferenceEquals(finding.Item, item) || item.Members.Any(m => ReferenceEquals(m.Value, finding.Item))));
 
-    private static bool IsOfOtherType(Finding finding, JsonItem item) => finding.Problem.Code == "wrong-type" && ReferenceEquals(finding.Item, item);
+    private static bool IsOfOtherType(Finding finding, JsonItem item) => finding.ByType && ReferenceEquals(finding.Item, item);
 
     private static string Name(SchemaRule rule) => rule switch
     {

@@ -14,14 +14,14 @@ internal static class SchemaChecker
 
         if (rule.Types.Count > 0 && !rule.Types.Any(t => IsOfType(item, t)))
         {
-            Add(findings, item, "wrong-type", ValueText.Of(item), ValueText.Or(rule.Types.Select(ValueText.OfType)));
+            findings.Add(new(item, JsonProblem.At(item, "wrong-type", ValueText.Of(item), ValueText.Or(rule.Types.Select(ValueText.OfType))), ByType: true));
             return;
         }
 
         if (rule.Values.Count > 0 && !rule.Values.Any(v => IsSame(v, item)))
         {
             var problem = JsonProblem.At(item, "not-one-of", ValueText.Of(item), ValueText.Or(rule.Values.Select(ValueText.Literal)));
-            findings.Add(new(item, problem, rule.IsConst));
+            findings.Add(new(item, problem, ByType: !rule.Values.Any(v => v.Kind == item.Kind), ByConst: rule.IsConst));
             return;
         }
 
