@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace ErrorMatching.Geometry;
 
 /// <summary>
@@ -32,6 +34,9 @@ public readonly record struct Angle : IComparable<Angle>
 
     /// <summary>The unsigned angle between two directions, 0 to 180 degrees (equation 1 of Wang 2021, by the arc tangent, which keeps its digits near 0 and 180).</summary>
     public static Angle Between(Vector2 a, Vector2 b) => new(Math.Atan2(Math.Abs(a.Cross(b)), a.Dot(b)));
+
+    /// <summary>The angle in degrees as text, whatever the culture.</summary>
+    public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{Degrees} deg");
 
     /// <inheritdoc/>
     public int CompareTo(Angle other) => Radians.CompareTo(other.Radians);

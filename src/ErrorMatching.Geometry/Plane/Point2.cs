@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace ErrorMatching.Geometry;
 
 /// <summary>A place in the plane, in millimetres.</summary>
@@ -16,6 +18,9 @@ public readonly record struct Point2(double X, double Y)
 
     /// <summary>The point a fraction of the way to another: 0 here, 1 there.</summary>
     public Point2 Lerp(Point2 other, double fraction) => new(X + ((other.X - X) * fraction), Y + ((other.Y - Y) * fraction));
+
+    /// <summary>The coordinates as text, whatever the culture.</summary>
+    public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"({X}, {Y})");
 
     /// <summary>The point displaced by a vector.</summary>
     public static Point2 operator +(Point2 p, Vector2 v) => new(p.X + v.X, p.Y + v.Y);

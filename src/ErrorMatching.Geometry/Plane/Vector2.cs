@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace ErrorMatching.Geometry;
 
 /// <summary>A displacement in the plane, in millimetres where it is a length.</summary>
@@ -33,6 +35,9 @@ public readonly record struct Vector2(double X, double Y)
         var length = Length;
         return length > 0 ? this / length : throw new GeometryException(GeometryError.CoincidentPoints, "A direction was asked of two points that coincide.");
     }
+
+    /// <summary>The components as text, whatever the culture.</summary>
+    public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"({X}, {Y})");
 
     /// <summary>The sum of two displacements.</summary>
     public static Vector2 operator +(Vector2 a, Vector2 b) => new(a.X + b.X, a.Y + b.Y);

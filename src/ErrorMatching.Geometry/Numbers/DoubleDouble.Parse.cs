@@ -1,0 +1,86 @@
+using System.Globalization;
+using System.Numerics;
+
+namespace ErrorMatching.Geometry;
+
+/// <content>Reading decimals without losing digits.</content>
+public readonly partial record struct DoubleDouble
+{
+    private const NumberStyles Decimal = NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent;
+
+    /// <summary>The number that a decimal text means, each of the two parts correctly rounded: as read, not as a double would keep it.</summary>
+    /// <param name="text">An optional sign, digits with an optional decimal point, an optional exponent; no blanks, no digit groups, whatever the culture.</param>
+    /// <exception cref="FormatException">The text is not such a number or exceeds the range of <c>double</c>.</exception>
+    public static DoubleDouble Parse(ReadOnlySpan<char> text) =>
+        TryParse(text, out var value) ? value : throw new FormatException($"'{text}' is not a decimal number within the range of double.");
+
+    /// <summary>Reads a decimal text as <see cref="Parse"/> does, without an exception.</summary>
+    /// <param name="text">The text.</param>
+    /// <param name="value">The number, or zero if the text is none.</param>
+    /// <returns>True if the text is a number in range.</returns>
+    public static bool TryParse(ReadOnlySpan<char> text, out DoubleDouble value)
+    {
+        value = default;
+        if (!double.TryParse(text, Decimal, CultureInfo.InvariantCulture, out var high) || !double.IsFinite(high))
+        {
+            return false;
+        }
+
+        if (high != 0)
+        {
+            var (numerator, denominator) = Fraction(text);
+            var (significand, exponent) = Significand(high);
+            if (exponent >= 0)
+            {
+                numerator -= (significand << exponent) * denominator;
+            }
+            else
+            {
+                numerator = (numerator << -exponent) - (significand * denominator);
+                denominator <<= -exponent;
+            }
+
+            value = new(high, Nearest(numerator, denominator));
+        }
+
+        return true;
+    }
+
+    /// <summary>The exact value of a text whose form has been checked.</summary>
+    private static (BigInteger Numerator, BigInteger Denominator) Fraction(ReadOnlySpan<char> text)
+    {
+        var mark = text.IndexOfAny('e', 'E');
+        var exponent = mark < 0 ? 0 : int.Parse(text[(mark + 1)..], NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture);
+        var mantissa = mark < 0 ? text : text[..mark];
+        var point = mantissa.IndexOf('.');
+        var digits = BigInteger.Parse(point < 0 ? mantissa : string.Concat(mantissa[..point], mantissa[(point + 1)..]), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture);
+        exponent -= point < 0 ? 0 : mantissa.Length - point - 1;
+        return exponent >= 0 ? (digits * BigInteger.Pow(10, exponent), BigInteger.One) : (digits, BigInteger.Pow(10, -exponent));
+    }
+
+    /// <summary>A double as an integer times a power of two.</summary>
+    private static (BigInteger Significand, int Exponent) Significand(double value)
+    {
+        var bits = BitConverter.DoubleToInt64Bits(value);
+        var biased = (int)((bits >> 52) & 0x7FF);
+        var fraction = bits & 0xFFFFFFFFFFFFF;
+        BigInteger magnitude = biased == 0 ? fraction : fraction | (1L << 52);
+        return (bits < 0 ? -magnitude : magnitude, Math.Max(biased, 1) - 1075);
+    }
+
+    /// <summary>The double nearest to a fraction.</summary>
+    private static double Nearest(BigInteger numerator, BigInteger denominator)
+    {
+        if (numerator.IsZero)
+        {
+            return 0;
+        }
+
+        // A quotient of 62 to 63 bits whose last bit remembers any remainder rounds to 53 bits as the exact fraction would.
+        var magnitude = BigInteger.Abs(numerator);
+        var shift = 62 - (int)(magnitude.GetBitLength() - denominator.GetBitLength());
+        var quotient = BigInteger.DivRem(shift >= 0 ? magnitude << shift : magnitude, shift >= 0 ? denominator : denominator << -shift, out var remainder);
+        var rounded = Math.ScaleB((double)((ulong)quotient | (remainder.IsZero ? 0UL : 1UL)), -shift);
+        return numerator.Sign < 0 ? -rounded : rounded;
+    }
+}

@@ -1,0 +1,77 @@
+namespace ErrorMatching.Geometry;
+
+/// <summary>A polynomial in powers of its variable, evaluated by Horner's rule. Immutable; two are equal if their coefficients are.</summary>
+public sealed class Polynomial : IEquatable<Polynomial>
+{
+    private readonly double[] coefficients;
+
+    /// <summary>A polynomial from ascending coefficients: the constant first. Zeros at the end are dropped, and no coefficient at all means zero.</summary>
+    /// <param name="ascending">Coefficient of each power, from the zeroth.</param>
+    /// <exception cref="GeometryException">A coefficient is not finite (<see cref="GeometryError.NotFinite"/>).</exception>
+    public Polynomial(params ReadOnlySpan<double> ascending)
+    {
+        for (var i = 0; i < ascending.Length; i++)
+        {
+            if (!double.IsFinite(ascending[i]))
+            {
+                throw new GeometryException(GeometryError.NotFinite, $"Coefficient {i} of a polynomial is not a finite number.");
+            }
+        }
+
+        var count = ascending.Length;
+        while (count > 1 && ascending[count - 1] == 0)
+        {
+            count--;
+        }
+
+        coefficients = count == 0 ? [0] : ascending[..count].ToArray();
+    }
+
+    /// <summary>Coefficients in ascending powers; at least one, the last not zero unless it is the only one.</summary>
+    public IReadOnlyList<double> Coefficients => Array.AsReadOnly(coefficients);
+
+    /// <summary>The highest power, zero for a constant.</summary>
+    public int Degree => coefficients.Length - 1;
+
+    /// <summary>The value at a place.</summary>
+    public double Evaluate(double x)
+    {
+        var value = 0.0;
+        for (var i = coefficients.Length - 1; i >= 0; i--)
+        {
+            value = Math.FusedMultiplyAdd(value, x, coefficients[i]);
+        }
+
+        return value;
+    }
+
+    /// <summary>The derivative; that of a constant is zero.</summary>
+    public Polynomial Derivative()
+    {
+        var derived = new double[Degree];
+        for (var i = 0; i < derived.Length; i++)
+        {
+            derived[i] = coefficients[i + 1] * (i + 1);
+        }
+
+        return new(derived);
+    }
+
+    /// <inheritdoc/>
+    public bool Equals(Polynomial? other) => other is not null && coefficients.AsSpan().SequenceEqual(other.coefficients);
+
+    /// <inheritdoc/>
+    public override bool Equals(object? obj) => Equals(obj as Polynomial);
+
+    /// <inheritdoc/>
+    public override int GetHashCode()
+    {
+        var hash = default(HashCode);
+        foreach (var coefficient in coefficients)
+        {
+            hash.Add(coefficient);
+        }
+
+        return hash.ToHashCode();
+    }
+}
