@@ -1,0 +1,89 @@
+using System.Globalization;
+using System.Text.Json;
+
+namespace ErrorMatching.Json;
+
+/// <summary>
+/// Reads JSON that people write: UTF-8 with or without a byte order mark, <c>//</c> and <c>/* */</c> comments and trailing commas allowed,
+/// a key twice in one object refused, since nobody can tell which of the two was meant.
+/// </summary>
+public static class JsonInput
+{
+    /// <summary>The bytes of a file, for <see cref="Read"/>; of a file that is too large, just enough for it to say so.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="limits">How large it may be; <see cref="JsonLimits.Default"/> if null.</param>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The file must not be read.</exception>
+    public static byte[] Load(string path, JsonLimits? limits = null)
+    {
+        using var stream = File.OpenRead(path);
+
+        // One byte more than allowed is enough to know.
+        var most = (limits ?? JsonLimits.Default).MaxBytes;
+        var bytes = new byte[(stream.CanSeek ? Math.Min(stream.Length, most) : most) + 1];
+        return bytes[..stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false)];
+    }
+
+    /// <summary>The document in some bytes.</summary>
+    /// <param name="bytes">UTF-8 text.</param>
+    /// <param name="file">Name for messages.</param>
+    /// <param name="limits">How large it may be; <see cref="JsonLimits.Default"/> if null.</param>
+    /// <exception cref="JsonDocumentException">
+    /// The bytes are too many (<c>too-big</c>), empty (<c>empty-document</c>), not UTF-8 (<c>not-utf8</c>), not JSON (<c>not-json</c>),
+    /// nested too deeply (<c>too-deep</c>), hold a number beyond the range of a double (<c>number-out-of-range</c>) or a key twice (<c>duplicate-key</c>).
+    /// </exception>
+    public static JsonItem Read(ReadOnlySpan<byte> bytes, string file, JsonLimits? limits = null)
+    {
+        limits ??= JsonLimits.Default;
+        if (bytes.Length > limits.MaxBytes)
+        {
+            throw Refuse(file, "too-big", new(1, 1), "a larger document", string.Create(CultureInfo.InvariantCulture, $"at most {limits.MaxBytes} bytes"));
+        }
+
+        if (bytes.StartsWith("\uFEFF"u8))
+        {
+            bytes = bytes[3..];
+        }
+
+        var map = new LineMap(bytes);
+        if (map.FirstInvalidByte is { } invalid)
+        {
+            throw Refuse(file, "not-utf8", map.PlaceOf(bytes, invalid), string.Create(CultureInfo.InvariantCulture, $"the byte 0x{bytes[invalid]:X2}"), "UTF-8 text");
+        }
+
+        var tree = new TreeReader(map, file);
+        var reader = new Utf8JsonReader(bytes, new JsonReaderOptions { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip, MaxDepth = limits.MaxDepth + 1 });
+        JsonItem root;
+        try
+        {
+            if (!reader.Read())
+            {
+                throw Refuse(file, "empty-document", new(1, 1), "nothing", "one JSON value");
+            }
+
+            root = tree.ReadValue(ref reader, bytes, null, null, 0, limits.MaxDepth);
+
+            // The reader itself refuses anything behind the value.
+            reader.Read();
+        }
+        catch (JsonException e)
+        {
+            var nothing = bytes.IndexOfAnyExcept(" \t\r\n"u8) < 0;
+            throw nothing
+                ? Refuse(file, "empty-document", new(1, 1), "nothing", "one JSON value")
+                : Refuse(file, "not-json", map.PlaceOf(bytes, e.LineNumber ?? 0, e.BytePositionInLine ?? 0), SyntaxSentence(e), "JSON");
+        }
+
+        return tree.Problems.Count == 0 ? root : throw new JsonDocumentException(file, tree.Problems);
+    }
+
+    private static JsonDocumentException Refuse(string file, string code, JsonPlace place, string found, string expected) =>
+        new(file, [new(code, "$", place, found, expected, $"found {found}; expected {expected}")]);
+
+    /// <summary>The reader's sentence without its own counting of lines, which begins at 0.</summary>
+    private static string SyntaxSentence(JsonException e)
+    {
+        var end = e.Message.IndexOf(" LineNumber:", StringComparison.Ordinal);
+        return end < 0 ? e.Message : e.Message[..end].TrimEnd('.');
+    }
+}

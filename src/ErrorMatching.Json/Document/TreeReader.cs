@@ -1,0 +1,109 @@
+using System.Text;
+using System.Text.Json;
+
+namespace ErrorMatching.Json;
+
+/// <summary>Turns the tokens of a document into items, and collects what can be said about them without a schema.</summary>
+internal sealed class TreeReader(LineMap map, string file)
+{
+    public List<JsonProblem> Problems { get; } = [];
+
+    public JsonItem ReadValue(ref Utf8JsonReader reader, ReadOnlySpan<byte> bytes, JsonItem? parent, string? name, int index, int depthLeft)
+    {
+        var place = map.PlaceOf(bytes, reader.TokenStartIndex);
+        switch (reader.TokenType)
+        {
+            case JsonTokenType.StartObject:
+                return ReadObject(ref reader, bytes, new(JsonItemKind.Object, place, parent, name, index), depthLeft - 1);
+            case JsonTokenType.StartArray:
+                return ReadList(ref reader, bytes, new(JsonItemKind.List, place, parent, name, index), depthLeft - 1);
+            case JsonTokenType.String:
+                return ReadText(ref reader, place, parent, name, index);
+            case JsonTokenType.Number:
+                return ReadNumber(ref reader, place, parent, name, index);
+            case JsonTokenType.True or JsonTokenType.False:
+                return new(JsonItemKind.Boolean, place, parent, name, index) { Flag = reader.TokenType == JsonTokenType.True };
+            default:
+                return new(JsonItemKind.Null, place, parent, name, index);
+        }
+    }
+
+    private JsonItem ReadObject(ref Utf8JsonReader reader, ReadOnlySpan<byte> bytes, JsonItem item, int depthLeft)
+    {
+        CheckDepth(item, depthLeft);
+        var members = new List<JsonMember>();
+        var names = new HashSet<string>(StringComparer.Ordinal);
+        while (reader.Read() && reader.TokenType != JsonTokenType.EndObject)
+        {
+            var place = map.PlaceOf(bytes, reader.TokenStartIndex);
+            var name = TextOf(ref reader, place, item.Path);
+            reader.Read();
+            var value = ReadValue(ref reader, bytes, item, name, 0, depthLeft);
+            if (names.Add(name))
+            {
+                members.Add(new(name, place, value));
+            }
+            else
+            {
+                Problems.Add(new("duplicate-key", item.PathOf(name), place, $"the key \"{name}\" again", "each key once", $"the key \"{name}\" stands twice in this object; keep one"));
+            }
+        }
+
+        item.Members = members;
+        return item;
+    }
+
+    private JsonItem ReadList(ref Utf8JsonReader reader, ReadOnlySpan<byte> bytes, JsonItem item, int depthLeft)
+    {
+        CheckDepth(item, depthLeft);
+        var items = new List<JsonItem>();
+        while (reader.Read() && reader.TokenType != JsonTokenType.EndArray)
+        {
+            items.Add(ReadValue(ref reader, bytes, item, null, items.Count, depthLeft));
+        }
+
+        item.Items = items;
+        return item;
+    }
+
+    private JsonItem ReadText(ref Utf8JsonReader reader, JsonPlace place, JsonItem? parent, string? name, int index)
+    {
+        var path = parent is null ? "$" : new JsonItem(JsonItemKind.Text, place, parent, name, index).Path;
+        return new(JsonItemKind.Text, place, parent, name, index) { Text = TextOf(ref reader, place, path) };
+    }
+
+    private JsonItem ReadNumber(ref Utf8JsonReader reader, JsonPlace place, JsonItem? parent, string? name, int index)
+    {
+        var spelling = Encoding.UTF8.GetString(reader.ValueSpan);
+        var item = new JsonItem(JsonItemKind.Number, place, parent, name, index) { Text = spelling, Number = reader.GetDouble() };
+        if (!double.IsFinite(item.Number))
+        {
+            Problems.Add(JsonProblem.At(item, "number-out-of-range", $"the number {spelling}", "a number that a computer can hold"));
+        }
+
+        return item;
+    }
+
+    /// <summary>Text of a token; an escaped half of a surrogate pair is no text.</summary>
+    private string TextOf(ref Utf8JsonReader reader, JsonPlace place, string path)
+    {
+        try
+        {
+            return reader.GetString()!;
+        }
+        catch (InvalidOperationException)
+        {
+            const string expected = "whole characters";
+            Problems.Add(new("not-utf8", path, place, "half a surrogate pair", expected, "found half a surrogate pair (\\uD800 to \\uDFFF); expected " + expected));
+            return "";
+        }
+    }
+
+    private void CheckDepth(JsonItem item, int depthLeft)
+    {
+        if (depthLeft < 0)
+        {
+            throw new JsonDocumentException(file, [.. Problems, JsonProblem.At(item, "too-deep", "one more level", "fewer lists and objects inside one another")]);
+        }
+    }
+}

@@ -1,0 +1,84 @@
+namespace ErrorMatching.Json;
+
+/// <summary>Judges oneOf and anyOf, and says what is wrong with the alternative that was probably meant instead of with all of them.</summary>
+internal static class Alternatives
+{
+    public static void Check(SchemaRule rule, JsonItem item, List<Finding> findings)
+    {
+        if (rule.AnyOf.Count > 0)
+        {
+            Judge(rule.AnyOf, item, findings);
+        }
+
+        if (rule.OneOf.Count > 0 && Judge(rule.OneOf, item, findings) > 1)
+        {
+            findings.Add(new(item, JsonProblem.At(item, "several-alternatives", ValueText.Of(item) + " that could mean several things", "exactly one of " + ValueText.Or(rule.OneOf.Select(Name)))));
+        }
+    }
+
+    /// <summary>Number of alternatives that accept the value; what is wrong is reported if none does.</summary>
+    private static int Judge(IReadOnlyList<SchemaRule> alternatives, JsonItem item, List<Finding> findings)
+    {
+        var verdicts = alternatives.Select(a => Verdict(a, item)).ToArray();
+        var accepted = verdicts.Count(v => v.Count == 0);
+        if (accepted == 0)
+        {
+            // An alternative of another type was not meant, unless every one is.
+            var ofType = verdicts.Where(v => !v.Exists(f => IsOfOtherType(f, item))).ToArray();
+            Explain(alternatives, ofType.Length > 0 ? ofType : verdicts, item, findings);
+        }
+
+        return accepted;
+    }
+
+    private static List<Finding> Verdict(SchemaRule rule, JsonItem item)
+    {
+        var findings = new List<Finding>();
+        SchemaChecker.Check(rule, item, findings);
+        return findings;
+    }
+
+    private static void Explain(IReadOnlyList<SchemaRule> alternatives, List<Finding>[] verdicts, JsonItem item, List<Finding> findings)
+    {
+        var meant = verdicts.Where(v => !v.Exists(f => RulesOut(f, item))).ToArray();
+        if (meant.Length == 1)
+        {
+            findings.AddRange(meant[0]);
+            return;
+        }
+
+        // What every remaining alternative refuses is wrong whichever was meant: a missing "kind", say.
+        var common = meant.Length == 0 ? [] : meant[0].Where(f => meant.All(v => v.Contains(f))).ToList();
+        if (common.Count > 0)
+        {
+            findings.AddRange(common);
+            return;
+        }
+
+        var ruledOut = verdicts.Select(v => v.FirstOrDefault(f => RulesOut(f, item))).Where(f => f.Item is not null).ToArray();
+        if (meant.Length == 0 && ruledOut.All(f => ReferenceEquals(f.Item, ruledOut[0].Item)))
+        {
+            var (place, first) = (ruledOut[0].Item, ruledOut[0].Problem);
+            var all = JsonProblem.At(place, first.Code, first.Found, ValueText.Or(ruledOut.Select(f => f.Problem.Expected)));
+            findings.Add(new(place, all, ruledOut.All(f => f.ByType), ruledOut.All(f => f.ByConst)));
+            return;
+        }
+
+        findings.Add(new(item, JsonProblem.At(item, "no-alternative", ValueText.Of(item), ValueText.Or(alternatives.Select(Name)))));
+    }
+
+    /// <summary>An alternative was not meant if the value is of another type, or if a const of it or of one of its members says otherwise.</summary>
+    private static bool RulesOut(Finding finding, JsonItem item) =>
+        IsOfOtherType(finding, item) || (finding.ByConst && (ReferenceEquals(finding.Item, item) || item.Members.Any(m => ReferenceEquals(m.Value, finding.Item))));
+
+    private static bool IsOfOtherType(Finding finding, JsonItem item) => finding.ByType && ReferenceEquals(finding.Item, item);
+
+    private static string Name(SchemaRule rule) => rule switch
+    {
+        { Title.Length: > 0 } => rule.Title,
+        { Reference: { } target } => Name(target),
+        { Values.Count: > 0 } => ValueText.Or(rule.Values.Select(ValueText.Literal)),
+        { Types.Count: > 0 } => ValueText.Or(rule.Types.Select(ValueText.OfType)),
+        _ => "another form",
+    };
+}

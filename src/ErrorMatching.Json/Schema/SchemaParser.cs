@@ -1,0 +1,207 @@
+using System.Text.RegularExpressions;
+
+namespace ErrorMatching.Json;
+
+/// <summary>Turns a schema document into rules, refusing every keyword that nobody checks.</summary>
+internal sealed class SchemaParser(JsonItem document)
+{
+    private static readonly string[] TypeNames = ["object", "array", "string", "number", "integer", "boolean", "null"];
+    private readonly Dictionary<string, SchemaRule> _definitions = new(StringComparer.Ordinal);
+    private readonly List<(JsonItem At, SchemaRule Rule, string Target)> _references = [];
+    private readonly SchemaRule _root = new();
+
+    public List<JsonProblem> Problems { get; } = [];
+
+    public SchemaRule Parse()
+    {
+        Fill(_root, document);
+        foreach (var (at, rule, target) in _references)
+        {
+            var name = target.StartsWith("#/$defs/", StringComparison.Ordinal) ? target["#/$defs/".Length..] : "";
+            rule.Reference = target == "#" ? _root : _definitions.GetValueOrDefault(name);
+            if (rule.Reference is null)
+            {
+                Refuse(at, $"a reference to {target}", "# or #/$defs/NAME of this document");
+            }
+        }
+
+        foreach (var (at, rule, _) in _references)
+        {
+            if (LeadsBack(rule, rule, []))
+            {
+                Refuse(at, "a reference that leads back to itself without entering a value", "a reference that ends");
+            }
+        }
+
+        return _root;
+    }
+
+    private SchemaRule ParseRule(JsonItem schema)
+    {
+        var rule = new SchemaRule();
+        Fill(rule, schema);
+        return rule;
+    }
+
+    private void Fill(SchemaRule rule, JsonItem schema)
+    {
+        if (Is(schema, JsonItemKind.Object))
+        {
+            foreach (var member in schema.Members)
+            {
+                Apply(rule, member);
+            }
+        }
+    }
+
+    private void Apply(SchemaRule rule, JsonMember member)
+    {
+        var value = member.Value;
+        switch (member.Name)
+        {
+            case "$schema" or "$id" or "$comment" or "description" or "examples" or "default":
+                break;
+            case "title":
+                rule.Title = value.Text;
+                break;
+            case "$defs":
+                foreach (var definition in MembersOf(value))
+                {
+                    _definitions[definition.Name] = ParseRule(definition.Value);
+                }
+
+                break;
+            case "$ref":
+                _references.Add((value, rule, value.Text));
+                break;
+            case "type":
+                rule.Types = [.. (value.Kind == JsonItemKind.List ? value.Items : [value]).Select(TypeName)];
+                break;
+            case "enum" or "const":
+                rule.Values = member.Name == "enum" ? ItemsOf(value) : [value];
+                rule.IsConst = member.Name == "const";
+                foreach (var allowed in rule.Values.Where(v => v.Kind is JsonItemKind.List or JsonItemKind.Object))
+                {
+                    Refuse(allowed, ValueText.Of(allowed), "a plain value");
+                }
+
+                break;
+            case "required":
+                rule.Required = [.. ItemsOf(value).Select(i => i.Text)];
+                break;
+            case "properties":
+                rule.Properties = [.. MembersOf(value).Select(p => KeyValuePair.Create(p.Name, ParseRule(p.Value)))];
+                break;
+            case "additionalProperties":
+                rule.IsClosed = value is { Kind: JsonItemKind.Boolean, Flag: false };
+                if (!rule.IsClosed)
+                {
+                    Refuse(value, ValueText.Of(value), "false");
+                }
+
+                break;
+            case "items":
+                rule.Items = ParseRule(value);
+                break;
+            case "prefixItems":
+                rule.PrefixItems = Rules(value);
+                break;
+            case "oneOf":
+                rule.OneOf = Rules(value);
+                break;
+            case "anyOf":
+                rule.AnyOf = Rules(value);
+                break;
+            case "minItems":
+                rule.MinItems = Count(value);
+                break;
+            case "maxItems":
+                rule.MaxItems = Count(value);
+                break;
+            case "minLength":
+                rule.MinLength = Count(value);
+                break;
+            case "minimum":
+                rule.Minimum = Number(value);
+                break;
+            case "maximum":
+                rule.Maximum = Number(value);
+                break;
+            case "exclusiveMinimum":
+                rule.ExclusiveMinimum = Number(value);
+                break;
+            case "exclusiveMaximum":
+                rule.ExclusiveMaximum = Number(value);
+                break;
+            case "pattern":
+                rule.Pattern = Pattern(value);
+                break;
+            default:
+                Problems.Add(new("schema", value.Path, member.Place, $"the keyword \"{member.Name}\"", "a keyword that is checked", $"the keyword \"{member.Name}\" is not checked here, so a schema must not use it"));
+                break;
+        }
+    }
+
+    private string TypeName(JsonItem value)
+    {
+        if (!TypeNames.Contains(value.Text, StringComparer.Ordinal))
+        {
+            Refuse(value, ValueText.Of(value), "the name of a JSON type");
+        }
+
+        return value.Text;
+    }
+
+    private List<SchemaRule> Rules(JsonItem value) => [.. ItemsOf(value).Select(ParseRule)];
+
+    private IReadOnlyList<JsonItem> ItemsOf(JsonItem value) => Is(value, JsonItemKind.List) ? value.Items : [];
+
+    private IReadOnlyList<JsonMember> MembersOf(JsonItem value) => Is(value, JsonItemKind.Object) ? value.Members : [];
+
+    private int Count(JsonItem value)
+    {
+        var count = Number(value);
+        if (count < 0 || count != Math.Floor(count) || count > int.MaxValue)
+        {
+            Refuse(value, ValueText.Of(value), "a count");
+            return 0;
+        }
+
+        return (int)count;
+    }
+
+    private double Number(JsonItem value) => Is(value, JsonItemKind.Number) ? value.Number : 0;
+
+    private Regex? Pattern(JsonItem value)
+    {
+        try
+        {
+            return new(value.Text, RegexOptions.NonBacktracking | RegexOptions.CultureInvariant, TimeSpan.FromSeconds(1));
+        }
+        catch (Exception e) when (e is ArgumentException or NotSupportedException)
+        {
+            Refuse(value, ValueText.Of(value), "a regular expression that needs no backtracking");
+            return null;
+        }
+    }
+
+    private bool Is(JsonItem value, JsonItemKind kind)
+    {
+        if (value.Kind == kind)
+        {
+            return true;
+        }
+
+        Refuse(value, ValueText.Of(value), ValueText.Of(kind));
+        return false;
+    }
+
+    private void Refuse(JsonItem at, string found, string expected) => Problems.Add(JsonProblem.At(at, "schema", found, expected));
+
+    /// <summary>Whether the rules that judge the same value as one rule come back to it: checking would never end.</summary>
+    private static bool LeadsBack(SchemaRule from, SchemaRule to, HashSet<SchemaRule> seen)
+    {
+        IEnumerable<SchemaRule> next = [.. from.OneOf, .. from.AnyOf, .. from.Reference is null ? Array.Empty<SchemaRule>() : [from.Reference]];
+        return next.Any(r => ReferenceEquals(r, to) || (seen.Add(r) && LeadsBack(r, to, seen)));
+    }
+}

@@ -1,0 +1,79 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>
+/// Decides what is done about each feature (Wang 2021, section 2.4): nothing inside the tolerance, the whole deviation or its excess outside, and nothing at all where a deviation is not plausible.
+/// </summary>
+/// <remarks>
+/// <para>A feature is outside its tolerance if the normal deviation of any of its points is; it is then compensated at all of them, since moving a part of a line would bend it.</para>
+/// <para>
+/// Outside, it must also be significant: its largest normal deviation must exceed <see cref="CoverageFactor"/> times the combined standard uncertainty u of a normal deviation. Feed-forward compares a measured
+/// point with an exact one, so u is the gauge's; feedback compares two measured points, so u is the gauge's times the square root of 2.
+/// </para>
+/// <para>Plausible is a displacement, along whatever direction, of at most the job's limit. One that exceeds it at any point refuses the job.</para>
+/// </remarks>
+public static class Decider
+{
+    /// <summary>Code of the refusal of a deviation beyond the job's limit.</summary>
+    public const string ImplausibleDeviation = "implausible-deviation";
+
+    /// <summary>Coverage factor k of the expanded uncertainty that a deviation is compared with: 2, about 95 % of normally distributed errors.</summary>
+    public const double CoverageFactor = 2;
+
+    /// <summary>Decides about all features of a job.</summary>
+    /// <param name="job">The job: features, tolerances, uncertainty and compensation are taken from it.</param>
+    /// <param name="points">For each feature of the job, in its order, the key points in the order of cutting.</param>
+    /// <exception cref="ArgumentException">The lists do not correspond to the job's features and points.</exception>
+    public static MatingDecision Decide(MatingJob job, IReadOnlyList<IReadOnlyList<BoundaryPoint>> points)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        ArgumentNullException.ThrowIfNull(points);
+        var u = job.Gauge.Uncertainty.CombinedMm * (job.Compensation.From == CompensationSource.Counterpart ? Math.Sqrt(2) : 1);
+        var features = new List<FeatureDecision>();
+        var refusals = new List<MatingRefusal>();
+        for (var i = 0; i < job.Features.Count; i++)
+        {
+            var feature = job.Features[i];
+            if (points.Count != job.Features.Count || !feature.Points.SequenceEqual(points[i].Select(p => p.Label)))
+            {
+                throw new ArgumentException($"Found other points than those of {feature.Name}; expected its key points in the order of cutting.", nameof(points));
+            }
+
+            features.Add(Decide(feature.Name, feature.Tolerance.Band, points[i], job.Compensation, u));
+            refusals.AddRange(points[i].Where(p => !(p.Displacement.Length <= job.Compensation.LimitMm)).Select(p => Implausible(feature.Name, p, job.Compensation.LimitMm)));
+        }
+
+        return new(features, refusals);
+    }
+
+    private static FeatureDecision Decide(string name, ToleranceBand band, IReadOnlyList<BoundaryPoint> points, JobCompensation compensation, double u)
+    {
+        var largest = points.Select(p => p.NormalMm).MaxBy(Math.Abs);
+        var decision = points.All(p => band.Contains(p.NormalMm)) ? Decision.WithinTolerance
+            : Math.Abs(largest) <= CoverageFactor * u ? Decision.NotSignificant
+            : Decision.Compensated;
+        return new(name, decision, largest, u, [.. points.Select(p => new PointDecision(p, band.ExcessOf(p.NormalMm), decision == Decision.Compensated ? Correction(p, band, compensation) : Vector2.Zero))]);
+    }
+
+    private static Vector2 Correction(BoundaryPoint point, ToleranceBand band, JobCompensation compensation)
+    {
+        var normal = point.NormalMm;
+        var amount = compensation.Amount == CompensationAmount.Whole ? normal : band.ExcessOf(normal);
+        if (compensation.Along == CompensationDirection.Normal)
+        {
+            return point.Normal * (compensation.Gain * amount);
+        }
+
+        // The excess of a vector is the same share of it as of its normal component.
+        var share = compensation.Amount == CompensationAmount.Whole ? 1 : normal == 0 ? 0 : amount / normal;
+        return point.Displacement * (compensation.Gain * share);
+    }
+
+    private static MatingRefusal Implausible(string feature, BoundaryPoint point, double limit) => new(
+        ImplausibleDeviation,
+        string.Create(CultureInfo.InvariantCulture, $"Point {point.Label} of {feature} is {point.Displacement.Length:0.000} mm off, more than the {limit:0.###} mm that are plausible: check part, probe and files before raising \"limitMm\"."),
+        feature,
+        point.Label);
+}

@@ -1,0 +1,25 @@
+using System.Globalization;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>The terms of equation (7) of Wang 2021, by which the time of measuring is estimated.</summary>
+/// <param name="ProbingSpeedMmPerS">Velocity of the touch.</param>
+/// <param name="ProbingDistanceMm">Distance between the probe and a key point before the touch.</param>
+/// <param name="CalculatingS">Time to calculate the deviations.</param>
+public sealed record MeasuringTime(double ProbingSpeedMmPerS, double ProbingDistanceMm, double CalculatingS)
+{
+    /// <summary>What the paper measured with: 10 mm/s, 5 mm, 1 s.</summary>
+    public static MeasuringTime Default { get; } = new(10, 5, 1);
+
+    /// <summary>Equation (7): number of key points times distance by speed, plus the calculation.</summary>
+    /// <param name="keyPoints">Number of key points, zero or more.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The number is negative.</exception>
+    public double TotalS(int keyPoints)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegative(keyPoints);
+        return (keyPoints * ProbingDistanceMm / ProbingSpeedMmPerS) + CalculatingS;
+    }
+
+    /// <inheritdoc/>
+    public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{ProbingDistanceMm} mm at {ProbingSpeedMmPerS} mm/s a point, {CalculatingS} s of calculation");
+}

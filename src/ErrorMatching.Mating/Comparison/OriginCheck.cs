@@ -1,0 +1,32 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>Whether the measured origin lies where it is designed (Wang 2021, section 2.2: the origin is checked before any key point is measured).</summary>
+/// <param name="Point">Label of the origin.</param>
+/// <param name="DistanceMm">How far it is off.</param>
+/// <param name="LimitMm">How far it may be off.</param>
+public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm)
+{
+    /// <summary>Code of the refusal of an origin that is off.</summary>
+    public const string OriginOff = "origin-off";
+
+    /// <summary>True if the origin is within its limit.</summary>
+    public bool Holds => DistanceMm <= LimitMm;
+
+    /// <summary>The refusal, or null if the check holds.</summary>
+    public MatingRefusal? Refusal => Holds
+        ? null
+        : new(OriginOff, string.Create(CultureInfo.InvariantCulture, $"The origin {Point} was measured {DistanceMm:0.000} mm off, more than the {LimitMm:0.###} mm allowed: check clamping and work offset, then measure again."), Point: Point);
+
+    /// <summary>Checks the origin as measured, before any alignment.</summary>
+    /// <param name="check">What the job asks for.</param>
+    /// <param name="theoretical">Where the origin is designed.</param>
+    /// <param name="measured">Where it was measured.</param>
+    public static OriginCheck Of(JobOriginCheck check, Point3 theoretical, Point3 measured)
+    {
+        ArgumentNullException.ThrowIfNull(check);
+        return new(check.Point, (measured - theoretical).Length, check.LimitMm);
+    }
+}

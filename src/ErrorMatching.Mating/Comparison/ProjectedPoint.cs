@@ -1,0 +1,35 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>A measured point as a feature sees it: in the feature's plane, with what stands out of it.</summary>
+/// <param name="Label">Name of the point.</param>
+/// <param name="Position">Its place in the plane, in the plane's axis order.</param>
+/// <param name="HeightMm">Its coordinate along the plane's third axis; null where the file has no Z.</param>
+public readonly record struct ProjectedPoint(string Label, Point2 Position, double? HeightMm)
+{
+    /// <summary>Projects a point (Wang 2021, section 2.3: the three-dimensional problem is converted into a two-dimensional one).</summary>
+    /// <param name="point">The point.</param>
+    /// <param name="plane">The feature's plane.</param>
+    /// <param name="file">File of the point, for messages.</param>
+    /// <exception cref="MeasurementException">The plane is not XY and the file has no Z (<see cref="MeasurementError.MissingCoordinate"/>).</exception>
+    public static ProjectedPoint Of(LabelledPoint point, CoordinatePlane plane, string file)
+    {
+        if (!point.HasZ && plane != CoordinatePlane.XY)
+        {
+            throw new MeasurementException(
+                MeasurementError.MissingCoordinate,
+                string.Create(CultureInfo.InvariantCulture, $"no Z of the point {point.Label}"),
+                $"a Z coordinate, since its feature lies in the plane {plane}",
+                file,
+                point.Line);
+        }
+
+        return new(point.Label, plane.Project(point.Position), point.HasZ ? plane.Height(point.Position) : null);
+    }
+
+    /// <summary>How far a measured point stands out of its plane: its height above the theoretical point's, or null where one of them has no height.</summary>
+    public double? StandsOutMm(ProjectedPoint theoretical) => HeightMm - theoretical.HeightMm;
+}

@@ -1,0 +1,39 @@
+using System.Globalization;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>The limits of a signed deviation in millimetres, both inside the band.</summary>
+public readonly record struct ToleranceBand
+{
+    /// <summary>A band between two limits.</summary>
+    /// <param name="lowerMm">The lower limit.</param>
+    /// <param name="upperMm">The upper limit, not below the lower one.</param>
+    /// <exception cref="ArgumentException">The limits are reversed or not finite.</exception>
+    public ToleranceBand(double lowerMm, double upperMm)
+    {
+        if (!(lowerMm <= upperMm && double.IsFinite(lowerMm) && double.IsFinite(upperMm)))
+        {
+            throw new ArgumentException(string.Create(CultureInfo.InvariantCulture, $"Found the limits {lowerMm} and {upperMm}; expected the lower one first."), nameof(lowerMm));
+        }
+
+        (LowerMm, UpperMm) = (lowerMm, upperMm);
+    }
+
+    /// <summary>The lower limit.</summary>
+    public double LowerMm { get; }
+
+    /// <summary>The upper limit.</summary>
+    public double UpperMm { get; }
+
+    /// <summary>True if a deviation lies between the limits or on one of them.</summary>
+    public bool Contains(double deviationMm) => ExcessOf(deviationMm) == 0;
+
+    /// <summary>The part of a deviation beyond its limit: positive above the upper one, negative below the lower one, zero inside.</summary>
+    public double ExcessOf(double deviationMm)
+    {
+        // Limits and coordinates are decimals of micrometres: what the subtraction of two of them leaves beyond the 9th decimal is rounding, not deviation.
+        const double rounding = 1e-9;
+        var excess = deviationMm > UpperMm ? deviationMm - UpperMm : deviationMm < LowerMm ? deviationMm - LowerMm : 0;
+        return Math.Abs(excess) <= rounding ? 0 : excess;
+    }
+}

@@ -1,0 +1,30 @@
+namespace ErrorMatching.Mating;
+
+/// <summary>The dimensions that add up to a mating dimension, each with its limits and sign (Wang 2021, section 2.4).</summary>
+/// <param name="Links">At least one dimension.</param>
+public sealed record ToleranceChain(IReadOnlyList<ChainLink> Links)
+{
+    /// <summary>The signed sum of the nominal sizes.</summary>
+    public double NominalMm => Links.Sum(l => l.Sign * l.NominalMm);
+
+    /// <summary>The smallest and the largest size if every dimension is at its worst limit at once: a shortening dimension contributes its limits exchanged.</summary>
+    public ChainDimension WorstCase()
+    {
+        var smallest = Links.Sum(l => l.Sign > 0 ? l.Tolerance.LowerMm : -l.Tolerance.UpperMm);
+        var largest = Links.Sum(l => l.Sign > 0 ? l.Tolerance.UpperMm : -l.Tolerance.LowerMm);
+        return new(NominalMm, new(smallest, largest));
+    }
+
+    /// <summary>
+    /// The smallest and the largest size if the dimensions vary independently: the middles of the bands add up with their signs, half the widths by root sum of squares.
+    /// </summary>
+    /// <remarks>The usual statistical tolerance analysis: with bands of equal probability content, the result has that content too if the dimensions are normally distributed about the middles.</remarks>
+    public ChainDimension RootSumOfSquares()
+    {
+        var middle = Links.Sum(l => l.Sign * (l.Tolerance.LowerMm + l.Tolerance.UpperMm) / 2);
+        var half = Math.Sqrt(Links.Sum(l => Square((l.Tolerance.UpperMm - l.Tolerance.LowerMm) / 2)));
+        return new(NominalMm, new(middle - half, middle + half));
+    }
+
+    private static double Square(double value) => value * value;
+}

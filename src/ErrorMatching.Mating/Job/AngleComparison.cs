@@ -1,0 +1,7 @@
+namespace ErrorMatching.Mating;
+
+/// <summary>The angle inside the corner where a first straight element ends and a second one begins.</summary>
+/// <param name="Name">Its name.</param>
+/// <param name="First">The element that is cut first.</param>
+/// <param name="Second">The element that is cut next.</param>
+public sealed record AngleComparison(string Name, ElementReference First, ElementReference Second) : JobComparison(Name);

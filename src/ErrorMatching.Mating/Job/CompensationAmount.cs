@@ -1,0 +1,11 @@
+namespace ErrorMatching.Mating;
+
+/// <summary>How much of a deviation outside its tolerance is compensated.</summary>
+public enum CompensationAmount
+{
+    /// <summary>All of it.</summary>
+    Whole,
+
+    /// <summary>At each point, what exceeds the limit.</summary>
+    Excess,
+}

@@ -1,0 +1,115 @@
+using System.Globalization;
+using System.Text.RegularExpressions;
+using ErrorMatching.Geometry;
+using ErrorMatching.Json;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Mating;
+
+/// <content>Features: their points, limits and blocks.</content>
+internal sealed partial class JobReader
+{
+    private JobFeature ReadFeature(JsonItem item, ToleranceChain? chain)
+    {
+        var name = item["name"].Text;
+        CheckBlocks(item["blocks"]);
+        var blocks = item["blocks"].Items.Select(b => b.Text).ToArray();
+        var tolerance = ReadTolerance(item["toleranceMm"], chain);
+        var plane = item.Find("plane")?.Text switch { "ZX" => CoordinatePlane.ZX, "YZ" => CoordinatePlane.YZ, _ => CoordinatePlane.XY };
+        var points = item["points"];
+        JobFeature feature = item["kind"].Text switch
+        {
+            "line" => new LineFeature(name, blocks, tolerance, plane, ReadPoints(points, name, 2), item.Find("method")?.Text == "ols" ? LineMethod.Ordinary : LineMethod.Total),
+            "triangle" => new TriangleFeature(name, blocks, tolerance, plane, ReadPoints(points.Items[0], name, 2), ReadPoints(points.Items[1], name, 2)),
+            _ => ReadCurve(item, name, blocks, tolerance, plane, ReadPoints(points, name, 3)),
+        };
+        if (!_features.TryAdd(name, feature))
+        {
+            Refuse(item["name"], "duplicate-name", $"the name \"{name}\" again", "a name that no other feature has");
+        }
+
+        return feature;
+    }
+
+    private CurveFeature ReadCurve(JsonItem item, string name, string[] blocks, JobTolerance tolerance, CoordinatePlane plane, List<string> points)
+    {
+        int? degree = item.Find("degree") is { Kind: JsonItemKind.Number } d ? (int)Math.Min(d.Number, int.MaxValue) : null;
+        double? ridge = item.Find("ridge") is { Kind: JsonItemKind.Number } r ? r.Number : null;
+        if (degree >= points.Count && points.Count >= 3)
+        {
+            Refuse(item["degree"], "degree-too-high", $"the degree {item["degree"].Text}", string.Create(CultureInfo.InvariantCulture, $"at most {points.Count - 1} for {points.Count} points"));
+        }
+
+        return new(name, blocks, tolerance, plane, points, degree, ridge);
+    }
+
+    private JobTolerance ReadTolerance(JsonItem item, ToleranceChain? chain)
+    {
+        if (item.Kind == JsonItemKind.List)
+        {
+            return new(ReadBand(item), ToleranceSource.Stated);
+        }
+
+        var source = item.Text == "chain:rss" ? ToleranceSource.RootSumOfSquares : ToleranceSource.WorstCase;
+        if (chain is null)
+        {
+            Refuse(item, "chain-missing", $"\"{item.Text}\" in a job without \"toleranceChain\"", "a tolerance chain, or a lower and an upper limit");
+            return new(default, source);
+        }
+
+        return new((source == ToleranceSource.WorstCase ? chain.WorstCase() : chain.RootSumOfSquares()).Band, source);
+    }
+
+    private List<string> ReadPoints(JsonItem list, string feature, int least)
+    {
+        var labels = Labels(list);
+        foreach (var (label, item) in labels)
+        {
+            // A point of two features would have two normals and two corrections.
+            if (!_featureOfPoint.TryAdd(label, feature))
+            {
+                Refuse(item, "duplicate-point", $"the point {label} again, which belongs to {_featureOfPoint[label]}", "each point in one place");
+            }
+        }
+
+        if (labels.Count < least)
+        {
+            Refuse(list, "too-few-points", string.Create(CultureInfo.InvariantCulture, $"{labels.Count} point(s)"), string.Create(CultureInfo.InvariantCulture, $"at least {least}"));
+        }
+
+        return [.. labels.Select(l => l.Label)];
+    }
+
+    private List<(string Label, JsonItem Item)> Labels(JsonItem list)
+    {
+        var labels = new List<(string, JsonItem)>();
+        foreach (var item in list.Items)
+        {
+            try
+            {
+                labels.AddRange(LabelRange.Expand(item.Text).Select(l => (l, item)));
+            }
+            catch (MeasurementException e)
+            {
+                Refuse(item, "bad-range", e.Found, e.Expected);
+            }
+        }
+
+        return labels;
+    }
+
+    private void CheckBlocks(JsonItem list)
+    {
+        foreach (var item in list.Items.Where(i => i.Text.StartsWith('/')))
+        {
+            try
+            {
+                _ = new Regex(item.Text[1..^1], RegexOptions.NonBacktracking | RegexOptions.CultureInvariant, TimeSpan.FromSeconds(1));
+            }
+            catch (Exception e) when (e is ArgumentException or NotSupportedException)
+            {
+                Refuse(item, "bad-pattern", $"the pattern {item.Text}", "a regular expression without look-around and back references: " + e.Message.TrimEnd('.'));
+            }
+        }
+    }
+}

@@ -1,0 +1,164 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Json;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>
+/// Makes a job of a document that keeps the schema, and collects what a schema cannot say: names that must be unique, points that must suffice, keys that need one another.
+/// </summary>
+internal sealed partial class JobReader(JsonItem root)
+{
+    private readonly Dictionary<string, JobFeature> _features = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, string> _featureOfPoint = new(StringComparer.Ordinal);
+
+    public List<JsonProblem> Problems { get; } = [];
+
+    public MatingJob Read(string file, string sha256)
+    {
+        // The chain comes first because features may take their limits from it.
+        var chain = root.Find("toleranceChain") is { } links ? new ToleranceChain([.. links.Items.Select(ReadLink)]) : null;
+        var job = new MatingJob
+        {
+            File = file,
+            Sha256 = sha256,
+            Name = root["name"].Text,
+            WorkOrder = root.Find("workOrder")?.Text,
+            Part = new(root["part"]["theoretical"].Text, root["part"]["measured"].Text),
+            Gauge = ReadGauge(root["gauge"]),
+            Alignment = root.Find("alignment") is { } alignment ? ReadAlignment(alignment) : JobAlignment.None,
+            OriginCheck = root.Find("originCheck") is { } origin ? new(origin["point"].Text, origin["limitMm"].Number) : null,
+            Features = [.. root["features"].Items.Select(f => ReadFeature(f, chain))],
+            Counterpart = ReadCounterpart(root["counterpart"]),
+            Compensation = root.Find("compensation") is { } compensation ? ReadCompensation(compensation) : JobCompensation.Default,
+            Chain = chain,
+            Recognition = root.Find("recognition") is { } rules ? new(ReadRules(rules["part"]), ReadRules(rules["counterpart"])) : null,
+            Verify = ReadComparisons(),
+        };
+        if (job.Compensation.From == CompensationSource.Counterpart && job.Counterpart.Measured is null)
+        {
+            Refuse(root["counterpart"], "measured-missing", "no key \"measured\"", "the measured counterpart's file, since the compensation comes from it");
+        }
+
+        return job;
+    }
+
+    private ChainLink ReadLink(JsonItem item) => new(item["name"].Text, item["nominalMm"].Number, ReadBand(item["toleranceMm"]), (int)item["sign"].Number);
+
+    private JobGauge ReadGauge(JsonItem item)
+    {
+        var uncertainty = item["uncertaintyMm"];
+        var measuring = item.Find("measuring");
+        var reports = item.Find("reports")?.Text == "stylus-center" ? ProbeReport.StylusCenter : ProbeReport.Contact;
+        var diameter = item.Find("stylusDiameterMm")?.Number;
+        if (reports == ProbeReport.StylusCenter && diameter is null)
+        {
+            Refuse(item, "stylus-diameter-missing", "no key \"stylusDiameterMm\"", "the diameter of the ball whose centers the files hold");
+        }
+
+        return new(
+            ReadFormat(item["format"]),
+            uncertainty.Kind == JsonItemKind.Number
+                ? UncertaintyBudget.Of(uncertainty.Number)
+                : new([.. uncertainty.Items.Select(c => new UncertaintyContribution(c["name"].Text, c["valueMm"].Number))]),
+            reports,
+            diameter,
+            new(
+                measuring?.Find("probingSpeedMmPerS")?.Number ?? MeasuringTime.Default.ProbingSpeedMmPerS,
+                measuring?.Find("probingDistanceMm")?.Number ?? MeasuringTime.Default.ProbingDistanceMm,
+                measuring?.Find("calculatingS")?.Number ?? MeasuringTime.Default.CalculatingS));
+    }
+
+    private MeasurementFormat ReadFormat(JsonItem item)
+    {
+        try
+        {
+            return MeasurementFormat.FromJson(item.ToJson());
+        }
+        catch (MeasurementException e)
+        {
+            Problems.Add(new("bad-format", item.Path + e.Path?[1..], item.Place, e.Found, e.Expected, $"found {e.Found}; expected {e.Expected}"));
+            return MeasurementFormat.Points;
+        }
+    }
+
+    private JobAlignment ReadAlignment(JsonItem item)
+    {
+        switch (item["kind"].Text)
+        {
+            case "datum":
+                var (origin, direction) = (item["origin"], item["direction"]);
+                if (origin.Text == direction.Text)
+                {
+                    Refuse(direction, "datum-needs-two-points", $"the origin {direction.Text} again", "another point, which gives the direction");
+                }
+
+                return new(JobAlignmentKind.Datum, origin.Text, direction.Text, false, false, false);
+            case "best-fit":
+                var locked = item.Find("locked")?.Items.Select(i => i.Text).ToArray() ?? [];
+                return new(JobAlignmentKind.BestFit, null, null, locked.Contains("x"), locked.Contains("y"), locked.Contains("rotation"));
+            default:
+                return JobAlignment.None;
+        }
+    }
+
+    private static JobCounterpart ReadCounterpart(JsonItem item) => new(
+        item["program"].Text,
+        item["dialect"].Text,
+        item["toolDiameterMm"].Number,
+        item.Find("measured")?.Text,
+        item.Find("frame") is { } frame ? ReadFrame(frame) : RigidTransform2.Identity,
+        item.Find("mapMm")?.Number ?? JobCounterpart.DefaultMapMm);
+
+    private static RigidTransform2 ReadFrame(JsonItem item)
+    {
+        var mirror = item.Find("mirror")?.Text switch { "x" => Mirror.X, "y" => Mirror.Y, _ => Mirror.None };
+        var by = item.Find("translateMm")?.Items;
+        return new(mirror, Angle.FromDegrees(item.Find("rotateDeg")?.Number ?? 0), by is null ? Vector2.Zero : new(by[0].Number, by[1].Number));
+    }
+
+    private static JobCompensation ReadCompensation(JsonItem item) => new(
+        item.Find("from")?.Text == "counterpart" ? CompensationSource.Counterpart : JobCompensation.Default.From,
+        item.Find("gain")?.Number ?? JobCompensation.Default.Gain,
+        item.Find("amount")?.Text == "excess" ? CompensationAmount.Excess : JobCompensation.Default.Amount,
+        item.Find("along")?.Text == "vector" ? CompensationDirection.Vector : JobCompensation.Default.Along,
+        item.Find("limitMm")?.Number ?? JobCompensation.Default.LimitMm);
+
+    private List<SourceRule> ReadRules(JsonItem list)
+    {
+        var rules = new List<SourceRule>();
+        foreach (var item in list.Items)
+        {
+            var pattern = item["pattern"].Text;
+            try
+            {
+                rules.Add(item["in"].Text switch
+                {
+                    "header" => SourceRule.OfHeaderField(item["name"].Text, pattern),
+                    "column" => SourceRule.OfColumn(item["name"].Text, pattern),
+                    _ => SourceRule.OfFileName(pattern),
+                });
+            }
+            catch (MeasurementException e)
+            {
+                Refuse(item["pattern"], "bad-pattern", e.Found, e.Expected);
+            }
+        }
+
+        return rules;
+    }
+
+    private ToleranceBand ReadBand(JsonItem item)
+    {
+        var (lower, upper) = (item.Items[0].Number, item.Items[1].Number);
+        if (lower <= upper)
+        {
+            return new(lower, upper);
+        }
+
+        Refuse(item, "reversed-tolerance", $"the limits {item.Items[0].Text} and {item.Items[1].Text}", "the lower limit first");
+        return default;
+    }
+
+    private void Refuse(JsonItem item, string code, string found, string expected) => Problems.Add(JsonProblem.At(item, code, found, expected));
+}

@@ -1,0 +1,103 @@
+using System.Security.Cryptography;
+using System.Text;
+using ErrorMatching.Json;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>What is measured, how it is judged, and which blocks of the counterpart's program follow: the file that a setter writes once for a mating.</summary>
+/// <remarks>Every key of the file is described by its schema (<see cref="JobTemplate.Schema"/>). Lengths in millimetres, angles in degrees.</remarks>
+public sealed record MatingJob
+{
+    private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(Encoding.UTF8.GetBytes(JobTemplate.Schema), "mating.schema.json"));
+
+    internal MatingJob()
+    {
+    }
+
+    /// <summary>The file as the caller named it.</summary>
+    public required string File { get; init; }
+
+    /// <summary>SHA-256 of the file's bytes as 64 lower-case hexadecimal digits.</summary>
+    public required string Sha256 { get; init; }
+
+    /// <summary>What the report calls the job.</summary>
+    public required string Name { get; init; }
+
+    /// <summary>The shop's number of the order; null if the job has none.</summary>
+    public string? WorkOrder { get; init; }
+
+    /// <summary>The files of the part.</summary>
+    public required JobPart Part { get; init; }
+
+    /// <summary>What the gauge writes and how well it measures.</summary>
+    public required JobGauge Gauge { get; init; }
+
+    /// <summary>How measured points are moved before they are compared.</summary>
+    public required JobAlignment Alignment { get; init; }
+
+    /// <summary>The point that must be measured where it is designed; null if none is checked.</summary>
+    public JobOriginCheck? OriginCheck { get; init; }
+
+    /// <summary>The mating boundary in the order of cutting; at least one feature.</summary>
+    public required IReadOnlyList<JobFeature> Features { get; init; }
+
+    /// <summary>The piece to be cut, and its program.</summary>
+    public required JobCounterpart Counterpart { get; init; }
+
+    /// <summary>What is made of the deviations.</summary>
+    public required JobCompensation Compensation { get; init; }
+
+    /// <summary>The dimensions that add up to the mating dimension; null if the job has none.</summary>
+    public ToleranceChain? Chain { get; init; }
+
+    /// <summary>Rules that tell a measurement of the part from one of the counterpart; null if the job has none.</summary>
+    public SourceRules? Recognition { get; init; }
+
+    /// <summary>Comparisons beside those that every feature has.</summary>
+    public required IReadOnlyList<JobComparison> Verify { get; init; }
+
+    /// <summary>Labels of all key points in the order of cutting, each once.</summary>
+    public IReadOnlyList<string> KeyPoints => [.. Features.SelectMany(f => f.Points)];
+
+    /// <summary>Labels of all points that the theoretical and the measured files must have: the key points, the datum's and the checked origin.</summary>
+    public IReadOnlyList<string> NeededPoints =>
+        [.. KeyPoints.Concat(new[] { Alignment.Origin, Alignment.Direction, OriginCheck?.Point }.OfType<string>()).Distinct(StringComparer.Ordinal)];
+
+    /// <summary>The job in a file.</summary>
+    /// <param name="path">The file.</param>
+    /// <exception cref="JobException">As of <see cref="Parse"/>.</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The file must not be read.</exception>
+    public static MatingJob Read(string path) => Parse(JsonInput.Load(path), path);
+
+    /// <summary>The job in some bytes.</summary>
+    /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
+    /// <param name="file">Name for messages, and the place that relative paths start from.</param>
+    /// <exception cref="JobException">The bytes are no JSON, break the schema, or the job contradicts itself; all problems are in it.</exception>
+    public static MatingJob Parse(ReadOnlySpan<byte> bytes, string file)
+    {
+        JsonItem document;
+        try
+        {
+            document = JsonInput.Read(bytes, file);
+        }
+        catch (JsonDocumentException e)
+        {
+            throw new JobException(file, e.Problems, e);
+        }
+
+        var problems = Schema.Value.Check(document);
+        if (problems.Count > 0)
+        {
+            throw new JobException(file, problems);
+        }
+
+        var reader = new JobReader(document);
+        var job = reader.Read(file, Convert.ToHexStringLower(SHA256.HashData(bytes)));
+        return reader.Problems.Count == 0 ? job : throw new JobException(file, reader.Problems);
+    }
+
+    /// <summary>A path of the job as seen from where the caller is: relative ones start from the job's folder, absolute ones stay.</summary>
+    public string PathOf(string path) => Path.Combine(Path.GetDirectoryName(File) ?? "", path);
+}

@@ -1,0 +1,11 @@
+namespace ErrorMatching.Mating;
+
+/// <summary>What the coordinates in a gauge's file are.</summary>
+public enum ProbeReport
+{
+    /// <summary>Points where the stylus touched the piece.</summary>
+    Contact,
+
+    /// <summary>Centers of the stylus ball at the moment of touch.</summary>
+    StylusCenter,
+}
