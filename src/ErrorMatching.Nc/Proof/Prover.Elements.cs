@@ -33,7 +33,7 @@ public sealed partial class Prover
                 Fail(was.Block, "it turned round.");
             }
         }
-        else if (element.IsFillet && Flank(element.Motion - 1) is { } first && Flank(element.Motion + 1) is { } second)
+        else if (element.IsFillet && FlanksOf(element.Motion) is var (first, second))
         {
             CheckFillet(was, now, first, second);
         }
@@ -58,6 +58,10 @@ public sealed partial class Prover
             Fail(was.Block, FormattableString.Invariant($"an end went {moved.Length:0.000} mm although {wished.Length:0.000} mm were asked."));
         }
     }
+
+    // The wished lines on both sides of a fillet, or null where the motion is none.
+    private (Line2 First, Line2 Second)? FlanksOf(int motion) =>
+        Fillet.Around(before, motion) is { } fillet && Flank(fillet.First - 1) is { } first && Flank(fillet.Last + 1) is { } second ? (first, second) : null;
 
     private Line2? Flank(int motion) => elements.TryGetValue(motion, out var element) && before.Motions[motion] is { IsArc: false } m
         ? Line2.Through(m.PlaneStart + element.Start, m.PlaneEnd + element.End)
@@ -104,7 +108,7 @@ public sealed partial class Prover
         }
 
         CheckArc(was, now);
-        if (was.IsArc && startMoved && endMoved && Flank(motion - 1) is { } first && Flank(motion + 1) is { } second)
+        if (startMoved && endMoved && FlanksOf(motion) is var (first, second))
         {
             CheckFillet(was, now, first, second);
             Note(was, NeighborRole.Fillet, moved);

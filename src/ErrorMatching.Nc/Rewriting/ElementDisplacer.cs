@@ -93,37 +93,36 @@ internal sealed partial class ElementDisplacer
         for (var i = 0; i < elements.Count; i++)
         {
             yield return elements[i];
-            var motion = elements[i].Motion + 1;
-            if (i + 1 < elements.Count && elements[i + 1].Motion == motion + 1 && IsTangentFillet(motion))
+            var first = elements[i].Motion + 1;
+            var behind = i + 1 < elements.Count ? elements[i + 1].Motion : first;
+            if (behind == first || Fillet.Around(path, first) is not { } fillet || fillet != (first, behind - 1))
             {
-                var (before, behind) = (elements[i].End, elements[i + 1].Start);
-                yield return new(motion, before, (before + behind) / 2, behind, IsFillet: true);
+                continue;
+            }
+
+            var (from, to) = (elements[i].End, elements[i + 1].Start);
+            for (var motion = first; motion < behind; motion++)
+            {
+                yield return new(motion, from, (from + to) / 2, to, IsFillet: true);
             }
         }
     }
 
-    private bool IsTangentFillet(int motion)
-    {
-        var motions = path.Motions;
-        return motions[motion].IsArc && motions[motion - 1].Kind == MotionKind.Line && motions[motion + 1].Kind == MotionKind.Line
-            && IsTangent(motions[motion - 1].TangentAt(1), motions[motion].TangentAt(0))
-            && IsTangent(motions[motion].TangentAt(1), motions[motion + 1].TangentAt(0));
-    }
-
     private static bool IsTangent(Vector2 before, Vector2 behind) => Math.Abs(before.Cross(behind)) < TangentSine && before.Dot(behind) > 0;
 
-    // Both flanks offset by the new radius meet in the new center; its feet on them are the new tangent points (method of the fillet in a wedge).
+    // Both flanks offset by the new radius meet in the new center; its feet on them are the new tangent points. Joints between arcs of the fillet keep their direction from the center.
     private NcRefusal? Round(ElementWish element)
     {
-        var motion = path.Motions[element.Motion];
-        if (!carriers.TryGetValue(element.Motion - 1, out var before) || !carriers.TryGetValue(element.Motion + 1, out var behind)
-            || before.Line is not { } first || behind.Line is not { } second || !IsTangentFillet(element.Motion))
+        if (change.Centers.ContainsKey(element.Motion) || Fillet.Around(path, element.Motion) is not { } fillet
+            || !carriers.TryGetValue(fillet.First - 1, out var before) || !carriers.TryGetValue(fillet.Last + 1, out var behind)
+            || before.Line is not { } first || behind.Line is not { } second)
         {
             return null;
         }
 
+        var motion = path.Motions[element.Motion];
         var arc = motion.Arc;
-        var left = (wishes[element.Motion - 1].End.Dot(first.Normal) + wishes[element.Motion + 1].Start.Dot(second.Normal)) / 2;
+        var left = (wishes[fillet.First - 1].End.Dot(first.Normal) + wishes[fillet.Last + 1].Start.Dot(second.Normal)) / 2;
         var towardCenter = arc.IsCounterClockwise ? 1 : -1;
         var radius = arc.Radius - (towardCenter * left);
         var center = radius > 0 ? Intersect.Lines(first.Offset(towardCenter * radius), second.Offset(towardCenter * radius)).Nearest(arc.Center) : null;
@@ -132,10 +131,15 @@ internal sealed partial class ElementDisplacer
             return At(motion, NcRefusalCodes.ElementFlips, "the fillet is smaller than the displacement of its flanks.");
         }
 
-        change.SetCenter(element.Motion, c);
-        carriers[element.Motion] = new(null, new(c, radius));
-        change.Move(element.Motion, motion.Plane, first.Foot(c) - motion.PlaneStart);
-        change.Move(element.Motion + 1, motion.Plane, second.Foot(c) - motion.PlaneEnd);
+        change.Move(fillet.First, motion.Plane, first.Foot(c) - path.Motions[fillet.First].PlaneStart);
+        for (var i = fillet.First; i <= fillet.Last; i++)
+        {
+            var end = path.Motions[i].PlaneEnd;
+            carriers[i] = new(null, new(c, radius));
+            change.SetCenter(i, c);
+            change.Move(i + 1, motion.Plane, (i == fillet.Last ? second.Foot(c) : c + ((end - arc.Center).Normalize() * radius)) - end);
+        }
+
         return null;
     }
 
