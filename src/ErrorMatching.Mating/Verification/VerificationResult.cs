@@ -1,0 +1,13 @@
+namespace ErrorMatching.Mating;
+
+/// <summary>How well two counterparts, without and with compensation, fit one part.</summary>
+/// <param name="Points">The key points in the order of cutting.</param>
+/// <param name="Features">Feature by feature its quantities, then the job's comparisons.</param>
+public sealed record VerificationResult(IReadOnlyList<VerifiedPoint> Points, IReadOnlyList<VerifiedFeature> Features)
+{
+    /// <summary>The largest mating error along a normal before, without sign.</summary>
+    public double MaxBeforeMm => Points.Max(p => Math.Abs(p.BeforeError.NormalMm));
+
+    /// <summary>The largest mating error along a normal after, without sign.</summary>
+    public double MaxAfterMm => Points.Max(p => Math.Abs(p.AfterError.NormalMm));
+}

@@ -1,0 +1,20 @@
+namespace ErrorMatching.Mating;
+
+/// <summary>One quantity of the counterpart, before and after.</summary>
+/// <param name="Name">Name of the feature or of the job's comparison.</param>
+/// <param name="Quantity">What is compared.</param>
+/// <param name="Wanted">The part's value; zero for deviations.</param>
+/// <param name="Before">The value of the counterpart that was cut without compensation.</param>
+/// <param name="After">The value of the counterpart that was cut with it.</param>
+public sealed record VerifiedFeature(string Name, VerifiedQuantity Quantity, double Wanted, double Before, double After)
+{
+    /// <summary>By how much of the error before the error after is smaller, in percent; negative where it grew, null where there was none.</summary>
+    public double? ImprovementPercent
+    {
+        get
+        {
+            var before = Math.Abs(Before - Wanted);
+            return before > 0 ? 100 * (before - Math.Abs(After - Wanted)) / before : null;
+        }
+    }
+}
