@@ -8,6 +8,9 @@ namespace ErrorMatching.Nc;
 /// </summary>
 public sealed partial class Prover
 {
+    /// <summary>How far a vertex may go, in multiples of the largest displacement asked for: a corner of 10 degrees needs 11.5.</summary>
+    private const double FurthestCorner = 13;
+
     private readonly NcPath before;
     private readonly NcPath after;
     private readonly DisplacementWish wish;
@@ -16,6 +19,7 @@ public sealed partial class Prover
     private readonly Dictionary<int, ElementWish> elements;
     private readonly List<NcRefusal> failures = [];
     private readonly List<ProofNeighbor> neighbors = [];
+    private readonly double reach;
     private double maxDeviation;
 
     private Prover(NcPath before, NcPath after, DisplacementWish wish, string? marker, double increment)
@@ -26,6 +30,7 @@ public sealed partial class Prover
         this.marker = marker;
         this.increment = increment;
         elements = wish.Elements.ToDictionary(e => e.Motion);
+        reach = (FurthestCorner * wish.Elements.Select(e => Math.Max(e.Start.Length, e.End.Length)).DefaultIfEmpty().Max()) + (2 * increment);
     }
 
     /// <summary>Compares a displaced program with its original.</summary>

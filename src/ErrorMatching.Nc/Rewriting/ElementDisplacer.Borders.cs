@@ -27,14 +27,17 @@ internal sealed partial class ElementDisplacer
     // The whole contour is displaced: its first and last element meet each other.
     private NcRefusal? CloseRun(int first, int last)
     {
-        var (move, refusal) = Vertex(last, first);
-        if (refusal is not null)
+        var motion = path.Motions[first];
+        var place = motion.PlaneStart;
+        var amount = Math.Max(wishes[last].End.Length, wishes[first].Start.Length);
+        var move = Smooth(last, first) ?? (Meet(last, first, first, amount) is { } point ? point - place : null);
+        if (move is not { } both)
         {
-            return refusal;
+            return At(motion, NcRefusalCodes.NoIntersection, $"displaced as asked, the contour no longer closes with {path.Program.NameOf(path.Program[path.Motions[last].Block])}.");
         }
 
-        Place(first, path.Motions[first].Plane, move);
-        Place(last + 1, path.Motions[last].Plane, move);
+        Place(first, motion.Plane, both);
+        Place(last + 1, motion.Plane, both);
         return null;
     }
 
@@ -54,17 +57,21 @@ internal sealed partial class ElementDisplacer
         var motion = path.Motions[element];
         var wished = atStart ? wishes[element].Start : wishes[element].End;
         var slide = (uint)neighbor < (uint)path.Motions.Length ? Slide(element, neighbor, atStart) : null;
-        Place(joint, motion.Plane, slide ?? wished);
-        if (otherJoint >= 0 && slide is { } both && !change.IsSet(otherJoint))
+        if (slide is { } meeting)
         {
-            Place(otherJoint, motion.Plane, both);
-        }
-        else if (slide is null && otherJoint < 0)
-        {
-            return Follow(element, neighbor, wished, atStart);
+            var place = atStart ? motion.PlaneStart : motion.PlaneEnd;
+            Shrink(atStart ? joint : meeting.Element + 1, atStart ? meeting.Element : joint, meeting.Point);
+            Place(joint, motion.Plane, meeting.Point - place);
+            if (otherJoint >= 0 && !change.IsSet(otherJoint))
+            {
+                Place(otherJoint, motion.Plane, meeting.Point - place);
+            }
+
+            return null;
         }
 
-        return null;
+        Place(joint, motion.Plane, wished);
+        return otherJoint < 0 ? Follow(element, neighbor, wished, atStart) : null;
     }
 
     private void Place(int joint, CoordinatePlane plane, Vector2 move)
@@ -73,8 +80,8 @@ internal sealed partial class ElementDisplacer
         change.CarryPositioning(joint);
     }
 
-    /// <summary>The joint's displacement if the neighbor slides along itself; null if it cannot.</summary>
-    private Vector2? Slide(int element, int neighbor, bool atStart)
+    /// <summary>Where a displaced element meets its neighbor's own carrier, and which element that is after short ones were cut off; null if the neighbor cannot slide.</summary>
+    private (Point2 Point, int Element)? Slide(int element, int neighbor, bool atStart)
     {
         var (e, n) = (path.Motions[element], path.Motions[neighbor]);
         if (n is not { IsCut: true, MovesInPlane: true } || n.Plane != e.Plane || n.Frame != e.Frame || n.Has(MotionFlags.CompensationSwitches)
@@ -90,10 +97,19 @@ internal sealed partial class ElementDisplacer
             return null;
         }
 
-        var amount = (atStart ? wishes[element].Start : wishes[element].End).Dot(tangent.Left);
-        var guess = joint + Corner(tangent.Left, amount, other.Left, 0);
-        var meeting = carriers[element].Meet(Carrier.Of(n), guess);
-        return meeting is { } point && IsNear(point, joint, guess, Math.Abs(amount)) && point.DistanceTo(joint) < n.PlaneLength ? point - joint : null;
+        var wished = atStart ? wishes[element].Start : wishes[element].End;
+        var guess = joint + CornerMove(tangent.Left, wished.Dot(tangent.Left), other.Left, 0);
+        while (carriers[element].Meet(Carrier.Of(n), guess) is { } point && IsNear(point, joint, wished.Length) && point.DistanceTo(joint) < n.PlaneLength)
+        {
+            if (!EndsBefore(element, point, !atStart) || !wishes.ContainsKey(element + (atStart ? 1 : -1)))
+            {
+                return (point, element);
+            }
+
+            element += atStart ? 1 : -1;
+        }
+
+        return null;
     }
 
     // The joint took the displacement. An arc that ends there takes the circle through its two ends and its middle moved half as far.

@@ -14,6 +14,9 @@ internal sealed partial class ElementDisplacer
     /// <summary>How different the displacements of two elements may be where they meet tangentially, mm: less than half a least increment.</summary>
     private const double TangentStep = 0.0004;
 
+    /// <summary>Sine of the smallest angle at which two elements with different displacements are taken to meet: half a degree.</summary>
+    private const double SmallestCornerSine = 0.009;
+
     /// <summary>An intersection further from the joint than this multiple of the displacement is not nearby.</summary>
     private const double Nearby = 12;
 
@@ -21,6 +24,7 @@ internal sealed partial class ElementDisplacer
     private readonly PathChange change;
     private readonly Dictionary<int, ElementWish> wishes = [];
     private readonly Dictionary<int, Carrier> carriers = [];
+    private readonly HashSet<int> shrunk = [];
 
     private ElementDisplacer(NcPath path)
     {
@@ -180,58 +184,118 @@ internal sealed partial class ElementDisplacer
                 return At(motion, NcRefusalCodes.FrameChange, "the work offset or origin changes inside the named blocks.");
             }
 
-            if (!change.IsSet(joint))
+            if (!change.IsSet(joint) && Smooth(joint - 1, joint) is { } move)
             {
-                var (move, refusal) = Vertex(joint - 1, joint);
-                if (refusal is not null)
-                {
-                    return refusal;
-                }
-
                 change.Move(joint, motion.Plane, move);
+            }
+        }
+
+        for (var joint = first + 1; joint <= last; joint++)
+        {
+            if (!change.IsSet(joint) && Corner(joint, first, last) is { } refusal)
+            {
+                return refusal;
             }
         }
 
         return Borders(first, last);
     }
 
-    /// <summary>Where the joint between two displaced elements goes, as a displacement of the end of the first.</summary>
-    private (Vector2 Move, NcRefusal? Refusal) Vertex(int before, int behind)
+    /// <summary>The displacement of a joint at which both elements agree: a vertex of a polyline, or a tangential transition. Null at a corner.</summary>
+    private Vector2? Smooth(int before, int behind)
     {
-        var (a, b) = (path.Motions[before], path.Motions[behind]);
         var (moveA, moveB) = (wishes[before].End, wishes[behind].Start);
         if ((moveA - moveB).Length <= 1e-9)
         {
-            return (moveA, null);
+            return moveA;
         }
 
-        var (tangentA, tangentB) = (a.TangentAt(1), b.TangentAt(0));
+        var (tangentA, tangentB) = (path.Motions[before].TangentAt(1), path.Motions[behind].TangentAt(0));
         var (left, right) = (moveA.Dot(tangentA.Left), moveB.Dot(tangentB.Left));
-        if (IsTangent(tangentA, tangentB))
-        {
-            if (Math.Abs(left - right) > TangentStep)
-            {
-                return (default, At(b, NcRefusalCodes.NoIntersection, FormattableString.Invariant($"it runs on tangentially from {path.Program.NameOf(path.Program[a.Block])}, but the two are displaced by different amounts ({left:0.000} and {right:0.000} mm) and would no longer meet. Put both into one feature.")));
-            }
+        return IsTangent(tangentA, tangentB) && Math.Abs(left - right) <= TangentStep
+            ? (tangentA.Left + tangentB.Left) * ((left + right) / 2 / (1 + tangentA.Dot(tangentB)))
+            : null;
+    }
 
-            var normals = tangentA.Left + tangentB.Left;
-            return (normals * ((left + right) / 2 / (1 + tangentA.Dot(tangentB))), null);
+    /// <summary>
+    /// A corner is where both displaced elements meet. Where one of them is a short piece of a polyline that ends before, the next piece is tried:
+    /// what lies between has been cut off by the displacement and shrinks to the corner.
+    /// </summary>
+    private NcRefusal? Corner(int joint, int first, int last)
+    {
+        var (before, behind) = (joint - 1, joint);
+        var amount = Math.Max(wishes[before].End.Length, wishes[behind].Start.Length);
+        while (Meet(before, behind, joint, amount) is { } point)
+        {
+            if (before > first && EndsBefore(before, point, atStart: true))
+            {
+                before--;
+            }
+            else if (behind < last && EndsBefore(behind, point, atStart: false))
+            {
+                behind++;
+            }
+            else
+            {
+                Shrink(before + 1, behind, point);
+                return null;
+            }
         }
 
-        var joint = a.PlaneEnd;
-        var guess = joint + Corner(tangentA.Left, left, tangentB.Left, right);
-        var meeting = carriers[before].Meet(carriers[behind], guess);
-        return meeting is { } point && IsNear(point, joint, guess, Math.Max(Math.Abs(left), Math.Abs(right)))
-            ? (point - joint, null)
-            : (default, At(b, NcRefusalCodes.NoIntersection, $"displaced as asked, it no longer meets {path.Program.NameOf(path.Program[a.Block])}."));
+        var (a, b) = (path.Motions[joint - 1], path.Motions[joint]);
+        return At(b, NcRefusalCodes.NoIntersection, FormattableString.Invariant($"displaced as asked (by {wishes[joint].Start.Length:0.000} mm), it no longer meets {path.Program.NameOf(path.Program[a.Block])} (displaced by {wishes[joint - 1].End.Length:0.000} mm) nearby. Put both into one feature, or displace less."));
+    }
+
+    private Point2? Meet(int before, int behind, int joint, double amount)
+    {
+        var (a, b) = (path.Motions[before], path.Motions[behind]);
+        var (tangentA, tangentB) = (a.TangentAt(1), b.TangentAt(0));
+        if (Math.Abs(tangentA.Cross(tangentB)) < SmallestCornerSine)
+        {
+            return null;
+        }
+
+        var place = path.Motions[joint].PlaneStart;
+        var guess = a.PlaneEnd == b.PlaneStart
+            ? place + CornerMove(tangentA.Left, wishes[before].End.Dot(tangentA.Left), tangentB.Left, wishes[behind].Start.Dot(tangentB.Left))
+            : place;
+        return carriers[before].Meet(carriers[behind], guess) is { } point && IsNear(point, place, amount) ? point : null;
+    }
+
+    // True if a displaced line of a polyline lies wholly on the wrong side of a corner, and a neighbor in the same polyline can take its place.
+    private bool EndsBefore(int element, Point2 corner, bool atStart)
+    {
+        var motion = path.Motions[element];
+        var joint = atStart ? element : element + 1;
+        if (motion.IsArc || !change.IsSet(joint))
+        {
+            return false;
+        }
+
+        var far = (atStart ? motion.PlaneStart : motion.PlaneEnd) + change.PlaneMoveOf(joint, motion.Plane);
+        var beyond = (corner - far).Dot(motion.PlaneEnd - motion.PlaneStart);
+        return atStart ? beyond <= 0 : beyond >= 0;
+    }
+
+    // All joints from one to another go to one point; the lines between them have no length any more.
+    private void Shrink(int firstJoint, int lastJoint, Point2 point)
+    {
+        for (var joint = firstJoint; joint <= lastJoint; joint++)
+        {
+            change.Move(joint, path.Motions[firstJoint].Plane, point - path.Motions[joint].PlaneStart);
+        }
+
+        for (var motion = firstJoint; motion < lastJoint; motion++)
+        {
+            shrunk.Add(motion);
+        }
     }
 
     // The displacement with given components along two normals.
-    private static Vector2 Corner(Vector2 normalA, double a, Vector2 normalB, double b) =>
+    private static Vector2 CornerMove(Vector2 normalA, double a, Vector2 normalB, double b) =>
         ((normalB.Left * -a) + (normalA.Left * b)) / normalA.Cross(normalB);
 
-    private static bool IsNear(Point2 point, Point2 joint, Point2 guess, double amount) =>
-        point.DistanceTo(joint) <= (Nearby * amount) + 1e-6 && point.DistanceTo(guess) <= (Nearby * amount) + 1e-6;
+    private static bool IsNear(Point2 point, Point2 joint, double amount) => point.DistanceTo(joint) <= (Nearby * amount) + 1e-6;
 
     // Arcs whose ends or circle changed: the exact center that goes with the new ends.
     private NcRefusal? Centers()
@@ -253,7 +317,7 @@ internal sealed partial class ElementDisplacer
         var motions = path.Motions;
         for (var i = 0; i < motions.Length; i++)
         {
-            if (motions[i] is not { IsCut: true, MovesInPlane: true } motion || !(change.IsSet(i) || change.IsSet(i + 1)))
+            if (motions[i] is not { IsCut: true, MovesInPlane: true } motion || !(change.IsSet(i) || change.IsSet(i + 1)) || shrunk.Contains(i))
             {
                 continue;
             }

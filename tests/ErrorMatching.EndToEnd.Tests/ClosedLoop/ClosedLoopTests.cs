@@ -1,0 +1,55 @@
+using System.Text;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.EndToEnd.Tests;
+
+/// <summary>
+/// The sign of a correction is what hurts people. Here the rewritten program is cut by a referee that shares nothing with the rewriter, the piece is probed
+/// at its key points along their normals, and what is left of the mating error must be the rounding of the program.
+/// </summary>
+public sealed class ClosedLoopTests
+{
+    private const double Rounding = 0.0015;
+
+    private const int Parts = 400;
+
+    [Fact]
+    public void Feed_forward_makes_the_counterpart_follow_the_part() =>
+        NothingLeft(RandomMatch.FeedForward, point => point.Deviation);
+
+    // A machine that came out off by -0.4 of the deviation will do so again: the program must go 1.4 of it.
+    [Fact]
+    public void Feedback_takes_the_error_of_the_first_counterpart_out_of_the_next() =>
+        NothingLeft(part => RandomMatch.Feedback(part, -0.4), point => 1.4 * point.Deviation);
+
+    private static void NothingLeft(Func<RandomPart, MatchInput> input, Func<RandomKeyPoint, double> wanted)
+    {
+        var failures = Failures(input, wanted);
+        Assert.True(failures.Count == 0, string.Join('\n', failures));
+    }
+
+    private static List<string> Failures(Func<RandomPart, MatchInput> input, Func<RandomKeyPoint, double> wanted)
+    {
+        var failures = new List<string>();
+        for (var seed = 0; seed < Parts; seed++)
+        {
+            var part = RandomParts.Generate(seed);
+            var outcome = Matcher.Match(input(part));
+            if (outcome.Result is not { } result)
+            {
+                failures.Add($"part {seed}, {part.Flavor}: {outcome.Refusals[0].Message}");
+                continue;
+            }
+
+            var cut = new VirtualCut(RefereeInterpreter.Run(Encoding.ASCII.GetString(result.Program.Span)), part.ToolRadius);
+            failures.AddRange(
+                from feature in part.Features
+                from point in feature.KeyPoints
+                let error = cut.Probe(point.Place, point.Normal) - wanted(point)
+                where !(Math.Abs(error) <= Rounding)
+                select FormattableString.Invariant($"part {seed}, {part.Flavor}, {feature.Kind} {feature.Shape}, point {point.Label} (deviation {point.Deviation:0.0000}): {error:0.0000} mm left"));
+        }
+
+        return failures;
+    }
+}

@@ -1,0 +1,68 @@
+using System.Globalization;
+using System.Text;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.EndToEnd.Tests;
+
+/// <summary>Hands a random part to the system as a user would: a job, measured points as CSV, a program.</summary>
+internal static class RandomMatch
+{
+    /// <summary>Feed-forward: the part deviates, the nominal program follows.</summary>
+    public static MatchInput FeedForward(RandomPart part) =>
+        Input(part, "part", Csv(part, p => p.Theoretical), Csv(part, p => p.Actual), null);
+
+    /// <summary>Feedback: a counterpart was cut and came out off by a share of the deviation; the part deviates as well.</summary>
+    public static MatchInput Feedback(RandomPart part, double share) =>
+        Input(part, "counterpart", Csv(part, p => p.Theoretical), Csv(part, p => p.Actual), Csv(part, p => p.Theoretical + ((p.Actual - p.Theoretical) * share)));
+
+    private static MatchInput Input(RandomPart part, string from, byte[] theoretical, byte[] actual, byte[]? counterpart)
+    {
+        var job = MatingJob.Parse(Encoding.UTF8.GetBytes(Job(part, from)), "random.json");
+        return new(
+            job,
+            MeasurementReader.Read(theoretical, "theoretical.csv", job.Gauge.Format),
+            MeasurementReader.Read(actual, "part.csv", job.Gauge.Format),
+            counterpart is null ? null : MeasurementReader.Read(counterpart, "counterpart.csv", job.Gauge.Format),
+            "counterpart.nc",
+            Encoding.ASCII.GetBytes(part.Program));
+    }
+
+    private static string Job(RandomPart part, string from)
+    {
+        var features = part.Features.Select(f => $$"""{ "name": "{{f.Name}}", "kind": "{{f.Kind}}", "points": {{Points(f)}}, "blocks": ["{{f.Blocks}}"], "toleranceMm": [0, 0] }""");
+        return $$"""
+            {
+              "kind": "mating", "name": "Random {{part.Seed}}",
+              "part": { "theoretical": "theoretical.csv", "measured": "part.csv" },
+              "gauge": { "format": "points", "uncertaintyMm": 0.0000001 },
+              "features": [ {{string.Join(",\n", features)}} ],
+              "counterpart": {
+                "program": "counterpart.nc", "dialect": "fanuc", "toolDiameterMm": {{Text(2 * part.ToolRadius)}}, "measured": "counterpart.csv",
+                "frame": { "mirror": "{{part.Frame.Mirror}}", "rotateDeg": {{Text(part.Frame.RotateDegrees)}}, "translateMm": [{{Text(part.Frame.Translate.U)}}, {{Text(part.Frame.Translate.V)}}] }
+              },
+              "compensation": { "from": "{{from}}" }
+            }
+            """;
+    }
+
+    private static string Points(RandomFeature feature)
+    {
+        var groups = feature.Groups.Select(g => $"[{string.Join(", ", g.Select(p => $"\"{p.Label}\""))}]").ToList();
+        return groups.Count == 1 ? groups[0] : $"[{string.Join(", ", groups)}]";
+    }
+
+    private static byte[] Csv(RandomPart part, Func<RandomKeyPoint, Flat> place)
+    {
+        var text = new StringBuilder("point,x_mm,y_mm\n");
+        foreach (var point in part.KeyPoints)
+        {
+            var at = place(point);
+            text.Append(CultureInfo.InvariantCulture, $"{point.Label},{at.U:0.000000000},{at.V:0.000000000}\n");
+        }
+
+        return Encoding.ASCII.GetBytes(text.ToString());
+    }
+
+    private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+}
