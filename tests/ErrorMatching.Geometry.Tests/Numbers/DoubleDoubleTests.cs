@@ -77,6 +77,9 @@ public class DoubleDoubleTests
     [InlineData("+.5")]
     [InlineData("760.")]
     [InlineData("1e22")]
+    [InlineData("9007199254740993")]
+    [InlineData("-9007199254740991.5")]
+    [InlineData("0.00000000000000000000000001")]
     public void Decimal_is_read_better_than_to_a_part_in_1e30(string text) =>
         Assert.True(Error(DoubleDouble.Parse(text), Decimal(text)) <= UnitSquared);
 
@@ -86,6 +89,14 @@ public class DoubleDoubleTests
         {
             var text = string.Create(CultureInfo.InvariantCulture, $"{n.Item1.Item1}.{n.Item1.Item2:000000000}e{n.Item2}");
             return Error(DoubleDouble.Parse(text), Decimal(text)) <= UnitSquared;
+        });
+
+    [Fact]
+    public void Short_decimals_are_read_as_long_ones_are() =>
+        Draw.Law(Gen.Choose(-2_000_000_000, 2_000_000_000).Zip(Gen.Choose(0, 9_999_999)), n =>
+        {
+            var text = string.Create(CultureInfo.InvariantCulture, $"{n.Item1}.{n.Item2:0000000}");
+            return DoubleDouble.Parse(text) == DoubleDouble.Parse(text + "e0") && Error(DoubleDouble.Parse(text), Decimal(text)) <= UnitSquared;
         });
 
     [Theory]
