@@ -92,6 +92,15 @@ public class DoubleDoubleTests
         });
 
     [Fact]
+    public void Digit_far_behind_a_tie_still_decides_the_rounding()
+    {
+        // 1 + 2^-60 (1 + 2^-53 + 2^-120) lies a trace above the middle between two low parts.
+        var numerator = (BigInteger.One << 180) + (BigInteger.One << 120) + (BigInteger.One << 67) + 1;
+        var digits = (numerator * BigInteger.Pow(5, 180)).ToString(CultureInfo.InvariantCulture);
+        Assert.Equal(Math.ScaleB(1 + Math.ScaleB(1, -52), -60), DoubleDouble.Parse($"{digits}e-180").Low);
+    }
+
+    [Fact]
     public void Short_decimals_are_read_as_long_ones_are() =>
         Draw.Law(Gen.Choose(-2_000_000_000, 2_000_000_000).Zip(Gen.Choose(0, 9_999_999)), n =>
         {
