@@ -43,16 +43,16 @@ public sealed partial class LineFit
     public double ResidualStandardDeviation { get; }
 
     /// <summary>Standard error of the line's position across itself at the centroid, in millimetres.</summary>
-    public required double OffsetStandardError { get; init; }
+    public double OffsetStandardError { get; private init; }
 
     /// <summary>Standard error of the line's direction (to first order).</summary>
-    public required Angle AngleStandardError { get; init; }
+    public Angle AngleStandardError { get; private init; }
 
     /// <summary>
     /// How well the points determine the line, 1 at best. Total: <c>(a + b) / (a - b)</c> of the squared spreads along and across, large where the points have
     /// no preferred direction. Ordinary: the 2-norm condition number of the design with the columns 1 and x.
     /// </summary>
-    public required double Condition { get; init; }
+    public double Condition { get; private init; }
 
     /// <summary>The line as an equation of y in x; only an ordinary fit has one.</summary>
     public LineEquation? Equation { get; private init; }

@@ -8,6 +8,9 @@ public readonly partial record struct DoubleDouble
 {
     private const NumberStyles Decimal = NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent;
 
+    /// <summary>The powers of ten that a double holds exactly.</summary>
+    private static readonly double[] ExactPowersOfTen = [.. Enumerable.Range(0, 23).Select(k => (double)BigInteger.Pow(10, k))];
+
     /// <summary>The number that a decimal text means, each of the two parts correctly rounded: as read, not as a double would keep it.</summary>
     /// <param name="text">An optional sign, digits with an optional decimal point, an optional exponent; no blanks, no digit groups, whatever the culture.</param>
     /// <exception cref="FormatException">The text is not such a number or exceeds the range of <c>double</c>.</exception>
@@ -26,7 +29,12 @@ public readonly partial record struct DoubleDouble
             return false;
         }
 
-        if (high != 0)
+        if (TryDigits(text, out var digits, out var places))
+        {
+            // Digits and power of ten are both exact, and so is what the rounded quotient leaves of the digits: its own quotient is the low part.
+            value = new(high, Math.FusedMultiplyAdd(-high, ExactPowersOfTen[places], digits) / ExactPowersOfTen[places]);
+        }
+        else if (high != 0)
         {
             var (numerator, denominator) = Fraction(text);
             var (significand, exponent) = Significand(high);
@@ -44,6 +52,32 @@ public readonly partial record struct DoubleDouble
         }
 
         return true;
+    }
+
+    /// <summary>The digits of a short decimal without exponent, as coordinates are written, as an integer that a double holds exactly, and how many of them follow the point.</summary>
+    private static bool TryDigits(ReadOnlySpan<char> text, out double digits, out int places)
+    {
+        const long exact = 1L << 53;
+        var (integer, point) = (0L, -1);
+        for (var i = 0; i < text.Length; i++)
+        {
+            if (char.IsAsciiDigit(text[i]))
+            {
+                integer = Math.Min((10 * integer) + text[i] - '0', exact);
+            }
+            else if (text[i] == '.')
+            {
+                point = i;
+            }
+            else if (text[i] is 'e' or 'E')
+            {
+                integer = exact;
+            }
+        }
+
+        places = point < 0 ? 0 : text.Length - point - 1;
+        digits = text[0] == '-' ? -integer : integer;
+        return integer < exact && places < ExactPowersOfTen.Length;
     }
 
     /// <summary>The exact value of a text whose form has been checked.</summary>

@@ -9,7 +9,7 @@ public enum IntersectionKind
     /// <summary>They cross in the given one or two points.</summary>
     Crossing,
 
-    /// <summary>They touch in the given point with a common tangent.</summary>
+    /// <summary>They touch in the given point with a common tangent; two arcs of one circle may do so at both of their ends.</summary>
     Tangent,
 
     /// <summary>They are parallel lines or concentric circles and never meet.</summary>

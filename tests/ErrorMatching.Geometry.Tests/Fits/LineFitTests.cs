@@ -30,6 +30,17 @@ public class LineFitTests
     }
 
     [Fact]
+    public void Errors_of_the_equation_are_those_of_position_and_direction_seen_across_the_line()
+    {
+        // sigma = 2 and Sxx = 5: the slope is known to 2 / sqrt 5, the direction to that times cos^2 = 1 / 1.36, the height at the centroid to 1, across the line to 1 / sqrt 1.36.
+        var fit = LineFit.Ordinary(Staircase, 2);
+        Assert.Equal(2 / Math.Sqrt(5), fit.Equation!.Value.SlopeStandardError, 14);
+        Assert.Equal(2 * Math.Sqrt(0.25 + (2.25 / 5)), fit.Equation.Value.InterceptStandardError, 14);
+        Assert.Equal(2 / Math.Sqrt(5) / 1.36, fit.AngleStandardError.Radians, 14);
+        Assert.Equal(1 / Math.Sqrt(1.36), fit.OffsetStandardError, 14);
+    }
+
+    [Fact]
     public void Staircase_has_the_principal_axis_of_its_scatter()
     {
         // Sxx = 5, Sxy = 3, Syy = 2: tan(2 a) = 6 / 3. The smaller eigenvalue (7 - sqrt 45) / 2 is the sum of squared distances.

@@ -77,6 +77,9 @@ public class DoubleDoubleTests
     [InlineData("+.5")]
     [InlineData("760.")]
     [InlineData("1e22")]
+    [InlineData("9007199254740993")]
+    [InlineData("-9007199254740991.5")]
+    [InlineData("0.00000000000000000000000001")]
     public void Decimal_is_read_better_than_to_a_part_in_1e30(string text) =>
         Assert.True(Error(DoubleDouble.Parse(text), Decimal(text)) <= UnitSquared);
 
@@ -86,6 +89,23 @@ public class DoubleDoubleTests
         {
             var text = string.Create(CultureInfo.InvariantCulture, $"{n.Item1.Item1}.{n.Item1.Item2:000000000}e{n.Item2}");
             return Error(DoubleDouble.Parse(text), Decimal(text)) <= UnitSquared;
+        });
+
+    [Fact]
+    public void Digit_far_behind_a_tie_still_decides_the_rounding()
+    {
+        // 1 + 2^-60 (1 + 2^-53 + 2^-120) lies a trace above the middle between two low parts.
+        var numerator = (BigInteger.One << 180) + (BigInteger.One << 120) + (BigInteger.One << 67) + 1;
+        var digits = (numerator * BigInteger.Pow(5, 180)).ToString(CultureInfo.InvariantCulture);
+        Assert.Equal(Math.ScaleB(1 + Math.ScaleB(1, -52), -60), DoubleDouble.Parse($"{digits}e-180").Low);
+    }
+
+    [Fact]
+    public void Short_decimals_are_read_as_long_ones_are() =>
+        Draw.Law(Gen.Choose(-2_000_000_000, 2_000_000_000).Zip(Gen.Choose(0, 9_999_999)), n =>
+        {
+            var text = string.Create(CultureInfo.InvariantCulture, $"{n.Item1}.{n.Item2:0000000}");
+            return DoubleDouble.Parse(text) == DoubleDouble.Parse(text + "e0") && Error(DoubleDouble.Parse(text), Decimal(text)) <= UnitSquared;
         });
 
     [Theory]
