@@ -5,20 +5,25 @@ using MathNet.Numerics.LinearAlgebra;
 namespace ErrorMatching.Mating;
 
 /// <summary>
-/// What an arc of a program can follow: a shift of its center and a change of its radius. Outward displacement at the angle t is <c>x cos t + y sin t + r</c>;
-/// the three are found by least squares (QR) from the normal corrections at the key points.
+/// What an arc of a program can follow: a shift s of its center and a growth g of its radius. A circle of radius r so changed is met along the unit ray u of the old
+/// center at <c>s.u + sqrt((r + g)^2 - (s x u)^2)</c>. The three unknowns are found by least squares (Gauss-Newton over QR) from the corrections at the key points, which
+/// lie on the boundary's circle; the path's circle has the same center, shift and growth.
 /// </summary>
 internal sealed class CircleField
 {
     /// <summary>Smallest angle that the key points must span for center and radius to be told apart.</summary>
     private static readonly Angle SmallestSpan = Angle.FromDegrees(30);
 
+    private const int Iterations = 4;
+
+    private readonly double pathRadius;
     private readonly Vector2 shift;
     private readonly double growth;
     private readonly bool outwardIsLeft;
 
-    private CircleField(Vector2 shift, double growth, bool outwardIsLeft)
+    private CircleField(double pathRadius, Vector2 shift, double growth, bool outwardIsLeft)
     {
+        this.pathRadius = pathRadius;
         this.shift = shift;
         this.growth = growth;
         this.outwardIsLeft = outwardIsLeft;
@@ -37,23 +42,35 @@ internal sealed class CircleField
             }
         }
 
-        var span = (pass.Feet.Max(f => f.AlongMm) - pass.Feet.Min(f => f.AlongMm)) / first.Arc.Radius;
-        if (pass.Feet.Count < 3 || span < SmallestSpan.Radians)
+        var clockwise = first.Kind == MotionKind.ArcClockwise;
+        Vector2[] rays = [.. pass.Feet.Select(f => f.MaterialIsLeft == clockwise ? -f.Normal : f.Normal)];
+        double[] radii = [.. pass.Feet.Select(f => first.Arc.Radius + (f.MaterialIsLeft == clockwise ? f.DistanceMm : -f.DistanceMm))];
+        if (pass.Feet.Count < 3 || pass.Feet.Max(pass.Along) - pass.Feet.Min(pass.Along) < SmallestSpan.Radians * radii.Max())
         {
             return null;
         }
 
-        var clockwise = first.Kind == MotionKind.ArcClockwise;
-        Vector2[] outward = [.. pass.Feet.Select(f => f.MaterialIsLeft == clockwise ? -f.Normal : f.Normal)];
-        var design = Matrix<double>.Build.Dense(outward.Length, 3, (i, j) => j == 0 ? outward[i].X : j == 1 ? outward[i].Y : 1);
-        var solved = design.QR().Solve(Vector<double>.Build.Dense(outward.Length, i => corrections[i].Dot(outward[i])));
-        return new(new(solved[0], solved[1]), solved[2], clockwise);
+        var design = Matrix<double>.Build.Dense(rays.Length, 3, (i, j) => j == 0 ? rays[i].X : j == 1 ? rays[i].Y : 1).QR();
+        var (moved, grown) = (Vector2.Zero, 0.0);
+        for (var iteration = 0; iteration < Iterations; iteration++)
+        {
+            var step = design.Solve(Vector<double>.Build.Dense(rays.Length, i => corrections[i].Dot(rays[i]) - Outward(rays[i], radii[i], moved, grown)));
+            (moved, grown) = (moved + new Vector2(step[0], step[1]), grown + step[2]);
+        }
+
+        return new(first.Arc.Radius, moved, grown, clockwise);
     }
 
     /// <summary>The displacement where the left normal of the path is given; the length along the pass does not matter.</summary>
     public Vector2 At(double along, Vector2 left)
     {
-        var outward = outwardIsLeft ? left : -left;
-        return outward * (shift.Dot(outward) + growth);
+        var ray = outwardIsLeft ? left : -left;
+        return ray * Outward(ray, pathRadius, shift, growth);
+    }
+
+    private static double Outward(Vector2 ray, double radius, Vector2 shift, double growth)
+    {
+        var across = shift.Cross(ray);
+        return shift.Dot(ray) + Math.Sqrt(((radius + growth) * (radius + growth)) - (across * across)) - radius;
     }
 }

@@ -29,12 +29,12 @@ internal static class FeatureWish
 
     /// <summary>The normal deviation of a curve along its first pass, for the report.</summary>
     public static ArcLengthField NormalField(MatingJob job, FeaturePass pass, CurveFeature curve, IReadOnlyList<double> normals) =>
-        ArcLengthField.Smooth([.. pass.Feet.Select(f => f.AlongMm)], normals, curve.Degree, curve.Ridge, job.Gauge.Uncertainty.CombinedMm);
+        ArcLengthField.Smooth([.. pass.Feet.Select(pass.Along)], normals, curve.Degree, curve.Ridge, job.Gauge.Uncertainty.CombinedMm);
 
     // The displacement at a length, given the left normal there.
     private static Func<double, Vector2, Vector2> Course(MatingJob job, FeaturePass pass, Vector2[] corrections, CurveFeature? curve)
     {
-        double[] along = [.. pass.Feet.Select(f => f.AlongMm)];
+        double[] along = [.. pass.Feet.Select(pass.Along)];
         if (job.Compensation.Along == CompensationDirection.Vector)
         {
             var (x, y) = (Fit(corrections.Select(c => c.X)), Fit(corrections.Select(c => c.Y)));
@@ -69,7 +69,7 @@ internal static class FeatureWish
     // Each flank has its own shift and tilt; what lies between them leads from the one to the other and, where it is an arc, stays tangent to both.
     private static IEnumerable<ElementWish> Wedge(MatingJob job, NcPath path, FeaturePass pass, Vector2[] corrections, int firstFlank)
     {
-        var inOrder = pass.Feet[0].AlongMm <= pass.Feet[firstFlank].AlongMm;
+        var inOrder = pass.Along(pass.Feet[0]) <= pass.Along(pass.Feet[firstFlank]);
         var (head, tail) = inOrder ? (..firstFlank, firstFlank..) : (firstFlank.., ..firstFlank);
         var before = Flank(job, pass, corrections, head);
         var behind = Flank(job, pass, corrections, tail);

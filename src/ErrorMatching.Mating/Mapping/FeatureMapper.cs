@@ -81,12 +81,11 @@ public static class FeatureMapper
                 return At(path, path.Motions[first].Block, PlaneDiffers, $"it cuts in the plane {path.Motions[first].Plane}, the feature lies in {feature.Plane}. Set \"plane\" in the job.", feature.Name);
             }
 
-            var starts = Starts(path, first, last);
             var feet = new List<KeyPointFoot>();
             foreach (var label in feature.Points)
             {
                 var point = job.Counterpart.Frame.Apply(ProjectedPoint.Of(theoretical[label], feature.Plane, theoretical.File).Position);
-                var refusal = Foot(job, path, feature, label, point, first, last, starts, out var foot);
+                var refusal = Foot(job, path, feature, label, point, first, last, out var foot);
                 if (refusal is not null)
                 {
                     return refusal;
@@ -100,7 +99,9 @@ public static class FeatureMapper
                 return At(path, path.Motions[other.Motion].Block, SidesDiffer, $"the points {feet[0].Label} and {other.Label} lie on different sides of the path, so the material cannot be told. Check the frame and the points.", feature.Name, other.Label);
             }
 
-            mapped.Add(new(first, last, starts, feet));
+            var compensated = path.Motions[first].Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight);
+            var left = compensated ? 0 : (feet[0].MaterialIsLeft ? 1 : -1) * job.Counterpart.ToolDiameterMm / 2;
+            mapped.Add(new(first, last, BoundaryLength.Starts(path, first, last, left), feet));
         }
 
         var toPart = job.Counterpart.Frame.Inverse();
@@ -132,19 +133,8 @@ public static class FeatureMapper
         return passes;
     }
 
-    private static double[] Starts(NcPath path, int first, int last)
-    {
-        var starts = new double[last - first + 2];
-        for (var i = first; i <= last; i++)
-        {
-            starts[i - first + 1] = starts[i - first] + path.Motions[i].PlaneLength;
-        }
-
-        return starts;
-    }
-
     private static MatingRefusal? Foot(
-        MatingJob job, NcPath path, JobFeature feature, string label, Point2 point, int first, int last, double[] starts, out KeyPointFoot? foot)
+        MatingJob job, NcPath path, JobFeature feature, string label, Point2 point, int first, int last, out KeyPointFoot? foot)
     {
         var (nearest, nearestDistance, nearestFraction) = (first, double.PositiveInfinity, 0.0);
         for (var i = first; i <= last; i++)
@@ -164,7 +154,7 @@ public static class FeatureMapper
         var left = found.TangentAt(nearestFraction).Left;
         var side = (point - found.PlaneAt(nearestFraction)).Dot(left);
         var materialIsLeft = compensated ? found.Has(MotionFlags.CompensationRight) : side > 0;
-        foot = new(label, nearest, starts[nearest - first] + (nearestFraction * found.PlaneLength), nearestDistance, materialIsLeft ? -left : left, materialIsLeft);
+        foot = new(label, nearest, nearestFraction, nearestDistance, materialIsLeft ? -left : left, materialIsLeft);
         if (Math.Abs(nearestDistance - wanted) <= job.Counterpart.MapMm)
         {
             return null;
