@@ -23,4 +23,7 @@ public enum GeometryError
 
     /// <summary>A coordinate is NaN or infinite.</summary>
     NotFinite,
+
+    /// <summary>A curve turns back over its chord, so that it is no function of the place along the chord.</summary>
+    FoldedCurve,
 }

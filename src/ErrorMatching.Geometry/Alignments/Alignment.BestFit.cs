@@ -1,0 +1,128 @@
+namespace ErrorMatching.Geometry;
+
+/// <content>Rigid least squares with locked degrees of freedom.</content>
+public sealed partial class Alignment
+{
+    /// <summary>
+    /// Alignment with the least sum of squared residuals among the motions that are free: a rotation about the origin of the frame, followed by a translation whose locked components are zero.
+    /// </summary>
+    /// <remarks>
+    /// The free components of the best translation equal the difference of the means for any rotation, so coordinates along a free axis count from their mean and along a
+    /// locked one from the origin of the frame. What is left is a function of the rotation alone, <c>const + p cos 2a + q sin 2a - 2 (d cos a + f sin a)</c>. With both axes free
+    /// or both locked p and q vanish and <c>a = atan2(f, d)</c> (the planar case of Horn 1987). With one locked it has at most two minima, each found to rounding; the lower one is taken.
+    /// </remarks>
+    /// <param name="actual">Measured points: at least two if the rotation is free, else one.</param>
+    /// <param name="theoretical">Their theoretical places, as many and in the same order.</param>
+    /// <param name="freedom">What may move.</param>
+    /// <exception cref="GeometryException">
+    /// <see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>; <see cref="GeometryError.CoincidentPoints"/> if the rotation is free and all actual or
+    /// all theoretical points lie within 1e-9 mm; <see cref="GeometryError.RankDeficient"/> if every rotation fits alike.
+    /// </exception>
+    /// <exception cref="ArgumentException">The lists differ in length.</exception>
+    public static Alignment BestFit(IReadOnlyList<Point2> actual, IReadOnlyList<Point2> theoretical, AlignmentFreedom freedom = AlignmentFreedom.All)
+    {
+        var turns = freedom.HasFlag(AlignmentFreedom.Rotation);
+        CheckPairs(actual, theoretical, turns ? 2 : 1);
+        var turn = turns ? BestTurn(actual, theoretical, freedom) : default;
+        var move = Carrying(turn, Samples.Centroid(actual), Samples.Centroid(theoretical)).Translation;
+        var free = new Vector2(freedom.HasFlag(AlignmentFreedom.X) ? move.X : 0, freedom.HasFlag(AlignmentFreedom.Y) ? move.Y : 0);
+        return new(new(Mirror.None, turn, free), actual, theoretical);
+    }
+
+    private static Angle BestTurn(IReadOnlyList<Point2> actual, IReadOnlyList<Point2> theoretical, AlignmentFreedom freedom)
+    {
+        RefuseOnePlace(actual);
+        RefuseOnePlace(theoretical);
+        var (meanOfActual, meanOfTheoretical) = (Samples.Centroid(actual), Samples.Centroid(theoretical));
+        var (p, q, d, f, scale) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        for (var i = 0; i < actual.Count; i++)
+        {
+            Row(freedom.HasFlag(AlignmentFreedom.X), i, out var a, out var b);
+            Add(a.X, -a.Y, b.X);
+            Row(freedom.HasFlag(AlignmentFreedom.Y), i, out a, out b);
+            Add(a.Y, a.X, b.Y);
+        }
+
+        // One coordinate of one point: (u cos + v sin - w)^2.
+        void Add(double u, double v, double w)
+        {
+            p += ((u * u) - (v * v)) / 2;
+            q += u * v;
+            d += u * w;
+            f += v * w;
+            scale += (u * u) + (v * v) + (w * w);
+        }
+
+        void Row(bool centered, int i, out Vector2 a, out Vector2 b)
+        {
+            a = actual[i] - (centered ? meanOfActual : Point2.Origin);
+            b = theoretical[i] - (centered ? meanOfTheoretical : Point2.Origin);
+        }
+
+        const double rounding = 1e-14;
+        var oneLocked = freedom.HasFlag(AlignmentFreedom.X) != freedom.HasFlag(AlignmentFreedom.Y);
+        if (!oneLocked)
+        {
+            // The sums of p and q cancel exactly in theory; only their rounding is left.
+            (p, q) = (0, 0);
+        }
+
+        if (Math.Max(Math.Max(Math.Abs(p), Math.Abs(q)), Math.Max(Math.Abs(d), Math.Abs(f))) <= rounding * scale)
+        {
+            throw new GeometryException(GeometryError.RankDeficient, "Every rotation fits the points alike: they do not tell the rotation.");
+        }
+
+        return Angle.FromRadians(oneLocked ? LowestMinimum(p, q, d, f) : Math.Atan2(f, d));
+    }
+
+    /// <summary>Where <c>p cos 2a + q sin 2a - 2 (d cos a + f sin a)</c> is least, in (-pi, pi].</summary>
+    private static double LowestMinimum(double p, double q, double d, double f)
+    {
+        double Value(double a) => (p * Math.Cos(2 * a)) + (q * Math.Sin(2 * a)) - (2 * ((d * Math.Cos(a)) + (f * Math.Sin(a))));
+        double Slope(double a) => (2 * ((q * Math.Cos(2 * a)) - (p * Math.Sin(2 * a)))) + (2 * ((d * Math.Sin(a)) - (f * Math.Cos(a))));
+
+        // The slope has at most four zeros a turn; a grid this fine separates them unless two meet, which is a flat point and no minimum of its own.
+        const int steps = 360;
+        const double width = 2 * Math.PI / steps;
+        var best = (At: 0.0, Value: double.PositiveInfinity);
+        for (var i = 0; i < steps; i++)
+        {
+            var (from, to) = (-Math.PI + (i * width), -Math.PI + ((i + 1) * width));
+            if (Slope(from) <= 0 && Slope(to) >= 0)
+            {
+                var at = Zero(Slope, from, to);
+                best = Value(at) < best.Value ? (at, Value(at)) : best;
+            }
+        }
+
+        return best.At;
+    }
+
+    /// <summary>The zero of a function that rises from at most zero to at least zero, by halving down to the spacing of doubles.</summary>
+    private static double Zero(Func<double, double> function, double from, double to)
+    {
+        while (true)
+        {
+            var middle = (from + to) / 2;
+            if (middle <= from || middle >= to)
+            {
+                return middle;
+            }
+
+            (from, to) = function(middle) <= 0 ? (middle, to) : (from, middle);
+        }
+    }
+
+    private static void RefuseOnePlace(IReadOnlyList<Point2> points)
+    {
+        foreach (var point in points)
+        {
+            if (point.DistanceTo(points[0]) > Intersect.DefaultTolerance)
+            {
+                return;
+            }
+        }
+
+        throw new GeometryException(GeometryError.CoincidentPoints, "All points of the alignment lie on one another: they do not tell the rotation.");
+    }
+}

@@ -1,0 +1,78 @@
+using System.Globalization;
+
+namespace ErrorMatching.Geometry;
+
+/// <summary>
+/// A curve (a hill or a valley) fitted as a polynomial over its own chord, the line from its first to its last point: the height to the left of the chord is a function of the
+/// place along it, however the curve lies in the plane (equations 3 and 5 of Wang 2021, whose y(x) holds only for curves that lie flat). Immutable.
+/// </summary>
+public sealed class CurveFit
+{
+    private CurveFit(Segment2 chord, PolynomialFit polynomial) => (Chord, Polynomial) = (chord, polynomial);
+
+    /// <summary>From the first to the last measured point. Its direction is the abscissa of the fit, which starts with 0 at the first point; its left is the ordinate.</summary>
+    public Segment2 Chord { get; }
+
+    /// <summary>The fit of height over place along the chord, both in millimetres.</summary>
+    public PolynomialFit Polynomial { get; }
+
+    /// <summary>Measured less fitted height over the chord for each point, positive to the left of the chord, in the order given, in millimetres.</summary>
+    public IReadOnlyList<double> Residuals => Polynomial.Residuals;
+
+    /// <summary>Root of the sum of squared residuals over the degrees of freedom left, in millimetres.</summary>
+    public double ResidualStandardDeviation => Polynomial.ResidualStandardDeviation;
+
+    /// <summary>The curve through points in order along it.</summary>
+    /// <param name="points">At least three points, each farther along the chord than the one before.</param>
+    /// <param name="options">Degree, ridge and stated uncertainty; null chooses the degree and does not regularize.</param>
+    /// <exception cref="GeometryException">
+    /// <see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>; <see cref="GeometryError.CoincidentPoints"/> if the first and last point, or two
+    /// neighbors, lie within 1e-9 mm; <see cref="GeometryError.FoldedCurve"/> if a point is not farther along the chord than the one before; what
+    /// <see cref="PolynomialFit.Fit(IReadOnlyList{DoubleDouble}, IReadOnlyList{DoubleDouble}, PolynomialFitOptions?)"/> refuses.
+    /// </exception>
+    public static CurveFit Fit(IReadOnlyList<Point2> points, PolynomialFitOptions? options = null)
+    {
+        Samples.Check(points, 3, "A curve");
+        var chord = new Segment2(points[0], points[^1]);
+        if (chord.Length <= Intersect.DefaultTolerance)
+        {
+            throw new GeometryException(GeometryError.CoincidentPoints, "The first and the last point of the curve coincide: it has no chord.");
+        }
+
+        var line = chord.Line;
+        var along = new double[points.Count];
+        var height = new double[points.Count];
+        for (var i = 0; i < along.Length; i++)
+        {
+            (along[i], height[i]) = (line.Along(points[i]), line.SignedDistance(points[i]));
+            if (i > 0 && along[i] <= along[i - 1])
+            {
+                throw Backward(points, i);
+            }
+        }
+
+        return new(chord, PolynomialFit.Fit(along, height, options));
+    }
+
+    /// <summary>The point of the fitted curve over a fraction of the chord: 0 at the foot of the first measured point, 1 at that of the last.</summary>
+    public Point2 At(double fraction)
+    {
+        var line = Chord.Line;
+        var along = fraction * Chord.Length;
+        return line.At(along) + (line.Normal * Polynomial.Evaluate(along));
+    }
+
+    /// <summary>Unit direction of the fitted curve over a fraction of the chord, in the order of the points.</summary>
+    public Vector2 TangentAt(double fraction)
+    {
+        var line = Chord.Line;
+        return (line.Direction + (line.Normal * Polynomial.Derivative(fraction * Chord.Length))).Normalize();
+    }
+
+    private static GeometryException Backward(IReadOnlyList<Point2> points, int index) =>
+        points[index].DistanceTo(points[index - 1]) <= Intersect.DefaultTolerance
+            ? new(GeometryError.CoincidentPoints, string.Create(CultureInfo.InvariantCulture, $"Points {index} and {index + 1} of the curve coincide."))
+            : new(
+                GeometryError.FoldedCurve,
+                string.Create(CultureInfo.InvariantCulture, $"Point {index + 1} of the curve lies no farther along its chord than point {index}: the points are out of order or the curve turns back."));
+}
