@@ -1,3 +1,5 @@
+using ErrorMatching.Nc;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>Why a job that can be read must not lead to a program. A normal outcome, not an error.</summary>
@@ -5,4 +7,14 @@ namespace ErrorMatching.Mating;
 /// <param name="Message">The reason in a setter's words: what was found, and what is allowed.</param>
 /// <param name="Feature">Name of the feature concerned; null if none is.</param>
 /// <param name="Point">Label of the point concerned; null if none is.</param>
-public sealed record MatingRefusal(string Code, string Message, string? Feature = null, string? Point = null);
+/// <param name="Block">The block concerned as the setter knows it; null if none is.</param>
+/// <param name="Line">Its line in the program, from 1; 0 if none is.</param>
+public sealed record MatingRefusal(string Code, string Message, string? Feature = null, string? Point = null, string? Block = null, int Line = 0)
+{
+    internal static MatingRefusal Of(NcRefusal refusal, string? feature = null) => new(
+        refusal.Code,
+        feature is null ? refusal.Message : $"{feature}: {refusal.Message}",
+        feature,
+        Block: refusal.Block.Length > 0 ? refusal.Block : null,
+        Line: refusal.Line);
+}

@@ -69,8 +69,9 @@ public sealed record MeasurementFormat
             using var document = JsonDocument.Parse(json, FormatJson.Options);
             return FormatJson.Read(document.RootElement);
         }
-        catch (JsonException e)
+        catch (Exception e) when (e is JsonException or InvalidOperationException)
         {
+            // A member name with an escape that is no character is an invalid operation to the parser, not bad JSON.
             throw new MeasurementException(MeasurementError.BadFormat, "text that is not JSON: " + e.Message.TrimEnd('.'), "the name of a format or a JSON object", path: "$", cause: e);
         }
     }

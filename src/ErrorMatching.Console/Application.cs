@@ -1,0 +1,82 @@
+using System.CommandLine;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Console;
+
+/// <summary>Runs one command line and turns whatever comes of it into output and an exit code.</summary>
+internal static class Application
+{
+    /// <summary>Runs a command line.</summary>
+    /// <param name="args">The words behind the program's name.</param>
+    /// <param name="terminal">Where to write.</param>
+    /// <param name="cancellation">Set by Ctrl+C.</param>
+    /// <returns>The exit code of the process.</returns>
+    public static int Run(IReadOnlyList<string> args, Terminal terminal, CancellationToken cancellation)
+    {
+        var isJson = args.Contains("--json");
+        try
+        {
+            var parsed = CommandTree.Parse(args);
+            if (parsed.Errors.Count == 0 && parsed.Action is not null)
+            {
+                var exit = parsed.Invoke(new InvocationConfiguration { Output = terminal.Output, Error = terminal.Error, EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null });
+                terminal.Output.Flush();
+                return exit;
+            }
+
+            var code = OutcomeWriter.Write(OutcomeOf(parsed, cancellation), terminal, isJson);
+            terminal.Output.Flush();
+            return (int)code;
+        }
+        catch (IOException e)
+        {
+            // The reader of a pipe has gone, or the disk behind a redirection is full. There may be no stream left to say so but this one.
+            terminal.Error.Write($"errormatch: the output cannot be written: {e.Message}\n");
+            return (int)ExitCode.Outside;
+        }
+    }
+
+    private static Outcome OutcomeOf(ParseResult parsed, CancellationToken cancellation)
+    {
+        if (parsed.Errors.Count > 0)
+        {
+            return new Failure(ExitCode.WrongInput, [.. parsed.Errors.Select(e => new ErrorItem("command-line", $"{OneLine(e.Message)} See {CommandLineOf(parsed)} --help."))]);
+        }
+
+        try
+        {
+            return ((Verb)parsed.CommandResult.Command).Run(parsed, cancellation);
+        }
+        catch (MeasurementException e)
+        {
+            return FailureOf.Measurement(e);
+        }
+        catch (OutputException e)
+        {
+            return FailureOf.Output(e);
+        }
+        catch (OperationCanceledException) when (cancellation.IsCancellationRequested)
+        {
+            return new Failure(ExitCode.Cancelled, new ErrorItem("cancelled", "Cancelled. No output is half-written."));
+        }
+#pragma warning disable CA1031 // Whatever a defect throws must become an exit code of the contract, not the runtime's own.
+        catch (Exception e)
+        {
+            return FailureOf.Defect(e);
+        }
+#pragma warning restore CA1031
+    }
+
+    private static string OneLine(string message) => string.Join(' ', message.Split(default(char[]), StringSplitOptions.RemoveEmptyEntries)).TrimEnd('.') + ".";
+
+    private static string CommandLineOf(ParseResult parsed)
+    {
+        var words = new Stack<string>();
+        for (Symbol symbol = parsed.CommandResult.Command; symbol is not RootCommand; symbol = symbol.Parents.First())
+        {
+            words.Push(symbol.Name);
+        }
+
+        return string.Join(' ', words.Prepend("errormatch"));
+    }
+}

@@ -1,0 +1,20 @@
+namespace ErrorMatching.Console;
+
+/// <summary>What a process tells the one that started it.</summary>
+internal enum ExitCode
+{
+    /// <summary>Done.</summary>
+    Done = 0,
+
+    /// <summary>The command line or an input is wrong.</summary>
+    WrongInput = 1,
+
+    /// <summary>The inputs are readable but the result must not be used.</summary>
+    Refused = 2,
+
+    /// <summary>Something outside failed: a disk, a network.</summary>
+    Outside = 3,
+
+    /// <summary>Cancelled, with nothing half-written (128 + SIGINT, as shells count).</summary>
+    Cancelled = 130,
+}

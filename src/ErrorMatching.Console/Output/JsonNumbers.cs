@@ -1,0 +1,45 @@
+using System.Text.Json;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Console;
+
+/// <summary>The forms that numbers take in every JSON document of the console.</summary>
+internal static class JsonNumbers
+{
+    /// <summary>Writes a number with all digits that tell it from its neighbors; null where there is none (JSON has no NaN).</summary>
+    public static void Number(this Utf8JsonWriter json, string name, double value)
+    {
+        if (double.IsFinite(value))
+        {
+            json.WriteNumber(name, value);
+        }
+        else
+        {
+            json.WriteNull(name);
+        }
+    }
+
+    /// <summary>Writes an array of numbers.</summary>
+    public static void Numbers(this Utf8JsonWriter json, string name, IEnumerable<double> values)
+    {
+        json.WriteStartArray(name);
+        foreach (var value in values)
+        {
+            json.WriteNumberValue(value);
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <summary>Writes a pair of coordinates as <c>{ "x", "y" }</c>.</summary>
+    public static void Pair(this Utf8JsonWriter json, string name, double x, double y)
+    {
+        json.WriteStartObject(name);
+        json.Number("x", x);
+        json.Number("y", y);
+        json.WriteEndObject();
+    }
+
+    /// <summary>Writes a point as <c>{ "x", "y" }</c>.</summary>
+    public static void Point(this Utf8JsonWriter json, string name, Point2 point) => json.Pair(name, point.X, point.Y);
+}

@@ -1,0 +1,111 @@
+using System.Globalization;
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+
+namespace ErrorMatching.Console;
+
+/// <summary>Writes an outcome: one JSON document to the output, or text to the output and errors to the error stream.</summary>
+internal static class OutcomeWriter
+{
+    private const string ErrorSchema = "errormatch/error/1";
+
+    // Names of files and features are shown as they are: the document is UTF-8 and goes into no web page.
+    private static readonly JsonWriterOptions Options = new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+
+    /// <summary>The UTF-8 bytes of an answer's JSON document, with a line end behind it.</summary>
+    public static byte[] JsonOf(Answer answer) => Json(answer.Schema, answer.WriteJson);
+
+    public static ExitCode Write(Outcome outcome, Terminal terminal, bool isJson)
+    {
+        switch (outcome)
+        {
+            case Answer answer when isJson:
+                terminal.Output.Write(Encoding.UTF8.GetString(JsonOf(answer)));
+                break;
+            case Answer answer:
+                answer.WriteText(new Page(terminal.Output, terminal.HasColor));
+                break;
+            case Failure { Exit: not ExitCode.Cancelled } failure when isJson:
+                terminal.Output.Write(Encoding.UTF8.GetString(Json(ErrorSchema, json => WriteErrors(json, failure))));
+                break;
+            case Failure failure:
+                foreach (var error in failure.Errors)
+                {
+                    terminal.Error.Write(Place(error) + (error.Problem ?? error.Message) + "\n");
+                }
+
+                break;
+        }
+
+        return (outcome as Failure)?.Exit ?? ExitCode.Done;
+    }
+
+    private static byte[] Json(string schema, Action<Utf8JsonWriter> write)
+    {
+        using var stream = new MemoryStream();
+        using (var json = new Utf8JsonWriter(stream, Options))
+        {
+            json.WriteStartObject();
+            json.WriteString("schema", schema);
+            write(json);
+            json.WriteEndObject();
+        }
+
+        stream.WriteByte((byte)'\n');
+        return stream.ToArray();
+    }
+
+    private static void WriteErrors(Utf8JsonWriter json, Failure failure)
+    {
+        json.WriteNumber("exit", (int)failure.Exit);
+        json.WriteStartArray("errors");
+        foreach (var error in failure.Errors)
+        {
+            json.WriteStartObject();
+            json.WriteString("code", error.Code);
+            json.WriteString("message", error.Message);
+            WriteText(json, "file", error.File);
+            WriteNumber(json, "line", error.Line);
+            WriteNumber(json, "column", error.Column);
+            WriteText(json, "path", error.Path);
+            WriteText(json, "block", error.Block);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void WriteText(Utf8JsonWriter json, string name, string? value)
+    {
+        if (value is not null)
+        {
+            json.WriteString(name, value);
+        }
+    }
+
+    private static void WriteNumber(Utf8JsonWriter json, string name, int? value)
+    {
+        if (value is { } number)
+        {
+            json.WriteNumber(name, number);
+        }
+    }
+
+    // file:line:column: as editors and build logs recognize it. Without a separate problem the message has its place in itself.
+    private static string Place(ErrorItem error)
+    {
+        if (error.Problem is null)
+        {
+            return "errormatch: ";
+        }
+
+        var place = new StringBuilder(error.File ?? error.Path ?? "errormatch");
+        foreach (var number in new[] { error.Line, error.Column })
+        {
+            place.Append(number is null ? "" : string.Create(CultureInfo.InvariantCulture, $":{number}"));
+        }
+
+        return place.Append(error.File is null || error.Path is null ? "" : ":" + error.Path).Append(": ").ToString();
+    }
+}

@@ -1,0 +1,50 @@
+using System.Buffers;
+
+namespace ErrorMatching.Console;
+
+/// <summary>Text for people: headings, sentences and tables, with color only where the terminal has it.</summary>
+internal sealed class Page(TextWriter writer, bool hasColor)
+{
+    private const string Bold = "\u001b[1m";
+    private const string Plain = "\u001b[0m";
+    private static readonly SearchValues<char> OfNumbers = SearchValues.Create("0123456789+-.eE ");
+
+    /// <summary>Writes a line that stands out.</summary>
+    public void Heading(string text) => Line(hasColor ? Bold + text + Plain : text);
+
+    /// <summary>Writes a line.</summary>
+    public void Line(string text = "")
+    {
+        writer.Write(text);
+        writer.Write('\n');
+    }
+
+    /// <summary>Writes a table: columns as wide as their widest cell and two spaces apart, numbers to the right, text to the left.</summary>
+    /// <param name="headings">One heading per column.</param>
+    /// <param name="rows">Rows of as many cells.</param>
+    public void Table(IReadOnlyList<string> headings, IEnumerable<IReadOnlyList<string>> rows)
+    {
+        IReadOnlyList<string>[] body = [.. rows];
+        var widths = headings.Select((h, i) => Math.Max(h.Length, body.Length == 0 ? 0 : body.Max(r => r[i].Length))).ToArray();
+        var isNumeric = headings.Select((_, i) => body.Length > 0 && body.All(r => r[i].Length == 0 || IsNumber(r[i]))).ToArray();
+        Heading(Row(headings));
+        foreach (var row in body)
+        {
+            Line(Row(row));
+        }
+
+        string Row(IReadOnlyList<string> cells) => string.Join("  ", cells.Select((c, i) => isNumeric[i] ? c.PadLeft(widths[i]) : c.PadRight(widths[i]))).TrimEnd();
+    }
+
+    /// <summary>Writes names and their values in two columns.</summary>
+    public void Facts(IReadOnlyList<(string Name, string Value)> facts)
+    {
+        var width = facts.Max(f => f.Name.Length);
+        foreach (var (name, value) in facts)
+        {
+            Line(name.PadRight(width) + "  " + value);
+        }
+    }
+
+    private static bool IsNumber(string text) => !text.AsSpan().ContainsAnyExcept(OfNumbers);
+}

@@ -1,0 +1,19 @@
+using System.Globalization;
+
+namespace ErrorMatching.Console;
+
+/// <summary>How numbers look in text for people. Scripts read JSON, which has all digits.</summary>
+internal static class Show
+{
+    /// <summary>A length in millimeters, to a tenth of a micrometer.</summary>
+    public static string Mm(double value) => value.ToString("0.0000", CultureInfo.InvariantCulture);
+
+    /// <summary>An angle in degrees, to a ten-thousandth.</summary>
+    public static string Degrees(double value) => value.ToString("0.0000", CultureInfo.InvariantCulture);
+
+    /// <summary>A quantity whose size is not known beforehand, to six digits.</summary>
+    public static string Digits(double value) => value.ToString("G6", CultureInfo.InvariantCulture);
+
+    /// <summary>All digits that tell the number from its neighbors.</summary>
+    public static string Exact(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,14 @@
+namespace ErrorMatching.Console;
+
+/// <summary>Where the console writes: results to the output, messages to the error stream. In production the two standard streams, in tests two strings.</summary>
+/// <param name="Output">Results.</param>
+/// <param name="Error">Messages.</param>
+/// <param name="HasColor">True if text for people may carry escape sequences.</param>
+internal sealed record Terminal(TextWriter Output, TextWriter Error, bool HasColor)
+{
+    /// <summary>True if the output is a terminal that shows color and nobody asked for none (no-color.org: any value of NO_COLOR but an empty one).</summary>
+    public static bool WantsColor() =>
+        !System.Console.IsOutputRedirected
+        && string.IsNullOrEmpty(Environment.GetEnvironmentVariable("NO_COLOR"))
+        && Environment.GetEnvironmentVariable("TERM") != "dumb";
+}

@@ -1,0 +1,121 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>
+/// Turns the corrections at a feature's key points into a wish for each motion that cuts it: a line and a flank shift and tilt, a curve follows its
+/// normal deviation along its length.
+/// </summary>
+internal static class FeatureWish
+{
+    /// <summary>The wishes for one pass, in the order of its motions.</summary>
+    /// <param name="job">The job, for the frame, the direction and the gauge's uncertainty.</param>
+    /// <param name="path">The program's path.</param>
+    /// <param name="map">The feature on the program.</param>
+    /// <param name="pass">One of its cuts.</param>
+    /// <param name="decision">The corrections at its key points, in the order of the job.</param>
+    public static IEnumerable<ElementWish> For(MatingJob job, NcPath path, FeatureMap map, FeaturePass pass, FeatureDecision decision)
+    {
+        var corrections = decision.Points.Select(p => job.Counterpart.Frame.Apply(p.Correction)).ToArray();
+        return map.Feature switch
+        {
+            TriangleFeature triangle => Wedge(job, path, pass, corrections, triangle.FirstFlank.Count),
+            CurveFeature when CircleField.Of(path, pass, corrections) is { } circle => Along(path, pass, circle.At),
+            CurveFeature curve => Along(path, pass, Course(job, pass, corrections, curve)),
+            _ => Along(path, pass, Course(job, pass, corrections, null)),
+        };
+    }
+
+    /// <summary>The normal deviation of a curve along its first pass, for the report.</summary>
+    public static ArcLengthField NormalField(MatingJob job, FeaturePass pass, CurveFeature curve, IReadOnlyList<double> normals) =>
+        ArcLengthField.Smooth([.. pass.Feet.Select(f => f.AlongMm)], normals, curve.Degree, curve.Ridge, job.Gauge.Uncertainty.CombinedMm);
+
+    // The displacement at a length, given the left normal there.
+    private static Func<double, Vector2, Vector2> Course(MatingJob job, FeaturePass pass, Vector2[] corrections, CurveFeature? curve)
+    {
+        double[] along = [.. pass.Feet.Select(f => f.AlongMm)];
+        if (job.Compensation.Along == CompensationDirection.Vector)
+        {
+            var (x, y) = (Fit(corrections.Select(c => c.X)), Fit(corrections.Select(c => c.Y)));
+            return (s, _) => new(x.At(s), y.At(s));
+        }
+
+        var left = Fit(corrections.Select((c, i) => c.Dot(LeftOf(pass.Feet[i]))));
+        return (s, normal) => normal * left.At(s);
+
+        ArcLengthField Fit(IEnumerable<double> values) => curve is null
+            ? ArcLengthField.Straight(along, [.. values], job.Gauge.Uncertainty.CombinedMm)
+            : ArcLengthField.Smooth(along, [.. values], curve.Degree, curve.Ridge, job.Gauge.Uncertainty.CombinedMm);
+    }
+
+    private static Vector2 LeftOf(KeyPointFoot foot) => foot.MaterialIsLeft ? -foot.Normal : foot.Normal;
+
+    private static IEnumerable<ElementWish> Along(NcPath path, FeaturePass pass, Func<double, Vector2, Vector2> course)
+    {
+        for (var i = pass.First; i <= pass.Last; i++)
+        {
+            yield return Element(path, pass, i, course);
+        }
+    }
+
+    private static ElementWish Element(NcPath path, FeaturePass pass, int index, Func<double, Vector2, Vector2> course)
+    {
+        var motion = path.Motions[index];
+        var (from, to) = (pass.Starts[index - pass.First], pass.Starts[index - pass.First + 1]);
+        return new(index, course(from, motion.TangentAt(0).Left), course((from + to) / 2, motion.TangentAt(0.5).Left), course(to, motion.TangentAt(1).Left));
+    }
+
+    // Each flank has its own shift and tilt; what lies between them leads from the one to the other and, where it is an arc, stays tangent to both.
+    private static IEnumerable<ElementWish> Wedge(MatingJob job, NcPath path, FeaturePass pass, Vector2[] corrections, int firstFlank)
+    {
+        var inOrder = pass.Feet[0].AlongMm <= pass.Feet[firstFlank].AlongMm;
+        var (head, tail) = inOrder ? (..firstFlank, firstFlank..) : (firstFlank.., ..firstFlank);
+        var before = Flank(job, pass, corrections, head);
+        var behind = Flank(job, pass, corrections, tail);
+        KeyPointFoot[] feet = [.. pass.Feet];
+        var lastBefore = feet[head].Max(f => f.Motion);
+        while (lastBefore < pass.Last && RunsOnStraight(path, lastBefore))
+        {
+            lastBefore++;
+        }
+
+        var firstBehind = feet[tail].Min(f => f.Motion);
+        while (firstBehind > pass.First && RunsOnStraight(path, firstBehind - 1))
+        {
+            firstBehind--;
+        }
+
+        for (var i = pass.First; i <= pass.Last; i++)
+        {
+            yield return i <= lastBefore ? Element(path, pass, i, before)
+                : i >= firstBehind ? Element(path, pass, i, behind)
+                : Between(path, pass, i, lastBefore, firstBehind, before, behind);
+        }
+    }
+
+    // True if the next motion goes on in the same direction: a flank may be cut by several blocks.
+    private static bool RunsOnStraight(NcPath path, int motion)
+    {
+        var (a, b) = (path.Motions[motion], path.Motions[motion + 1]);
+        return !a.IsArc && !b.IsArc && Math.Abs(a.TangentAt(1).Cross(b.TangentAt(0))) < 0.001 && a.TangentAt(1).Dot(b.TangentAt(0)) > 0;
+    }
+
+    private static Func<double, Vector2, Vector2> Flank(MatingJob job, FeaturePass pass, Vector2[] corrections, Range which)
+    {
+        var flank = pass with { Feet = [.. pass.Feet.Take(which)] };
+        return Course(job, flank, corrections[which], null);
+    }
+
+    private static ElementWish Between(
+        NcPath path, FeaturePass pass, int index, int lastBefore, int firstBehind, Func<double, Vector2, Vector2> before, Func<double, Vector2, Vector2> behind)
+    {
+        var (from, to) = (pass.Starts[lastBefore + 1 - pass.First], pass.Starts[firstBehind - pass.First]);
+        var element = Element(path, pass, index, (s, normal) =>
+        {
+            var share = to > from ? (s - from) / (to - from) : 0.5;
+            return (before(from, normal) * (1 - share)) + (behind(to, normal) * share);
+        });
+        return element with { IsFillet = path.Motions[index].IsArc };
+    }
+}

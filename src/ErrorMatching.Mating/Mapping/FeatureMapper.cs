@@ -1,0 +1,185 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>
+/// Finds where each theoretical key point belongs on the path of its feature's blocks. Without cutter compensation it must lie one tool radius from the path, all on one side:
+/// that side holds the counterpart's material. Under G41 or G42 it lies on the path, and the code says where the material is.
+/// </summary>
+public static class FeatureMapper
+{
+    /// <summary>Code of the refusal of a key point that is too far from its blocks.</summary>
+    public const string PointOffPath = "point-off-path";
+
+    /// <summary>Code of the refusal of key points on both sides of the path.</summary>
+    public const string SidesDiffer = "sides-differ";
+
+    /// <summary>Code of the refusal of blocks that cut in another plane than the feature's.</summary>
+    public const string PlaneDiffers = "plane-differs";
+
+    /// <summary>Code of the refusal of blocks that two features name.</summary>
+    public const string BlocksOverlap = "blocks-overlap";
+
+    /// <summary>Maps all features of a job.</summary>
+    /// <param name="job">The job.</param>
+    /// <param name="path">The counterpart's program, interpreted.</param>
+    /// <param name="theoretical">The key points as designed.</param>
+    /// <param name="maps">For each feature of the job, in its order, its map; complete only if nothing is refused.</param>
+    /// <returns>The reason why a feature cannot be mapped, or null.</returns>
+    /// <exception cref="MeasurementException">A key point is missing in the theoretical file, or has no coordinate in the feature's plane.</exception>
+    /// <exception cref="NcException">A selector cannot be read.</exception>
+    public static MatingRefusal? Map(MatingJob job, NcPath path, MeasurementFile theoretical, out IReadOnlyList<FeatureMap> maps)
+    {
+        var found = new List<FeatureMap>();
+        maps = found;
+        var owners = new Dictionary<int, string>();
+        foreach (var feature in job.Features)
+        {
+            var selection = BlockSelector.Select(path.Program, [.. feature.Blocks.Select(BlockSelector.Parse)]);
+            if (!selection.IsUsable)
+            {
+                return MatingRefusal.Of(selection.Refusal, feature.Name);
+            }
+
+            foreach (var block in selection.Value)
+            {
+                if (!owners.TryAdd(block, feature.Name))
+                {
+                    return At(path, block, BlocksOverlap, $"it belongs to {owners[block]} and to {feature.Name}. Name each block once.", feature.Name);
+                }
+            }
+
+            var refusal = Map(job, path, feature, selection.Value, theoretical, out var map);
+            if (refusal is not null)
+            {
+                return refusal;
+            }
+
+            found.Add(map!);
+        }
+
+        return null;
+    }
+
+    private static MatingRefusal? Map(MatingJob job, NcPath path, JobFeature feature, int[] blocks, MeasurementFile theoretical, out FeatureMap? map)
+    {
+        map = null;
+        var passes = Passes(path, blocks);
+        if (passes.Count == 0)
+        {
+            return At(path, blocks[0], NcRefusalCodes.NoMotion, "the named blocks hold no cutting motion.", feature.Name);
+        }
+
+        var mapped = new List<FeaturePass>();
+        foreach (var (first, last) in passes)
+        {
+            if (path.Motions[first].Plane != feature.Plane)
+            {
+                return At(path, path.Motions[first].Block, PlaneDiffers, $"it cuts in the plane {path.Motions[first].Plane}, the feature lies in {feature.Plane}. Set \"plane\" in the job.", feature.Name);
+            }
+
+            var starts = Starts(path, first, last);
+            var feet = new List<KeyPointFoot>();
+            foreach (var label in feature.Points)
+            {
+                var point = job.Counterpart.Frame.Apply(ProjectedPoint.Of(theoretical[label], feature.Plane, theoretical.File).Position);
+                var refusal = Foot(job, path, feature, label, point, first, last, starts, out var foot);
+                if (refusal is not null)
+                {
+                    return refusal;
+                }
+
+                feet.Add(foot!);
+            }
+
+            if (feet.Find(f => f.MaterialIsLeft != feet[0].MaterialIsLeft) is { } other)
+            {
+                return At(path, path.Motions[other.Motion].Block, SidesDiffer, $"the points {feet[0].Label} and {other.Label} lie on different sides of the path, so the material cannot be told. Check the frame and the points.", feature.Name, other.Label);
+            }
+
+            mapped.Add(new(first, last, starts, feet));
+        }
+
+        var toPart = job.Counterpart.Frame.Inverse();
+        map = new(feature, blocks, mapped, [.. mapped[0].Feet.Select(f => toPart.Apply(f.Normal))]);
+        return null;
+    }
+
+    // Named cuts that follow one another without a motion between them.
+    private static List<(int First, int Last)> Passes(NcPath path, int[] blocks)
+    {
+        var passes = new List<(int First, int Last)>();
+        foreach (var block in blocks)
+        {
+            if (path.MotionOf(block) is not (>= 0 and var motion) || path.Motions[motion] is not { IsCut: true, MovesInPlane: true })
+            {
+                continue;
+            }
+
+            if (passes.Count > 0 && passes[^1].Last == motion - 1)
+            {
+                passes[^1] = (passes[^1].First, motion);
+            }
+            else
+            {
+                passes.Add((motion, motion));
+            }
+        }
+
+        return passes;
+    }
+
+    private static double[] Starts(NcPath path, int first, int last)
+    {
+        var starts = new double[last - first + 2];
+        for (var i = first; i <= last; i++)
+        {
+            starts[i - first + 1] = starts[i - first] + path.Motions[i].PlaneLength;
+        }
+
+        return starts;
+    }
+
+    private static MatingRefusal? Foot(
+        MatingJob job, NcPath path, JobFeature feature, string label, Point2 point, int first, int last, double[] starts, out KeyPointFoot? foot)
+    {
+        var (nearest, nearestDistance, nearestFraction) = (first, double.PositiveInfinity, 0.0);
+        for (var i = first; i <= last; i++)
+        {
+            var motion = path.Motions[i];
+            var fraction = motion.IsArc ? motion.Arc.NearestFraction(point) : motion.Segment.NearestFraction(point);
+            var distance = motion.PlaneAt(fraction).DistanceTo(point);
+            if (distance < nearestDistance)
+            {
+                (nearest, nearestDistance, nearestFraction) = (i, distance, fraction);
+            }
+        }
+
+        var found = path.Motions[nearest];
+        var compensated = found.Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight);
+        var wanted = compensated ? 0 : job.Counterpart.ToolDiameterMm / 2;
+        var left = found.TangentAt(nearestFraction).Left;
+        var side = (point - found.PlaneAt(nearestFraction)).Dot(left);
+        var materialIsLeft = compensated ? found.Has(MotionFlags.CompensationRight) : side > 0;
+        foot = new(label, nearest, starts[nearest - first] + (nearestFraction * found.PlaneLength), nearestDistance, materialIsLeft ? -left : left, materialIsLeft);
+        if (Math.Abs(nearestDistance - wanted) <= job.Counterpart.MapMm)
+        {
+            return null;
+        }
+
+        var where = compensated ? "on the path, since cutter compensation is active" : string.Create(CultureInfo.InvariantCulture, $"{wanted:0.###} mm from it, one tool radius");
+        return At(
+            path,
+            found.Block,
+            PointOffPath,
+            string.Create(CultureInfo.InvariantCulture, $"the theoretical point {label} lies {nearestDistance:0.000} mm from the path, expected {where} (within {job.Counterpart.MapMm:0.###} mm). Check the frame, the tool diameter and the blocks."),
+            feature.Name,
+            label);
+    }
+
+    private static MatingRefusal At(NcPath path, int block, string code, string message, string feature, string? point = null) =>
+        new(code, $"{feature}, {path.Program.NameOf(path.Program[block])}: {message}", feature, point, path.Program.NameOf(path.Program[block]), block + 1);
+}

@@ -1,0 +1,12 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>Where a key point belongs on the path of its feature's blocks.</summary>
+/// <param name="Label">Name of the key point.</param>
+/// <param name="Motion">Position of the nearest motion in the path.</param>
+/// <param name="AlongMm">Length of the pass from its start to the foot.</param>
+/// <param name="DistanceMm">Distance of the theoretical key point from the path.</param>
+/// <param name="Normal">Unit normal at the foot, from the counterpart's material to its tool, in the program's frame.</param>
+/// <param name="MaterialIsLeft">True if the material lies to the left of travel.</param>
+public sealed record KeyPointFoot(string Label, int Motion, double AlongMm, double DistanceMm, Vector2 Normal, bool MaterialIsLeft);

@@ -1,0 +1,83 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>A measurement as it is compared: contact points in the plane of their feature, aligned as the job asks.</summary>
+/// <param name="File">The measurement.</param>
+/// <param name="Alignment">What was applied, and what is left, over the key points in the order of the job.</param>
+/// <param name="Points">The aligned points by label.</param>
+/// <param name="StandsOut">Points that stand out of their feature's plane, with how far; empty where the file has no Z.</param>
+public sealed record AlignedMeasurement(
+    MeasurementFile File, Alignment Alignment, IReadOnlyDictionary<string, Point2> Points, IReadOnlyList<(string Label, double Millimeters)> StandsOut)
+{
+    /// <summary>Code of the refusal of an alignment over features of several planes.</summary>
+    public const string AlignmentNeedsOnePlane = "alignment-needs-one-plane";
+
+    /// <summary>Height over the plane from which a point is reported, mm.</summary>
+    private const double Flat = 0.001;
+
+    /// <summary>Why a job's alignment cannot be computed, or null.</summary>
+    public static MatingRefusal? Check(MatingJob job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        return job.Alignment.Kind == JobAlignmentKind.None || job.Features.All(f => f.Plane == job.Features[0].Plane)
+            ? null
+            : new(AlignmentNeedsOnePlane, "The features lie in several planes, so one alignment cannot serve all. Make a job for each plane, or align in the gauge.");
+    }
+
+    /// <summary>Takes a measurement to the part's frame.</summary>
+    /// <param name="job">The job.</param>
+    /// <param name="maps">The features on the program, for the normals along which a ball touches.</param>
+    /// <param name="theoretical">The key points as designed.</param>
+    /// <param name="measured">The measurement.</param>
+    /// <param name="piece">Which piece it is of.</param>
+    /// <exception cref="MeasurementException">A point is missing, or has no coordinate in its feature's plane.</exception>
+    /// <exception cref="GeometryException">The points do not determine the alignment.</exception>
+    public static AlignedMeasurement Of(MatingJob job, IReadOnlyList<FeatureMap> maps, MeasurementFile theoretical, MeasurementFile measured, MeasuredPiece piece)
+    {
+        measured.Require(job.NeededPoints);
+        var labels = new List<string>();
+        var (actual, nominal) = (new List<Point2>(), new List<Point2>());
+        var standsOut = new List<(string, double)>();
+        foreach (var map in maps)
+        {
+            for (var i = 0; i < map.Feature.Points.Count; i++)
+            {
+                var label = map.Feature.Points[i];
+                var (want, have) = (ProjectedPoint.Of(theoretical[label], map.Feature.Plane, theoretical.File), ProjectedPoint.Of(measured[label], map.Feature.Plane, measured.File));
+                if (have.StandsOutMm(want) is { } height && Math.Abs(height) >= Flat)
+                {
+                    standsOut.Add((label, height));
+                }
+
+                labels.Add(label);
+                nominal.Add(want.Position);
+                actual.Add(job.Gauge.Reports == ProbeReport.StylusCenter
+                    ? StylusCenter.ToContact(have.Position, job.Gauge.StylusDiameterMm!.Value / 2, map.Normals[i], piece)
+                    : have.Position);
+            }
+        }
+
+        var alignment = Align(job, theoretical, measured, actual, nominal);
+        return new(measured, alignment, labels.Zip(alignment.Aligned).ToDictionary(p => p.First, p => p.Second, StringComparer.Ordinal), standsOut);
+    }
+
+    private static Alignment Align(MatingJob job, MeasurementFile theoretical, MeasurementFile measured, List<Point2> actual, List<Point2> nominal)
+    {
+        var asked = job.Alignment;
+        return asked.Kind switch
+        {
+            JobAlignmentKind.Datum => Alignment.Datum(Datum(measured), Datum(theoretical), actual, nominal),
+            JobAlignmentKind.BestFit => Alignment.BestFit(actual, nominal, Freedom(asked)),
+            _ => Alignment.None(actual, nominal),
+        };
+
+        Segment2 Datum(MeasurementFile file) => new(In(file, asked.Origin!), In(file, asked.Direction!));
+
+        Point2 In(MeasurementFile file, string label) => ProjectedPoint.Of(file[label], job.Features[0].Plane, file.File).Position;
+    }
+
+    private static AlignmentFreedom Freedom(JobAlignment asked) =>
+        (asked.LockX ? AlignmentFreedom.None : AlignmentFreedom.X) | (asked.LockY ? AlignmentFreedom.None : AlignmentFreedom.Y) | (asked.LockRotation ? AlignmentFreedom.None : AlignmentFreedom.Rotation);
+}

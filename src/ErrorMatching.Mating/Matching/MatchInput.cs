@@ -1,0 +1,30 @@
+using System.Security.Cryptography;
+using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>Everything a match is computed from. The result is a function of nothing else.</summary>
+/// <param name="Job">The job.</param>
+/// <param name="Theoretical">The key points as designed.</param>
+/// <param name="Part">The key points as measured on the part.</param>
+/// <param name="Counterpart">The key points as measured on a counterpart; needed for feedback, else null.</param>
+/// <param name="ProgramFile">The counterpart's program as the caller named it.</param>
+/// <param name="Program">Its bytes.</param>
+public sealed record MatchInput(MatingJob Job, MeasurementFile Theoretical, MeasurementFile Part, MeasurementFile? Counterpart, string ProgramFile, ReadOnlyMemory<byte> Program)
+{
+    /// <summary>SHA-256 of the program's bytes as 64 lower-case hexadecimal digits.</summary>
+    public string ProgramSha256 => Convert.ToHexStringLower(SHA256.HashData(Program.Span));
+
+    /// <summary>The measurement that is compensated: the part's in feed-forward, the counterpart's in feedback.</summary>
+    /// <exception cref="ArgumentException">The job is feedback and there is no measured counterpart.</exception>
+    public MeasurementFile Compensated => Job.Compensation.From == CompensationSource.Part ? Part : RequireCounterpart();
+
+    /// <summary>The measured counterpart.</summary>
+    /// <exception cref="ArgumentException">There is none.</exception>
+    public MeasurementFile RequireCounterpart() => Counterpart ?? throw new ArgumentException("Feedback needs a measured counterpart.", nameof(Counterpart));
+
+    /// <summary>Interprets the program in the job's dialect.</summary>
+    /// <exception cref="NcException">The dialect is not known, or the program is too large.</exception>
+    public NcPath Interpret() => NcInterpreter.Run(NcProgram.Read(Program), NcDialects.Named(Job.Counterpart.Dialect));
+}

@@ -1,0 +1,123 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>The pure core: job, measurement and base program make a program with its proof, or a refusal. No clock, disk or culture.</summary>
+public static class Matcher
+{
+    /// <summary>Computes a match.</summary>
+    /// <exception cref="MeasurementException">A measurement lacks a point or coordinate.</exception>
+    /// <exception cref="GeometryException">Points do not determine a feature or the alignment; the message names it.</exception>
+    /// <exception cref="NcException">The dialect or a selector cannot be read.</exception>
+    public static MatchOutcome Match(MatchInput input)
+    {
+        ArgumentNullException.ThrowIfNull(input);
+        var job = input.Job;
+        var path = input.Interpret();
+        if (CheckBefore(input, path) is { } refusal)
+        {
+            return MatchOutcome.Refused(refusal);
+        }
+
+        if (FeatureMapper.Map(job, path, input.Theoretical, out var maps) is { } unmapped)
+        {
+            return MatchOutcome.Refused(unmapped);
+        }
+
+        var part = AlignedMeasurement.Of(job, maps, input.Theoretical, input.Part, MeasuredPiece.Part);
+        var counterpart = input.Counterpart is null ? null : AlignedMeasurement.Of(job, maps, input.Theoretical, input.Counterpart, MeasuredPiece.Counterpart);
+        var decision = Decider.Decide(job, BoundaryPoints(input, maps, part, counterpart));
+        if (!decision.IsUsable)
+        {
+            return MatchOutcome.Refused(decision.Refusals);
+        }
+
+        return decision.Compensates
+            ? Compensate(input, path, maps, part, counterpart, decision)
+            : Unchanged(input, path, maps, part, counterpart, decision);
+    }
+
+    private static MatingRefusal? CheckBefore(MatchInput input, NcPath path)
+    {
+        var job = input.Job;
+        foreach (var (block, marker) in Marker.Find(path.Program))
+        {
+            var name = path.Program.NameOf(path.Program[block]);
+            if (job.Compensation.From == CompensationSource.Part)
+            {
+                return new(Marker.AlreadyCompensated, $"{input.ProgramFile}, {name}: the program carries a marker, so it is already compensated and not the nominal one. Start from the nominal program.", Block: name, Line: block + 1);
+            }
+
+            if (marker.MeasurementSha256 == input.Compensated.Sha256)
+            {
+                return new(Marker.SameMeasurement, $"{input.ProgramFile}, {name}: the program already follows this very measurement of the counterpart. Measure the piece that this program cut.", Block: name, Line: block + 1);
+            }
+        }
+
+        if (job.OriginCheck is { } check)
+        {
+            foreach (var file in new[] { input.Part, input.Counterpart }.OfType<MeasurementFile>())
+            {
+                if (OriginCheck.Of(check, input.Theoretical[check.Point].Position, file[check.Point].Position).Refusal is { } off)
+                {
+                    return off;
+                }
+            }
+        }
+
+        return AlignedMeasurement.Check(job);
+    }
+
+    private static List<IReadOnlyList<BoundaryPoint>> BoundaryPoints(MatchInput input, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part, AlignedMeasurement? counterpart)
+    {
+        var present = input.Job.Compensation.From == CompensationSource.Counterpart ? counterpart!.Points : null;
+        return [.. maps.Select(map => (IReadOnlyList<BoundaryPoint>)[.. map.Feature.Points.Select((label, i) => new BoundaryPoint(
+            label,
+            present is null ? ProjectedPoint.Of(input.Theoretical[label], map.Feature.Plane, input.Theoretical.File).Position : present[label],
+            part.Points[label],
+            map.Normals[i]))])];
+    }
+
+    private static MatchOutcome Compensate(
+        MatchInput input, NcPath path, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part, AlignedMeasurement? counterpart, MatingDecision decision)
+    {
+        var elements = new List<ElementWish>();
+        for (var i = 0; i < maps.Count; i++)
+        {
+            if (decision.Features[i].Decision == Decision.Compensated)
+            {
+                elements.AddRange(maps[i].Passes.SelectMany(pass => FeatureWish.For(input.Job, path, maps[i], pass, decision.Features[i])));
+            }
+        }
+
+        var wish = DisplacementWish.OfElements([.. elements.OrderBy(e => e.Motion)]);
+        var rewrite = Rewriter.Apply(path, wish);
+        if (!rewrite.IsUsable)
+        {
+            return MatchOutcome.Refused(MatingRefusal.Of(rewrite.Refusal, maps.FirstOrDefault(m => m.Blocks.Contains(rewrite.Refusal.Line - 1))?.Feature.Name));
+        }
+
+        if (rewrite.Value.Patches.Count == 0)
+        {
+            // Every correction is less than half an increment: the program already is what it should be.
+            return Unchanged(input, path, maps, part, counterpart, decision);
+        }
+
+        var marker = new Marker(input.Compensated.Sha256, input.ProgramSha256);
+        var program = NcProgram.Read(marker.InsertInto(rewrite.Value.Program));
+        var proof = Prover.Check(path, program, wish, rewrite.Value.LeastIncrementMm, marker.Text);
+        return proof.Holds
+            ? new(new(input, path, NcInterpreter.Run(program, path.Dialect), maps, part, counterpart, decision, wish, rewrite.Value, marker, proof), [])
+            : MatchOutcome.Refused([.. proof.Failures.Select(f => MatingRefusal.Of(f))]);
+    }
+
+    private static MatchOutcome Unchanged(
+        MatchInput input, NcPath path, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part, AlignedMeasurement? counterpart, MatingDecision decision)
+    {
+        var nothing = DisplacementWish.OfElements([]);
+        var proof = Prover.Check(path, path.Program, nothing, Math.Pow(10, -path.Dialect.MetricDecimals));
+        return new(new(input, path, path, maps, part, counterpart, decision, null, null, null, proof), []);
+    }
+}

@@ -1,0 +1,51 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>What else is true of a motion: the modes it was programmed in, and what stands in the way of changing it.</summary>
+[Flags]
+public enum MotionFlags
+{
+    /// <summary>Nothing.</summary>
+    None = 0,
+
+    /// <summary>Programmed in inches (G20).</summary>
+    Inch = 1,
+
+    /// <summary>Programmed in increments (G91).</summary>
+    Incremental = 1 << 1,
+
+    /// <summary>Arc centers are absolute (G90.1).</summary>
+    AbsoluteCenter = 1 << 2,
+
+    /// <summary>The arc is programmed by its radius.</summary>
+    ByRadius = 1 << 3,
+
+    /// <summary>Cutter compensation left is active (G41): material lies to the right of the path.</summary>
+    CompensationLeft = 1 << 4,
+
+    /// <summary>Cutter compensation right is active (G42): material lies to the left of the path.</summary>
+    CompensationRight = 1 << 5,
+
+    /// <summary>Cutter compensation is switched on or off in this block.</summary>
+    CompensationSwitches = 1 << 6,
+
+    /// <summary>Rotation, scaling, mirroring or polar coordinates are active.</summary>
+    Transformed = 1 << 7,
+
+    /// <summary>A word of the block is computed by the control.</summary>
+    Expression = 1 << 8,
+
+    /// <summary>A rotary or secondary axis moves in the block.</summary>
+    OtherAxis = 1 << 9,
+
+    /// <summary>A mode that this motion depends on is not known, since something before could have changed it.</summary>
+    UnsureMode = 1 << 10,
+
+    /// <summary>The block has a corner word (,R or ,C).</summary>
+    CornerWord = 1 << 11,
+
+    /// <summary>The block has a word that the dialect does not know.</summary>
+    UnknownWord = 1 << 12,
+
+    /// <summary>The arc's words do not describe a circle within the control's tolerance.</summary>
+    BadArc = 1 << 13,
+}

@@ -1,0 +1,75 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// One motion of the programmed path (cutter compensation is never applied), in mm, in the work coordinates that are active.
+/// A block names the motion from the previous end to its own end.
+/// </summary>
+/// <param name="Block">Position of its block in the program, from 0.</param>
+/// <param name="Kind">How the control moves.</param>
+/// <param name="Plane">The plane of arcs, and of compensation.</param>
+/// <param name="Flags">Modes and obstacles.</param>
+/// <param name="Start">Where it begins.</param>
+/// <param name="End">Where it ends.</param>
+/// <param name="Center">Center of an arc, in the plane's coordinates.</param>
+/// <param name="Turns">Full turns of an arc beyond the first, 0 for all but multi-turn helices.</param>
+/// <param name="Feed">Feed in mm/min as last programmed; 0 where none was.</param>
+/// <param name="Frame">Counts the changes of work offset or origin before it: motions of different frames cannot be compared.</param>
+/// <param name="UnknownStart">Axes whose start is not known from the program (its coordinate then reads as 0).</param>
+/// <param name="UnknownEnd">Axes whose end is not known from the program.</param>
+public readonly record struct NcMotion(
+    int Block,
+    MotionKind Kind,
+    CoordinatePlane Plane,
+    MotionFlags Flags,
+    Point3 Start,
+    Point3 End,
+    Point2 Center,
+    int Turns,
+    double Feed,
+    int Frame,
+    AxisSet UnknownStart,
+    AxisSet UnknownEnd)
+{
+    /// <summary>True for arcs and helices.</summary>
+    public bool IsArc => Kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise;
+
+    /// <summary>True for straight and circular cuts.</summary>
+    public bool IsCut => Kind is MotionKind.Line || IsArc;
+
+    /// <summary>Start in the plane's coordinates.</summary>
+    public Point2 PlaneStart => Plane.Project(Start);
+
+    /// <summary>End in the plane's coordinates.</summary>
+    public Point2 PlaneEnd => Plane.Project(End);
+
+    /// <summary>The straight piece in the plane.</summary>
+    public Segment2 Segment => new(PlaneStart, PlaneEnd);
+
+    /// <summary>The arc in the plane, with its extra turns.</summary>
+    public Arc2 Arc
+    {
+        get
+        {
+            var arc = Arc2.Between(PlaneStart, PlaneEnd, Center, Kind == MotionKind.ArcCounterClockwise);
+            return Turns == 0 ? arc : arc with { Sweep = arc.Sweep + Angle.FromDegrees((arc.IsCounterClockwise ? 360 : -360) * Turns) };
+        }
+    }
+
+    /// <summary>True if it moves in its plane. A full circle does; a plunge or retract does not.</summary>
+    public bool MovesInPlane => IsArc || PlaneStart != PlaneEnd;
+
+    /// <summary>Unit direction of travel in the plane at a fraction of the way, 0 to 1.</summary>
+    /// <exception cref="GeometryException">It does not move in its plane.</exception>
+    public Vector2 TangentAt(double fraction) => IsArc ? Arc.TangentAt(fraction) : (PlaneEnd - PlaneStart).Normalize();
+
+    /// <summary>The point in the plane at a fraction of the way, 0 to 1.</summary>
+    public Point2 PlaneAt(double fraction) => IsArc ? Arc.At(fraction) : Segment.At(fraction);
+
+    /// <summary>Length in the plane.</summary>
+    public double PlaneLength => IsArc ? Arc.Length : Segment.Length;
+
+    /// <summary>True if a flag is set.</summary>
+    public bool Has(MotionFlags flag) => (Flags & flag) != MotionFlags.None;
+}

@@ -1,0 +1,60 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>What a program does: its motions in order, and what stands in the way of trusting them.</summary>
+public sealed class NcPath
+{
+    private readonly NcMotion[] motions;
+    private readonly int count;
+
+    internal NcPath(NcProgram program, NcDialect dialect, NcMotion[] motions, int count, IReadOnlyList<NcProblem> problems, int flowBlock)
+    {
+        Program = program;
+        Dialect = dialect;
+        this.motions = motions;
+        this.count = count;
+        Problems = problems;
+        FlowBlock = flowBlock;
+    }
+
+    /// <summary>The program that was interpreted.</summary>
+    public NcProgram Program { get; }
+
+    /// <summary>The dialect it was read in.</summary>
+    public NcDialect Dialect { get; }
+
+    /// <summary>All motions, in the order of their blocks.</summary>
+    public ReadOnlySpan<NcMotion> Motions => motions.AsSpan(0, count);
+
+    /// <summary>Unknown words, arcs that do not close, unterminated comments and the like, in the order of the blocks.</summary>
+    public IReadOnlyList<NcProblem> Problems { get; }
+
+    /// <summary>The first block that branches, loops or defines a subprogram; -1 where the program runs straight through. Behind it blocks may run several times or not at all.</summary>
+    public int FlowBlock { get; }
+
+    /// <summary>Position of the first motion of a block or a later one: <see cref="Motions"/> is sorted by block.</summary>
+    public int FirstMotionFrom(int block)
+    {
+        var (low, high) = (0, count);
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            if (motions[middle].Block < block)
+            {
+                low = middle + 1;
+            }
+            else
+            {
+                high = middle;
+            }
+        }
+
+        return low;
+    }
+
+    /// <summary>Position of a block's motion, or -1 where it has none.</summary>
+    public int MotionOf(int block)
+    {
+        var at = FirstMotionFrom(block);
+        return at < count && motions[at].Block == block ? at : -1;
+    }
+}

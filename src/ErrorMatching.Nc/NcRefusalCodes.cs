@@ -1,0 +1,56 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>The stable words of refusals.</summary>
+public static class NcRefusalCodes
+{
+    /// <summary>A selector names no block of the program.</summary>
+    public const string BlockNotFound = "block-not-found";
+
+    /// <summary>A selector's number stands in several blocks.</summary>
+    public const string BlockAmbiguous = "block-ambiguous";
+
+    /// <summary>The named blocks hold no cutting motion.</summary>
+    public const string NoMotion = "no-motion";
+
+    /// <summary>A coordinate that must change is computed by the control (variable or expression).</summary>
+    public const string Expression = "expression";
+
+    /// <summary>A word in a block that must change is not known to the dialect.</summary>
+    public const string UnknownWord = "unknown-word";
+
+    /// <summary>Rotation, scaling, mirroring or polar coordinates are active where a block must change.</summary>
+    public const string ActiveTransform = "active-transform";
+
+    /// <summary>A canned cycle, reference move or machine-coordinate move is among what must change.</summary>
+    public const string NotASimpleMove = "not-a-simple-move";
+
+    /// <summary>A rotary or secondary axis moves in a block that must change.</summary>
+    public const string OtherAxis = "other-axis";
+
+    /// <summary>The position or a mode of the control is not known where a block must change.</summary>
+    public const string UnknownState = "unknown-state";
+
+    /// <summary>The program branches, loops or calls, so a block may run several times or not at all.</summary>
+    public const string ControlFlow = "control-flow";
+
+    /// <summary>The work offset or origin changes between blocks that must change together.</summary>
+    public const string FrameChange = "frame-change";
+
+    /// <summary>An arc whose words do not describe a circle within the control's tolerance.</summary>
+    public const string BadArc = "bad-arc";
+
+    /// <summary>An element would vanish or turn round if displaced as asked.</summary>
+    public const string ElementFlips = "element-flips";
+
+    /// <summary>Two displaced neighbors no longer meet.</summary>
+    public const string NoIntersection = "no-intersection";
+
+    /// <summary>Corner rounding or chamfer words (,R ,C) at a vertex that must move.</summary>
+    public const string CornerWord = "corner-word";
+
+    /// <summary>Motions in different planes cannot be displaced together.</summary>
+    public const string PlaneChange = "plane-change";
+
+    /// <summary>The displaced program, read again, does not do what was asked.</summary>
+    public const string ProofFailed = "proof-failed";
+}

@@ -1,0 +1,214 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Proves what a rewriting did: reads the result again, interprets it, and compares it with the original motion by motion and byte by byte. It knows the wish,
+/// never the edits.
+/// </summary>
+public sealed partial class Prover
+{
+    private readonly NcPath before;
+    private readonly NcPath after;
+    private readonly DisplacementWish wish;
+    private readonly string? marker;
+    private readonly double increment;
+    private readonly Dictionary<int, ElementWish> elements;
+    private readonly List<NcRefusal> failures = [];
+    private readonly List<ProofNeighbor> neighbors = [];
+    private double maxDeviation;
+
+    private Prover(NcPath before, NcPath after, DisplacementWish wish, string? marker, double increment)
+    {
+        this.before = before;
+        this.after = after;
+        this.wish = wish;
+        this.marker = marker;
+        this.increment = increment;
+        elements = wish.Elements.ToDictionary(e => e.Motion);
+    }
+
+    /// <summary>Compares a displaced program with its original.</summary>
+    /// <param name="before">The original, interpreted.</param>
+    /// <param name="result">The displaced program.</param>
+    /// <param name="wish">What was to be displaced; positions of motions are those of the original.</param>
+    /// <param name="leastIncrementMm">Increment to which new coordinates were rounded.</param>
+    /// <param name="marker">Text of the one comment line that was inserted, or null.</param>
+    public static NcProof Check(NcPath before, NcProgram result, DisplacementWish wish, double leastIncrementMm, string? marker = null) =>
+        new Prover(before, NcInterpreter.Run(result, before.Dialect), wish, marker, leastIncrementMm).Run();
+
+    private NcProof Run()
+    {
+        var markerBlock = FindMarker();
+        var moved = 0;
+        var bytesIdentical = false;
+        if (failures.Count == 0 && SameStructure(markerBlock))
+        {
+            var changed = new HashSet<int>();
+            moved = CompareMotions(changed);
+            bytesIdentical = CompareBytes(markerBlock, changed);
+        }
+
+        return new(failures.Count == 0, before.Motions.Length, moved, neighbors, marker, maxDeviation, bytesIdentical, failures);
+    }
+
+    private void Fail(int block, string what) => failures.Add(NcRefusal.At(before.Program, block, NcRefusalCodes.ProofFailed, what));
+
+    // The line that holds the marker in the result, or -1 where none was asked for.
+    private int FindMarker()
+    {
+        var extra = after.Program.BlockCount - before.Program.BlockCount;
+        if (extra != (marker is null ? 0 : 1))
+        {
+            failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, $"The result has {after.Program.BlockCount} lines, expected {before.Program.BlockCount + (marker is null ? 0 : 1)}."));
+            return -1;
+        }
+
+        if (marker is null)
+        {
+            return -1;
+        }
+
+        for (var i = 0; i < after.Program.BlockCount; i++)
+        {
+            if (after.Program.TextOf(after.Program[i]) == marker)
+            {
+                return i;
+            }
+        }
+
+        failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The marker comment is not in the result."));
+        return -1;
+    }
+
+    private bool SameStructure(int markerBlock)
+    {
+        if (before.Motions.Length != after.Motions.Length)
+        {
+            failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, $"The result has {after.Motions.Length} motions, the original {before.Motions.Length}."));
+            return false;
+        }
+
+        for (var i = 0; i < before.Motions.Length; i++)
+        {
+            var (was, now) = (before.Motions[i], after.Motions[i]);
+            const MotionFlags Spelling = MotionFlags.ByRadius;
+            if (now.Block != InResult(was.Block, markerBlock) || now.Kind != was.Kind || now.Plane != was.Plane || (now.Flags & ~Spelling) != (was.Flags & ~Spelling)
+                || now.Turns != was.Turns || now.Frame != was.Frame || now.Feed != was.Feed || now.UnknownStart != was.UnknownStart || now.UnknownEnd != was.UnknownEnd)
+            {
+                Fail(was.Block, "its kind, plane, modes, feed or turns differ from the original.");
+            }
+        }
+
+        return failures.Count == 0;
+    }
+
+    private static int InResult(int block, int markerBlock) => markerBlock >= 0 && block >= markerBlock ? block + 1 : block;
+
+    private int CompareMotions(HashSet<int> changed)
+    {
+        var allowed = AllowedJoints();
+        var moved = 0;
+        for (var i = 0; i < before.Motions.Length; i++)
+        {
+            var (was, now) = (before.Motions[i], after.Motions[i]);
+            var (startMoved, endMoved) = (!Same(was.Start, now.Start), !Same(was.End, now.End));
+            var differs = startMoved || endMoved || (was.IsArc && !Same(was.Center, now.Center));
+            moved += differs ? 1 : 0;
+            if (differs)
+            {
+                changed.Add(was.Block);
+            }
+
+            if ((startMoved && !allowed.Contains(i)) || (endMoved && !allowed.Contains(i + 1)))
+            {
+                Fail(was.Block, "it moved although neither it nor a motion beside it was named.");
+            }
+            else if (elements.TryGetValue(i, out var element))
+            {
+                CheckElement(element, was, now);
+            }
+            else if (wish.EndPoints.Count > 0)
+            {
+                CheckEndPoint(i, was, now, startMoved, endMoved);
+            }
+            else if (differs)
+            {
+                CheckNeighbor(i, was, now, startMoved, endMoved);
+            }
+        }
+
+        return moved;
+    }
+
+    private static bool Same(Point3 a, Point3 b) => (a - b).Length < 1e-9;
+
+    private static bool Same(Point2 a, Point2 b) => a.DistanceTo(b) < 1e-9;
+
+    /// <summary>Joints that may move: those of named motions, those that positioning shares with them, and the other end of a closed contour.</summary>
+    private HashSet<int> AllowedJoints()
+    {
+        var allowed = new HashSet<int>();
+        foreach (var motion in elements.Keys)
+        {
+            allowed.Add(motion);
+            allowed.Add(motion + 1);
+        }
+
+        foreach (var motion in wish.EndPoints)
+        {
+            allowed.Add(motion + 1);
+        }
+
+        if (elements.Count > 0)
+        {
+            AddClosingJoints(allowed);
+        }
+
+        foreach (var joint in allowed.Order().ToArray())
+        {
+            for (var i = joint - 1; elements.Count > 0 && i >= 0 && !before.Motions[i].MovesInPlane; i--)
+            {
+                allowed.Add(i);
+            }
+
+            for (var i = joint; i < before.Motions.Length && !before.Motions[i].MovesInPlane; i++)
+            {
+                allowed.Add(i + 1);
+            }
+        }
+
+        return allowed;
+    }
+
+    // Both ends of a contour that closes on itself are one corner of the piece.
+    private void AddClosingJoints(HashSet<int> allowed)
+    {
+        foreach (var joint in allowed.Order().ToArray())
+        {
+            if (joint >= before.Motions.Length || (elements.ContainsKey(joint) && elements.ContainsKey(joint - 1)))
+            {
+                continue;
+            }
+
+            var place = before.Motions[joint].Start;
+            for (var i = joint; i < before.Motions.Length && before.Motions[i] is { IsCut: true, MovesInPlane: true }; i++)
+            {
+                if (Same(before.Motions[i].End, place))
+                {
+                    allowed.Add(i + 1);
+                    break;
+                }
+            }
+
+            for (var i = joint - 1; i >= 0 && before.Motions[i] is { IsCut: true, MovesInPlane: true }; i--)
+            {
+                if (Same(before.Motions[i].Start, place))
+                {
+                    allowed.Add(i);
+                    break;
+                }
+            }
+        }
+    }
+}

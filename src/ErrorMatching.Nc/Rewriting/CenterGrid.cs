@@ -1,0 +1,58 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Chooses the center words of an arc among the grid points around the exact center: both radii must agree, and the arc's middle must lie where it is wanted.
+/// Rounding each word for itself would leave the radii up to 1.4 increments apart, which some controls refuse.
+/// </summary>
+internal static class CenterGrid
+{
+    /// <summary>Largest difference of the two radii that is written where any grid point allows it, mm.</summary>
+    public const double WantedMismatchMm = 0.001;
+
+    private const int Reach = 2;
+
+    /// <summary>Finds the center words.</summary>
+    /// <param name="origin">Where center words count from: the start, or the plane's origin.</param>
+    /// <param name="start">Rounded start.</param>
+    /// <param name="end">Rounded end.</param>
+    /// <param name="wanted">The exact arc.</param>
+    /// <param name="was">The center words before, mm; null where there were none. They stay where they serve.</param>
+    /// <param name="increment">Least increment, mm.</param>
+    /// <returns>Steps of the least increment; null for a word that stays.</returns>
+    public static (long? First, long? Second) Choose(Point2 origin, Point2 start, Point2 end, Arc2 wanted, Vector2? was, double increment)
+    {
+        var exact = wanted.Center - origin;
+        var (first, second) = ((long)Math.Round(exact.X / increment), (long)Math.Round(exact.Y / increment));
+        var (best, bestCost) = ((first, second), double.PositiveInfinity);
+        for (var i = first - Reach; i <= first + Reach; i++)
+        {
+            for (var j = second - Reach; j <= second + Reach; j++)
+            {
+                var cost = Cost(origin + new Vector2(i * increment, j * increment), start, end, wanted);
+                if (cost < bestCost)
+                {
+                    (best, bestCost) = ((i, j), cost);
+                }
+            }
+        }
+
+        if (was is { } old && (old - exact).Length < 1.5 * increment && Cost(origin + old, start, end, wanted) is var kept
+            && kept <= bestCost + (increment / 4) && ArcCenter.Mismatch(start, end, origin + old) <= WantedMismatchMm)
+        {
+            return (null, null);
+        }
+
+        return best;
+    }
+
+    // The middle counts most; then radii that agree; then the exact center, which an offset must keep.
+    private static double Cost(Point2 center, Point2 start, Point2 end, Arc2 wanted)
+    {
+        var radius = (start.DistanceTo(center) + end.DistanceTo(center)) / 2;
+        var mismatch = ArcCenter.Mismatch(start, end, center);
+        var middle = Math.Abs(wanted.Middle.DistanceTo(center) - radius);
+        return middle + (0.1 * mismatch) + (0.3 * center.DistanceTo(wanted.Center)) + (10 * Math.Max(0, mismatch - (WantedMismatchMm / 2)));
+    }
+}

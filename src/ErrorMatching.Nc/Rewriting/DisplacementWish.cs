@@ -1,0 +1,60 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>What shall be displaced, and by how much: the only thing that the rewriter and the proof both know.</summary>
+public sealed class DisplacementWish
+{
+    private DisplacementWish(IReadOnlyList<ElementWish> elements, IReadOnlyList<int> endPoints, Vector3 by)
+    {
+        Elements = elements;
+        EndPoints = endPoints;
+        By = by;
+    }
+
+    /// <summary>Displaced elements, in the order of the path; empty where end points move.</summary>
+    public IReadOnlyList<ElementWish> Elements { get; }
+
+    /// <summary>Motions whose end points move, in the order of the path; empty where elements are displaced.</summary>
+    public IReadOnlyList<int> EndPoints { get; }
+
+    /// <summary>The vector by which the end points move, mm.</summary>
+    public Vector3 By { get; }
+
+    /// <summary>A wish for elements: lines stay lines, arcs stay arcs, corners stay corners.</summary>
+    /// <param name="elements">One wish a motion, in the order of the path.</param>
+    public static DisplacementWish OfElements(IReadOnlyList<ElementWish> elements) => new(elements, [], Vector3.Zero);
+
+    /// <summary>A wish for end points: the ends of the named motions move by one vector.</summary>
+    /// <param name="motions">The motions, in the order of the path.</param>
+    /// <param name="by">The vector, mm.</param>
+    public static DisplacementWish OfEndPoints(IReadOnlyList<int> motions, Vector3 by) => new([], motions, by);
+
+    /// <summary>The wish to displace all cutting motions of some blocks by one distance to the left of travel (negative: right).</summary>
+    /// <returns>The wish, or a refusal where the blocks hold no cutting motion.</returns>
+    public static NcOutcome<DisplacementWish> Normal(NcPath path, IReadOnlyList<int> blocks, double left)
+    {
+        var elements = new List<ElementWish>();
+        foreach (var block in blocks)
+        {
+            if (path.MotionOf(block) is >= 0 and var motion && path.Motions[motion] is { IsCut: true, MovesInPlane: true })
+            {
+                elements.Add(ElementWish.AlongNormals(path, motion, left, left, left));
+            }
+        }
+
+        return elements.Count > 0 ? OfElements(elements) : NoMotion(path, blocks);
+    }
+
+    /// <summary>The wish to move the end points of all motions of some blocks by one vector.</summary>
+    /// <returns>The wish, or a refusal where the blocks hold no motion.</returns>
+    public static NcOutcome<DisplacementWish> EndsBy(NcPath path, IReadOnlyList<int> blocks, Vector3 by)
+    {
+        var motions = blocks.Select(path.MotionOf).Where(m => m >= 0).ToArray();
+        return motions.Length > 0 ? OfEndPoints(motions, by) : NoMotion(path, blocks);
+    }
+
+    private static NcRefusal NoMotion(NcPath path, IReadOnlyList<int> blocks) => blocks.Count > 0
+        ? NcRefusal.At(path.Program, blocks[0], NcRefusalCodes.NoMotion, "the named blocks hold no motion that could be displaced. Name the blocks that cut the boundary.")
+        : new(NcRefusalCodes.NoMotion, "", 0, "No blocks are named.");
+}

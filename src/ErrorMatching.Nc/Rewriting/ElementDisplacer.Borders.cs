@@ -1,0 +1,158 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <content>
+/// The ends of a run. The border joint is the intersection of the displaced element with its neighbor's own, undisplaced carrier: the neighbor's end slides
+/// along itself. Where the neighbor is no plain cut, or does not meet the element nearby, the joint takes the displacement, and positioning follows.
+/// A closed contour has its neighbor at its other end.
+/// </content>
+internal sealed partial class ElementDisplacer
+{
+    private NcRefusal? Borders(int first, int last)
+    {
+        var motions = path.Motions;
+        var (start, end) = (motions[first].Start, motions[last].End);
+        if (first < last && IsSamePlace(start, end))
+        {
+            return CloseRun(first, last);
+        }
+
+        var closing = ClosingAtStart(first, last);
+        var opening = closing >= 0 ? -1 : OpeningAtEnd(first, last);
+        return Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1)
+            ?? Border(last, opening >= 0 ? opening : last + 1, last + 1, atStart: false, opening);
+    }
+
+    // The whole contour is displaced: its first and last element meet each other.
+    private NcRefusal? CloseRun(int first, int last)
+    {
+        var (move, refusal) = Vertex(last, first);
+        if (refusal is not null)
+        {
+            return refusal;
+        }
+
+        Place(first, path.Motions[first].Plane, move);
+        Place(last + 1, path.Motions[last].Plane, move);
+        return null;
+    }
+
+    /// <summary>Decides one border joint.</summary>
+    /// <param name="element">The displaced element.</param>
+    /// <param name="neighbor">The motion that it meets there.</param>
+    /// <param name="joint">The joint of the element.</param>
+    /// <param name="atStart">True if the joint is the element's start.</param>
+    /// <param name="otherJoint">The joint of the neighbor where a closed contour makes that another one, else -1.</param>
+    private NcRefusal? Border(int element, int neighbor, int joint, bool atStart, int otherJoint)
+    {
+        if (change.IsSet(joint))
+        {
+            return null;
+        }
+
+        var motion = path.Motions[element];
+        var wished = atStart ? wishes[element].Start : wishes[element].End;
+        var slide = (uint)neighbor < (uint)path.Motions.Length ? Slide(element, neighbor, atStart) : null;
+        Place(joint, motion.Plane, slide ?? wished);
+        if (otherJoint >= 0 && slide is { } both && !change.IsSet(otherJoint))
+        {
+            Place(otherJoint, motion.Plane, both);
+        }
+        else if (slide is null && otherJoint < 0)
+        {
+            return Follow(element, neighbor, wished, atStart);
+        }
+
+        return null;
+    }
+
+    private void Place(int joint, CoordinatePlane plane, Vector2 move)
+    {
+        change.Move(joint, plane, move);
+        change.CarryPositioning(joint);
+    }
+
+    /// <summary>The joint's displacement if the neighbor slides along itself; null if it cannot.</summary>
+    private Vector2? Slide(int element, int neighbor, bool atStart)
+    {
+        var (e, n) = (path.Motions[element], path.Motions[neighbor]);
+        if (n is not { IsCut: true, MovesInPlane: true } || n.Plane != e.Plane || n.Frame != e.Frame || n.Has(MotionFlags.CompensationSwitches)
+            || !IsKnown(n.UnknownStart | n.UnknownEnd, n.Plane) || Obstacles.Of(path, neighbor) is not null)
+        {
+            return null;
+        }
+
+        var joint = atStart ? e.PlaneStart : e.PlaneEnd;
+        var (tangent, other) = (e.TangentAt(atStart ? 0 : 1), n.TangentAt(atStart ? 1 : 0));
+        if (Math.Abs(tangent.Cross(other)) < TangentSine)
+        {
+            return null;
+        }
+
+        var amount = (atStart ? wishes[element].Start : wishes[element].End).Dot(tangent.Left);
+        var guess = joint + Corner(tangent.Left, amount, other.Left, 0);
+        var meeting = carriers[element].Meet(Carrier.Of(n), guess);
+        return meeting is { } point && IsNear(point, joint, guess, Math.Abs(amount)) && point.DistanceTo(joint) < n.PlaneLength ? point - joint : null;
+    }
+
+    // The joint took the displacement. An arc that ends there takes the circle through its two ends and its middle moved half as far.
+    private NcRefusal? Follow(int element, int neighbor, Vector2 move, bool atStart)
+    {
+        if ((uint)neighbor >= (uint)path.Motions.Length || path.Motions[neighbor] is not { IsArc: true } arc || arc.Plane != path.Motions[element].Plane)
+        {
+            return null;
+        }
+
+        if (Obstacles.Of(path, neighbor) is { } obstacle)
+        {
+            return obstacle;
+        }
+
+        var half = new ElementWish(neighbor, atStart ? Vector2.Zero : move, move / 2, atStart ? move : Vector2.Zero);
+        if (Carrier.Displaced(arc, half)?.Circle is not { } circle)
+        {
+            return At(arc, NcRefusalCodes.ElementFlips, "this arc beside the displaced blocks cannot follow them.");
+        }
+
+        change.SetCenter(neighbor, circle.Center);
+        return null;
+    }
+
+    // A later cut of the same contour that ends where the run begins: the contour closes there.
+    private int ClosingAtStart(int first, int last)
+    {
+        var motions = path.Motions;
+        var place = motions[first].Start;
+        for (var i = last + 1; i < motions.Length && IsContour(motions[i], motions[first]); i++)
+        {
+            if (IsSamePlace(motions[i].End, place))
+            {
+                return i;
+            }
+        }
+
+        return -1;
+    }
+
+    // An earlier cut of the same contour that begins where the run ends.
+    private int OpeningAtEnd(int first, int last)
+    {
+        var motions = path.Motions;
+        var place = motions[last].End;
+        for (var i = first - 1; i >= 0 && IsContour(motions[i], motions[first]); i--)
+        {
+            if (IsSamePlace(motions[i].Start, place))
+            {
+                return i;
+            }
+        }
+
+        return -1;
+    }
+
+    private static bool IsContour(in NcMotion motion, in NcMotion like) =>
+        motion is { IsCut: true, MovesInPlane: true } && motion.Plane == like.Plane && motion.Frame == like.Frame && !motion.Has(MotionFlags.CompensationSwitches);
+
+    private static bool IsSamePlace(Point3 a, Point3 b) => (a - b).Length < 1e-6;
+}

@@ -1,0 +1,23 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// What is asked of one cutting motion: by how much its carrying line or circle shall be displaced, in its plane, at its start, middle and end.
+/// </summary>
+/// <param name="Motion">Position of the motion in the path.</param>
+/// <param name="Start">Displacement at its start, mm.</param>
+/// <param name="Middle">Displacement half way, mm. Lines have none of their own: it lies between the ends.</param>
+/// <param name="End">Displacement at its end, mm.</param>
+/// <param name="IsFillet">
+/// True for an arc that joins two displaced lines and shall stay tangent to both: its radius then changes by the mean of the two ends.
+/// </param>
+public readonly record struct ElementWish(int Motion, Vector2 Start, Vector2 Middle, Vector2 End, bool IsFillet = false)
+{
+    /// <summary>The wish to displace a motion along its own normals by signed amounts, positive to the left of travel.</summary>
+    public static ElementWish AlongNormals(NcPath path, int motion, double start, double middle, double end, bool isFillet = false)
+    {
+        var m = path.Motions[motion];
+        return new(motion, m.TangentAt(0).Left * start, m.TangentAt(0.5).Left * middle, m.TangentAt(1).Left * end, isFillet);
+    }
+}

@@ -1,0 +1,39 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>Says why a motion's words cannot be changed, if so.</summary>
+internal static class Obstacles
+{
+    /// <summary>The reason why a program as a whole cannot be changed safely, or null.</summary>
+    public static NcRefusal? Of(NcPath path) => path.FlowBlock < 0
+        ? null
+        : NcRefusal.At(path.Program, path.FlowBlock, NcRefusalCodes.ControlFlow, "the program branches, loops or defines a subprogram here, so blocks may run several times or not at all. Post the program straight through.");
+
+    /// <summary>The reason why one motion cannot be changed, or null.</summary>
+    public static NcRefusal? Of(NcPath path, int motion)
+    {
+        var m = path.Motions[motion];
+        var (code, why) = Reason(m);
+        return code is null ? null : NcRefusal.At(path.Program, m.Block, code, why!);
+    }
+
+    private static (string? Code, string? Why) Reason(in NcMotion m)
+    {
+        if (m.Kind is MotionKind.Cycle or MotionKind.Reference or MotionKind.Probe)
+        {
+            return (NcRefusalCodes.NotASimpleMove, "a canned cycle, probing, reference or machine-coordinate move cannot be displaced. Leave this block out.");
+        }
+
+        var why = m.Flags switch
+        {
+            _ when m.Has(MotionFlags.Expression) => (NcRefusalCodes.Expression, "a coordinate is computed by the control (variable or expression). Post plain numbers for the blocks to change."),
+            _ when m.Has(MotionFlags.UnknownWord) => (NcRefusalCodes.UnknownWord, "it has a word that the dialect does not know and that could move an axis. Choose the control's dialect, or leave this block out."),
+            _ when m.Has(MotionFlags.Transformed) => (NcRefusalCodes.ActiveTransform, "rotation, scaling, mirroring or polar coordinates are active. Post the program without them."),
+            _ when m.Has(MotionFlags.OtherAxis) => (NcRefusalCodes.OtherAxis, "a rotary or secondary axis moves along. Only X, Y and Z can be displaced."),
+            _ when m.Has(MotionFlags.UnsureMode) => (NcRefusalCodes.UnknownState, "a called program or unknown code before it could have changed the modes. State G0/G1, G90/G91, the plane and G40/G41/G42 again behind it."),
+            _ when m.Has(MotionFlags.CornerWord) => (NcRefusalCodes.CornerWord, "a corner word (,R or ,C) rounds the vertex that must move. Post the arc or chamfer itself."),
+            _ when m.Has(MotionFlags.BadArc) => (NcRefusalCodes.BadArc, "its words describe no circle within the control's tolerance."),
+            _ => default,
+        };
+        return why;
+    }
+}

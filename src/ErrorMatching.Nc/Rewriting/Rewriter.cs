@@ -1,0 +1,20 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>Displaces elements or end points of a program and changes only the words that this takes.</summary>
+public static class Rewriter
+{
+    /// <summary>Rewrites a program.</summary>
+    /// <param name="path">The original, interpreted.</param>
+    /// <param name="wish">What to displace.</param>
+    /// <returns>The displaced program, not yet proved, or the reason why it cannot be displaced.</returns>
+    public static NcOutcome<Rewrite> Apply(NcPath path, DisplacementWish wish)
+    {
+        if (Obstacles.Of(path) is { } refusal)
+        {
+            return refusal;
+        }
+
+        var change = wish.Elements.Count > 0 ? ElementDisplacer.Run(path, wish) : EndPointDisplacer.Run(path, wish);
+        return change.IsUsable ? new WordEditor(change.Value, keepRadii: wish.Elements.Count == 0).Run() : change.Refusal;
+    }
+}

@@ -1,0 +1,232 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Turns new joints and centers into the fewest changed words. Displacements are rounded to the least increment once, per joint, and added to the exact decimals
+/// of the original, so increments keep their sum however long the chain is.
+/// </summary>
+internal sealed class WordEditor
+{
+    private readonly PathChange change;
+    private readonly NcPath path;
+    private readonly bool keepRadii;
+    private readonly List<NcPatch> patches = [];
+    private readonly List<int> changedBlocks = [];
+    private bool inch;
+    private int decimals;
+    private double increment;
+    private bool programIsFixed;
+
+    public WordEditor(PathChange change, bool keepRadii)
+    {
+        this.change = change;
+        this.keepRadii = keepRadii;
+        path = change.Path;
+    }
+
+    public NcOutcome<Rewrite> Run()
+    {
+        var affected = Affected();
+        if (affected.Count == 0)
+        {
+            return new Rewrite(path.Program, [], [], 0, Math.Pow(10, -path.Dialect.MetricDecimals));
+        }
+
+        ChooseIncrement(affected);
+        foreach (var motion in affected)
+        {
+            if (Edit(motion) is { } refusal)
+            {
+                return refusal;
+            }
+        }
+
+        var program = patches.Count == 0 ? path.Program : NcProgram.Read(NcPatch.Apply(path.Program.Bytes.Span, patches));
+        return new Rewrite(program, patches, changedBlocks, patches.Count, increment);
+    }
+
+    private List<int> Affected()
+    {
+        var affected = new List<int>();
+        for (var i = 0; i < path.Motions.Length; i++)
+        {
+            if (change.IsSet(i) || change.IsSet(i + 1) || change.Centers.ContainsKey(i))
+            {
+                affected.Add(i);
+            }
+        }
+
+        return affected;
+    }
+
+    // The control's least increment, or finer where the program itself is written finer.
+    private void ChooseIncrement(List<int> affected)
+    {
+        var first = path.Motions[affected.Find(i => change.IsSet(i + 1))];
+        inch = first.Has(MotionFlags.Inch);
+        decimals = inch ? path.Dialect.InchDecimals : path.Dialect.MetricDecimals;
+        foreach (var motion in affected)
+        {
+            foreach (var token in path.Program.Tokens(path.Program[path.Motions[motion].Block]))
+            {
+                if (token.Kind == NcTokenKind.Word && token.Letter is >= (byte)'X' and <= (byte)'Z' or >= (byte)'I' and <= (byte)'K')
+                {
+                    decimals = Math.Max(decimals, Math.Min(6, token.Number.Decimals));
+                    programIsFixed |= token.Number.Decimals > 1 && token.Number.Digits % 10 == 0;
+                }
+            }
+        }
+
+        increment = Math.Pow(10, -decimals) * (inch ? 25.4 : 1);
+    }
+
+    private NcRefusal? Edit(int index)
+    {
+        var motion = path.Motions[index];
+        if (motion.Kind == MotionKind.Reference)
+        {
+            // It ends at a place of the machine, wherever it begins.
+            return null;
+        }
+
+        var edit = new BlockEdit(path.Program, path.Program[motion.Block], programIsFixed);
+        SetCoordinates(edit, index, motion);
+        if (motion.IsArc)
+        {
+            SetCircle(edit, index, motion);
+        }
+
+        if (edit.Patches.Count == 0)
+        {
+            return null;
+        }
+
+        if (Obstacles.Of(path, index) is { } obstacle)
+        {
+            return obstacle;
+        }
+
+        if (motion.Has(MotionFlags.Inch) != inch)
+        {
+            return NcRefusal.At(path.Program, motion.Block, NcRefusalCodes.UnknownState, "the unit changes (G20/G21) between blocks that must change together.");
+        }
+
+        patches.AddRange(edit.Patches);
+        changedBlocks.Add(motion.Block);
+        return null;
+    }
+
+    private void SetCoordinates(BlockEdit edit, int index, in NcMotion motion)
+    {
+        foreach (var axis in "XYZ")
+        {
+            var (from, to) = (Steps(index, axis), Steps(index + 1, axis));
+            var steps = motion.Has(MotionFlags.Incremental) ? to - from : to;
+            if (edit.Number(axis) is { } number)
+            {
+                if (steps != 0)
+                {
+                    edit.Set(axis, number + new NcNumber(steps, decimals));
+                }
+            }
+            else if (from != to)
+            {
+                var original = motion.Has(MotionFlags.Incremental) ? new NcNumber(0, 0) : NcNumber.Round(Coordinate(motion.End, axis) / Unit, 6).Trim();
+                edit.Set(axis, original + new NcNumber(steps, decimals));
+            }
+        }
+    }
+
+    private double Unit => inch ? 25.4 : 1;
+
+    private long Steps(int joint, char axis) => (long)Math.Round(Coordinate(default(Point3) + change.MoveOf(joint), axis) / increment, MidpointRounding.AwayFromZero);
+
+    private static double Coordinate(Point3 point, char axis) => axis switch { 'X' => point.X, 'Y' => point.Y, _ => point.Z };
+
+    private Point2 Rounded(Point3 place, int joint, CoordinatePlane plane) =>
+        plane.Project(new(place.X + (Steps(joint, 'X') * increment), place.Y + (Steps(joint, 'Y') * increment), place.Z + (Steps(joint, 'Z') * increment)));
+
+    private void SetCircle(BlockEdit edit, int index, in NcMotion motion)
+    {
+        var (start, end) = (Rounded(motion.Start, index, motion.Plane), Rounded(motion.End, index + 1, motion.Plane));
+        var exact = change.Centers.TryGetValue(index, out var moved) ? moved : motion.Center;
+        var wanted = Arc2.Between(
+            motion.PlaneStart + change.PlaneMoveOf(index, motion.Plane), motion.PlaneEnd + change.PlaneMoveOf(index + 1, motion.Plane), exact, motion.Kind == MotionKind.ArcCounterClockwise);
+        if (motion.Has(MotionFlags.ByRadius))
+        {
+            SetRadius(edit, motion, start, end, wanted);
+            return;
+        }
+
+        var (first, second) = CenterLetters(motion.Plane);
+        var origin = motion.Has(MotionFlags.AbsoluteCenter) ? Point2.Origin : start;
+        var was = new Vector2((edit.Number(first)?.Value ?? 0) * Unit, (edit.Number(second)?.Value ?? 0) * Unit);
+        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, was, increment);
+        SetCenterWord(edit, first, i);
+        SetCenterWord(edit, second, j);
+    }
+
+    private void SetCenterWord(BlockEdit edit, char letter, long? steps)
+    {
+        if (steps is { } value && (value != 0 || edit.Number(letter) is not null))
+        {
+            edit.Set(letter, new(value, decimals));
+        }
+    }
+
+    // A radius keeps its word while it can: near half a turn the arc's height hangs on the radius by a square root, and a center says it better.
+    private void SetRadius(BlockEdit edit, in NcMotion motion, Point2 start, Point2 end, Arc2 wanted)
+    {
+        var old = edit.Number('R')!.Value;
+        var sign = old.Digits < 0 ? -1 : 1;
+        var oldRadius = Math.Abs(old.Value) * Unit;
+        if (keepRadii && Sweep(start, end, sign * oldRadius, motion) is { } kept && Math.Abs(kept - motion.Arc.Sweep.Radians) < 0.02 * Math.Abs(motion.Arc.Sweep.Radians))
+        {
+            return;
+        }
+
+        if (Math.Abs(wanted.Radius - oldRadius) < increment / 2 && HeightError(start, end, sign * oldRadius, wanted, motion) < increment)
+        {
+            return;
+        }
+
+        var steps = (long)Math.Round(wanted.Radius / increment, MidpointRounding.AwayFromZero);
+        while (2 * steps * increment < start.DistanceTo(end))
+        {
+            steps++;
+        }
+
+        if (keepRadii || HeightError(start, end, sign * steps * increment, wanted, motion) < increment)
+        {
+            edit.Set('R', new(sign * steps, decimals));
+            return;
+        }
+
+        var (first, second) = CenterLetters(motion.Plane);
+        var origin = motion.Has(MotionFlags.AbsoluteCenter) ? Point2.Origin : start;
+        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, null, increment);
+        edit.Replace('R', (first, new(i!.Value, decimals)), (second, new(j!.Value, decimals)));
+    }
+
+    private static double? Sweep(Point2 start, Point2 end, double radius, in NcMotion motion)
+    {
+        var counterClockwise = motion.Kind == MotionKind.ArcCounterClockwise;
+        return ArcCenter.ByRadius(start, end, radius, counterClockwise, 0) is { } center ? Arc2.Between(start, end, center, counterClockwise).Sweep.Radians : null;
+    }
+
+    private static double HeightError(Point2 start, Point2 end, double radius, Arc2 wanted, in NcMotion motion)
+    {
+        var counterClockwise = motion.Kind == MotionKind.ArcCounterClockwise;
+        return ArcCenter.ByRadius(start, end, radius, counterClockwise, 0) is { } center
+            ? Math.Abs(Arc2.Between(start, end, center, counterClockwise).Circle.SignedDistance(wanted.Middle))
+            : double.PositiveInfinity;
+    }
+
+    private static (char First, char Second) CenterLetters(CoordinatePlane plane) => plane switch
+    {
+        CoordinatePlane.ZX => ('K', 'I'),
+        CoordinatePlane.YZ => ('J', 'K'),
+        _ => ('I', 'J'),
+    };
+}

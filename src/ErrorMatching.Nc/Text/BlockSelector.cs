@@ -1,0 +1,174 @@
+using System.Globalization;
+using System.Text;
+using System.Text.RegularExpressions;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Names blocks of a program: a number (<c>N110</c>), a range of numbers (<c>N110..N130</c>), or a regular expression between slashes
+/// that is tried on each block's text (<c>/^N8[0-9]{3}\b/</c>).
+/// </summary>
+/// <remarks>
+/// Numbers are compared by value, so N0110 is N110. An expression runs on the non-backtracking engine, or, where it uses what that engine lacks,
+/// with a limit of <see cref="PatternLimit"/> a block.
+/// </remarks>
+public sealed class BlockSelector
+{
+    /// <summary>Longest time an expression may take on one block.</summary>
+    public static readonly TimeSpan PatternLimit = TimeSpan.FromMilliseconds(250);
+
+    private readonly NcNumber? first;
+    private readonly NcNumber? last;
+    private readonly Regex? pattern;
+
+    private BlockSelector(string text, NcNumber? first, NcNumber? last, Regex? pattern)
+    {
+        Text = text;
+        this.first = first;
+        this.last = last;
+        this.pattern = pattern;
+    }
+
+    /// <summary>The selector as given.</summary>
+    public string Text { get; }
+
+    /// <summary>Reads a selector.</summary>
+    /// <exception cref="NcException">It is neither a number, a range nor a valid expression (<see cref="NcErrorCode.BadSelector"/>).</exception>
+    public static BlockSelector Parse(string text)
+    {
+        if (text.Length > 2 && text[0] == '/' && text[^1] == '/')
+        {
+            return new(text, null, null, Compile(text[1..^1]));
+        }
+
+        var parts = text.Split("..", 2);
+        return new(text, Number(parts[0], text), parts.Length == 2 ? Number(parts[1], text) : null, null);
+    }
+
+    /// <summary>All blocks that any of the selectors names: positions in ascending order, each once.</summary>
+    public static NcOutcome<int[]> Select(NcProgram program, IReadOnlyList<BlockSelector> selectors)
+    {
+        var wanted = new Dictionary<NcNumber, List<int>>();
+        foreach (var number in selectors.SelectMany(s => new[] { s.first, s.last }).OfType<NcNumber>())
+        {
+            wanted.TryAdd(number, []);
+        }
+
+        if (wanted.Count > 0)
+        {
+            for (var i = 0; i < program.BlockCount; i++)
+            {
+                if (program.TryNumber(program[i], out var token) && wanted.TryGetValue(token.Number.Trim(), out var found))
+                {
+                    found.Add(i);
+                }
+            }
+        }
+
+        var chosen = new SortedSet<int>();
+        foreach (var selector in selectors)
+        {
+            if (selector.Collect(program, wanted, chosen) is { } refusal)
+            {
+                return refusal;
+            }
+        }
+
+        return chosen.ToArray();
+    }
+
+    private static NcNumber Number(string part, string whole)
+    {
+        var token = default(NcToken);
+        var bytes = Encoding.UTF8.GetBytes(part);
+        var tokens = new NcTokenizer(bytes, 0, bytes.Length);
+        var valid = tokens.MoveNext() && (token = tokens.Current) is { Kind: NcTokenKind.Word, Letter: (byte)'N' } && !tokens.MoveNext();
+        return valid
+            ? token.Number.Trim()
+            : throw new NcException(NcErrorCode.BadSelector, $"\"{whole}\" names no block. Expected a number (N110), a range (N110..N130) or an expression between slashes (/^N8[0-9]{{3}}/).");
+    }
+
+    private static Regex Compile(string expression)
+    {
+        const RegexOptions Options = RegexOptions.CultureInvariant;
+        try
+        {
+            return new(expression, Options | RegexOptions.NonBacktracking, PatternLimit);
+        }
+        catch (NotSupportedException)
+        {
+            return new(expression, Options, PatternLimit);
+        }
+        catch (ArgumentException e)
+        {
+            throw new NcException(NcErrorCode.BadSelector, $"\"/{expression}/\" is not a regular expression: {e.Message}");
+        }
+    }
+
+    private NcRefusal? Collect(NcProgram program, Dictionary<NcNumber, List<int>> wanted, SortedSet<int> chosen)
+    {
+        if (pattern is not null)
+        {
+            return CollectByPattern(program, pattern, chosen);
+        }
+
+        if (Single(program, wanted, first!.Value, out var from) is { } missing)
+        {
+            return missing;
+        }
+
+        var to = from;
+        if (last is { } end && Single(program, wanted, end, out to) is { } missingEnd)
+        {
+            return missingEnd;
+        }
+
+        if (to < from)
+        {
+            return NcRefusal.At(program, to, NcRefusalCodes.BlockNotFound, $"the range {Text} ends before it begins: {Show(last!.Value)} stands in line {to + 1}, {Show(first.Value)} in line {from + 1}. Swap the two.");
+        }
+
+        for (var i = from; i <= to; i++)
+        {
+            chosen.Add(i);
+        }
+
+        return null;
+    }
+
+    private NcRefusal? CollectByPattern(NcProgram program, Regex expression, SortedSet<int> chosen)
+    {
+        var any = false;
+        for (var i = 0; i < program.BlockCount; i++)
+        {
+            try
+            {
+                if (expression.IsMatch(program.TextOf(program[i])))
+                {
+                    any = true;
+                    chosen.Add(i);
+                }
+            }
+            catch (RegexMatchTimeoutException)
+            {
+                return NcRefusal.At(program, i, NcRefusalCodes.BlockNotFound, $"the expression {Text} took more than {PatternLimit.TotalMilliseconds.ToString(CultureInfo.InvariantCulture)} ms on this block. Simplify it.");
+            }
+        }
+
+        return any ? null : new(NcRefusalCodes.BlockNotFound, "", 0, $"The expression {Text} matches no block of the program.");
+    }
+
+    private static NcRefusal? Single(NcProgram program, Dictionary<NcNumber, List<int>> wanted, NcNumber number, out int block)
+    {
+        var found = wanted[number];
+        block = found.Count > 0 ? found[0] : -1;
+        return found.Count switch
+        {
+            1 => null,
+            0 => new(NcRefusalCodes.BlockNotFound, Show(number), 0, $"No block of the program is numbered {Show(number)}. Check the number, or name the block by an expression."),
+            _ => NcRefusal.At(program, found[1], NcRefusalCodes.BlockAmbiguous, $"{Show(number)} numbers {found.Count} blocks (lines {string.Join(", ", found.Take(5).Select(i => (i + 1).ToString(CultureInfo.InvariantCulture)))}). Renumber the program, or name the block by an expression."),
+        };
+    }
+
+    private static string Show(NcNumber number) => "N" + number;
+}

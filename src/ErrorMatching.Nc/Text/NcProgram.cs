@@ -1,0 +1,122 @@
+using System.Text;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// A program as it is: its bytes, and where its blocks begin. Nothing is decoded, normalized or dropped, so the bytes are always the whole truth.
+/// </summary>
+/// <remarks>Line ends are CR LF, LF or CR, also mixed. Blocks are tokenized when they are looked at; memory is the file and 4 bytes a block.</remarks>
+public sealed class NcProgram
+{
+    /// <summary>Largest program that is read, in bytes.</summary>
+    public const int MaxBytes = 1 << 30;
+
+    private readonly int[] starts;
+    private readonly int count;
+
+    private NcProgram(ReadOnlyMemory<byte> bytes, int[] starts, int count)
+    {
+        Bytes = bytes;
+        this.starts = starts;
+        this.count = count;
+    }
+
+    /// <summary>The program's bytes.</summary>
+    public ReadOnlyMemory<byte> Bytes { get; }
+
+    /// <summary>Number of blocks (lines). A line end at the very end of the file does not begin another block.</summary>
+    public int BlockCount => count;
+
+    /// <summary>The block at a position, from 0.</summary>
+    public NcBlock this[int index]
+    {
+        get
+        {
+            ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)index, (uint)count, nameof(index));
+            var start = starts[index];
+            var next = index + 1 < count ? starts[index + 1] : Bytes.Length;
+            var span = Bytes.Span;
+            var end = next;
+            if (end > start && span[end - 1] == (byte)'\n')
+            {
+                end--;
+            }
+
+            if (end > start && span[end - 1] == (byte)'\r')
+            {
+                end--;
+            }
+
+            return new(index, start, end - start, next - start);
+        }
+    }
+
+    /// <summary>Finds the blocks of a program. The bytes are kept, not copied: do not change them afterwards.</summary>
+    /// <exception cref="NcException">The program is larger than <see cref="MaxBytes"/>.</exception>
+    public static NcProgram Read(ReadOnlyMemory<byte> bytes)
+    {
+        if (bytes.Length > MaxBytes)
+        {
+            throw new NcException(NcErrorCode.ProgramTooLarge, $"The program has {bytes.Length} bytes; at most {MaxBytes} are read.");
+        }
+
+        var span = bytes.Span;
+        var begins = new int[Math.Max(16, (span.Length / 24) + 1)];
+        var (count, position) = (0, 0);
+        while (position < span.Length)
+        {
+            if (count == begins.Length)
+            {
+                Array.Resize(ref begins, begins.Length * 2);
+            }
+
+            begins[count++] = position;
+            var length = span[position..].IndexOfAny((byte)'\n', (byte)'\r');
+            if (length < 0)
+            {
+                break;
+            }
+
+            position += length;
+            position += span[position] == (byte)'\r' && position + 1 < span.Length && span[position + 1] == (byte)'\n' ? 2 : 1;
+        }
+
+        return new(bytes, begins, count);
+    }
+
+    /// <summary>A program from text; for tests and examples. The text is written as UTF-8 without a mark.</summary>
+    public static NcProgram FromText(string text) => Read(Encoding.UTF8.GetBytes(text));
+
+    /// <summary>The block's bytes without its line end.</summary>
+    public ReadOnlySpan<byte> BytesOf(NcBlock block) => Bytes.Span.Slice(block.Start, block.Length);
+
+    /// <summary>The block's text without its line end, for people: UTF-8 where it is valid, else Latin-1.</summary>
+    public string TextOf(NcBlock block) => NcText.Decode(BytesOf(block));
+
+    /// <summary>The tokens of a block, in order, without gap.</summary>
+    public NcTokenizer Tokens(NcBlock block) => new(Bytes.Span, block.Start, block.End);
+
+    /// <summary>The N word of a block as written (<c>N110</c>), or an empty text where it has none.</summary>
+    public string NumberOf(NcBlock block) => TryNumber(block, out var token) ? NcText.Decode(Bytes.Span.Slice(token.Start, token.Length)) : "";
+
+    /// <summary>How messages name a block: its N word if it has one, else its line.</summary>
+    public string NameOf(NcBlock block) => NumberOf(block) is { Length: > 0 } number ? number : $"line {block.Line}";
+
+    /// <summary>Finds the N word of a block: its first word, behind an optional block skip.</summary>
+    public bool TryNumber(NcBlock block, out NcToken token)
+    {
+        foreach (var candidate in Tokens(block))
+        {
+            if (candidate.Kind is NcTokenKind.Space or NcTokenKind.BlockSkip)
+            {
+                continue;
+            }
+
+            token = candidate;
+            return candidate is { Kind: NcTokenKind.Word, Letter: (byte)'N' };
+        }
+
+        token = default;
+        return false;
+    }
+}

@@ -1,0 +1,38 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>What a stretch of a block is, as far as spelling tells. Meaning is the dialect's affair.</summary>
+public enum NcTokenKind : byte
+{
+    /// <summary>Spaces and tabs.</summary>
+    Space,
+
+    /// <summary>A letter with a plain number: <c>X-34.965</c>, <c>N100</c>, <c>G01</c>.</summary>
+    Word,
+
+    /// <summary>A letter whose value is computed by the control: <c>X#100</c>, <c>Y[#1+2]</c>, <c>X=R1+5</c>.</summary>
+    ExpressionWord,
+
+    /// <summary>A comma word: <c>,R5.</c> or <c>,C2.</c> (corner rounding and chamfer).</summary>
+    CommaWord,
+
+    /// <summary>An assignment to a variable: <c>#100=5.</c></summary>
+    Assignment,
+
+    /// <summary>A word of several letters with what belongs to it: <c>GOTO</c>, <c>IF</c>, <c>CYCLE81(...)</c>, <c>CR=5.</c></summary>
+    Keyword,
+
+    /// <summary>An expression in brackets that stands alone.</summary>
+    Expression,
+
+    /// <summary>A comment with its delimiters.</summary>
+    Comment,
+
+    /// <summary>A percent sign and the rest of its line.</summary>
+    Percent,
+
+    /// <summary>A slash, with its level if it has one.</summary>
+    BlockSkip,
+
+    /// <summary>Bytes that no rule explains. They are kept like all others.</summary>
+    Invalid,
+}
