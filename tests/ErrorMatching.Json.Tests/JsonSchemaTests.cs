@@ -22,6 +22,7 @@ public sealed class JsonSchemaTests
     [InlineData("""{ "exclusiveMaximum": 2 }""", "2", "too-large", "found the number 2; expected less than 2")]
     [InlineData("""{ "minLength": 1 }""", "\"\"", "too-short", "found the text \"\"; expected text that is not empty")]
     [InlineData("""{ "minLength": 2 }""", "\"é\"", "too-short", "found the text \"é\"; expected at least 2 characters")]
+    [InlineData("""{ "minLength": 2 }""", "\"😀\"", "too-short", "found the text \"😀\"; expected at least 2 characters")]
     [InlineData("""{ "pattern": "^N[0-9]+$" }""", "\"n1\"", "pattern-mismatch", "found the text \"n1\"; expected text that matches ^N[0-9]+$")]
     [InlineData("""{ "pattern": "^N[0-9]+$", "title": "a block number" }""", "\"n1\"", "pattern-mismatch", "found the text \"n1\"; expected a block number")]
     public void A_value_that_breaks_a_rule_is_reported(string schema, string document, string code, string message)

@@ -101,6 +101,29 @@ public sealed class JobCheckTests
             e.Message);
     }
 
+    [Fact]
+    public void Damaged_jobs_are_never_refused_otherwise()
+    {
+        var original = System.Text.Encoding.UTF8.GetBytes(JobTemplate.Text);
+        var random = new Random(3);
+        var read = 0;
+        for (var i = 0; i < 3000; i++)
+        {
+            var bytes = original.ToArray();
+            bytes[random.Next(bytes.Length)] = (byte)random.Next(32, 127);
+            try
+            {
+                read += MatingJob.Parse(bytes, "job.json").Features.Count > 0 ? 1 : 0;
+            }
+            catch (JobException e)
+            {
+                Assert.NotEmpty(e.Problems);
+            }
+        }
+
+        Assert.InRange(read, 1, 2999);
+    }
+
     private static void Refuses(string found, string instead, string[] codesAndPaths)
     {
         var e = Assert.Throws<JobException>(() => SampleJob.With((found, instead)));

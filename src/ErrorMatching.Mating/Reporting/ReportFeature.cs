@@ -1,0 +1,43 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>A feature in the report of a match.</summary>
+public sealed record ReportFeature
+{
+    /// <summary>Its name.</summary>
+    public required string Name { get; init; }
+
+    /// <summary>What shape it is.</summary>
+    public required FeatureKind Kind { get; init; }
+
+    /// <summary>The limits of its normal deviation, and where they come from.</summary>
+    public required JobTolerance Tolerance { get; init; }
+
+    /// <summary>Its lengths and angles.</summary>
+    public required IReadOnlyList<ReportQuantity> Quantities { get; init; }
+
+    /// <summary>What was decided about it as a whole.</summary>
+    public required Decision Decision { get; init; }
+
+    /// <summary>The normal deviation of the largest size among its points, with its sign.</summary>
+    public required double LargestMm { get; init; }
+
+    /// <summary>Combined standard uncertainty of a normal deviation.</summary>
+    public required double UncertaintyMm { get; init; }
+
+    /// <summary>What the fit to the measured points leaves, in the order of the points.</summary>
+    public IReadOnlyList<double> ResidualsMm { get; init; } = [];
+
+    /// <summary>The fit of a curve; null for straight features and for curves without one.</summary>
+    public ReportCurve? Curve { get; init; }
+
+    /// <summary>The designed boundary as a polyline in the part's frame, for drawing.</summary>
+    public IReadOnlyList<Point2> TheoreticalOutline { get; init; } = [];
+
+    /// <summary>The measured boundary as a polyline in the part's frame, for drawing.</summary>
+    public IReadOnlyList<Point2> ActualOutline { get; init; } = [];
+
+    /// <summary>How far its measured points stand out of its plane at most, without sign; null where the files have no third coordinate.</summary>
+    public double? StandsOutMm { get; init; }
+}

@@ -1,0 +1,8 @@
+namespace ErrorMatching.Mating;
+
+/// <summary>Everything that a verification has to say.</summary>
+/// <param name="Job">The job.</param>
+/// <param name="Inputs">The files it was made from.</param>
+/// <param name="Result">How well both counterparts fit the part.</param>
+/// <param name="Warnings">What a person should know, in sentences.</param>
+public sealed record VerifyReport(ReportJob Job, IReadOnlyList<ReportInput> Inputs, VerificationResult Result, IReadOnlyList<string> Warnings);

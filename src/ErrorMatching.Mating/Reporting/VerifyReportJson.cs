@@ -1,0 +1,45 @@
+namespace ErrorMatching.Mating;
+
+/// <summary>The report of a verification as JSON, schema <c>errormatch/verify/1</c>.</summary>
+/// <remarks>Lengths in millimetres, angles in degrees, numbers rounded to the ninth decimal. UTF-8 without a byte order mark, lines end with a line feed.</remarks>
+public static class VerifyReportJson
+{
+    /// <summary>Name of the schema.</summary>
+    public const string Schema = "errormatch/verify/1";
+
+    /// <summary>The report as a document.</summary>
+    public static byte[] Write(VerifyReport report)
+    {
+        ArgumentNullException.ThrowIfNull(report);
+        return ReportWriter.Document(Schema, w =>
+        {
+            MatchReportJson.WriteJob(w, report.Job);
+            MatchReportJson.WriteInputs(w, report.Inputs);
+            w.List("points", report.Result.Points, p =>
+            {
+                w.Text("point", p.Label);
+                w.Object("before", () => WriteError(w, p.BeforeError));
+                w.Object("after", () => WriteError(w, p.AfterError));
+            });
+            w.List("features", report.Result.Features, f =>
+            {
+                w.Text("name", f.Name);
+                w.Text("quantity", ReportWords.Of(f.Quantity));
+                w.Number("wanted", f.Wanted);
+                w.Number("before", f.Before);
+                w.Number("after", f.After);
+                w.Number("improvementPercent", f.ImprovementPercent);
+            });
+            w.Number("maxBeforeMm", report.Result.MaxBeforeMm);
+            w.Number("maxAfterMm", report.Result.MaxAfterMm);
+            w.Texts("warnings", report.Warnings);
+        });
+    }
+
+    private static void WriteError(ReportWriter w, MatingError error)
+    {
+        w.Number("dx", error.Vector.X);
+        w.Number("dy", error.Vector.Y);
+        w.Number("normalMm", error.NormalMm);
+    }
+}
