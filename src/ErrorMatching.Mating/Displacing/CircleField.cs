@@ -1,6 +1,7 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 using MathNet.Numerics.LinearAlgebra;
+using MathNet.Numerics.LinearAlgebra.Factorization;
 
 namespace ErrorMatching.Mating;
 
@@ -11,7 +12,7 @@ namespace ErrorMatching.Mating;
 /// </summary>
 internal sealed class CircleField
 {
-    /// <summary>Smallest angle that the key points must span for center and radius to be told apart.</summary>
+    /// <summary>Smallest angle that three key points must span: they determine the circle, and nothing tells how well.</summary>
     private static readonly Angle SmallestSpan = Angle.FromDegrees(30);
 
     private const int Iterations = 4;
@@ -21,13 +22,17 @@ internal sealed class CircleField
     private readonly double growth;
     private readonly bool outwardIsLeft;
 
-    private CircleField(double pathRadius, Vector2 shift, double growth, bool outwardIsLeft)
+    private CircleField(double pathRadius, Vector2 shift, double growth, bool outwardIsLeft, double leaveOneOutRms)
     {
+        LeaveOneOutRms = leaveOneOutRms;
         this.pathRadius = pathRadius;
         this.shift = shift;
         this.growth = growth;
         this.outwardIsLeft = outwardIsLeft;
     }
+
+    /// <summary>Root mean square by which the fit through the others misses each point (closed form from the hat matrix); infinite for three points.</summary>
+    public double LeaveOneOutRms { get; }
 
     /// <summary>The field of a pass that consists of arcs of one circle, or null where it does not or where its key points say too little.</summary>
     public static CircleField? Of(NcPath path, FeaturePass pass, IReadOnlyList<Vector2> corrections)
@@ -45,12 +50,14 @@ internal sealed class CircleField
         var clockwise = first.Kind == MotionKind.ArcClockwise;
         Vector2[] rays = [.. pass.Feet.Select(f => f.MaterialIsLeft == clockwise ? -f.Normal : f.Normal)];
         double[] radii = [.. pass.Feet.Select(f => first.Arc.Radius + (f.MaterialIsLeft == clockwise ? f.DistanceMm : -f.DistanceMm))];
-        if (pass.Feet.Count < 3 || pass.Feet.Max(pass.Along) - pass.Feet.Min(pass.Along) < SmallestSpan.Radians * radii.Max())
+        var spans = pass.Feet.Max(pass.Along) - pass.Feet.Min(pass.Along) >= SmallestSpan.Radians * radii.Max();
+        if (pass.Feet.Count < 3 || (pass.Feet.Count == 3 && !spans))
         {
             return null;
         }
 
-        var design = Matrix<double>.Build.Dense(rays.Length, 3, (i, j) => j == 0 ? rays[i].X : j == 1 ? rays[i].Y : 1).QR();
+        var matrix = Matrix<double>.Build.Dense(rays.Length, 3, (i, j) => j == 0 ? rays[i].X : j == 1 ? rays[i].Y : 1);
+        var design = matrix.QR(QRMethod.Thin);
         var (moved, grown) = (Vector2.Zero, 0.0);
         for (var iteration = 0; iteration < Iterations; iteration++)
         {
@@ -58,7 +65,8 @@ internal sealed class CircleField
             (moved, grown) = (moved + new Vector2(step[0], step[1]), grown + step[2]);
         }
 
-        return new(first.Arc.Radius, moved, grown, clockwise);
+        var leftOut = rays.Select((ray, i) => (corrections[i].Dot(ray) - Outward(ray, radii[i], moved, grown)) / Math.Max(0, 1 - design.Q.Row(i).DotProduct(design.Q.Row(i))));
+        return new(first.Arc.Radius, moved, grown, clockwise, rays.Length == 3 ? double.PositiveInfinity : Math.Sqrt(leftOut.Average(e => e * e)));
     }
 
     /// <summary>The displacement where the left normal of the path is given; the length along the pass does not matter.</summary>

@@ -9,6 +9,9 @@ namespace ErrorMatching.Mating;
 /// </summary>
 internal static class FeatureWish
 {
+    /// <summary>Leave-one-out errors below half the usual least increment are all alike, mm.</summary>
+    private const double Rounding = 0.0005;
+
     /// <summary>The wishes for one pass, in the order of its motions.</summary>
     /// <param name="job">The job, for the frame, the direction and the gauge's uncertainty.</param>
     /// <param name="path">The program's path.</param>
@@ -21,8 +24,7 @@ internal static class FeatureWish
         return map.Feature switch
         {
             TriangleFeature triangle => Wedge(job, path, pass, corrections, triangle.FirstFlank.Count),
-            CurveFeature when CircleField.Of(path, pass, corrections) is { } circle => Along(path, pass, circle.At),
-            CurveFeature curve => Along(path, pass, Course(job, pass, corrections, curve)),
+            CurveFeature curve => Along(path, pass, CurveCourse(job, path, pass, corrections, curve)),
             _ => Along(path, pass, Course(job, pass, corrections, null)),
         };
     }
@@ -30,6 +32,20 @@ internal static class FeatureWish
     /// <summary>The normal deviation of a curve along its first pass, for the report.</summary>
     public static ArcLengthField NormalField(MatingJob job, FeaturePass pass, CurveFeature curve, IReadOnlyList<double> normals) =>
         ArcLengthField.Smooth([.. pass.Feet.Select(pass.Along)], normals, curve.Degree, curve.Ridge, job.Gauge.Uncertainty.CombinedMm);
+
+    // An arc of the program can only follow as an arc. Only where that predicts its key points clearly worse than a smooth course does, the smooth course is taken and the arc comes as near as it can.
+    private static Func<double, Vector2, Vector2> CurveCourse(MatingJob job, NcPath path, FeaturePass pass, Vector2[] corrections, CurveFeature curve)
+    {
+        if (job.Compensation.Along == CompensationDirection.Vector || CircleField.Of(path, pass, corrections) is not { } circle)
+        {
+            return Course(job, pass, corrections, curve);
+        }
+
+        var smooth = NormalField(job, pass, curve, [.. corrections.Select((c, i) => c.Dot(LeftOf(pass.Feet[i])))]);
+        return double.IsPositiveInfinity(circle.LeaveOneOutRms) || circle.LeaveOneOutRms <= Math.Max(Rounding, smooth.Fit.LeaveOneOutRms ?? double.PositiveInfinity)
+            ? circle.At
+            : (s, normal) => normal * smooth.At(s);
+    }
 
     // The displacement at a length, given the left normal there.
     private static Func<double, Vector2, Vector2> Course(MatingJob job, FeaturePass pass, Vector2[] corrections, CurveFeature? curve)

@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Mating;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
@@ -12,6 +13,12 @@ public sealed class ClosedLoopTests
     private const double Rounding = 0.0015;
 
     private const int Parts = 400;
+
+    /// <summary>
+    /// Parts that may be refused: two features run into each other tangentially and deviate by different amounts, so the part has a step that no contour of the same
+    /// blocks can follow.
+    /// </summary>
+    private const int StepsAllowed = 4;
 
     [Fact]
     public void Feed_forward_makes_the_counterpart_follow_the_part() =>
@@ -31,13 +38,19 @@ public sealed class ClosedLoopTests
     private static List<string> Failures(Func<RandomPart, MatchInput> input, Func<RandomKeyPoint, double> wanted)
     {
         var failures = new List<string>();
+        var steps = 0;
         for (var seed = 0; seed < Parts; seed++)
         {
             var part = RandomParts.Generate(seed);
             var outcome = Matcher.Match(input(part));
             if (outcome.Result is not { } result)
             {
-                failures.Add($"part {seed}, {part.Flavor}: {outcome.Refusals[0].Message}");
+                var refusal = Assert.Single(outcome.Refusals);
+                if (refusal.Code != NcRefusalCodes.NoIntersection || ++steps > StepsAllowed)
+                {
+                    failures.Add($"part {seed}, {part.Flavor}: {refusal.Message}");
+                }
+
                 continue;
             }
 
