@@ -3,13 +3,22 @@ using System.Text;
 using ErrorMatching.Console;
 
 using var cancellation = new CancellationTokenSource();
-// The first Ctrl+C asks the work to stop between two outputs; the second one is the system's own.
 using var registration = PosixSignalRegistration.Create(PosixSignal.SIGINT, signal =>
 {
+    // The first Ctrl+C asks the work to stop and, should it be waiting for a file, ends the process soon; the second one ends it at once. Outputs are whole either way.
     signal.Cancel = !cancellation.IsCancellationRequested;
     cancellation.Cancel();
+    new Thread(EndSoon) { IsBackground = true }.Start();
 });
+
 // Neither writer is disposed: the application flushes, and a second flush of a broken pipe would hide its exit code.
 var output = new StreamWriter(Console.OpenStandardOutput(), new UTF8Encoding(false)) { NewLine = "\n" };
 var error = new StreamWriter(Console.OpenStandardError(), new UTF8Encoding(false)) { NewLine = "\n", AutoFlush = true };
-return Application.Run(args, new Terminal(output, error, Terminal.WantsColor()), cancellation.Token);
+var hasColor = Terminal.WantsColor(Console.IsOutputRedirected, Environment.GetEnvironmentVariable("NO_COLOR"), Environment.GetEnvironmentVariable("TERM"));
+return Application.Run(args, new Terminal(output, error, hasColor), cancellation.Token);
+
+static void EndSoon()
+{
+    Thread.Sleep(TimeSpan.FromSeconds(2));
+    Environment.Exit((int)ExitCode.Cancelled);
+}

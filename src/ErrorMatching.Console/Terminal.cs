@@ -7,8 +7,5 @@ namespace ErrorMatching.Console;
 internal sealed record Terminal(TextWriter Output, TextWriter Error, bool HasColor)
 {
     /// <summary>True if the output is a terminal that shows color and nobody asked for none (no-color.org: any value of NO_COLOR but an empty one).</summary>
-    public static bool WantsColor() =>
-        !System.Console.IsOutputRedirected
-        && string.IsNullOrEmpty(Environment.GetEnvironmentVariable("NO_COLOR"))
-        && Environment.GetEnvironmentVariable("TERM") != "dumb";
+    public static bool WantsColor(bool isRedirected, string? noColor, string? terminalKind) => !isRedirected && string.IsNullOrEmpty(noColor) && terminalKind != "dumb";
 }

@@ -21,7 +21,7 @@ internal static class CommandTree
     {
         var root = new RootCommand("Measures a machined piece and rewrites the NC program of its counterpart so that the two fit.")
         {
-            new Command("fit", "Fits curves to measured points.") { new FitLine(), new FitCircle() },
+            new Command("fit", "Fits curves to measured points.") { new FitLine(), new FitPolynomial(), new FitCircle() },
         };
         root.Directives.Clear();
         root.Options.Add(new Option<bool>("--json") { Description = "Print one JSON document and nothing else.", Recursive = true, Arity = ArgumentArity.Zero });

@@ -1,0 +1,142 @@
+using System.CommandLine;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Console.Tests;
+
+public class ContractTests
+{
+    private static readonly IReadOnlyList<Verb> Verbs = [.. Tree(CommandTree.Build()).OfType<Verb>()];
+
+    public static TheoryData<string> VerbNames => [.. Verbs.Select(WordsOf)];
+
+    [Fact]
+    public void Version_prints_the_version_alone() => Assert.Equal((0, "0.1.0\n", ""), Shell.Run("--version"));
+
+    [Theory]
+    [MemberData(nameof(VerbNames))]
+    public void Each_verb_shows_its_example_in_its_help(string words)
+    {
+        var verb = Find(words);
+        var (exit, output, error) = Shell.Run([.. words.Split(' '), "--help"]);
+        Assert.Equal((0, ""), (exit, error));
+        Assert.EndsWith($"Example:\n  {verb.Example}\n", output, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [MemberData(nameof(VerbNames))]
+    public void Each_example_runs_on_the_samples(string words)
+    {
+        var example = Find(words).Example;
+        Assert.StartsWith("errormatch " + words + " ", example, StringComparison.Ordinal);
+        var args = example.Split(' ')[1..].Select(a => a.StartsWith("samples/", StringComparison.Ordinal) ? Repository.PathTo(a) : a).ToArray();
+        Assert.Empty(CommandTree.Parse(args).Errors);
+        Assert.Equal((0, ""), Shell.Run(args) is var r ? (r.Exit, r.Error) : default);
+    }
+
+    [Theory]
+    [MemberData(nameof(VerbNames))]
+    public void Each_verb_without_arguments_is_a_wrong_command_line(string words)
+    {
+        var errors = Shell.Json(1, "errormatch/error/1", words.Split(' ')).GetProperty("errors");
+        Assert.NotEqual(0, errors.GetArrayLength());
+        Assert.All(errors.EnumerateArray(), error =>
+        {
+            Assert.Equal("command-line", error.Text("code"));
+            Assert.EndsWith($"See errormatch {words} --help.", error.Text("message"), StringComparison.Ordinal);
+        });
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("fit")]
+    [InlineData("nope")]
+    [InlineData("fit line a b")]
+    [InlineData("fit line a --wrong")]
+    [InlineData("fit line a --method foo")]
+    [InlineData("fit line @file b")]
+    [InlineData("fit polynomial a")]
+    [InlineData("fit polynomial a --degree -1")]
+    [InlineData("fit polynomial a --degree 1.5")]
+    [InlineData("fit polynomial a --degree")]
+    [InlineData("fit polynomial a --degree 2 --ridge NaN")]
+    [InlineData("fit polynomial a --degree 2 --ridge 1,5")]
+    public void A_wrong_command_line_is_exit_1_in_both_forms(string line)
+    {
+        var args = line.Split(' ', StringSplitOptions.RemoveEmptyEntries);
+        var document = Shell.Json(1, "errormatch/error/1", args);
+        Assert.All(document.GetProperty("errors").EnumerateArray(), e => Assert.Equal("command-line", e.Text("code")));
+        var (exit, output, error) = Shell.Run(args);
+        Assert.Equal((1, ""), (exit, output));
+        Assert.StartsWith("errormatch: ", error, StringComparison.Ordinal);
+        Assert.DoesNotContain('\t', error);
+    }
+
+    [Fact]
+    public void Bad_data_is_named_by_file_line_and_column_in_both_forms()
+    {
+        using var folder = new TemporaryFolder();
+        var file = folder.File("p.csv", "x,y\n1,2\n3,oops\n");
+        var error = Shell.Error(1, "fit", "line", file);
+        Assert.Equal(("text-for-number", file, 3, 2), (error.Text("code"), error.Text("file"), error.GetProperty("line").GetInt32(), error.GetProperty("column").GetInt32()));
+        Assert.Equal($"{file}, line 3, column 2: found \"oops\" in column y; expected a number such as 12.345 or -5e-3.", error.Text("message"));
+        Assert.Equal((1, "", $"{file}:3:2: found \"oops\" in column y; expected a number such as 12.345 or -5e-3.\n"), Shell.Run("fit", "line", file));
+    }
+
+    [Fact]
+    public void A_missing_input_is_exit_1()
+    {
+        var error = Shell.Error(1, "fit", "line", "none.csv");
+        Assert.Equal(("file-unreadable", "none.csv"), (error.Text("code"), error.Text("file")));
+        Assert.False(error.TryGetProperty("line", out _));
+    }
+
+    [Fact]
+    public void A_file_named_like_a_response_file_is_a_file() => Assert.Equal("@none.csv", Shell.Error(1, "fit", "line", "@none.csv").Text("file"));
+
+    [Fact]
+    public void Json_may_stand_anywhere() =>
+        Assert.Equal(Shell.Run("--json", "fit", "line", "none.csv"), Shell.Run("fit", "line", "none.csv", "--json"));
+
+    [Fact]
+    public void A_cancelled_run_is_exit_130_and_prints_no_document()
+    {
+        using var output = new StringWriter();
+        using var error = new StringWriter();
+        var exit = Application.Run(["fit", "line", Repository.PathTo("samples", "fits", "line.csv"), "--json"], new Terminal(output, error, false), new CancellationToken(canceled: true));
+        Assert.Equal((130, ""), (exit, output.ToString()));
+        Assert.Contains("Cancelled", error.ToString(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void An_output_that_cannot_be_written_is_exit_3()
+    {
+        using var error = new StringWriter();
+        using var output = new FullDisk();
+        Assert.Equal(3, Application.Run(["--version"], new Terminal(output, error, false), TestContext.Current.CancellationToken));
+        Assert.Contains("no room", error.ToString(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_defect_is_exit_3_and_asks_for_a_report() =>
+        Assert.Equal((ExitCode.Outside, "internal-error"), FailureOf.Defect(new InvalidOperationException()) is var f ? (f.Exit, f.Errors[0].Code) : default);
+
+    [Fact]
+    public void Each_code_is_in_the_reference()
+    {
+        var reference = File.ReadAllText(Repository.PathTo("docs", "reference-console.md"));
+        var codes = typeof(Measurement.MeasurementError).GetFields().Select(f => (string)f.GetRawConstantValue()!).Concat(
+            Enum.GetValues<Geometry.GeometryError>().Select(e => FailureOf.Geometry(new(e, ""), "").Errors[0].Code));
+        Assert.All(codes.Concat(["command-line", "output-is-input", "file-unwritable", "internal-error"]), c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
+    }
+
+    private static Verb Find(string words) => Verbs.Single(v => WordsOf(v) == words);
+
+    private static IEnumerable<Command> Tree(Command command) => command.Subcommands.SelectMany(Tree).Prepend(command);
+
+    private static string WordsOf(Command command) => command.Parents.First() is Command parent and not RootCommand ? WordsOf(parent) + " " + command.Name : command.Name;
+
+    private sealed class FullDisk : StringWriter
+    {
+        public override void Flush() => throw new IOException("no room");
+    }
+}
