@@ -23,6 +23,9 @@ public static class FeatureMapper
     /// <summary>Code of the refusal of blocks that two features name.</summary>
     public const string BlocksOverlap = "blocks-overlap";
 
+    /// <summary>Cosine of the angle from which a point counts as beside its motion: 5 degrees.</summary>
+    private const double CornerCosine = 0.996;
+
     /// <summary>Maps all features of a job.</summary>
     /// <param name="job">The job.</param>
     /// <param name="path">The counterpart's program, interpreted.</param>
@@ -154,7 +157,7 @@ public static class FeatureMapper
         var left = found.TangentAt(nearestFraction).Left;
         var side = (point - found.PlaneAt(nearestFraction)).Dot(left);
         var materialIsLeft = compensated ? found.Has(MotionFlags.CompensationRight) : side > 0;
-        foot = new(label, nearest, nearestFraction, nearestDistance, materialIsLeft ? -left : left, materialIsLeft);
+        foot = new(label, nearest, nearestFraction, nearestDistance, materialIsLeft ? -left : left, materialIsLeft, Math.Abs(side) < CornerCosine * nearestDistance && wanted > 0);
         if (Math.Abs(nearestDistance - wanted) <= job.Counterpart.MapMm)
         {
             return null;

@@ -9,4 +9,5 @@ namespace ErrorMatching.Mating;
 /// <param name="DistanceMm">Distance of the theoretical key point from the path.</param>
 /// <param name="Normal">Unit normal at the foot, from the counterpart's material to its tool, in the program's frame.</param>
 /// <param name="MaterialIsLeft">True if the material lies to the left of travel.</param>
-public sealed record KeyPointFoot(string Label, int Motion, double Fraction, double DistanceMm, Vector2 Normal, bool MaterialIsLeft);
+/// <param name="OnCorner">True if the point lies beside an end of the motion, where the tool's circle about a vertex makes the boundary: it follows both elements that meet there.</param>
+public sealed record KeyPointFoot(string Label, int Motion, double Fraction, double DistanceMm, Vector2 Normal, bool MaterialIsLeft, bool OnCorner);

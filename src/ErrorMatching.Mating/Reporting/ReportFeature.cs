@@ -32,7 +32,10 @@ public sealed record ReportFeature
     /// <summary>The fit of a curve; null for straight features and for curves without one.</summary>
     public ReportCurve? Curve { get; init; }
 
-    /// <summary>The designed boundary as a polyline in the part's frame, for drawing.</summary>
+    /// <summary>The boundary that the new program cuts as a polyline in the part's frame, for drawing.</summary>
+    public IReadOnlyList<Point2> CorrectedOutline { get; init; } = [];
+
+    /// <summary>The boundary that the original program cuts as a polyline in the part's frame, for drawing.</summary>
     public IReadOnlyList<Point2> TheoreticalOutline { get; init; } = [];
 
     /// <summary>The measured boundary as a polyline in the part's frame, for drawing.</summary>

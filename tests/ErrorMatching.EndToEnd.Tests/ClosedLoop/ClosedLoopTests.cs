@@ -29,6 +29,33 @@ public sealed class ClosedLoopTests
     public void Feedback_takes_the_error_of_the_first_counterpart_out_of_the_next() =>
         NothingLeft(part => RandomMatch.Feedback(part, -0.4), point => 1.4 * point.Deviation);
 
+    // What no feature can represent is left over, but no more and no less than the report says.
+    [Fact]
+    public void Rough_parts_leave_the_error_that_was_predicted()
+    {
+        var (matched, failures) = (0, new List<string>());
+        for (var seed = 0; seed < Parts; seed++)
+        {
+            var part = RandomParts.Generate(seed);
+            if (Matcher.Match(RandomMatch.Rough(part, 0.06)).Result is not { } result)
+            {
+                continue;
+            }
+
+            matched++;
+            var predicted = MatchReporter.Report(result, "counterpart.nc", 0).KeyPoints.ToDictionary(p => p.Point, StringComparer.Ordinal);
+            var cut = new VirtualCut(RefereeInterpreter.Run(Encoding.ASCII.GetString(result.Program.Span)), part.ToolRadius);
+            failures.AddRange(
+                from point in part.KeyPoints
+                let left = cut.Probe(point.Place, point.Normal) - predicted[point.Label].NormalMm
+                where !(Math.Abs(left - predicted[point.Label].PredictedMm) <= Rounding)
+                select FormattableString.Invariant($"part {seed}, {part.Flavor}, point {point.Label}: {left:0.0000} mm left, predicted {predicted[point.Label].PredictedMm:0.0000}"));
+        }
+
+        Assert.InRange(matched, Parts * 3 / 4, Parts);
+        Assert.True(failures.Count == 0, string.Join('\n', failures));
+    }
+
     private static void NothingLeft(Func<RandomPart, MatchInput> input, Func<RandomKeyPoint, double> wanted)
     {
         var failures = Failures(input, wanted);

@@ -16,6 +16,14 @@ internal static class RandomMatch
     public static MatchInput Feedback(RandomPart part, double share) =>
         Input(part, "counterpart", Csv(part, p => p.Theoretical), Csv(part, p => p.Actual), Csv(part, p => p.Theoretical + ((p.Actual - p.Theoretical) * share)));
 
+    /// <summary>Feed-forward of a part whose key points deviate one by one, as no line, arc or smooth curve can follow.</summary>
+    public static MatchInput Rough(RandomPart part, double amplitude)
+    {
+        var random = new Random(part.Seed);
+        var rough = part.KeyPoints.ToDictionary(p => p.Label, p => part.Frame.ToPart(p.Place + (p.Normal * (amplitude * ((2 * random.NextDouble()) - 1)))), StringComparer.Ordinal);
+        return Input(part, "part", Csv(part, p => p.Theoretical), Csv(part, p => rough[p.Label]), null);
+    }
+
     private static MatchInput Input(RandomPart part, string from, byte[] theoretical, byte[] actual, byte[]? counterpart)
     {
         var job = MatingJob.Parse(Encoding.UTF8.GetBytes(Job(part, from)), "random.json");

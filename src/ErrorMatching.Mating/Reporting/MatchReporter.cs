@@ -1,0 +1,180 @@
+using System.Globalization;
+using System.Security.Cryptography;
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>Makes the report of a match.</summary>
+public static class MatchReporter
+{
+    /// <summary>Makes the report.</summary>
+    /// <param name="result">The match.</param>
+    /// <param name="programFile">Where the program to cut is, or will be, written.</param>
+    /// <param name="calculatingS">How long the calculation took; the core has no clock.</param>
+    /// <exception cref="GeometryException">The points of a feature do not determine it; the message names it.</exception>
+    public static MatchReport Report(MatchResult result, string programFile, double calculatingS)
+    {
+        ArgumentNullException.ThrowIfNull(result);
+        var (job, input) = (result.Input.Job, result.Input);
+        var evaluations = result.Maps.Select(m => Evaluate(result, m)).ToArray();
+        return new()
+        {
+            Job = ReportJob.Of(job),
+            Inputs = Inputs(input),
+            Alignments = [.. new[] { ("part", result.Part), ("counterpart", result.Counterpart) }.Where(p => p.Item2 is not null).Select(p => Alignment(job, p.Item1, p.Item2!))],
+            OriginCheck = job.OriginCheck is { } check ? OriginCheck.Of(check, input.Theoretical[check.Point].Position, input.Compensated[check.Point].Position) : null,
+            Compensation = job.Compensation,
+            Uncertainty = job.Gauge.Uncertainty,
+            Chain = job.Chain,
+            Features = [.. result.Maps.Select((map, i) => Feature(result, map, result.Decision.Features[i], evaluations[i]))],
+            KeyPoints = [.. result.Maps.SelectMany((map, i) => KeyPoints(result, map, result.Decision.Features[i]))],
+            Program = Program(result, programFile),
+            Proof = Proof(result.Proof),
+            Time = new(job.Gauge.Measuring.TotalS(job.KeyPoints.Count), calculatingS),
+            RadiusWearMm = UniformOffset.RadiusWearMm(result.Decision),
+            Warnings = [.. evaluations.SelectMany(e => e.Warnings), .. Warnings(result)],
+            Notes = Notes(result),
+        };
+    }
+
+    private static FeatureEvaluation Evaluate(MatchResult result, FeatureMap map) => FeatureEvaluator.Evaluate(
+        map.Feature, Theoretical(result, map), [.. map.Feature.Points.Select(l => result.Part.Points[l])], result.Input.Job.Gauge.Uncertainty.CombinedMm);
+
+    private static Point2[] Theoretical(MatchResult result, FeatureMap map) =>
+        [.. map.Feature.Points.Select(l => ProjectedPoint.Of(result.Input.Theoretical[l], map.Feature.Plane, result.Input.Theoretical.File).Position)];
+
+    private static List<ReportInput> Inputs(MatchInput input)
+    {
+        var inputs = new List<ReportInput>
+        {
+            new("theoretical", input.Theoretical.File, input.Theoretical.Sha256),
+            new("part", input.Part.File, input.Part.Sha256),
+        };
+        if (input.Counterpart is { } counterpart)
+        {
+            inputs.Add(new("counterpart", counterpart.File, counterpart.Sha256));
+        }
+
+        inputs.Add(new("program", input.ProgramFile, input.ProgramSha256));
+        return inputs;
+    }
+
+    private static ReportAlignment Alignment(MatingJob job, string role, AlignedMeasurement aligned) => new(
+        role,
+        job.Alignment.Kind,
+        aligned.Alignment.Transform,
+        aligned.Alignment.Rms,
+        aligned.Alignment.Max,
+        [.. job.KeyPoints.Select((label, i) => new ReportResidual(label, aligned.Alignment.Residuals[i]))]);
+
+    private static ReportFeature Feature(MatchResult result, FeatureMap map, FeatureDecision decision, FeatureEvaluation evaluation)
+    {
+        var job = result.Input.Job;
+        var heights = result.Part.StandsOut.Where(s => map.Feature.Points.Contains(s.Label)).Select(s => Math.Abs(s.Millimeters)).ToArray();
+        return new()
+        {
+            Name = map.Feature.Name,
+            Kind = map.Feature.Kind,
+            Tolerance = map.Feature.Tolerance,
+            Quantities = [.. Quantities(result, map, evaluation)],
+            Decision = decision.Decision,
+            LargestMm = decision.LargestMm,
+            UncertaintyMm = decision.StandardUncertaintyMm,
+            ResidualsMm = evaluation.ResidualsMm,
+            Curve = evaluation.ActualCurve is { } curve ? ReportCurve.Of(curve) : null,
+            TheoreticalOutline = Outlines.Boundary(job, result.Before, map.Passes[0]),
+            CorrectedOutline = Outlines.Boundary(job, result.After, map.Passes[0]),
+            ActualOutline = Outlines.Measured(job, result.Before, map, [.. map.Feature.Points.Select(l => result.Part.Points[l])], Theoretical(result, map)),
+            StandsOutMm = map.Feature.Points.All(l => result.Input.Part[l].HasZ) ? heights.DefaultIfEmpty().Max() : null,
+        };
+    }
+
+    // Corrected: the same quantity of the key points moved along their normals as the new program moves the boundary.
+    private static IEnumerable<ReportQuantity> Quantities(MatchResult result, FeatureMap map, FeatureEvaluation evaluation)
+    {
+        var theoretical = Theoretical(result, map);
+        Point2[] corrected = [.. theoretical.Select((p, i) => p + (map.Normals[i] * Moved(result, map, i, p)))];
+        var after = FeatureEvaluator.Evaluate(map.Feature, theoretical, corrected, 0).Quantities.ToDictionary(q => q.Name, q => q.Actual, StringComparer.Ordinal);
+        return evaluation.Quantities.Select(q => new ReportQuantity(q, after.TryGetValue(q.Name, out var value) ? value : null));
+    }
+
+    private static double Moved(MatchResult result, FeatureMap map, int point, Point2 theoretical) =>
+        Correction.NormalMm(result.Input.Job, result.Before, result.After, map.Passes[0], map.Passes[0].Feet[point], theoretical);
+
+    private static IEnumerable<ReportKeyPoint> KeyPoints(MatchResult result, FeatureMap map, FeatureDecision decision)
+    {
+        var job = result.Input.Job;
+        var theoretical = Theoretical(result, map);
+        for (var i = 0; i < theoretical.Length; i++)
+        {
+            var (label, point, index) = (map.Feature.Points[i], decision.Points[i], i);
+            var moved = Moved(result, map, i, theoretical[i]);
+            yield return new()
+            {
+                Point = label,
+                Feature = map.Feature.Name,
+                Theoretical = theoretical[i],
+                Actual = result.Part.Points[label],
+                Counterpart = job.Compensation.From == CompensationSource.Counterpart ? result.Counterpart!.Points[label] : null,
+                Normal = map.Normals[i],
+                Correction = job.Counterpart.Frame.Apply(point.Correction),
+                DecidedMm = point.Point.NormalMm,
+                ExcessMm = point.ExcessMm,
+                PredictedMm = moved - point.Point.NormalMm,
+                Blocks = [.. map.Passes.Select(p => result.Before.Program.NameOf(result.Before.Program[result.Before.Motions[p.Feet[index].Motion].Block])).Distinct(StringComparer.Ordinal)],
+            };
+        }
+    }
+
+    private static ReportProgram Program(MatchResult result, string programFile) => new(
+        programFile,
+        Convert.ToHexStringLower(SHA256.HashData(result.Program.Span)),
+        result.Rewrite?.ChangedBlocks.Count ?? 0,
+        result.Rewrite?.ChangedWords ?? 0,
+        result.Rewrite is { } rewrite ? BlockComparison.Of(result.Before.Program, rewrite) : []);
+
+    private static ReportProof Proof(NcProof proof) => new(
+        proof.Holds, proof.Motions, proof.MovedMotions, [.. proof.Neighbors.Select(n => n.Block)], proof.Marker, proof.MaxDeviationFromWantedMm, proof.UntouchedBytesIdentical);
+
+    private static IEnumerable<string> Warnings(MatchResult result)
+    {
+        foreach (var problem in result.Before.Problems)
+        {
+            yield return $"{result.Before.Program.NameOf(result.Before.Program[problem.Block])}: {problem.Message}";
+        }
+
+        foreach (var foot in result.Maps.SelectMany(m => m.Passes[0].Feet).Where(f => f.OnCorner && result.Decision.Compensates))
+        {
+            var block = result.Before.Program.NameOf(result.Before.Program[result.Before.Motions[foot.Motion].Block]);
+            yield return $"Point {foot.Label} lies on a rounded corner at an end of {block}: there the boundary follows both elements, so its own deviation cannot be met exactly. Probe it further from the corner.";
+        }
+
+        var rms = result.Part.Alignment.Rms;
+        if (result.Input.Job.Alignment.Kind != JobAlignmentKind.None && result.Decision.Compensates)
+        {
+            yield return string.Create(CultureInfo.InvariantCulture, $"The part was aligned ({ReportWords.Of(result.Input.Job.Alignment.Kind)}) before it was compared: what the alignment took away is not compensated. {rms:0.000} mm (root mean square) are left.");
+        }
+    }
+
+    private static List<string> Notes(MatchResult result)
+    {
+        var notes = new List<string>();
+        foreach (var (label, height) in result.Part.StandsOut)
+        {
+            notes.Add(string.Create(CultureInfo.InvariantCulture, $"Point {label} stands {height:+0.000;-0.000} mm out of its feature's plane."));
+        }
+
+        foreach (var map in result.Maps.Where(m => m.Passes.Count > 1))
+        {
+            notes.Add($"{map.Feature.Name} is cut in {map.Passes.Count} passes; each is displaced alike.");
+        }
+
+        if (result.Decision.Compensates && result.Rewrite is null)
+        {
+            notes.Add("Every correction is smaller than half the control's least increment: the program stays as it is.");
+        }
+
+        return notes;
+    }
+}
