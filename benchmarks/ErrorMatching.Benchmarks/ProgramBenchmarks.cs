@@ -1,0 +1,56 @@
+using System.Globalization;
+using System.Text;
+using BenchmarkDotNet.Attributes;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Benchmarks;
+
+/// <summary>A program of 100,000 blocks: find 10,000 of them, displace them, prove the result.</summary>
+[MemoryDiagnoser]
+public class ProgramBenchmarks
+{
+    private const int Blocks = 100_000;
+    private const string Range = "N450000..N549990";
+
+    private NcProgram program = null!;
+    private NcPath path = null!;
+    private DisplacementWish wish = null!;
+    private Rewrite rewrite = null!;
+
+    /// <summary>A densely posted wave, 0.2 mm a block, in the spelling of a usual post-processor.</summary>
+    public static byte[] Wave(int blocks)
+    {
+        var text = new StringBuilder("%\nO1000\nN10 G21 G17 G40 G90 G54\nN20 G0 X0. Y0. Z5.\nN30 G1 Z-2. F500.\n");
+        for (var i = 4; i <= blocks; i++)
+        {
+            text.Append(CultureInfo.InvariantCulture, $"N{i * 10} X{0.2 * i:0.###} Y{20 * Math.Sin(0.002 * i):0.###}\n");
+        }
+
+        return Encoding.ASCII.GetBytes(text.Append("M30\n%\n").ToString());
+    }
+
+    [GlobalSetup]
+    public void Setup()
+    {
+        program = NcProgram.Read(Wave(Blocks));
+        path = Interpret();
+        wish = DisplacementWish.Normal(path, Locate(), 0.02).Value!;
+        rewrite = Displace().Value!;
+        if (!Prove().Holds)
+        {
+            throw new InvalidOperationException("The benchmark's own displacement is not proved.");
+        }
+    }
+
+    [Benchmark]
+    public NcPath Interpret() => NcInterpreter.Run(program, NcDialects.FanucMill);
+
+    [Benchmark]
+    public int[] Locate() => BlockSelector.Select(program, [BlockSelector.Parse(Range)]).Value!;
+
+    [Benchmark]
+    public NcOutcome<Rewrite> Displace() => Rewriter.Apply(path, wish);
+
+    [Benchmark]
+    public NcProof Prove() => Prover.Check(path, rewrite.Program, wish, rewrite.LeastIncrementMm);
+}
