@@ -127,6 +127,11 @@ public sealed partial class Prover
         }
         else
         {
+            if (was.IsArc && moved.Length > 5 * increment && EndsOnCircle(was, now))
+            {
+                Fail(was.Block, "its ends slid along its circle, but its center moved.");
+            }
+
             CheckFollowingArc(was, now);
             Note(was, NeighborRole.Follows, moved);
         }
@@ -170,13 +175,17 @@ public sealed partial class Prover
     private void Note(in NcMotion was, NeighborRole role, Vector2 moved) =>
         neighbors.Add(new(before.Program.NameOf(before.Program[was.Block]), was.Block + 1, role, moved.Length));
 
+    private bool EndsOnCircle(in NcMotion was, in NcMotion now)
+    {
+        var circle = was.Arc.Circle;
+        return Math.Abs(circle.SignedDistance(now.PlaneStart)) <= ArcTolerance + Mismatch(was) && Math.Abs(circle.SignedDistance(now.PlaneEnd)) <= ArcTolerance + Mismatch(was);
+    }
+
     private bool SlidAlong(in NcMotion was, in NcMotion now)
     {
         if (was.IsArc)
         {
-            var circle = was.Arc.Circle;
-            return now.Center.DistanceTo(was.Center) <= 3 * increment
-                && Math.Abs(circle.SignedDistance(now.PlaneStart)) <= ArcTolerance + Mismatch(was) && Math.Abs(circle.SignedDistance(now.PlaneEnd)) <= ArcTolerance + Mismatch(was);
+            return now.Center.DistanceTo(was.Center) <= 3 * increment && EndsOnCircle(was, now);
         }
 
         var line = was.Segment.Line;

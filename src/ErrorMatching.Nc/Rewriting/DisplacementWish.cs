@@ -47,7 +47,7 @@ public sealed class DisplacementWish
             {
                 if (!path.Motions[motion].IsKnownInPlane)
                 {
-                    return Obstacles.UnknownPlace(path, motion);
+                    return Obstacles.Of(path, motion) ?? Obstacles.UnknownPlace(path, motion);
                 }
 
                 elements.Add(ElementWish.AlongNormals(path, motion, left, left, left));

@@ -264,7 +264,8 @@ internal sealed partial class ElementDisplacer
         var circle = arc.Arc.Circle;
         return IsAlong(arc.PlaneStart, change.PlaneMoveOf(motion, arc.Plane)) && IsAlong(arc.PlaneEnd, change.PlaneMoveOf(motion + 1, arc.Plane));
 
-        bool IsAlong(Point2 end, Vector2 move) => Math.Abs(circle.SignedDistance(end + move) - circle.SignedDistance(end)) < 1e-6;
+        // An end whose radius differs from the start's, as far as a control accepts that, is on the circle all the same.
+        bool IsAlong(Point2 end, Vector2 move) => Math.Abs(circle.SignedDistance(end + move)) <= Math.Abs(circle.SignedDistance(end)) + 1e-6;
     }
 
     // No element may turn round: that is a loop in the path, and a mark on the piece.
