@@ -115,6 +115,12 @@ public sealed partial class Prover
             return;
         }
 
+        if (!startMoved && !endMoved)
+        {
+            Fail(was.Block, "its center moved although its ends did not.");
+            return;
+        }
+
         CheckArc(was, now);
         if (SlidAlong(was, now))
         {
