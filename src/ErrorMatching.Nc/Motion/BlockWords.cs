@@ -6,6 +6,7 @@ internal sealed class BlockWords
     private readonly NcNumber[] numbers = new NcNumber[26];
     private readonly int[] codes = new int[16];
     private readonly int[] functions = new int[16];
+    private readonly List<NcToken> keywords = [];
 
     /// <summary>Letters with a plain number, one bit each, A first.</summary>
     public uint Present { get; private set; }
@@ -22,9 +23,12 @@ internal sealed class BlockWords
 
     public int FunctionCount { get; private set; }
 
-    public NcToken Keyword { get; private set; }
+    /// <summary>True if a variable is assigned by which a control keeps its offsets.</summary>
+    public bool AssignsSystemVariable { get; private set; }
 
     public NcToken Invalid { get; private set; }
+
+    public IReadOnlyList<NcToken> Keywords => keywords;
 
     public ReadOnlySpan<int> Codes => codes.AsSpan(0, CodeCount);
 
@@ -44,7 +48,8 @@ internal sealed class BlockWords
     public void Read(NcProgram program, NcBlock block)
     {
         BlockIndex = block.Index;
-        (Present, Computed, Repeated, HasCornerWord, CodeCount, FunctionCount, Keyword, Invalid) = (0, 0, 0, false, 0, 0, default, default);
+        (Present, Computed, Repeated, HasCornerWord, AssignsSystemVariable, CodeCount, FunctionCount, Invalid) = (0, 0, 0, false, false, 0, 0, default);
+        keywords.Clear();
         foreach (var token in program.Tokens(block))
         {
             switch (token.Kind)
@@ -53,28 +58,49 @@ internal sealed class BlockWords
                     codes[CodeCount++] = Tenths(token.Number);
                     break;
                 case NcTokenKind.Word when token.Letter == 'M' && FunctionCount < functions.Length:
-                    functions[FunctionCount++] = (int)Math.Min(token.Number.Digits, int.MaxValue);
+                    functions[FunctionCount++] = Function(token.Number);
                     break;
                 case NcTokenKind.Word:
                     var bit = 1u << (token.Letter - 'A');
-                    Repeated |= Present & bit;
+                    Repeated |= (Present | Computed) & bit;
                     Present |= bit;
                     numbers[token.Letter - 'A'] = token.Number;
                     break;
                 case NcTokenKind.ExpressionWord:
-                    Computed |= 1u << (token.Letter - 'A');
+                    var computed = 1u << (token.Letter - 'A');
+                    Repeated |= (Present | Computed) & computed;
+                    Computed |= computed;
                     break;
                 case NcTokenKind.CommaWord:
                     HasCornerWord = true;
                     break;
-                case NcTokenKind.Keyword when Keyword.Length == 0:
-                    Keyword = token;
+                case NcTokenKind.Keyword:
+                    keywords.Add(token);
+                    break;
+                case NcTokenKind.Assignment:
+                    AssignsSystemVariable |= IsSystemVariable(program.Bytes.Span.Slice(token.Start, token.Length));
                     break;
                 case NcTokenKind.Invalid when Invalid.Length == 0:
                     Invalid = token;
                     break;
             }
         }
+    }
+
+    // Functions are whole numbers; M30. and M030 are M30.
+    private static int Function(NcNumber number) => number.Trim() is { Decimals: 0, Digits: >= 0 and < int.MaxValue } whole ? (int)whole.Digits : -1;
+
+    // #1 to #999 and names are the program's own; higher numbers, and numbers that are computed, can be offsets and positions of the control.
+    private static bool IsSystemVariable(ReadOnlySpan<byte> assignment)
+    {
+        var name = assignment[1..];
+        var digits = name.IndexOfAnyExceptInRange((byte)'0', (byte)'9');
+        return digits switch
+        {
+            0 => name[0] != '<',
+            < 0 => false,
+            _ => name[..digits].TrimStart((byte)'0').Length > 3,
+        };
     }
 
     // G codes have at most one decimal; anything finer is no code at all.

@@ -12,7 +12,8 @@ public static class NcDialects
     private static readonly HashSet<string> MacroFlow = new(["IF", "GOTO", "WHILE", "DO", "END", "THEN"], StringComparer.Ordinal);
     private static readonly HashSet<string> OWordFlow = new(["SUB", "ENDSUB", "IF", "ELSEIF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "DO", "REPEAT", "ENDREPEAT", "CALL", "BREAK", "CONTINUE", "RETURN"], StringComparer.Ordinal);
 
-    private static readonly (int On, int Off)[] FanucTransforms = [(680, 690), (682, 690), (510, 500), (511, 501), (160, 150), (121, 131), (434, 490), (435, 490), (71, -1)];
+    private static readonly (int On, int Off)[] Transforms = [(680, 690), (682, 690), (510, 500), (511, 501), (160, 150)];
+    private static readonly (int On, int Off)[] FanucTransforms = [.. Transforms, (121, 131), (434, 490), (435, 490), (71, -1)];
 
     private static readonly DialectFact[] CommonFacts =
     [
@@ -21,6 +22,7 @@ public static class NcDialects
         new("G90 G91", "Coordinates are positions or increments; modal.", Iso),
         new("I J K", "Arc center from the start of the arc, along X, Y, Z; a missing one is zero.", Iso),
         new("before the first code", "G1, G17, G21, G90, G40, incremental centers.", Assumed),
+        new("block skip", "A block behind a slash is taken to be executed.", Assumed),
         new("called programs", "May change position and modes: coordinates and modes must be stated again before a block can be changed. Units are taken to stay.", Assumed),
     ];
 
@@ -29,7 +31,8 @@ public static class NcDialects
     {
         FlowKeywords = MacroFlow,
         CallFunctions = new HashSet<int> { 97, 98 },
-        Facts = [.. CommonFacts, new("least increment", "0.001 mm, 0.0001 in.", Assumed), new("arc tolerance", "Both radii agree within 0.02 mm; what is written agrees within 0.001 mm.", Assumed)],
+        Transforms = Transforms,
+        Facts = [.. CommonFacts, new("G68 G51 G51.1 G16", "Rotation, scaling, mirror, polar coordinates: nothing is changed while one is active.", Assumed), new("least increment", "0.001 mm, 0.0001 in.", Assumed), new("arc tolerance", "Both radii agree within 0.02 mm; what is written agrees within 0.001 mm.", Assumed)],
     });
 
     /// <summary>Fanuc series 0i and 30i milling.</summary>
@@ -74,6 +77,7 @@ public static class NcDialects
         ArcMismatchOfRadius = 0.001,
         TurnsLetter = (byte)'P',
         FlowKeywords = OWordFlow,
+        Transforms = Transforms,
         Facts =
         [
             .. CommonFacts,
@@ -86,7 +90,8 @@ public static class NcDialects
         .Code(NcMeaning.AbsoluteCenters, 90.1).Code(NcMeaning.IncrementalCenters, 91.1)
         .Code(NcMeaning.Probe, 38.2, 38.3, 38.4, 38.5)
         .Code(NcMeaning.SetOrigin, 92.1, 92.2, 92.3)
-        .Code(NcMeaning.Harmless, 43.1, 43.2, 28.1, 30.1, 33, 33.1, 93, 97, 96, 99, 98)
+        .Code(NcMeaning.Harmless, 43.1, 43.2, 28.1, 30.1, 93, 97, 96, 99, 98)
+        .Code(NcMeaning.Cycle, 33, 33.1)
         .Code(NcMeaning.CompensationLeft, 41.1).Code(NcMeaning.CompensationRight, 42.1);
 
     /// <summary>All built-in dialects, in the order in which they are listed.</summary>
@@ -109,10 +114,12 @@ public static class NcDialects
         .Code(NcMeaning.Harmless, 43, 44, 49, 9, 61, 61.1, 64, 94, 95, 98, 99)
         .Code(NcMeaning.MachineCoordinates, 53).Codes(NcMeaning.WorkOffset, 54, 59).Code(NcMeaning.WorkOffset, 54.1, 59.1, 59.2, 59.3)
         .Code(NcMeaning.CycleOff, 80).Code(NcMeaning.Cycle, 73, 74, 76).Codes(NcMeaning.Cycle, 81, 89)
+        .Code(NcMeaning.TransformOn, 68, 68.2, 51, 51.1, 16).Code(NcMeaning.TransformOff, 69, 50, 50.1, 15)
         .Code(NcMeaning.Absolute, 90).Code(NcMeaning.Incremental, 91);
 
     private static NcDialect FanucCodes(NcDialect dialect) => dialect
-        .Code(NcMeaning.Harmless, 5, 5.1, 8, 11, 15.1, 22, 23, 25, 26, 27, 29, 33, 43.1, 60, 62, 63, 93, 96, 97)
+        .Code(NcMeaning.Harmless, 5, 5.1, 8, 11, 15.1, 23, 25, 26, 43.1, 60, 62, 63, 93, 96, 97)
+        .Code(NcMeaning.Dwell, 22).Code(NcMeaning.Cycle, 33).Code(NcMeaning.ReferenceReturn, 27, 29)
         .Code(NcMeaning.Probe, 31).Code(NcMeaning.Call, 65, 66, 67)
-        .Code(NcMeaning.TransformOn, 68, 68.2, 51, 51.1, 16, 7.1, 12.1, 43.4, 43.5).Code(NcMeaning.TransformOff, 69, 50, 50.1, 15, 13.1, 49);
+        .Code(NcMeaning.TransformOn, 7.1, 12.1, 43.4, 43.5).Code(NcMeaning.TransformOff, 13.1, 49);
 }

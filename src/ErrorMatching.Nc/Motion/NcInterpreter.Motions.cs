@@ -47,30 +47,30 @@ public sealed partial class NcInterpreter
             return (start, state.Unknown & axis);
         }
 
-        return state.Incremental ? (start + Scaled(letter), state.Unknown & axis) : (Scaled(letter), AxisSet.None);
+        return state.Incremental ? (Sum(start, Scaled(letter)), state.Unknown & axis) : (Scaled(letter), AxisSet.None);
     }
 
     private MotionFlags ModeFlags()
     {
-        var relevant = state.Mode is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise ? Unsure.All : Unsure.All & ~Unsure.Plane;
         return (state.Inch ? MotionFlags.Inch : MotionFlags.None)
             | (state.Incremental ? MotionFlags.Incremental : MotionFlags.None)
             | (state.AbsoluteCenters ? MotionFlags.AbsoluteCenter : MotionFlags.None)
             | state.Compensation
             | (state.Transforms != 0 ? MotionFlags.Transformed : MotionFlags.None)
-            | ((state.Unsure & relevant) != Unsure.None ? MotionFlags.UnsureMode : MotionFlags.None);
+            | (state.Unsure != Unsure.None ? MotionFlags.UnsureMode : MotionFlags.None);
     }
 
     private (Point2 Center, int Turns, MotionFlags Flags) Arc(NcBlock block, MotionKind kind, Point2 start, Point2 end)
     {
         var turns = dialect.TurnsLetter != 0 && words.Has((char)dialect.TurnsLetter) ? (int)Math.Clamp(words.Number((char)dialect.TurnsLetter).Value - 1, 0, 100_000) : 0;
         var (first, second) = state.Plane switch { CoordinatePlane.ZX => ('K', 'I'), CoordinatePlane.YZ => ('J', 'K'), _ => ('I', 'J') };
+        var known = (state.Unknown & state.Plane.Axes()) == AxisSet.None;
         if (words.Has('R'))
         {
             var counterClockwise = kind == MotionKind.ArcCounterClockwise;
             return ArcCenter.ByRadius(start, end, Scaled('R'), counterClockwise, dialect.ArcMismatchMm) is { } center
                 ? (center, turns, MotionFlags.ByRadius)
-                : (start.Lerp(end, 0.5), turns, MotionFlags.ByRadius | BadArc(block, "no circle of this radius reaches from the start to the end"));
+                : (start.Lerp(end, 0.5), turns, MotionFlags.ByRadius | (!known ? MotionFlags.None : BadArc(block, "no circle of this radius reaches from the start to the end")));
         }
 
         if (!words.Has(first) && !words.Has(second))
@@ -84,7 +84,6 @@ public sealed partial class NcInterpreter
         var radius = start.DistanceTo(middle);
         var tolerance = Math.Max(dialect.ArcMismatchMm, dialect.ArcMismatchOfRadius * radius);
         var mismatch = ArcCenter.Mismatch(start, end, middle);
-        var known = (state.Unknown & PlaneAxes(state.Plane)) == AxisSet.None;
         var bad = known && !(mismatch <= tolerance && radius > 0);
         return (middle, turns, bad ? BadArc(block, System.FormattableString.Invariant($"the radii at start and end differ by {mismatch:0.####} mm")) : MotionFlags.None);
     }
@@ -94,11 +93,4 @@ public sealed partial class NcInterpreter
         problems.Add(new("bad-arc", block.Index, $"Not an arc: {why}."));
         return MotionFlags.BadArc;
     }
-
-    private static AxisSet PlaneAxes(CoordinatePlane plane) => plane switch
-    {
-        CoordinatePlane.ZX => AxisSet.Z | AxisSet.X,
-        CoordinatePlane.YZ => AxisSet.Y | AxisSet.Z,
-        _ => AxisSet.X | AxisSet.Y,
-    };
 }

@@ -13,6 +13,7 @@ public sealed partial class NcInterpreter
     private readonly NcDialect dialect;
     private readonly BlockWords words = new();
     private readonly List<NcProblem> problems = [];
+    private readonly List<int> placeDependents = [];
     private readonly uint otherAxes;
     private readonly uint unknownLetters;
     private NcMotion[] motions;
@@ -50,7 +51,7 @@ public sealed partial class NcInterpreter
         {
         }
 
-        return new(program, dialect, interpreter.motions, interpreter.count, interpreter.problems, interpreter.flowBlock);
+        return new(program, dialect, interpreter.motions, interpreter.count, interpreter.problems, interpreter.placeDependents, interpreter.flowBlock);
     }
 
     // Returns false where the program ends.
@@ -81,12 +82,14 @@ public sealed partial class NcInterpreter
                 AddReference(block, flags);
                 break;
             case AxisUse.SetOrigin:
+                placeDependents.Add(block.Index);
                 SetOrigin(code);
                 break;
         }
 
         if (called || code == CallCode)
         {
+            placeDependents.Add(block.Index);
             Forget();
         }
 
@@ -96,9 +99,9 @@ public sealed partial class NcInterpreter
     private MotionFlags ReadObstacles(NcBlock block)
     {
         var flags = MotionFlags.None;
-        if (words.Keyword.Length > 0)
+        foreach (var keyword in words.Keywords)
         {
-            var word = NcText.Decode(program.Bytes.Span.Slice(words.Keyword.Start, words.Keyword.Length)).ToUpperInvariant();
+            var word = NcText.Decode(program.Bytes.Span.Slice(keyword.Start, keyword.Length)).ToUpperInvariant();
             var name = new string(word.TakeWhile(char.IsAsciiLetter).ToArray());
             if (dialect.FlowKeywords.Contains(name))
             {
@@ -132,7 +135,20 @@ public sealed partial class NcInterpreter
             Forget();
         }
 
+        if (words.AssignsSystemVariable)
+        {
+            state.Frame++;
+            state.Unknown = AxisSet.All;
+            placeDependents.Add(block.Index);
+        }
+
         const uint Geometry = (1u << 23) | (1u << 24) | (1u << 25) | (1u << 8) | (1u << 9) | (1u << 10) | (1u << 17);
+        if ((words.Repeated & Geometry) != 0)
+        {
+            problems.Add(new("repeated-word", block.Index, "A coordinate stands twice in the block; which one counts depends on the control."));
+            flags |= MotionFlags.UnknownWord;
+        }
+
         flags |= (words.Computed & Geometry) != 0 ? MotionFlags.Expression : MotionFlags.None;
         flags |= words.HasCornerWord ? MotionFlags.CornerWord : MotionFlags.None;
         return flags | (((words.Present | words.Computed) & otherAxes) != 0 ? MotionFlags.OtherAxis : MotionFlags.None);
@@ -168,7 +184,7 @@ public sealed partial class NcInterpreter
             Array.Resize(ref motions, motions.Length * 2);
         }
 
-        motions[count++] = motion;
+        motions[count++] = motion with { Start = motion.UnknownStart.KnownPartOf(motion.Start), End = motion.UnknownEnd.KnownPartOf(motion.End) };
         state.Position = motion.End;
         state.Unknown = motion.UnknownEnd;
     }
@@ -200,5 +216,8 @@ public sealed partial class NcInterpreter
         return ((given & BlockWords.Bit('X')) != 0 ? AxisSet.X : AxisSet.None) | ((given & BlockWords.Bit('Y')) != 0 ? AxisSet.Y : AxisSet.None) | ((given & BlockWords.Bit('Z')) != 0 ? AxisSet.Z : AxisSet.None);
     }
 
-    private double Scaled(char letter) => words.Value(letter) * (state.Inch ? MmPerInch : 1);
+    private double Scaled(char letter) => state.Inch ? Sum(0, words.Value(letter) * MmPerInch) : words.Value(letter);
+
+    // Sums of increments, as exact as the control's: the double nearest to the decimal, ten digits behind the point.
+    private static double Sum(double start, double increment) => Math.Round(start + increment, 10);
 }

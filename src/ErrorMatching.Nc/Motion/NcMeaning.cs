@@ -24,7 +24,7 @@ public enum NcMeaning : byte
     /// <summary>Probing move.</summary>
     Probe,
 
-    /// <summary>Wait; its axis words are times.</summary>
+    /// <summary>Moves nothing although it has axis words: a wait, whose X is a time, or limits of travel.</summary>
     Dwell,
 
     /// <summary>Plane X Y.</summary>

@@ -57,11 +57,14 @@ public readonly record struct NcMotion(
         }
     }
 
-    /// <summary>True if it moves in its plane. A full circle does; a plunge or retract does not.</summary>
-    public bool MovesInPlane => IsArc || PlaneStart != PlaneEnd;
+    /// <summary>True if it moves in its plane, or may, since it begins at an unknown place. A full circle does; a plunge or retract does not.</summary>
+    public bool MovesInPlane => IsArc || PlaneStart != PlaneEnd || (UnknownStart & Plane.Axes()) != (UnknownEnd & Plane.Axes());
+
+    /// <summary>True if the program says where in its plane it begins and ends.</summary>
+    public bool IsKnownInPlane => ((UnknownStart | UnknownEnd) & Plane.Axes()) == AxisSet.None;
 
     /// <summary>Unit direction of travel in the plane at a fraction of the way, 0 to 1.</summary>
-    /// <exception cref="GeometryException">It does not move in its plane.</exception>
+    /// <exception cref="GeometryException">Its ends coincide in its plane.</exception>
     public Vector2 TangentAt(double fraction) => IsArc ? Arc.TangentAt(fraction) : (PlaneEnd - PlaneStart).Normalize();
 
     /// <summary>The point in the plane at a fraction of the way, 0 to 1.</summary>

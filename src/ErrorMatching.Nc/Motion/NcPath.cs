@@ -6,13 +6,14 @@ public sealed class NcPath
     private readonly NcMotion[] motions;
     private readonly int count;
 
-    internal NcPath(NcProgram program, NcDialect dialect, NcMotion[] motions, int count, IReadOnlyList<NcProblem> problems, int flowBlock)
+    internal NcPath(NcProgram program, NcDialect dialect, NcMotion[] motions, int count, IReadOnlyList<NcProblem> problems, IReadOnlyList<int> placeDependents, int flowBlock)
     {
         Program = program;
         Dialect = dialect;
         this.motions = motions;
         this.count = count;
         Problems = problems;
+        PlaceDependents = placeDependents;
         FlowBlock = flowBlock;
     }
 
@@ -30,6 +31,9 @@ public sealed class NcPath
 
     /// <summary>The first block that branches, loops or defines a subprogram; -1 where the program runs straight through. Behind it blocks may run several times or not at all.</summary>
     public int FlowBlock { get; }
+
+    /// <summary>Blocks whose effect can depend on where the tool stands although they move nothing themselves: program calls, and what sets an origin.</summary>
+    internal IReadOnlyList<int> PlaceDependents { get; }
 
     /// <summary>Position of the first motion of a block or a later one: <see cref="Motions"/> is sorted by block.</summary>
     public int FirstMotionFrom(int block)

@@ -1,9 +1,14 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Nc;
 
-/// <content>Every byte outside the coordinate words of moved blocks must be the original's.</content>
+/// <content>Every byte outside the values of words that had to change must be the original's.</content>
 public sealed partial class Prover
 {
-    private bool CompareBytes(int markerBlock, HashSet<int> changed)
+    /// <summary>Stands for a value that changed; no program has this byte in a word.</summary>
+    private const byte ChangedValue = 0xFF;
+
+    private bool CompareBytes(int markerBlock)
     {
         var identical = true;
         var (was, now) = (before.Program, after.Program);
@@ -15,34 +20,114 @@ public sealed partial class Prover
                 continue;
             }
 
-            if (!changed.Contains(i))
+            var motion = before.MotionOf(i);
+            if (motion < 0 || !SameButCoordinates(motion, a, b))
             {
-                Fail(i, "its text differs although its motion does not.");
+                Fail(i, "something other than the words of its new place changed in it.");
                 identical = false;
             }
-            else if (!Skeleton(was, a).SequenceEqual(Skeleton(now, b)))
+            else if ((Obstacles.Of(before) ?? Obstacles.Of(before, motion)) is { } obstacle)
             {
-                Fail(i, "something other than coordinates changed in it.");
-                identical = false;
+                Fail(i, $"it changed although {obstacle.Message}");
             }
         }
 
         return identical;
     }
 
-    // The block without its coordinate and center words and without spaces: what must not change.
-    private static List<byte> Skeleton(NcProgram program, NcBlock block)
+    private bool SameButCoordinates(int motion, NcBlock a, NcBlock b)
     {
-        var rest = new List<byte>(block.FullLength);
+        var (was, now) = (before.Motions[motion], after.Motions[motion]);
+        var (original, result) = (WordsOf(before.Program, a), WordsOf(after.Program, b));
+        return Remainder(before.Program, a, Judge(was, now, original, result, inOriginal: true))
+            .SequenceEqual(Remainder(after.Program, b, Judge(was, now, result, original, inOriginal: false)));
+    }
+
+    private static Dictionary<byte, NcNumber> WordsOf(NcProgram program, NcBlock block)
+    {
+        var words = new Dictionary<byte, NcNumber>();
         foreach (var token in program.Tokens(block))
         {
-            if (token.Kind != NcTokenKind.Space && !(token.Kind == NcTokenKind.Word && token.Letter is >= (byte)'X' and <= (byte)'Z' or >= (byte)'I' and <= (byte)'K' or (byte)'R'))
+            if (token.Kind == NcTokenKind.Word)
             {
-                rest.AddRange(program.Bytes.Span.Slice(token.Start, token.Length));
+                words[token.Letter] = token.Number;
             }
         }
 
-        rest.AddRange(program.Bytes.Span[block.End..(block.Start + block.FullLength)]);
+        return words;
+    }
+
+    // For each letter: true if its value may differ, false if the whole word may be there in one of the two programs only.
+    private static Dictionary<byte, bool> Judge(in NcMotion was, in NcMotion now, Dictionary<byte, NcNumber> own, Dictionary<byte, NcNumber> other, bool inOriginal)
+    {
+        var isRadiusReplaced = was.Has(MotionFlags.ByRadius) && !now.Has(MotionFlags.ByRadius);
+        var judged = new Dictionary<byte, bool>();
+        foreach (var letter in was.IsArc ? was.Plane switch { CoordinatePlane.ZX => "XYZKIR"u8, CoordinatePlane.YZ => "XYZJKR"u8, _ => "XYZIJR"u8 } : "XYZ"u8)
+        {
+            if (!own.TryGetValue(letter, out var value))
+            {
+                continue;
+            }
+
+            if (other.TryGetValue(letter, out var otherValue))
+            {
+                if (!value.SameValue(otherValue))
+                {
+                    judged.Add(letter, true);
+                }
+            }
+            else if (inOriginal ? letter == 'R' && isRadiusReplaced : IsNeeded(letter, value, now, isRadiusReplaced))
+            {
+                judged.Add(letter, false);
+            }
+        }
+
+        return judged;
+    }
+
+    // A word is inserted only where the axis moves now although it did not before, or for a center.
+    private static bool IsNeeded(byte letter, NcNumber value, in NcMotion now, bool isRadiusReplaced) => letter switch
+    {
+        (byte)'X' => Math.Abs(now.End.X - now.Start.X) > 1e-9,
+        (byte)'Y' => Math.Abs(now.End.Y - now.Start.Y) > 1e-9,
+        (byte)'Z' => Math.Abs(now.End.Z - now.Start.Z) > 1e-9,
+        (byte)'R' => false,
+        _ => isRadiusReplaced || value.Digits != 0,
+    };
+
+    // The block with changed values masked, and words that only one program has left out together with the one space that separates them.
+    private static List<byte> Remainder(NcProgram program, NcBlock block, Dictionary<byte, bool> judged)
+    {
+        var bytes = program.Bytes.Span;
+        var (rest, skipSpace) = (new List<byte>(block.FullLength), false);
+        foreach (var token in program.Tokens(block))
+        {
+            if (token.Kind == NcTokenKind.Word && judged.TryGetValue(token.Letter, out var isValueChange))
+            {
+                if (isValueChange)
+                {
+                    rest.AddRange(bytes[token.Start..token.ValueStart]);
+                    rest.Add(ChangedValue);
+                }
+                else if (rest.Count > 0 && rest[^1] == ' ')
+                {
+                    rest.RemoveAt(rest.Count - 1);
+                }
+                else
+                {
+                    skipSpace = rest.Count == 0;
+                    continue;
+                }
+            }
+            else if (!(skipSpace && token is { Kind: NcTokenKind.Space, Length: 1 }))
+            {
+                rest.AddRange(bytes.Slice(token.Start, token.Length));
+            }
+
+            skipSpace = false;
+        }
+
+        rest.AddRange(bytes[block.End..(block.Start + block.FullLength)]);
         return rest;
     }
 }

@@ -11,6 +11,11 @@ public sealed partial class Prover
     /// <summary>Arcs add the rounding of their center.</summary>
     private double ArcTolerance => (1.6 * increment) + 1e-6;
 
+    /// <summary>A fillet's ends are rounded, and so is the center whose feet they are.</summary>
+    private double FootTolerance => (5 * increment) + 1e-6;
+
+    private static double Mismatch(in NcMotion motion) => ArcCenter.Mismatch(motion.PlaneStart, motion.PlaneEnd, motion.Center);
+
     private void Measure(int block, double deviation, double tolerance)
     {
         maxDeviation = Math.Max(maxDeviation, deviation);
@@ -22,13 +27,12 @@ public sealed partial class Prover
 
     private void CheckElement(ElementWish element, in NcMotion was, in NcMotion now)
     {
-        var (start, middle, end) = (was.PlaneStart + element.Start, was.PlaneAt(0.5) + element.Middle, was.PlaneEnd + element.End);
-        if (!was.IsArc && now.PlaneStart == now.PlaneEnd && was.PlaneLength <= reach)
+        if (IsShrunk(element.Motion))
         {
-            // Cut off by the displacement of a corner: it shrank to the corner, which the elements on both sides have been measured by.
             return;
         }
 
+        var (start, middle, end) = (was.PlaneStart + element.Start, was.PlaneAt(0.5) + element.Middle, was.PlaneEnd + element.End);
         if (!was.IsArc)
         {
             var wanted = Line2.Through(start, end);
@@ -39,21 +43,23 @@ public sealed partial class Prover
                 Fail(was.Block, "it turned round.");
             }
         }
-        else if (element.IsFillet && FlanksOf(element.Motion) is var (first, second))
+        else if (IsFillet(element.Motion))
         {
-            CheckFillet(was, now, first, second);
+            CheckFillet(element.Motion, was, now);
         }
         else
         {
             var circle = now.Arc.Circle;
-            Measure(was.Block, Math.Abs(circle.SignedDistance(start)), ArcTolerance);
-            Measure(was.Block, Math.Abs(circle.SignedDistance(middle)), ArcTolerance);
-            Measure(was.Block, Math.Abs(circle.SignedDistance(end)), ArcTolerance);
+            Measure(was.Block, Math.Abs(circle.SignedDistance(start)), ArcTolerance + Mismatch(was));
+            Measure(was.Block, Math.Abs(circle.SignedDistance(middle)), ArcTolerance + Mismatch(was));
+            Measure(was.Block, Math.Abs(circle.SignedDistance(end)), ArcTolerance + Mismatch(was));
         }
 
         CheckArc(was, now);
         CheckReach(was, now.PlaneStart - was.PlaneStart);
         CheckReach(was, now.PlaneEnd - was.PlaneEnd);
+        CheckJoint(element.Motion, element.Motion, element.Start);
+        CheckJoint(element.Motion, element.Motion + 1, element.End);
     }
 
     // A vertex may run along its element to meet the neighbor, but not away.
@@ -65,19 +71,24 @@ public sealed partial class Prover
         }
     }
 
-    // The wished lines on both sides of a fillet, or null where the motion is none.
-    private (Line2 First, Line2 Second)? FlanksOf(int motion) =>
-        Fillet.Around(before, motion) is { } fillet && Flank(fillet.First - 1) is { } first && Flank(fillet.Last + 1) is { } second ? (first, second) : null;
-
     private Line2? Flank(int motion) => elements.TryGetValue(motion, out var element) && before.Motions[motion] is { IsArc: false } m
         ? Line2.Through(m.PlaneStart + element.Start, m.PlaneEnd + element.End)
         : null;
 
-    private void CheckFillet(in NcMotion was, in NcMotion now, Line2 first, Line2 second)
+    // The lines beside a fillet touch its circle, and it begins and ends there. A joint between two of its arcs keeps its direction from the center.
+    private void CheckFillet(int motion, in NcMotion was, in NcMotion now)
     {
+        var (first, last) = Fillet.Around(before, motion)!.Value;
+        var (lineBefore, behind) = (Flank(first - 1)!.Value, Flank(last + 1)!.Value);
         var circle = now.Arc.Circle;
-        Measure(was.Block, Math.Abs(Math.Abs(first.SignedDistance(circle.Center)) - circle.Radius), ArcTolerance);
-        Measure(was.Block, Math.Abs(Math.Abs(second.SignedDistance(circle.Center)) - circle.Radius), ArcTolerance);
+        Measure(was.Block, Math.Abs(Math.Abs(lineBefore.SignedDistance(circle.Center)) - circle.Radius), ArcTolerance);
+        Measure(was.Block, Math.Abs(Math.Abs(behind.SignedDistance(circle.Center)) - circle.Radius), ArcTolerance);
+        var start = motion == first ? lineBefore.Foot(circle.Center) : circle.Center + ((was.PlaneStart - was.Center).Normalize() * circle.Radius);
+        var end = motion == last ? behind.Foot(circle.Center) : circle.Center + ((was.PlaneEnd - was.Center).Normalize() * circle.Radius);
+        if (now.PlaneStart.DistanceTo(start) > FootTolerance || now.PlaneEnd.DistanceTo(end) > FootTolerance)
+        {
+            Fail(was.Block, "the fillet does not end where it touches the lines beside it.");
+        }
     }
 
     private void CheckArc(in NcMotion was, in NcMotion now)
@@ -87,8 +98,8 @@ public sealed partial class Prover
             return;
         }
 
-        var allowed = Math.Max(ArcCenter.Mismatch(was.PlaneStart, was.PlaneEnd, was.Center), 1.5 * increment);
-        if (ArcCenter.Mismatch(now.PlaneStart, now.PlaneEnd, now.Center) > allowed + 1e-9)
+        var allowed = Math.Max(Mismatch(was), 1.5 * increment);
+        if (Mismatch(now) > allowed + 1e-9)
         {
             Fail(was.Block, "the radii at its start and end differ by more than a control accepts.");
         }
@@ -102,99 +113,97 @@ public sealed partial class Prover
     private void CheckNeighbor(int motion, in NcMotion was, in NcMotion now, bool startMoved, bool endMoved)
     {
         var moved = endMoved ? now.PlaneEnd - was.PlaneEnd : now.PlaneStart - was.PlaneStart;
-        if (!was.MovesInPlane || was.Kind is MotionKind.Rapid or MotionKind.Reference)
+        if (!was.MovesInPlane || !was.IsCut)
         {
-            if (was.Kind == MotionKind.Line && !was.MovesInPlane && (now.PlaneEnd - now.PlaneStart).Length > 1e-9)
+            if (!was.MovesInPlane && !Same(default(Point3) + (now.Start - was.Start), default(Point3) + (now.End - was.End)))
             {
-                Fail(was.Block, "a move along the tool axis now moves in the plane.");
+                Fail(was.Block, "a move along the tool axis now moves in the plane or ends at another height.");
             }
 
             Note(was, NeighborRole.Positioning, moved);
             return;
         }
 
-        CheckArc(was, now);
-        if (startMoved && endMoved && FlanksOf(motion) is var (first, second))
+        if (!startMoved && !endMoved)
         {
-            CheckFillet(was, now, first, second);
-            Note(was, NeighborRole.Fillet, moved);
+            Fail(was.Block, "its center moved although its ends did not.");
+            return;
         }
-        else if (SlidAlong(was, now, startMoved, endMoved))
+
+        CheckArc(was, now);
+        if (SlidAlong(was, now))
         {
             Note(was, NeighborRole.Slides, moved);
         }
-        else if (FollowsWish(motion, was, now, startMoved, endMoved))
+        else if (startMoved && endMoved && IsFillet(motion))
         {
-            Note(was, NeighborRole.Follows, moved);
+            CheckFillet(motion, was, now);
+            Note(was, NeighborRole.Fillet, moved);
         }
         else
         {
-            Fail(was.Block, "it neither kept to its own line or circle nor followed the motion beside it.");
+            if (was.IsArc && moved.Length > 5 * increment && EndsOnCircle(was, now))
+            {
+                Fail(was.Block, "its ends slid along its circle, but its center moved.");
+            }
+
+            CheckFollowingArc(was, now);
+            Note(was, NeighborRole.Follows, moved);
         }
+
+        if (!was.IsArc && (now.PlaneEnd - now.PlaneStart).Dot(was.PlaneEnd - was.PlaneStart) <= 0)
+        {
+            Fail(was.Block, "it turned round.");
+        }
+    }
+
+    // An arc whose ends moved alike moved as a whole; another runs through its old middle moved by half of what its ends moved.
+    private void CheckFollowingArc(in NcMotion was, in NcMotion now)
+    {
+        if (!was.IsArc)
+        {
+            return;
+        }
+
+        var (start, end) = (now.PlaneStart - was.PlaneStart, now.PlaneEnd - was.PlaneEnd);
+        if ((start - end).Length < 1e-9)
+        {
+            Measure(was.Block, (now.Center - was.Center - start).Length, 1e-6);
+            return;
+        }
+
+        var middle = was.PlaneAt(0.5) + ((start + end) / 2);
+        if (!(now.Has(MotionFlags.ByRadius) && HasFittingRadius(was, now, middle)))
+        {
+            Measure(was.Block, Math.Abs(now.Arc.Circle.SignedDistance(middle)), ArcTolerance + Mismatch(was));
+        }
+    }
+
+    // Near half a turn a radius that is right to an increment leaves the middle of the arc wherever the rounding puts it.
+    private bool HasFittingRadius(in NcMotion was, in NcMotion now, Point2 middle)
+    {
+        var wanted = Circle2.Through(now.PlaneStart, middle, now.PlaneEnd).Radius;
+        var isKept = Math.Abs(now.Arc.Radius - was.Arc.Radius) < 1e-6 && Math.Abs(now.Arc.Sweep.Radians - was.Arc.Sweep.Radians) < 0.02 * Math.Abs(was.Arc.Sweep.Radians);
+        return isKept || Math.Abs(now.Arc.Radius - wanted) <= (1.5 * increment) + 1e-6;
     }
 
     private void Note(in NcMotion was, NeighborRole role, Vector2 moved) =>
         neighbors.Add(new(before.Program.NameOf(before.Program[was.Block]), was.Block + 1, role, moved.Length));
 
-    private bool SlidAlong(in NcMotion was, in NcMotion now, bool startMoved, bool endMoved)
+    private bool EndsOnCircle(in NcMotion was, in NcMotion now)
+    {
+        var circle = was.Arc.Circle;
+        return Math.Abs(circle.SignedDistance(now.PlaneStart)) <= ArcTolerance + Mismatch(was) && Math.Abs(circle.SignedDistance(now.PlaneEnd)) <= ArcTolerance + Mismatch(was);
+    }
+
+    private bool SlidAlong(in NcMotion was, in NcMotion now)
     {
         if (was.IsArc)
         {
-            var circle = was.Arc.Circle;
-            return now.Center.DistanceTo(was.Center) <= 3 * increment
-                && (!startMoved || Math.Abs(circle.SignedDistance(now.PlaneStart)) <= ArcTolerance) && (!endMoved || Math.Abs(circle.SignedDistance(now.PlaneEnd)) <= ArcTolerance);
+            return now.Center.DistanceTo(was.Center) <= 3 * increment && EndsOnCircle(was, now);
         }
 
         var line = was.Segment.Line;
-        return (!startMoved || Math.Abs(line.SignedDistance(now.PlaneStart)) <= LineTolerance) && (!endMoved || Math.Abs(line.SignedDistance(now.PlaneEnd)) <= LineTolerance);
-    }
-
-    private bool FollowsWish(int motion, in NcMotion was, in NcMotion now, bool startMoved, bool endMoved)
-    {
-        var start = !startMoved || Followed(motion, now.PlaneStart - was.PlaneStart);
-        var end = !endMoved || Followed(motion + 1, now.PlaneEnd - was.PlaneEnd);
-        return start && end;
-    }
-
-    // The joint went where the named motion beside it went, and that motion was measured itself; a lead-in may so take any vertex of its contour.
-    private bool Followed(int joint, Vector2 moved) => JointMoves(joint).Any(m => (m - moved).Length <= 2 * increment);
-
-    private IEnumerable<Vector2> JointMoves(int joint)
-    {
-        var place = joint < before.Motions.Length ? before.Motions[joint].Start : before.Motions[joint - 1].End;
-        foreach (var motion in elements.Keys)
-        {
-            var (was, now) = (before.Motions[motion], after.Motions[motion]);
-            if (Same(was.PlaneStart, was.Plane.Project(place)))
-            {
-                yield return now.PlaneStart - was.PlaneStart;
-            }
-
-            if (Same(was.PlaneEnd, was.Plane.Project(place)))
-            {
-                yield return now.PlaneEnd - was.PlaneEnd;
-            }
-        }
-    }
-
-    private void CheckEndPoint(int motion, in NcMotion was, in NcMotion now, bool startMoved, bool endMoved)
-    {
-        var named = wish.EndPoints.Contains(motion);
-        if (named)
-        {
-            var off = now.End - was.End - wish.By;
-            Measure(was.Block, Math.Max(Math.Abs(off.X), Math.Max(Math.Abs(off.Y), Math.Abs(off.Z))), (0.5 * increment) + 1e-6);
-        }
-        else if (endMoved)
-        {
-            var off = was.Plane.Project(now.End) - was.Plane.Project(was.End) - (was.Plane.Project(default(Point3) + wish.By) - Point2.Origin);
-            Measure(was.Block, off.Length, increment);
-        }
-
-        CheckArc(was, now);
-        if (!named && (startMoved || endMoved))
-        {
-            Note(was, was.MovesInPlane ? NeighborRole.Follows : NeighborRole.Positioning, (endMoved ? now.PlaneEnd - was.PlaneEnd : now.PlaneStart - was.PlaneStart));
-        }
+        return Math.Abs(line.SignedDistance(now.PlaneStart)) <= LineTolerance && Math.Abs(line.SignedDistance(now.PlaneEnd)) <= LineTolerance;
     }
 }

@@ -17,6 +17,8 @@ public sealed partial class Prover
     private readonly string? marker;
     private readonly double increment;
     private readonly Dictionary<int, ElementWish> elements;
+    private readonly HashSet<int> endPoints;
+    private readonly Dictionary<int, int> closures = [];
     private readonly List<NcRefusal> failures = [];
     private readonly List<ProofNeighbor> neighbors = [];
     private readonly double reach;
@@ -30,6 +32,7 @@ public sealed partial class Prover
         this.marker = marker;
         this.increment = increment;
         elements = wish.Elements.ToDictionary(e => e.Motion);
+        endPoints = [.. wish.EndPoints];
         reach = (FurthestCorner * wish.Elements.Select(e => Math.Max(e.Start.Length, e.End.Length)).DefaultIfEmpty().Max()) + (2 * increment);
     }
 
@@ -49,9 +52,8 @@ public sealed partial class Prover
         var bytesIdentical = false;
         if (failures.Count == 0 && SameStructure(markerBlock))
         {
-            var changed = new HashSet<int>();
-            moved = CompareMotions(changed);
-            bytesIdentical = CompareBytes(markerBlock, changed);
+            moved = CompareMotions();
+            bytesIdentical = CompareBytes(markerBlock);
         }
 
         return new(failures.Count == 0, before.Motions.Length, moved, neighbors, marker, maxDeviation, bytesIdentical, failures);
@@ -78,6 +80,7 @@ public sealed partial class Prover
         {
             if (after.Program.TextOf(after.Program[i]) == marker)
             {
+                CheckMarker(i);
                 return i;
             }
         }
@@ -85,6 +88,26 @@ public sealed partial class Prover
         failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The marker comment is not in the result."));
         return -1;
     }
+
+    // The marker does nothing and ends as the lines beside it end.
+    private void CheckMarker(int line)
+    {
+        var program = after.Program;
+        var onlyComment = true;
+        foreach (var token in program.Tokens(program[line]))
+        {
+            onlyComment &= token.Kind is NcTokenKind.Comment or NcTokenKind.Space;
+        }
+
+        var beside = line > 0 ? line - 1 : line + 1;
+        if (!onlyComment || (beside < program.BlockCount && !LineEnd(program, line).SequenceEqual(LineEnd(program, beside))))
+        {
+            failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The marker is not a plain comment line."));
+        }
+    }
+
+    private static ReadOnlySpan<byte> LineEnd(NcProgram program, int line) =>
+        program.Bytes.Span[program[line].End..(program[line].Start + program[line].FullLength)];
 
     private bool SameStructure(int markerBlock)
     {
@@ -110,8 +133,9 @@ public sealed partial class Prover
 
     private static int InResult(int block, int markerBlock) => markerBlock >= 0 && block >= markerBlock ? block + 1 : block;
 
-    private int CompareMotions(HashSet<int> changed)
+    private int CompareMotions()
     {
+        FindClosures();
         var allowed = AllowedJoints();
         var moved = 0;
         for (var i = 0; i < before.Motions.Length; i++)
@@ -120,11 +144,6 @@ public sealed partial class Prover
             var (startMoved, endMoved) = (!Same(was.Start, now.Start), !Same(was.End, now.End));
             var differs = startMoved || endMoved || (was.IsArc && !Same(was.Center, now.Center));
             moved += differs ? 1 : 0;
-            if (differs)
-            {
-                changed.Add(was.Block);
-            }
-
             if ((startMoved && !allowed.Contains(i)) || (endMoved && !allowed.Contains(i + 1)))
             {
                 Fail(was.Block, "it moved although neither it nor a motion beside it was named.");
@@ -133,7 +152,7 @@ public sealed partial class Prover
             {
                 CheckElement(element, was, now);
             }
-            else if (wish.EndPoints.Count > 0)
+            else if (endPoints.Count > 0)
             {
                 CheckEndPoint(i, was, now, startMoved, endMoved);
             }
@@ -143,77 +162,11 @@ public sealed partial class Prover
             }
         }
 
+        CheckPlaceDependents();
         return moved;
     }
 
     private static bool Same(Point3 a, Point3 b) => (a - b).Length < 1e-9;
 
     private static bool Same(Point2 a, Point2 b) => a.DistanceTo(b) < 1e-9;
-
-    /// <summary>Joints that may move: those of named motions, those that positioning shares with them, and the other end of a closed contour.</summary>
-    private HashSet<int> AllowedJoints()
-    {
-        var allowed = new HashSet<int>();
-        foreach (var motion in elements.Keys)
-        {
-            allowed.Add(motion);
-            allowed.Add(motion + 1);
-        }
-
-        foreach (var motion in wish.EndPoints)
-        {
-            allowed.Add(motion + 1);
-        }
-
-        if (elements.Count > 0)
-        {
-            AddClosingJoints(allowed);
-        }
-
-        foreach (var joint in allowed.Order().ToArray())
-        {
-            for (var i = joint - 1; elements.Count > 0 && i >= 0 && !before.Motions[i].MovesInPlane; i--)
-            {
-                allowed.Add(i);
-            }
-
-            for (var i = joint; i < before.Motions.Length && !before.Motions[i].MovesInPlane; i++)
-            {
-                allowed.Add(i + 1);
-            }
-        }
-
-        return allowed;
-    }
-
-    // Both ends of a contour that closes on itself are one corner of the piece.
-    private void AddClosingJoints(HashSet<int> allowed)
-    {
-        foreach (var joint in allowed.Order().ToArray())
-        {
-            if (joint >= before.Motions.Length || (elements.ContainsKey(joint) && elements.ContainsKey(joint - 1)))
-            {
-                continue;
-            }
-
-            var place = before.Motions[joint].Start;
-            for (var i = joint; i < before.Motions.Length && before.Motions[i] is { IsCut: true, MovesInPlane: true }; i++)
-            {
-                if (Same(before.Motions[i].End, place))
-                {
-                    allowed.Add(i + 1);
-                    break;
-                }
-            }
-
-            for (var i = joint - 1; i >= 0 && before.Motions[i] is { IsCut: true, MovesInPlane: true }; i--)
-            {
-                if (Same(before.Motions[i].Start, place))
-                {
-                    allowed.Add(i);
-                    break;
-                }
-            }
-        }
-    }
 }

@@ -22,23 +22,34 @@ public sealed class DisplacementWish
     public Vector3 By { get; }
 
     /// <summary>A wish for elements: lines stay lines, arcs stay arcs, corners stay corners.</summary>
-    /// <param name="elements">One wish a motion, in the order of the path.</param>
-    public static DisplacementWish OfElements(IReadOnlyList<ElementWish> elements) => new(elements, [], Vector3.Zero);
+    /// <param name="elements">One wish a motion, in any order.</param>
+    /// <exception cref="ArgumentException">Two wishes name the same motion.</exception>
+    public static DisplacementWish OfElements(IReadOnlyList<ElementWish> elements) => elements.DistinctBy(e => e.Motion).Count() == elements.Count
+        ? new([.. elements.OrderBy(e => e.Motion)], [], Vector3.Zero)
+        : throw new ArgumentException("A motion has two wishes.", nameof(elements));
 
     /// <summary>A wish for end points: the ends of the named motions move by one vector.</summary>
-    /// <param name="motions">The motions, in the order of the path.</param>
+    /// <param name="motions">The motions, in any order.</param>
     /// <param name="by">The vector, mm.</param>
-    public static DisplacementWish OfEndPoints(IReadOnlyList<int> motions, Vector3 by) => new([], motions, by);
+    public static DisplacementWish OfEndPoints(IReadOnlyList<int> motions, Vector3 by) => new([], [.. motions.Distinct().Order()], by);
+
+    /// <summary>True if nothing is to move.</summary>
+    internal bool IsZero => By == Vector3.Zero && Elements.All(e => e.Start == Vector2.Zero && e.Middle == Vector2.Zero && e.End == Vector2.Zero);
 
     /// <summary>The wish to displace all cutting motions of some blocks by one distance to the left of travel (negative: right).</summary>
-    /// <returns>The wish, or a refusal where the blocks hold no cutting motion.</returns>
+    /// <returns>The wish, or a refusal where the blocks hold no cutting motion, or one that begins at an unknown place.</returns>
     public static NcOutcome<DisplacementWish> Normal(NcPath path, IReadOnlyList<int> blocks, double left)
     {
         var elements = new List<ElementWish>();
-        foreach (var block in blocks)
+        foreach (var block in blocks.Distinct())
         {
             if (path.MotionOf(block) is >= 0 and var motion && path.Motions[motion] is { IsCut: true, MovesInPlane: true })
             {
+                if (!path.Motions[motion].IsKnownInPlane)
+                {
+                    return Obstacles.Of(path, motion) ?? Obstacles.UnknownPlace(path, motion);
+                }
+
                 elements.Add(ElementWish.AlongNormals(path, motion, left, left, left));
             }
         }

@@ -20,8 +20,9 @@ internal sealed partial class ElementDisplacer
 
         var closing = ClosingAtStart(first, last);
         var opening = closing >= 0 ? -1 : OpeningAtEnd(first, last);
-        return Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1)
-            ?? Border(last, opening >= 0 ? opening : last + 1, last + 1, atStart: false, opening);
+        Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1);
+        Border(last, opening >= 0 ? opening : last + 1, last + 1, atStart: false, opening);
+        return null;
     }
 
     // The whole contour is displaced: its first and last element meet each other.
@@ -47,11 +48,11 @@ internal sealed partial class ElementDisplacer
     /// <param name="joint">The joint of the element.</param>
     /// <param name="atStart">True if the joint is the element's start.</param>
     /// <param name="otherJoint">The joint of the neighbor where a closed contour makes that another one, else -1.</param>
-    private NcRefusal? Border(int element, int neighbor, int joint, bool atStart, int otherJoint)
+    private void Border(int element, int neighbor, int joint, bool atStart, int otherJoint)
     {
         if (change.IsSet(joint))
         {
-            return null;
+            return;
         }
 
         var motion = path.Motions[element];
@@ -67,11 +68,14 @@ internal sealed partial class ElementDisplacer
                 Place(otherJoint, motion.Plane, meeting.Point - place);
             }
 
-            return null;
+            return;
         }
 
         Place(joint, motion.Plane, wished);
-        return otherJoint < 0 ? Follow(element, neighbor, wished, atStart) : null;
+        if (otherJoint >= 0 && !change.IsSet(otherJoint))
+        {
+            Place(otherJoint, motion.Plane, wished);
+        }
     }
 
     private void Place(int joint, CoordinatePlane plane, Vector2 move)
@@ -85,7 +89,7 @@ internal sealed partial class ElementDisplacer
     {
         var (e, n) = (path.Motions[element], path.Motions[neighbor]);
         if (n is not { IsCut: true, MovesInPlane: true } || n.Plane != e.Plane || n.Frame != e.Frame || n.Has(MotionFlags.CompensationSwitches)
-            || !IsKnown(n.UnknownStart | n.UnknownEnd, n.Plane) || Obstacles.Of(path, neighbor) is not null)
+            || !n.IsKnownInPlane || Obstacles.Of(path, neighbor) is not null)
         {
             return null;
         }
@@ -101,6 +105,12 @@ internal sealed partial class ElementDisplacer
         var guess = joint + CornerMove(tangent.Left, wished.Dot(tangent.Left), other.Left, 0);
         while (carriers[element].Meet(Carrier.Of(n), guess) is { } point && IsNear(point, joint, wished.Length) && point.DistanceTo(joint) < n.PlaneLength)
         {
+            if (e.PlaneStart.DistanceTo(e.PlaneEnd) < 1e-9 && (point - joint - wished).Length > 1e-6)
+            {
+                // Both ends of a full circle are one place: an end that slid along an oblique lead-in would leave a gap or overrun the other.
+                return null;
+            }
+
             if (!EndsBefore(element, point, !atStart) || !wishes.ContainsKey(element + (atStart ? 1 : -1)))
             {
                 return (point, element);
@@ -109,29 +119,6 @@ internal sealed partial class ElementDisplacer
             element += atStart ? 1 : -1;
         }
 
-        return null;
-    }
-
-    // The joint took the displacement. An arc that ends there takes the circle through its two ends and its middle moved half as far.
-    private NcRefusal? Follow(int element, int neighbor, Vector2 move, bool atStart)
-    {
-        if ((uint)neighbor >= (uint)path.Motions.Length || path.Motions[neighbor] is not { IsArc: true } arc || arc.Plane != path.Motions[element].Plane)
-        {
-            return null;
-        }
-
-        if (Obstacles.Of(path, neighbor) is { } obstacle)
-        {
-            return obstacle;
-        }
-
-        var half = new ElementWish(neighbor, atStart ? Vector2.Zero : move, move / 2, atStart ? move : Vector2.Zero);
-        if (Carrier.Displaced(arc, half)?.Circle is not { } circle)
-        {
-            return At(arc, NcRefusalCodes.ElementFlips, "this arc beside the displaced blocks cannot follow them.");
-        }
-
-        change.SetCenter(neighbor, circle.Center);
         return null;
     }
 

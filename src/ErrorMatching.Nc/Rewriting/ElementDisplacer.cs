@@ -25,6 +25,7 @@ internal sealed partial class ElementDisplacer
     private readonly Dictionary<int, ElementWish> wishes = [];
     private readonly Dictionary<int, Carrier> carriers = [];
     private readonly HashSet<int> shrunk = [];
+    private readonly HashSet<int> smoothJoints = [];
 
     private ElementDisplacer(NcPath path)
     {
@@ -65,7 +66,8 @@ internal sealed partial class ElementDisplacer
             }
         }
 
-        return Centers() ?? CheckSense();
+        SetCenters();
+        return FollowWithArcs() ?? CheckSense();
     }
 
     private NcRefusal? Add(ElementWish element)
@@ -76,9 +78,9 @@ internal sealed partial class ElementDisplacer
             return obstacle;
         }
 
-        if (!IsKnown(motion.UnknownEnd, motion.Plane) || !IsKnown(motion.UnknownStart, motion.Plane))
+        if (!motion.IsKnownInPlane)
         {
-            return At(motion, NcRefusalCodes.UnknownState, "the program does not say where this motion begins. State X, Y and Z before it.");
+            return Obstacles.UnknownPlace(path, element.Motion);
         }
 
         if (Carrier.Displaced(motion, element) is not { } carrier)
@@ -86,7 +88,9 @@ internal sealed partial class ElementDisplacer
             return At(motion, NcRefusalCodes.ElementFlips, "displaced as asked, this element would vanish or turn round. The displacement is larger than the element can take.");
         }
 
-        wishes.Add(element.Motion, element);
+        // Both ends of a full circle are one place, to the last bit.
+        var isClosed = motion.PlaneStart.DistanceTo(motion.PlaneEnd) < 1e-9 && (element.End - element.Start).Length < 1e-9;
+        wishes.Add(element.Motion, isClosed ? element with { End = element.Start } : element);
         carriers.Add(element.Motion, carrier);
         return null;
     }
@@ -187,6 +191,7 @@ internal sealed partial class ElementDisplacer
             if (!change.IsSet(joint) && Smooth(joint - 1, joint) is { } move)
             {
                 change.Move(joint, motion.Plane, move);
+                smoothJoints.Add(joint);
             }
         }
 
@@ -243,7 +248,8 @@ internal sealed partial class ElementDisplacer
         }
 
         var (a, b) = (path.Motions[joint - 1], path.Motions[joint]);
-        return At(b, NcRefusalCodes.NoIntersection, FormattableString.Invariant($"displaced as asked (by {wishes[joint].Start.Length:0.000} mm), it no longer meets {path.Program.NameOf(path.Program[a.Block])} (displaced by {wishes[joint - 1].End.Length:0.000} mm) nearby. Put both into one feature, or displace less."));
+        var (left, right) = (wishes[joint - 1].End.Dot(a.TangentAt(1).Left), wishes[joint].Start.Dot(b.TangentAt(0).Left));
+        return At(b, NcRefusalCodes.NoIntersection, FormattableString.Invariant($"displaced as asked, it no longer meets {path.Program.NameOf(path.Program[a.Block])} nearby: the two are displaced by different amounts ({left:0.000} and {right:0.000} mm). Put both into one feature, or displace less."));
     }
 
     private Point2? Meet(int before, int behind, int joint, double amount)
@@ -267,7 +273,7 @@ internal sealed partial class ElementDisplacer
     {
         var motion = path.Motions[element];
         var joint = atStart ? element : element + 1;
-        if (motion.IsArc || !change.IsSet(joint))
+        if (motion.IsArc || !smoothJoints.Contains(joint))
         {
             return false;
         }
@@ -297,8 +303,7 @@ internal sealed partial class ElementDisplacer
 
     private static bool IsNear(Point2 point, Point2 joint, double amount) => point.DistanceTo(joint) <= (Nearby * amount) + 1e-6;
 
-    // Arcs whose ends or circle changed: the exact center that goes with the new ends.
-    private NcRefusal? Centers()
+    private void SetCenters()
     {
         foreach (var (motion, carrier) in carriers)
         {
@@ -307,8 +312,31 @@ internal sealed partial class ElementDisplacer
                 change.SetCenter(motion, circle.Center);
             }
         }
+    }
+
+    // Arcs that were not named and whose ends left their circle: a lead-in that is an arc, or an arc beside a run that it does not meet.
+    private NcRefusal? FollowWithArcs()
+    {
+        var motions = path.Motions;
+        for (var i = 0; i < motions.Length; i++)
+        {
+            if (motions[i].IsArc && !carriers.ContainsKey(i) && (change.IsSet(i) || change.IsSet(i + 1)) && !SlidesOnCircle(i) && change.FollowWithArc(i) is { } refusal)
+            {
+                return refusal;
+            }
+        }
 
         return null;
+    }
+
+    private bool SlidesOnCircle(int motion)
+    {
+        var arc = path.Motions[motion];
+        var circle = arc.Arc.Circle;
+        return IsAlong(arc.PlaneStart, change.PlaneMoveOf(motion, arc.Plane)) && IsAlong(arc.PlaneEnd, change.PlaneMoveOf(motion + 1, arc.Plane));
+
+        // An end whose radius differs from the start's, as far as a control accepts that, is on the circle all the same.
+        bool IsAlong(Point2 end, Vector2 move) => Math.Abs(circle.SignedDistance(end + move)) <= Math.Abs(circle.SignedDistance(end)) + 1e-6;
     }
 
     // No element may turn round: that is a loop in the path, and a mark on the piece.
@@ -322,9 +350,7 @@ internal sealed partial class ElementDisplacer
                 continue;
             }
 
-            var start = motion.PlaneStart + change.PlaneMoveOf(i, motion.Plane);
-            var end = motion.PlaneEnd + change.PlaneMoveOf(i + 1, motion.Plane);
-            if (!KeepsSense(motion, start, end, change.Centers.TryGetValue(i, out var center) ? center : motion.Center))
+            if (!change.KeepsSense(i))
             {
                 return At(motion, NcRefusalCodes.ElementFlips, "displaced as asked, this element would turn round: it is shorter than its neighbors' displacement needs. Leave it out of the program, or displace less.");
             }
@@ -333,25 +359,5 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    private static bool KeepsSense(in NcMotion motion, Point2 start, Point2 end, Point2 center)
-    {
-        if (!motion.IsArc)
-        {
-            return (end - start).Dot(motion.PlaneEnd - motion.PlaneStart) > 0;
-        }
-
-        var counterClockwise = motion.Kind == MotionKind.ArcCounterClockwise;
-        var was = Arc2.Between(motion.PlaneStart, motion.PlaneEnd, motion.Center, counterClockwise).Sweep;
-        var now = Arc2.Between(start, end, center, counterClockwise).Sweep;
-        return Math.Abs((now - was).Radians) < Math.PI / 2;
-    }
-
     private NcRefusal At(in NcMotion motion, string code, string message) => NcRefusal.At(path.Program, motion.Block, code, message);
-
-    private static bool IsKnown(AxisSet unknown, CoordinatePlane plane) => plane switch
-    {
-        CoordinatePlane.ZX => (unknown & (AxisSet.Z | AxisSet.X)) == AxisSet.None,
-        CoordinatePlane.YZ => (unknown & (AxisSet.Y | AxisSet.Z)) == AxisSet.None,
-        _ => (unknown & (AxisSet.X | AxisSet.Y)) == AxisSet.None,
-    };
 }

@@ -16,6 +16,25 @@ internal static class Obstacles
         return code is null ? null : NcRefusal.At(path.Program, m.Block, code, why!);
     }
 
+    /// <summary>The refusal of a motion whose place the program does not say.</summary>
+    public static NcRefusal UnknownPlace(NcPath path, int motion) => NcRefusal.At(
+        path.Program, path.Motions[motion].Block, NcRefusalCodes.UnknownState, "the program does not say where this motion begins. State X, Y and Z before it.");
+
+    /// <summary>The reason why the joints of a change must not move, or null: an origin that is set, or a program that is called, where the tool stands.</summary>
+    public static NcRefusal? Of(PathChange change)
+    {
+        var path = change.Path;
+        foreach (var block in path.PlaceDependents)
+        {
+            if (change.MoveOf(path.FirstMotionFrom(block + 1)) != default)
+            {
+                return NcRefusal.At(path.Program, block, NcRefusalCodes.FrameChange, "an origin is set or a program is called here while the tool stands at a place that would move; what follows could move along. Move the tool away from the contour before it.");
+            }
+        }
+
+        return null;
+    }
+
     private static (string? Code, string? Why) Reason(in NcMotion m)
     {
         if (m.Kind is MotionKind.Cycle or MotionKind.Reference or MotionKind.Probe)

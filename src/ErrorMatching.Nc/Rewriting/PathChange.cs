@@ -40,6 +40,60 @@ internal sealed class PathChange
     /// <summary>A joint's displacement in a plane.</summary>
     public Vector2 PlaneMoveOf(int joint, CoordinatePlane plane) => plane.Project(default(Point3) + moves[joint]) - Point2.Origin;
 
+    /// <summary>False if an element would turn round: that is a loop in the path, and a mark on the piece.</summary>
+    public bool KeepsSense(int motion)
+    {
+        var was = Path.Motions[motion];
+        var start = was.PlaneStart + PlaneMoveOf(motion, was.Plane);
+        var end = was.PlaneEnd + PlaneMoveOf(motion + 1, was.Plane);
+        if (!was.IsArc)
+        {
+            return (end - start).Dot(was.PlaneEnd - was.PlaneStart) > 0;
+        }
+
+        var counterClockwise = was.Kind == MotionKind.ArcCounterClockwise;
+        var before = Arc2.Between(was.PlaneStart, was.PlaneEnd, was.Center, counterClockwise).Sweep;
+        var now = Arc2.Between(start, end, centers.TryGetValue(motion, out var center) ? center : was.Center, counterClockwise).Sweep;
+        return Math.Abs((now - before).Radians) < Math.PI / 2;
+    }
+
+    /// <summary>
+    /// Lets an arc follow its ends: one whose ends move alike moves as a whole, another takes the circle through its new ends and its old middle moved
+    /// by half of what they move together.
+    /// </summary>
+    /// <returns>The reason why it cannot, or null.</returns>
+    public NcRefusal? FollowWithArc(int motion)
+    {
+        var arc = Path.Motions[motion];
+        var (start, end) = (PlaneMoveOf(motion, arc.Plane), PlaneMoveOf(motion + 1, arc.Plane));
+        if ((start - end).Length < 1e-12)
+        {
+            centers[motion] = arc.Center + start;
+            return null;
+        }
+
+        if (Obstacles.Of(Path, motion) is { } obstacle)
+        {
+            return obstacle;
+        }
+
+        if (!arc.IsKnownInPlane)
+        {
+            return Obstacles.UnknownPlace(Path, motion);
+        }
+
+        if (arc.PlaneStart.DistanceTo(arc.PlaneEnd) > 1e-9 && Carrier.Displaced(arc, new(motion, start, (start + end) / 2, end))?.Circle is { } circle)
+        {
+            centers[motion] = circle.Center;
+            if (KeepsSense(motion))
+            {
+                return null;
+            }
+        }
+
+        return NcRefusal.At(Path.Program, arc.Block, NcRefusalCodes.ElementFlips, "this arc cannot follow its end that moves. Name it as well, or leave out the block beside it.");
+    }
+
     /// <summary>Positioning that only goes to the place of a moved joint goes to its new place: plunges before it, retracts behind it.</summary>
     public void CarryPositioning(int joint)
     {
@@ -55,5 +109,6 @@ internal sealed class PathChange
         }
     }
 
-    private static bool IsPlainPositioning(in NcMotion motion) => motion is { MovesInPlane: false, Kind: MotionKind.Rapid or MotionKind.Line };
+    // A return of the tool axis to its reference leaves the other axes where they are.
+    private static bool IsPlainPositioning(in NcMotion motion) => motion is { MovesInPlane: false, Kind: MotionKind.Rapid or MotionKind.Line or MotionKind.Reference };
 }

@@ -14,7 +14,17 @@ public static class Rewriter
             return refusal;
         }
 
+        if (wish.IsZero)
+        {
+            return Rewrite.None(path);
+        }
+
         var change = wish.Elements.Count > 0 ? ElementDisplacer.Run(path, wish) : EndPointDisplacer.Run(path, wish);
-        return change.IsUsable ? new WordEditor(change.Value, keepRadii: wish.Elements.Count == 0).Run() : change.Refusal;
+        if (!change.IsUsable)
+        {
+            return change.Refusal;
+        }
+
+        return Obstacles.Of(change.Value) ?? new WordEditor(change.Value, keepRadii: wish.Elements.Count == 0).Run();
     }
 }

@@ -30,7 +30,7 @@ internal sealed class WordEditor
         var affected = Affected();
         if (affected.Count == 0)
         {
-            return new Rewrite(path.Program, [], [], 0, Math.Pow(10, -path.Dialect.MetricDecimals));
+            return Rewrite.None(path);
         }
 
         ChooseIncrement(affected);
@@ -91,7 +91,11 @@ internal sealed class WordEditor
         }
 
         var edit = new BlockEdit(path.Program, path.Program[motion.Block], programIsFixed);
-        SetCoordinates(edit, index, motion);
+        if (SetCoordinates(edit, index, motion) is { } unknown)
+        {
+            return unknown;
+        }
+
         if (motion.IsArc)
         {
             SetCircle(edit, index, motion);
@@ -117,7 +121,7 @@ internal sealed class WordEditor
         return null;
     }
 
-    private void SetCoordinates(BlockEdit edit, int index, in NcMotion motion)
+    private NcRefusal? SetCoordinates(BlockEdit edit, int index, in NcMotion motion)
     {
         foreach (var axis in "XYZ")
         {
@@ -132,11 +136,20 @@ internal sealed class WordEditor
             }
             else if (from != to)
             {
+                if (!motion.Has(MotionFlags.Incremental) && (motion.UnknownEnd & Axis(axis)) != AxisSet.None)
+                {
+                    return Obstacles.UnknownPlace(path, index);
+                }
+
                 var original = motion.Has(MotionFlags.Incremental) ? new NcNumber(0, 0) : NcNumber.Round(Coordinate(motion.End, axis) / Unit, 6).Trim();
                 edit.Set(axis, original + new NcNumber(steps, decimals));
             }
         }
+
+        return null;
     }
+
+    private static AxisSet Axis(char letter) => letter switch { 'X' => AxisSet.X, 'Y' => AxisSet.Y, _ => AxisSet.Z };
 
     private double Unit => inch ? 25.4 : 1;
 
@@ -151,6 +164,12 @@ internal sealed class WordEditor
     {
         var (start, end) = (Rounded(motion.Start, index, motion.Plane), Rounded(motion.End, index + 1, motion.Plane));
         var exact = change.Centers.TryGetValue(index, out var moved) ? moved : motion.Center;
+        if (IsShift(index, motion, exact - motion.Center))
+        {
+            ShiftCenter(edit, index, motion);
+            return;
+        }
+
         var wanted = Arc2.Between(
             motion.PlaneStart + change.PlaneMoveOf(index, motion.Plane), motion.PlaneEnd + change.PlaneMoveOf(index + 1, motion.Plane), exact, motion.Kind == MotionKind.ArcCounterClockwise);
         if (motion.Has(MotionFlags.ByRadius))
@@ -160,11 +179,34 @@ internal sealed class WordEditor
         }
 
         var (first, second) = CenterLetters(motion.Plane);
-        var origin = motion.Has(MotionFlags.AbsoluteCenter) ? Point2.Origin : start;
+        var origin = CenterOrigin(motion, start);
         var was = new Vector2((edit.Number(first)?.Value ?? 0) * Unit, (edit.Number(second)?.Value ?? 0) * Unit);
         var (i, j) = CenterGrid.Choose(origin, start, end, wanted, was, increment);
         SetCenterWord(edit, first, i);
         SetCenterWord(edit, second, j);
+    }
+
+    private static Point2 CenterOrigin(in NcMotion motion, Point2 start) => motion.Has(MotionFlags.AbsoluteCenter) ? Point2.Origin : start;
+
+    // An arc that moves as a whole keeps its words, even if its radii agreed badly before; absolute center words move along.
+    private bool IsShift(int index, in NcMotion motion, Vector2 centerMove) =>
+        (change.PlaneMoveOf(index, motion.Plane) - centerMove).Length < 1e-9 && (change.PlaneMoveOf(index + 1, motion.Plane) - centerMove).Length < 1e-9;
+
+    private void ShiftCenter(BlockEdit edit, int index, in NcMotion motion)
+    {
+        if (!motion.Has(MotionFlags.AbsoluteCenter) || motion.Has(MotionFlags.ByRadius))
+        {
+            return;
+        }
+
+        var (first, second) = CenterLetters(motion.Plane);
+        foreach (var letter in (ReadOnlySpan<char>)[first, second])
+        {
+            if (Steps(index, letter switch { 'I' => 'X', 'J' => 'Y', _ => 'Z' }) is not 0 and var steps)
+            {
+                edit.Set(letter, (edit.Number(letter) ?? new NcNumber(0, 0)) + new NcNumber(steps, decimals));
+            }
+        }
     }
 
     private void SetCenterWord(BlockEdit edit, char letter, long? steps)
@@ -191,7 +233,10 @@ internal sealed class WordEditor
             return;
         }
 
-        var steps = (long)Math.Round(wanted.Radius / increment, MidpointRounding.AwayFromZero);
+        // Moved end points take the radius rounded up, so that it surely reaches; elements take the nearest.
+        var exactSteps = wanted.Radius / increment;
+        var steps = (long)(keepRadii ? Math.Ceiling(exactSteps - 1e-6) : Math.Round(exactSteps, MidpointRounding.AwayFromZero));
+        sign = Math.Abs(wanted.Sweep.Radians) > Math.PI + 1e-9 ? -1 : 1;
         while (2 * steps * increment < start.DistanceTo(end))
         {
             steps++;
@@ -204,7 +249,7 @@ internal sealed class WordEditor
         }
 
         var (first, second) = CenterLetters(motion.Plane);
-        var origin = motion.Has(MotionFlags.AbsoluteCenter) ? Point2.Origin : start;
+        var origin = CenterOrigin(motion, start);
         var (i, j) = CenterGrid.Choose(origin, start, end, wanted, null, increment);
         edit.Replace('R', (first, new(i!.Value, decimals)), (second, new(j!.Value, decimals)));
     }

@@ -102,12 +102,12 @@ public sealed class NcProgram
     /// <summary>How messages name a block: its N word if it has one, else its line.</summary>
     public string NameOf(NcBlock block) => NumberOf(block) is { Length: > 0 } number ? number : $"line {block.Line}";
 
-    /// <summary>Finds the N word of a block: its first word, behind an optional block skip.</summary>
+    /// <summary>Finds the N word of a block: its first word, behind block skip and comments.</summary>
     public bool TryNumber(NcBlock block, out NcToken token)
     {
         foreach (var candidate in Tokens(block))
         {
-            if (candidate.Kind is NcTokenKind.Space or NcTokenKind.BlockSkip)
+            if (candidate.Kind is NcTokenKind.Space or NcTokenKind.BlockSkip or NcTokenKind.Comment)
             {
                 continue;
             }

@@ -144,6 +144,10 @@ public ref struct NcTokenizer
             Current = new(NcTokenKind.Word, letter, position, next - position, valueAt, number);
             position = next;
         }
+        else if (letter == 'O' && valueAt < end && bytes[valueAt] == '<')
+        {
+            Plain(NcTokenKind.ExpressionWord, BehindName(valueAt), letter);
+        }
         else if (valueAt < end && ExpressionEnd(valueAt) is > 0 and var behind)
         {
             Plain(NcTokenKind.ExpressionWord, behind, letter);
@@ -244,8 +248,7 @@ public ref struct NcTokenizer
 
         if (at < end && bytes[at] == '<')
         {
-            var close = bytes[at..end].IndexOf((byte)'>');
-            return close < 0 ? end : at + close + 1;
+            return BehindName(at);
         }
 
         while (at < end && IsDigit(bytes[at]))
@@ -254,6 +257,13 @@ public ref struct NcTokenizer
         }
 
         return at;
+    }
+
+    // Named variables and O words: #<depth>, o<pocket>.
+    private readonly int BehindName(int at)
+    {
+        var close = bytes[at..end].IndexOf((byte)'>');
+        return close < 0 ? end : at + close + 1;
     }
 
     private readonly int KeywordEnd()

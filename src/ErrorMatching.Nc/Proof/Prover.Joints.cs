@@ -1,0 +1,208 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <content>
+/// The joints of the path: joint i is where motion i begins and motion i - 1 ends. Distances from wished lines and circles say nothing about how far an end
+/// went along them, so every joint of a named element must be held by something else as well.
+/// </content>
+public sealed partial class Prover
+{
+    /// <summary>Sine of the angle below which two elements run into each other tangentially, so that one does not hold the other.</summary>
+    private const double TangentSine = 0.099;
+
+    /// <summary>Sine of the smallest angle at which two elements with different displacements hold each other.</summary>
+    private const double SmallestCornerSine = 0.0089;
+
+    /// <summary>Displacements that differ by no more are one, mm.</summary>
+    private const double TangentStep = 0.0004;
+
+    private Point3 WasAt(int joint) => joint < before.Motions.Length ? before.Motions[joint].Start : before.Motions[joint - 1].End;
+
+    private Vector3 MoveOf(int joint) => (joint < after.Motions.Length ? after.Motions[joint].Start : after.Motions[joint - 1].End) - WasAt(joint);
+
+    /// <summary>Joints that may move: those of named motions, those that positioning shares with them, and the other end of a closed contour.</summary>
+    private HashSet<int> AllowedJoints()
+    {
+        var allowed = new HashSet<int>();
+        foreach (var motion in elements.Keys)
+        {
+            allowed.Add(motion);
+            allowed.Add(motion + 1);
+        }
+
+        foreach (var motion in endPoints)
+        {
+            allowed.Add(motion + 1);
+        }
+
+        allowed.UnionWith(closures.Values);
+        foreach (var joint in allowed.Order().ToArray())
+        {
+            for (var i = joint - 1; elements.Count > 0 && i >= 0 && !before.Motions[i].MovesInPlane; i--)
+            {
+                allowed.Add(i);
+            }
+
+            for (var i = joint; i < before.Motions.Length && !before.Motions[i].MovesInPlane; i++)
+            {
+                allowed.Add(i + 1);
+            }
+        }
+
+        return allowed;
+    }
+
+    // Both ends of a contour that closes on itself are one corner of the piece.
+    private void FindClosures()
+    {
+        foreach (var joint in elements.Keys.SelectMany(m => new[] { m, m + 1 }).Distinct().Order())
+        {
+            if (elements.ContainsKey(joint) && elements.ContainsKey(joint - 1))
+            {
+                continue;
+            }
+
+            var place = WasAt(joint);
+            for (var i = joint; i < before.Motions.Length && IsContour(i); i++)
+            {
+                if (Same(before.Motions[i].End, place))
+                {
+                    closures[joint] = i + 1;
+                    break;
+                }
+            }
+
+            for (var i = joint - 1; i >= 0 && !closures.ContainsKey(joint) && IsContour(i); i--)
+            {
+                if (Same(before.Motions[i].Start, place))
+                {
+                    closures[joint] = i;
+                }
+            }
+        }
+    }
+
+    private bool IsContour(int motion) => before.Motions[motion] is { IsCut: true, MovesInPlane: true };
+
+    // What is set or called where the tool stands must find it where it was.
+    private void CheckPlaceDependents()
+    {
+        foreach (var block in before.PlaceDependents)
+        {
+            // What follows may count from a new origin, so the end before it is compared.
+            var motion = before.FirstMotionFrom(block + 1) - 1;
+            if (motion >= 0 && !Same(before.Motions[motion].End, after.Motions[motion].End))
+            {
+                Fail(block, "an origin is set or a program is called here at a place that moved.");
+            }
+        }
+    }
+
+    /// <summary>
+    /// One end of a named element: it took the wish itself, or it lies on the line or circle of another motion that meets the element there at an angle, or it is
+    /// the tangent point of a fillet.
+    /// </summary>
+    private void CheckJoint(int motion, int joint, Vector2 wished)
+    {
+        var plane = before.Motions[motion].Plane;
+        var move = MoveOf(joint);
+        var moved = plane.Project(default(Point3) + move) - Point2.Origin;
+        if (Math.Abs(plane.Height(default(Point3) + move)) > 1e-9)
+        {
+            Fail(before.Motions[motion].Block, "an end moved along the tool axis.");
+        }
+
+        var other = closures.TryGetValue(joint, out var closing) ? closing : -1;
+        if (other >= 0 && MoveOf(other).Length > 1e-9 && (MoveOf(other) - move).Length > 1e-9)
+        {
+            Fail(before.Motions[motion].Block, "the contour no longer closes.");
+        }
+
+        if ((moved - wished).Length <= increment + 1e-6 || IsFillet(motion))
+        {
+            return;
+        }
+
+        var isHeld = false;
+        foreach (var (candidate, atStart) in MotionsAt(joint).Concat(MotionsAt(other)))
+        {
+            isHeld |= candidate != motion && Holds(candidate, atStart, motion, joint, moved, wished);
+        }
+
+        if (!isHeld)
+        {
+            Fail(before.Motions[motion].Block, FormattableString.Invariant($"an end moved by ({moved.X:0.000}, {moved.Y:0.000}), where neither the wish nor a neighbor puts it."));
+        }
+    }
+
+    // The cuts that meet at a joint; pieces that shrank to it are passed over.
+    private IEnumerable<(int Motion, bool AtStart)> MotionsAt(int joint)
+    {
+        var behind = joint;
+        while (behind >= 0 && behind < before.Motions.Length && IsShrunk(behind))
+        {
+            behind++;
+        }
+
+        if (behind >= 0 && behind < before.Motions.Length && IsContour(behind))
+        {
+            yield return (behind, true);
+        }
+
+        var ahead = joint - 1;
+        while (ahead >= 0 && IsShrunk(ahead))
+        {
+            ahead--;
+        }
+
+        if (ahead >= 0 && IsContour(ahead))
+        {
+            yield return (ahead, false);
+        }
+    }
+
+    /// <summary>True for a named line that was cut off by the displacement of a corner and shrank to it: what it was measured by are the elements on both sides.</summary>
+    private bool IsShrunk(int motion) => elements.ContainsKey(motion) && before.Motions[motion] is { Kind: MotionKind.Line, MovesInPlane: true } was
+        && after.Motions[motion] is { MovesInPlane: false } && was.PlaneLength <= reach;
+
+    private bool Holds(int neighbor, bool atStart, int motion, int joint, Vector2 moved, Vector2 wished)
+    {
+        var (n, e) = (before.Motions[neighbor], before.Motions[motion]);
+        if (n.Plane != e.Plane || Same(n.PlaneStart, n.PlaneEnd) && !n.IsArc)
+        {
+            return false;
+        }
+
+        var elementStarts = joint == motion;
+        var (tangent, other) = (e.TangentAt(elementStarts ? 0 : 1), n.TangentAt(atStart ? 0 : 1));
+        var isTangent = Math.Abs(tangent.Cross(other)) < TangentSine;
+        if (elements.TryGetValue(neighbor, out var element))
+        {
+            // It is measured itself; two that run into each other meet where their common normal says.
+            var turned = tangent.Dot(other) > 0 ? other : -other;
+            var step = Math.Abs(wished.Dot(tangent.Left) - (atStart ? element.Start : element.End).Dot(turned.Left));
+            var meets = step > TangentStep && Math.Abs(tangent.Cross(other)) > SmallestCornerSine;
+            return !isTangent || meets || IsFillet(neighbor) || IsOnCommonNormal(tangent, turned, moved, wished, atStart ? element.Start : element.End);
+        }
+
+        if (IsFillet(neighbor))
+        {
+            return true;
+        }
+
+        var place = (elementStarts ? e.PlaneStart : e.PlaneEnd) + moved;
+        return !isTangent && (n.IsArc ? Math.Abs(n.Arc.Circle.SignedDistance(place)) <= ArcTolerance + Mismatch(n) : Math.Abs(n.Segment.Line.SignedDistance(place)) <= LineTolerance);
+    }
+
+    private bool IsOnCommonNormal(Vector2 tangent, Vector2 other, Vector2 moved, Vector2 wished, Vector2 otherWished)
+    {
+        var along = (tangent + other).Normalize();
+        var allowed = (TangentSine * wished.Length) + increment + 1e-6;
+        return Math.Abs(moved.Dot(along)) <= allowed || Math.Abs((moved - ((wished + otherWished) / 2)).Dot(along)) <= allowed;
+    }
+
+    /// <summary>True for an arc that joins two named lines tangentially and must go on doing so: one that was not named, or that was named as a fillet.</summary>
+    private bool IsFillet(int motion) => (!elements.TryGetValue(motion, out var element) || element.IsFillet)
+        && Fillet.Around(before, motion) is var (first, last) && Flank(first - 1) is not null && Flank(last + 1) is not null;
+}

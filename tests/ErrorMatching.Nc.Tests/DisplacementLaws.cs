@@ -1,0 +1,160 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc.Tests;
+
+/// <summary>What holds for every displacement of every contour; seeded, so that a failure names its case.</summary>
+public sealed class DisplacementLaws
+{
+    private const int Cases = 300;
+
+    [Fact]
+    public void Displacement_by_nothing_is_the_same_bytes() => ForAll((contour, seed) =>
+    {
+        var path = Bench.Read(contour.Spell(seed % 2 == 0, byRadius: seed % 3 == 0));
+        Assert.Same(path.Program, Bench.Rewritten(path, DisplacementWish.Normal(path, Named(path, contour), 0).Value!).Program);
+        Assert.Same(path.Program, Bench.Rewritten(path, DisplacementWish.EndsBy(path, Named(path, contour), Vector3.Zero).Value!).Program);
+    });
+
+    [Theory]
+    [InlineData("G17", false)]
+    [InlineData("G18", false)]
+    [InlineData("G19", false)]
+    [InlineData("G17", true)]
+    public void Result_is_proved_or_refused(string plane, bool byRadius)
+    {
+        var refused = 0;
+        ForAll((contour, seed) =>
+        {
+            var path = Bench.Read(contour.Spell(seed % 2 == 0, plane, byRadius));
+            refused += TryDisplace(path, DisplacementWish.Normal(path, Named(path, contour), Distance(contour)).Value!) is null ? 1 : 0;
+        });
+        Assert.InRange(refused, 0, Cases / 20);
+    }
+
+    [Fact]
+    public void Elements_lie_where_they_were_wanted()
+    {
+        // The judge is the distance of points of the new path from the old one: every named element is |d| away, on the wished side.
+        ForAll((contour, seed) =>
+        {
+            var (path, d) = (Bench.Read(contour.Spell(seed % 2 == 0)), Distance(contour));
+            var named = Named(path, contour);
+            if (TryDisplace(path, DisplacementWish.Normal(path, named, d).Value!) is not { } rewrite)
+            {
+                return;
+            }
+
+            var now = NcInterpreter.Run(rewrite.Program, path.Dialect);
+            foreach (var block in named)
+            {
+                var (was, moved) = (path.Motions[path.MotionOf(block)], now.Motions[path.MotionOf(block)]);
+                foreach (var fraction in (double[])[0, 0.25, 0.5, 0.75, 1])
+                {
+                    var p = moved.PlaneAt(fraction);
+                    var left = was.IsArc ? (was.Kind == MotionKind.ArcCounterClockwise ? -1 : 1) * was.Arc.Circle.SignedDistance(p) : was.Segment.Line.SignedDistance(p);
+                    Assert.Equal(d, left, 0.0022);
+                }
+            }
+        });
+    }
+
+    [Fact]
+    public void Displacement_there_and_back_restores_the_motions() => ForAll((contour, _) =>
+    {
+        var (path, d) = (Bench.Read(contour.Spell()), Distance(contour));
+        if (TryDisplace(path, DisplacementWish.Normal(path, Named(path, contour), d).Value!) is not { } there)
+        {
+            return;
+        }
+
+        var moved = NcInterpreter.Run(there.Program, path.Dialect);
+        if (TryDisplace(moved, DisplacementWish.Normal(moved, Named(path, contour), -d).Value!) is not { } back)
+        {
+            return;
+        }
+
+        var restored = NcInterpreter.Run(back.Program, path.Dialect);
+        for (var i = 0; i < path.Motions.Length; i++)
+        {
+            Assert.InRange((restored.Motions[i].End - path.Motions[i].End).Length, 0, 0.002 * Math.Sqrt(2));
+        }
+    });
+
+    [Fact]
+    public void Increments_and_positions_of_one_path_are_displaced_to_the_same_motions() => ForAll((contour, seed) =>
+    {
+        var d = Distance(contour);
+        var results = new[] { false, true }.Select(incremental =>
+        {
+            var path = Bench.Read(contour.Spell(incremental));
+            var wish = seed % 2 == 0 ? DisplacementWish.Normal(path, Named(path, contour), d).Value! : DisplacementWish.EndsBy(path, Named(path, contour), new(d, -d / 2, d / 4)).Value!;
+            return TryDisplace(path, wish) is { } rewrite ? NcInterpreter.Run(rewrite.Program, path.Dialect) : null;
+        }).ToArray();
+        Assert.Equal(results[0] is null, results[1] is null);
+        for (var i = 0; i < (results[0]?.Motions.Length ?? 0); i++)
+        {
+            var (a, b) = (results[0]!.Motions[i], results[1]!.Motions[i]);
+            Assert.Equal((a.Kind, 0.0, 0.0), (b.Kind, Math.Round((a.End - b.End).Length, 9), Math.Round(a.Center.DistanceTo(b.Center), 9)));
+        }
+    });
+
+    [Fact]
+    public void Moved_end_points_are_proved_or_refused_and_go_back()
+    {
+        var refused = 0;
+        for (var seed = 1; seed <= Cases; seed++)
+        {
+            var contour = new RandomContour(seed, onlyLines: seed % 2 == 0);
+            var path = Bench.Read(contour.Spell(seed % 4 < 2));
+            var by = new Vector3(contour.Uniform(-0.3, 0.3), contour.Uniform(-0.3, 0.3), contour.Uniform(-0.1, 0.1));
+            var named = Named(path, contour);
+            if (TryDisplace(path, DisplacementWish.EndsBy(path, named, by).Value!) is not { } there)
+            {
+                refused++;
+                continue;
+            }
+
+            var moved = NcInterpreter.Run(there.Program, path.Dialect);
+            if (TryDisplace(moved, DisplacementWish.EndsBy(moved, named, by * -1).Value!) is { } back)
+            {
+                var restored = NcInterpreter.Run(back.Program, path.Dialect);
+                for (var i = 0; i < path.Motions.Length; i++)
+                {
+                    Assert.Equal(0, (restored.Motions[i].End - path.Motions[i].End).Length, 1e-9);
+                }
+            }
+        }
+
+        Assert.InRange(refused, 0, Cases / 20);
+    }
+
+    private static void ForAll(Action<RandomContour, int> law)
+    {
+        for (var seed = 1; seed <= Cases; seed++)
+        {
+            try
+            {
+                law(new(seed), seed);
+            }
+            catch (Exception e)
+            {
+                throw new InvalidOperationException($"Contour {seed}:\n{new RandomContour(seed).Spell()}", e);
+            }
+        }
+    }
+
+    private static double Distance(RandomContour contour) => Math.Round(contour.Uniform(-0.3, 0.3), 4);
+
+    private static int[] Named(NcPath path, RandomContour contour)
+    {
+        var first = 1 + (contour.Count / 4);
+        return Bench.Blocks(path, string.Create(CultureInfo.InvariantCulture, $"N{first}..N{Math.Max(first, contour.Count - 1)}"));
+    }
+
+    private static Rewrite? TryDisplace(NcPath path, DisplacementWish wish)
+    {
+        var rewrite = Rewriter.Apply(path, wish);
+        return rewrite.IsUsable ? Bench.Rewritten(path, wish) : null;
+    }
+}
