@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating.Tests;
 
@@ -82,6 +83,14 @@ internal sealed record MatchCase(string Program)
 
     /// <summary>The lines that the match changed, as they are now.</summary>
     public string[] Changed() => [.. Rewritten().Split('\n').Zip(Program.Split('\n')).Where(p => p.First != p.Second).Select(p => p.First)];
+
+    /// <summary>The motion of a block in the new program.</summary>
+    public NcMotion Motion(string number)
+    {
+        var result = Match();
+        var block = Enumerable.Range(0, result.Before.Program.BlockCount).Single(i => result.Before.Program.NumberOf(result.Before.Program[i]) == number);
+        return result.After.Motions[result.Before.MotionOf(block)];
+    }
 
     public static MeasurementFile Points(string file, string points)
     {
