@@ -62,15 +62,22 @@ public sealed class ShapeMatchTests
     [Fact]
     public void Ideal_actual_and_corrected_angles_of_a_notch_are_reported()
     {
-        // The second flank is 27 - 21 = 6 wide; its upper point 0.1 out along the normal (-4, 3)/5.
-        var quantities = Triangle(Programs.Notch, "N50..N60", "1 3 -4; 2 9 -12; 3 21 -12; 4 26.92 -3.94").Report().Features[0].Quantities;
-        var angle = quantities.Single(q => q.Quantity.Name == FeatureQuantity.IncludedAngle);
+        // The second flank's upper point is 0.1 out along the normal (-4, 3)/5.
+        var match = Triangle(Programs.Notch, "N50..N60", "1 3 -4; 2 9 -12; 3 21 -12; 4 26.92 -3.94");
+        var angle = Angle(match);
 
         // Ideal 2 atan(3/4); the flank of length 10 turned by atan(0.1 / 10) towards the other.
         var ideal = 2 * Math.Atan(0.75) * 180 / Math.PI;
         Assert.Equal(ideal, angle.Quantity.Theoretical, 9);
         Assert.Equal(ideal - (Math.Atan(0.01) * 180 / Math.PI), angle.Quantity.Actual, 9);
         Assert.Equal(angle.Quantity.Actual, angle.Corrected!.Value, 2);
+
+        // Feedback: whatever the first counterpart was, the next one shall be what the part is.
+        var feedback = Angle(match with { Counterpart = Moved(0.05, 0.02, -0.03, 0.04), Compensation = """{ "from": "counterpart" }""" });
+        Assert.Equal(angle.Quantity.Actual, feedback.Corrected!.Value, 2);
+        Assert.Equal(ideal, Angle(match with { Part = Flanks, Counterpart = "1 3 -4; 2 9 -12; 3 21 -12; 4 26.92 -3.94", Compensation = """{ "from": "counterpart" }""" }).Corrected!.Value, 2);
+
+        static ReportQuantity Angle(MatchCase match) => match.Report().Features[0].Quantities.Single(q => q.Quantity.Name == FeatureQuantity.IncludedAngle);
     }
 
     [Fact]
