@@ -157,7 +157,9 @@ public sealed partial class Prover
         if (elements.TryGetValue(neighbor, out var element))
         {
             // It is measured itself; two that run into each other meet where their common normal says.
-            return !isTangent || IsFillet(neighbor) || IsOnCommonNormal(tangent, tangent.Dot(other) > 0 ? other : -other, moved, wished, atStart ? element.Start : element.End);
+            var (leaving, arriving) = (elementStarts ? tangent : -tangent, atStart ? -other : other);
+            var isReversal = leaving.Dot(arriving) < 0;
+            return !isTangent || isReversal || IsFillet(neighbor) || IsOnCommonNormal(leaving, arriving, moved, wished, atStart ? element.Start : element.End);
         }
 
         if (IsFillet(neighbor))
