@@ -144,6 +144,20 @@ public sealed class DisplacementLaws
     }
 
     [Fact]
+    public void Corners_of_every_angle_are_proved_or_refused()
+    {
+        var refused = 0;
+        for (var seed = 1; seed <= 3 * Cases; seed++)
+        {
+            var contour = new RandomContour(seed, anyCorner: true);
+            var path = Bench.Read(contour.Spell(seed % 2 == 0, byRadius: seed % 3 == 0));
+            refused += TryDisplace(path, DisplacementWish.Normal(path, Named(path, contour), Distance(contour)).Value!) is null ? 1 : 0;
+        }
+
+        Assert.InRange(refused, 1, Cases);
+    }
+
+    [Fact]
     public void Any_part_of_a_closed_polygon_leaves_it_closed()
     {
         for (var seed = 1; seed <= Cases; seed++)
