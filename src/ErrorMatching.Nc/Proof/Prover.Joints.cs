@@ -47,37 +47,40 @@ public sealed partial class Prover
         return allowed;
     }
 
-    // Both ends of a contour that closes on itself are one corner of the piece.
+    // Both ends of a contour that closes on itself are one corner of the piece: a later cut ends where a run begins, or an earlier one begins where a run ends.
     private void FindClosures()
     {
-        foreach (var joint in elements.Keys.SelectMany(m => new[] { m, m + 1 }).Distinct().Order())
+        foreach (var motion in elements.Keys.Order())
         {
-            if (elements.ContainsKey(joint) && elements.ContainsKey(joint - 1))
+            if (!elements.ContainsKey(motion - 1))
             {
-                continue;
-            }
-
-            var place = WasAt(joint);
-            for (var i = joint; i < before.Motions.Length && IsContour(i); i++)
-            {
-                if (Same(before.Motions[i].End, place))
+                for (var i = motion; i < before.Motions.Length && IsContour(i, motion) && !closures.ContainsKey(motion); i++)
                 {
-                    closures[joint] = i + 1;
-                    break;
+                    if (Same(before.Motions[i].End, WasAt(motion)))
+                    {
+                        closures[motion] = i + 1;
+                    }
                 }
             }
 
-            for (var i = joint - 1; i >= 0 && !closures.ContainsKey(joint) && IsContour(i); i--)
+            if (!elements.ContainsKey(motion + 1))
             {
-                if (Same(before.Motions[i].Start, place))
+                for (var i = motion; i >= 0 && IsContour(i, motion) && !closures.ContainsKey(motion + 1); i--)
                 {
-                    closures[joint] = i;
+                    if (Same(before.Motions[i].Start, WasAt(motion + 1)))
+                    {
+                        closures[motion + 1] = i;
+                    }
                 }
             }
         }
     }
 
-    private bool IsContour(int motion) => before.Motions[motion] is { IsCut: true, MovesInPlane: true };
+    private bool IsContour(int motion, int like)
+    {
+        var (m, l) = (before.Motions[motion], before.Motions[like]);
+        return motion == like || (m is { IsCut: true, MovesInPlane: true } && m.Plane == l.Plane && m.Frame == l.Frame && !m.Has(MotionFlags.CompensationSwitches));
+    }
 
     // What is set or called where the tool stands must find it where it was.
     private void CheckPlaceDependents()
@@ -108,7 +111,7 @@ public sealed partial class Prover
         }
 
         var other = closures.TryGetValue(joint, out var closing) ? closing : -1;
-        if (other >= 0 && MoveOf(other).Length > 1e-9 && (MoveOf(other) - move).Length > 1e-9)
+        if (other >= 0 && (MoveOf(other) - move).Length > 1e-9)
         {
             Fail(before.Motions[motion].Block, "the contour no longer closes.");
         }
@@ -132,12 +135,12 @@ public sealed partial class Prover
 
     private IEnumerable<(int Motion, bool AtStart)> MotionsAt(int joint)
     {
-        if (joint >= 0 && joint < before.Motions.Length && IsContour(joint))
+        if (joint >= 0 && joint < before.Motions.Length && before.Motions[joint] is { IsCut: true, MovesInPlane: true })
         {
             yield return (joint, true);
         }
 
-        if (joint > 0 && IsContour(joint - 1))
+        if (joint > 0 && before.Motions[joint - 1] is { IsCut: true, MovesInPlane: true })
         {
             yield return (joint - 1, false);
         }
