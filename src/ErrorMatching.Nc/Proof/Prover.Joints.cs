@@ -53,37 +53,40 @@ public sealed partial class Prover
         return allowed;
     }
 
-    // Both ends of a contour that closes on itself are one corner of the piece.
+    // Both ends of a contour that closes on itself are one corner of the piece: a later cut ends where a run begins, or an earlier one begins where a run ends.
     private void FindClosures()
     {
-        foreach (var joint in elements.Keys.SelectMany(m => new[] { m, m + 1 }).Distinct().Order())
+        foreach (var motion in elements.Keys.Order())
         {
-            if (elements.ContainsKey(joint) && elements.ContainsKey(joint - 1))
+            if (!elements.ContainsKey(motion - 1))
             {
-                continue;
-            }
-
-            var place = WasAt(joint);
-            for (var i = joint; i < before.Motions.Length && IsContour(i); i++)
-            {
-                if (Same(before.Motions[i].End, place))
+                for (var i = motion; i < before.Motions.Length && IsContour(i, motion) && !closures.ContainsKey(motion); i++)
                 {
-                    closures[joint] = i + 1;
-                    break;
+                    if (Same(before.Motions[i].End, WasAt(motion)))
+                    {
+                        closures[motion] = i + 1;
+                    }
                 }
             }
 
-            for (var i = joint - 1; i >= 0 && !closures.ContainsKey(joint) && IsContour(i); i--)
+            if (!elements.ContainsKey(motion + 1))
             {
-                if (Same(before.Motions[i].Start, place))
+                for (var i = motion; i >= 0 && IsContour(i, motion) && !closures.ContainsKey(motion + 1); i--)
                 {
-                    closures[joint] = i;
+                    if (Same(before.Motions[i].Start, WasAt(motion + 1)))
+                    {
+                        closures[motion + 1] = i;
+                    }
                 }
             }
         }
     }
 
-    private bool IsContour(int motion) => before.Motions[motion] is { IsCut: true, MovesInPlane: true };
+    private bool IsContour(int motion, int like)
+    {
+        var (m, l) = (before.Motions[motion], before.Motions[like]);
+        return motion == like || (m is { IsCut: true, MovesInPlane: true } && m.Plane == l.Plane && m.Frame == l.Frame && !m.Has(MotionFlags.CompensationSwitches));
+    }
 
     // What is set or called where the tool stands must find it where it was.
     private void CheckPlaceDependents()
@@ -114,7 +117,7 @@ public sealed partial class Prover
         }
 
         var other = closures.TryGetValue(joint, out var closing) ? closing : -1;
-        if (other >= 0 && MoveOf(other).Length > 1e-9 && (MoveOf(other) - move).Length > 1e-9)
+        if (other >= 0 && (MoveOf(other) - move).Length > 1e-9)
         {
             Fail(before.Motions[motion].Block, "the contour no longer closes.");
         }
@@ -145,7 +148,7 @@ public sealed partial class Prover
             behind++;
         }
 
-        if (behind >= 0 && behind < before.Motions.Length && IsContour(behind))
+        if (behind >= 0 && behind < before.Motions.Length && before.Motions[behind] is { IsCut: true, MovesInPlane: true })
         {
             yield return (behind, true);
         }
@@ -156,7 +159,7 @@ public sealed partial class Prover
             ahead--;
         }
 
-        if (ahead >= 0 && IsContour(ahead))
+        if (ahead >= 0 && before.Motions[ahead] is { IsCut: true, MovesInPlane: true })
         {
             yield return (ahead, false);
         }
@@ -180,10 +183,12 @@ public sealed partial class Prover
         if (elements.TryGetValue(neighbor, out var element))
         {
             // It is measured itself; two that run into each other meet where their common normal says.
-            var turned = tangent.Dot(other) > 0 ? other : -other;
-            var step = Math.Abs(wished.Dot(tangent.Left) - (atStart ? element.Start : element.End).Dot(turned.Left));
+            var (leaving, arriving) = (elementStarts ? tangent : -tangent, atStart ? -other : other);
+            var isReversal = leaving.Dot(arriving) < 0;
+            var otherWished = atStart ? element.Start : element.End;
+            var step = Math.Abs(wished.Dot(leaving.Left) - otherWished.Dot(arriving.Left));
             var meets = step > TangentStep && Math.Abs(tangent.Cross(other)) > SmallestCornerSine;
-            return !isTangent || meets || IsFillet(neighbor) || IsOnCommonNormal(tangent, turned, moved, wished, atStart ? element.Start : element.End);
+            return !isTangent || isReversal || meets || IsFillet(neighbor) || IsOnCommonNormal(leaving, arriving, moved, wished, otherWished);
         }
 
         if (IsFillet(neighbor))

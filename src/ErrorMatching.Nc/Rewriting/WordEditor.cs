@@ -172,6 +172,12 @@ internal sealed class WordEditor
 
         var wanted = Arc2.Between(
             motion.PlaneStart + change.PlaneMoveOf(index, motion.Plane), motion.PlaneEnd + change.PlaneMoveOf(index + 1, motion.Plane), exact, motion.Kind == MotionKind.ArcCounterClockwise);
+        if (start == motion.PlaneStart && end == motion.PlaneEnd && wanted.Middle.DistanceTo(motion.Arc.Middle) < increment)
+        {
+            // What was asked is less than the control can do.
+            return;
+        }
+
         if (motion.Has(MotionFlags.ByRadius))
         {
             SetRadius(edit, motion, start, end, wanted);
