@@ -9,7 +9,7 @@ namespace ErrorMatching.Mating;
 /// Finds where each theoretical key point belongs on the path of its feature's blocks. Without cutter compensation it must lie one tool radius from the path, all on one side:
 /// that side holds the counterpart's material. Under G41 or G42 it lies on the path, and the code says where the material is.
 /// </summary>
-public static class FeatureMapper
+internal static class FeatureMapper
 {
     /// <summary>Code of the refusal of a key point that is too far from its blocks.</summary>
     public const string PointOffPath = "point-off-path";

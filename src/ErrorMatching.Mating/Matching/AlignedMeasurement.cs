@@ -18,7 +18,7 @@ public sealed record AlignedMeasurement(
     private const double Flat = 0.001;
 
     /// <summary>Why a job's alignment cannot be computed, or null.</summary>
-    public static MatingRefusal? Check(MatingJob job)
+    internal static MatingRefusal? Check(MatingJob job)
     {
         ArgumentNullException.ThrowIfNull(job);
         return job.Alignment.Kind == JobAlignmentKind.None || job.Features.All(f => f.Plane == job.Features[0].Plane)
@@ -34,7 +34,7 @@ public sealed record AlignedMeasurement(
     /// <param name="piece">Which piece it is of.</param>
     /// <exception cref="MeasurementException">A point is missing, or has no coordinate in its feature's plane.</exception>
     /// <exception cref="GeometryException">The points do not determine the alignment.</exception>
-    public static AlignedMeasurement Of(MatingJob job, IReadOnlyList<FeatureMap> maps, MeasurementFile theoretical, MeasurementFile measured, MeasuredPiece piece)
+    internal static AlignedMeasurement Of(MatingJob job, IReadOnlyList<FeatureMap> maps, MeasurementFile theoretical, MeasurementFile measured, MeasuredPiece piece)
     {
         measured.Require(job.NeededPoints);
         var labels = new List<string>();

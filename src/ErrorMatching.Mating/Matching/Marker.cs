@@ -29,7 +29,7 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     public string Text => $"({Word} {Measurement}{MeasurementSha256.ToUpperInvariant()} {Base}{BaseSha256.ToUpperInvariant()})";
 
     /// <summary>All markers of a program with the positions of their blocks; a marker that was damaged so that its hashes cannot be read is null.</summary>
-    public static IReadOnlyList<(int Block, Marker? Marker)> Find(NcProgram program)
+    internal static IReadOnlyList<(int Block, Marker? Marker)> Find(NcProgram program)
     {
         ArgumentNullException.ThrowIfNull(program);
         var found = new List<(int, Marker?)>();
@@ -56,7 +56,7 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     /// <summary>
     /// The program with the marker as a line of its own: behind the percent sign and the program number if it begins with them, so that the control still finds both.
     /// </summary>
-    public byte[] InsertInto(NcProgram program)
+    internal byte[] InsertInto(NcProgram program)
     {
         ArgumentNullException.ThrowIfNull(program);
         var at = HeadLength(program);
