@@ -142,7 +142,7 @@ internal static class FeatureMapper
                 continue;
             }
 
-            if (passes.Count > 0 && passes[^1].Last == motion - 1)
+            if (passes.Count > 0 && Continues(path, passes[^1].Last, motion))
             {
                 passes[^1] = (passes[^1].First, motion);
             }
@@ -155,6 +155,20 @@ internal static class FeatureMapper
         return passes;
     }
 
+    // True if nothing but blocks without length, as some CAM systems and cut corners leave them, lies between two cuts.
+    private static bool Continues(NcPath path, int last, int next)
+    {
+        for (var i = last + 1; i < next; i++)
+        {
+            if (!path.Motions[i].IsCut || path.Motions[i].End != path.Motions[i].Start)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
     private static MatingRefusal? Foot(
         MatingJob job, NcPath path, JobFeature feature, string label, Point2 point, int first, int last, out KeyPointFoot? foot)
     {
@@ -162,6 +176,11 @@ internal static class FeatureMapper
         for (var i = first; i <= last; i++)
         {
             var motion = path.Motions[i];
+            if (!motion.MovesInPlane)
+            {
+                continue;
+            }
+
             var fraction = motion.IsArc ? motion.Arc.NearestFraction(point) : motion.Segment.NearestFraction(point);
             var distance = motion.PlaneAt(fraction).DistanceTo(point);
             if (distance < nearestDistance)
