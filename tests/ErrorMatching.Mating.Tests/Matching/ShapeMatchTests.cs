@@ -119,6 +119,41 @@ public sealed class ShapeMatchTests
         Assert.Equal(up, new[] { "N40", "N50", "N60", "N70", "N80" }.Select(n => match.Motion(n).End.Y), (expected, found) => Math.Abs(expected - found) < 0.0006);
     }
 
+    [Fact]
+    public void Along_the_vector_the_vertices_of_a_polyline_move_by_it()
+    {
+        var program = "N20 G0 X0. Y40.\nN30 G1 G41 D1 Y20. F300\nN40 Y0.\nN50 X10.\nN60 X20.\nN70 X30.\nN80 X40.\nN90 Y20.\nN100 G40 Y40.\nN110 M30\n";
+        var match = Curve(program, "N50..N80", 5, i => ((10 * i) + 0.2, 0.1), i => (10 * i, 0), """ "degree": 0, "ridge": 0 """) with { Compensation = """{ "along": "vector" }""" };
+
+        // The upright neighbors keep their x.
+        Assert.Equal(["N40 Y0.1", "N50 X10.2", "N60 X20.2", "N70 X30.2"], match.Changed());
+    }
+
+    [Fact]
+    public void A_point_without_length_in_a_polyline_does_not_cut_the_feature_in_two()
+    {
+        var program = "N20 G0 X0. Y40.\nN30 G1 G41 D1 Y20. F300\nN40 Y0.\nN50 X10.\nN60 X20.\nN65 X20.\nN70 X30.\nN80 X40.\nN90 Y20.\nN100 G40 Y40.\nN110 M30\n";
+        var match = Curve(program, "N50..N80", 5, i => (10 * i, 0.1), i => (10 * i, 0), """ "degree": 0, "ridge": 0 """);
+
+        Assert.Equal(["N40 Y0.1"], match.Changed());
+        Assert.Single(match.Match().Maps[0].Passes);
+        Assert.All(match.Report().KeyPoints, p => Assert.Equal(0, p.PredictedMm, 6));
+    }
+
+    // The tool's center goes 13 about (20, -10), the boundary 10: a quarter of it is 10 pi/2 long, and deviations count along it.
+    [Fact]
+    public void Lengths_are_those_of_the_boundary_not_of_the_path()
+    {
+        var program = "N10 G21 G90 G17\nN20 G0 X0. Y20.\nN40 G1 Y3. F300\nN50 X20.\nN60 G2 X33. Y-10. I0. J-13.\nN70 G1 Y-30.\nN80 M30\n";
+        double[] degrees = [75, 45, 15];
+        (double X, double Y)[] places = [(4, 0), (10, 0), (16, 0), .. degrees.Select(a => (20 + (10 * Math.Cos(a * Math.PI / 180)), -10 + (10 * Math.Sin(a * Math.PI / 180))))];
+        double[] lengths = [4, 10, 16, .. degrees.Select(a => 20 + (10 * (90 - a) * Math.PI / 180))];
+        var match = Curve(program, "N50..N60", 6, i => places[i], i => places[i]);
+        var pass = match.Match().Maps[0].Passes[0];
+
+        Assert.Equal(lengths, pass.Feet.Select(pass.Along), (expected, found) => Math.Abs(expected - found) < 1e-6);
+    }
+
     private static MatchCase Triangle(string program, string blocks, string part) =>
         new(program) { Theoretical = Flanks, Part = part, Features = [MatchCase.Feature("triangle", "T1", blocks, FlankLabels)] };
 
