@@ -90,7 +90,7 @@ public static class Matcher
         var rewrite = Rewriter.Apply(path, wish);
         if (!rewrite.IsUsable)
         {
-            return MatchOutcome.Refused(MatingRefusal.Of(rewrite.Refusal, maps.FirstOrDefault(m => m.Blocks.Contains(rewrite.Refusal.Line - 1))?.Feature.Name));
+            return MatchOutcome.Refused(Named(rewrite.Refusal, maps));
         }
 
         if (rewrite.Value.Patches.Count == 0)
@@ -104,8 +104,12 @@ public static class Matcher
         var proof = Prover.Check(path, program, wish, rewrite.Value.LeastIncrementMm, marker.Text);
         return proof.Holds
             ? new(new(input, path, NcInterpreter.Run(program, path.Dialect), maps, part, counterpart, decision, wish, rewrite.Value, marker, proof), [])
-            : MatchOutcome.Refused([.. proof.Failures.Select(f => MatingRefusal.Of(f))]);
+            : MatchOutcome.Refused([.. proof.Failures.Select(f => Named(f, maps))]);
     }
+
+    // With the name of the feature whose block it is about, if it is about one.
+    private static MatingRefusal Named(NcRefusal refusal, IReadOnlyList<FeatureMap> maps) =>
+        MatingRefusal.Of(refusal, maps.FirstOrDefault(m => m.Blocks.Contains(refusal.Line - 1))?.Feature.Name);
 
     private static MatchOutcome Unchanged(
         MatchInput input, NcPath path, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part, AlignedMeasurement? counterpart, MatingDecision decision)

@@ -128,6 +128,22 @@ public sealed class RefusalMatchTests
         var refusal = (Good with { Program = Programs.ToolBelow.Replace(found, instead, StringComparison.Ordinal) }).Refusal();
 
         Assert.Equal((code, block, line), (refusal.Code, refusal.Block, refusal.Line));
+        Assert.Equal(block == "N50" ? "L1" : null, refusal.Feature);
+    }
+
+    [Fact]
+    public void Features_that_no_longer_meet_are_refused_with_the_one_concerned()
+    {
+        // N50 and N60 run straight on, but the part has a step of 0.1 between them.
+        var program = "N20 G0 X0. Y-20.\nN40 G1 Y-3. F300\nN50 X25.\nN60 X50.\nN70 Y-20.\nN80 M30\n";
+        var refusal = (new MatchCase(program)
+        {
+            Theoretical = "1 5 0; 2 20 0; 3 30 0; 4 45 0",
+            Part = "1 5 0.1; 2 20 0.1; 3 30 0.2; 4 45 0.2",
+            Features = [MatchCase.Line("L1", "N50", "1", "2"), MatchCase.Line("L2", "N60", "3", "4")],
+        }).Refusal();
+
+        Assert.Equal((NcRefusalCodes.NoIntersection, "L2", "N60", 4), (refusal.Code, refusal.Feature, refusal.Block, refusal.Line));
     }
 
     private static void Refused(MatchCase match, string code, string? feature, string? point, string? block, int line, string says = "")
