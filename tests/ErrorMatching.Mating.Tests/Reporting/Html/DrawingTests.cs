@@ -94,6 +94,18 @@ public sealed class DrawingTests
     }
 
     [Fact]
+    public void Displaced_pieces_meet_at_oblique_angles_too()
+    {
+        // Up to (0,10), then along (4,3): v with v . (-1,0) = 1 and v . (-0.6,0.8) = 2 is (-1,1.75).
+        var first = DrawnFeature.Of([new(0, 0), new(0, 10)], [new("1", new(0, 0), new(-1, 0), 1, 0, 0), new("2", new(0, 10), new(-1, 0), 1, 0, 0)])!;
+        var second = DrawnFeature.Of([new(0, 10), new(4, 13)], [new("3", new(0, 10), new(-0.6, 0.8), 2, 0, 0), new("4", new(4, 13), new(-0.6, 0.8), 2, 0, 0)])!;
+
+        var line = Assert.Single(DisplacedBoundary.Of(DisplacedBoundary.Chains([first, second], 0.1), (f, v) => f.At(v, p => p.Part)));
+
+        Assert.Equal((-1, 11.75), (Math.Round(line[1].X, 12), Math.Round(line[1].Y, 12)));
+    }
+
+    [Fact]
     public void Deviations_change_evenly_between_key_points_and_stay_beyond_them()
     {
         var feature = DrawnFeature.Of([new(0, 0), new(5, 0), new(10, 0)], [new("2", new(8, 0), new(0, 1), 4, 0, 0), new("1", new(2, 0), new(0, 1), 1, 0, 0)])!;

@@ -184,5 +184,17 @@ public sealed class MatchReportHtmlTests
         Assert.Contains("deviations exaggerated 50 times", drawings[0].Ancestors("figure").Single().Element("figcaption")!.Value, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void Drawings_show_the_mating_errors_of_the_key_points_also_against_a_measured_counterpart()
+    {
+        // Against the design the part lies at 0.1; the counterpart was cut at -0.2, so it leaves a gap of 0.3 before, and after it is to overlap by 0.01.
+        var points = Report.KeyPoints.Select((p, i) => i == 0 ? p with { DecidedMm = 0.3, PredictedMm = 0.01 } : p).ToArray();
+
+        var drawings = Page(Report with { KeyPoints = points }).WithClass("svg", "assembly").Select(d => d.WithClass("circle", "key-point").Select(c => c.Value.Trim()).ToArray()).ToArray();
+
+        Assert.Equal(["Point 1: mating error -0.300 mm", "Point 2: mating error -0.080 mm", "Point 3: mating error -0.010 mm", "Point 4: mating error 0.000 mm"], drawings[0]);
+        Assert.Equal(["Point 1: mating error +0.010 mm", "Point 2: mating error -0.001 mm", "Point 3: mating error -0.010 mm", "Point 4: mating error 0.000 mm"], drawings[1]);
+    }
+
     private static XElement Page(MatchReport report) => PageReader.Read(MatchReportHtml.Write(report));
 }

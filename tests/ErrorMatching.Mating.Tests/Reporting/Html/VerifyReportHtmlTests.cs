@@ -32,6 +32,22 @@ public sealed class VerifyReportHtmlTests
     }
 
     [Fact]
+    public void Plot_and_drawings_show_the_measured_errors_with_their_signs()
+    {
+        var page = PageReader.Read(VerifyReportHtml.Write(HandMadeReport.Verified));
+        var plotted = page.WithClass("svg", "plot").Single().Descendants("title").Select(t => t.Value).Where(t => t.StartsWith("Point ", StringComparison.Ordinal));
+        var drawn = page.WithClass("svg", "assembly").Select(d => string.Join("; ", d.WithClass("circle", "key-point").Select(c => c.Value.Trim()))).ToArray();
+
+        Assert.Equal(
+            [
+                "Point 1, without compensation (measured): -0.400 mm", "Point 2, without compensation (measured): +0.100 mm",
+                "Point 1, with compensation (measured): +0.050 mm", "Point 2, with compensation (measured): 0.000 mm",
+            ],
+            plotted);
+        Assert.Equal(["Point 1: mating error -0.400 mm; Point 2: mating error +0.100 mm", "Point 1: mating error +0.050 mm; Point 2: mating error 0.000 mm"], drawn);
+    }
+
+    [Fact]
     public void A_compensation_that_made_it_worse_is_not_praised()
     {
         var result = HandMadeReport.Verified.Result;
