@@ -91,6 +91,22 @@ public sealed class DisplaceNormalTests
         Assert.Equal((NcRefusalCodes.ElementFlips, "N20"), (refusal.Code, refusal.Block));
     }
 
+    [Fact]
+    public void Short_arc_that_would_turn_round_is_refused()
+    {
+        // Two degrees of a circle of 5 about (10, 5), tangent to N10; N30, displaced by 0.3, passes at x = 9.874, before the arc begins.
+        var refusal = Bench.RefusedNormal("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X10.174 Y0.003 I0. J5.\nN30 G1 X10.174 Y10.\n", 0.3, "N10..N30");
+        Assert.Equal((NcRefusalCodes.ElementFlips, "N20"), (refusal.Code, refusal.Block));
+    }
+
+    [Fact]
+    public void Of_two_crossings_nearby_the_one_at_the_corner_is_taken()
+    {
+        // The line y = 0 meets the circle of 1 about (0, -0.966) at 15 degrees, so both crossings are near: 0.05 to the right they are at x = -0.2523 and 0.2523.
+        var result = Bench.Normal("G90 G17\nG0 X-5. Y0. Z0.\nN10 G1 X-0.259 Y0. F100\nN20 G2 X1. Y-0.966 I0.259 J-0.966\nG0 Z5.\n", -0.05, "N10..N20");
+        Assert.Contains("N10 G1 X-0.252 Y-0.05 F100\n", result, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("N10..N40", "G0 X0.1 Y0.1\nG1 Z-1. F100\nN10 X9.9 Y0.1\nN20 X9.9 Y9.9\nN30 X0.1 Y9.9\nN40 X0.1 Y0.1\nG0 Z5.\nX50. Y50.")]
     [InlineData("N10", "G0 X0. Y0.1\nG1 Z-1. F100\nN10 X10. Y0.1\nN20 X10. Y10.\nN30 X0. Y10.\nN40 X0. Y0.1\nG0 Z5.\nX50. Y50.")]

@@ -129,6 +129,56 @@ public sealed class DisplacementLaws
         Assert.InRange(refused, 0, Cases / 20);
     }
 
+    [Fact]
+    public void Any_choice_of_blocks_is_proved_or_refused()
+    {
+        var refused = 0;
+        ForAll((contour, seed) =>
+        {
+            var path = Bench.Read(contour.Spell(seed % 2 == 0, byRadius: seed % 3 == 0));
+            var named = Enumerable.Range(1, contour.Count).Where(_ => contour.Uniform(0, 1) < 0.5).DefaultIfEmpty(1).SelectMany(n => Bench.Blocks(path, "N" + n.ToString(CultureInfo.InvariantCulture))).ToArray();
+            refused += TryDisplace(path, DisplacementWish.Normal(path, named, Distance(contour)).Value!) is null ? 1 : 0;
+            TryDisplace(path, DisplacementWish.EndsBy(path, named, new(Distance(contour), Distance(contour), 0)).Value!);
+        });
+        Assert.InRange(refused, 0, Cases / 20);
+    }
+
+    [Fact]
+    public void Corners_of_every_angle_are_proved_or_refused()
+    {
+        var refused = 0;
+        for (var seed = 1; seed <= 3 * Cases; seed++)
+        {
+            var contour = new RandomContour(seed, anyCorner: true);
+            var path = Bench.Read(contour.Spell(seed % 2 == 0, byRadius: seed % 3 == 0));
+            refused += TryDisplace(path, DisplacementWish.Normal(path, Named(path, contour), Distance(contour)).Value!) is null ? 1 : 0;
+        }
+
+        Assert.InRange(refused, 1, Cases);
+    }
+
+    [Fact]
+    public void Any_part_of_a_closed_polygon_leaves_it_closed()
+    {
+        for (var seed = 1; seed <= Cases; seed++)
+        {
+            var random = new RandomContour(seed);
+            var corners = 3 + (int)random.Uniform(0, 6);
+            var turn = random.Uniform(0, 2 * Math.PI);
+            var places = Enumerable.Range(0, corners + 1).Select(i => Vector2.FromDirection(Angle.FromRadians(turn + (i % corners * 2 * Math.PI / corners))) * random.Uniform(19, 21)).ToArray();
+            places[^1] = places[0];
+            var text = "G90 G17 G21\n" + string.Concat(places.Select((p, i) => string.Create(CultureInfo.InvariantCulture, $"N{i} {(i == 0 ? "G0" : "G1")} X{p.X:0.0##} Y{p.Y:0.0##} Z0. F100\n"))) + "G0 Z50.\nM30\n";
+            var path = Bench.Read(text);
+            var first = 1 + (int)random.Uniform(0, corners);
+            var last = first + (int)random.Uniform(0, corners - first + 1);
+            var named = Bench.Blocks(path, string.Create(CultureInfo.InvariantCulture, $"N{first}..N{Math.Min(last, corners)}"));
+            var rewrite = Bench.Rewritten(path, DisplacementWish.Normal(path, named, Distance(random)).Value!);
+            var now = NcInterpreter.Run(rewrite.Program, path.Dialect).Motions;
+            Assert.Equal(0, (now[0].End - now[corners].End).Length, 1e-9);
+            Assert.Equal(50, now[^1].End.Z);
+        }
+    }
+
     private static void ForAll(Action<RandomContour, int> law)
     {
         for (var seed = 1; seed <= Cases; seed++)

@@ -202,6 +202,43 @@ public sealed class ProofTests
         Assert.False(Prover.Check(path, NcProgram.FromText(good.Replace(was, now, StringComparison.Ordinal)), wish, 0.001).Holds);
     }
 
+    [Theory]
+    [InlineData("G0 Z6.", "G0 Z-6.", true)]
+    [InlineData("G0 Z6.", "G0 Z60.", true)]
+    [InlineData("G0 Z6.", "G0 Y0. Z6.", true)]
+    [InlineData("G0 Z6.", "G0 Y0.1 Z6.", true)]
+    [InlineData("G1 Z-1. F100", "G1 Z-2. F100", true)]
+    [InlineData("G1 Z-1. F100", "G1 X0.05 Z-1. F100", true)]
+    [InlineData("G0 X0. Y0.1 Z5.", "G0 X0. Y0.1 Z4.", true)]
+    [InlineData("G0 X0. Y0.1 Z5.", "G0 X0. Y0. Z5.", true)]
+    [InlineData("G0 Z6.", "G0 Z-6.", false)]
+    [InlineData("G0 Z6.", "G0 Z60.", false)]
+    [InlineData("G0 Z6.", "G0 X10. Z6.", false)]
+    [InlineData("G0 Z6.", "G0 X10.1 Z6.", false)]
+    [InlineData("X50. Y0.", "X50.", false)]
+    public void Tampered_plunges_and_retracts_do_not_hold(string was, string now, bool isElements)
+    {
+        var path = Bench.Read("G90 G17\nG0 X0. Y0. Z5.\nG1 Z-1. F100\nN10 X10.\nG0 Z6.\nX50.\n");
+        var wish = (isElements ? DisplacementWish.Normal(path, [3], 0.1) : DisplacementWish.EndsBy(path, [3], new(0.1, 0.1, 0))).Value!;
+        var good = Bench.Text(Bench.Rewritten(path, wish).Program);
+        Assert.True(good.Contains(was, StringComparison.Ordinal), good);
+        Assert.False(Prover.Check(path, NcProgram.FromText(good.Replace(was, now, StringComparison.Ordinal)), wish, 0.001).Holds);
+    }
+
+    [Theory]
+    [InlineData("N40 X0. Y0.1", "N40 X0. Y0.3")]
+    [InlineData("N40 X0. Y0.1", "N40 X0. Y0.102")]
+    [InlineData("N40 X0. Y0.1", "N40 X0. Y0.")]
+    [InlineData("G0 X0. Y0.1", "G0 X0. Y0.")]
+    public void Contour_that_no_longer_closes_does_not_hold(string was, string now)
+    {
+        var path = Bench.Read("G90 G17\nG0 X0. Y0.\nG1 Z-1. F100\nN10 X10. Y0.\nN20 X10. Y10.\nN30 X0. Y10.\nN40 X0. Y0.\nG0 Z5.\nX50. Y50.\n");
+        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N10"), 0.1).Value!;
+        var good = Bench.Text(Bench.Rewritten(path, wish).Program);
+        Assert.True(good.Contains(was, StringComparison.Ordinal), good);
+        Assert.False(Prover.Check(path, NcProgram.FromText(good.Replace(was, now, StringComparison.Ordinal)), wish, 0.001).Holds);
+    }
+
     [Fact]
     public void Every_digit_of_a_changed_word_counts()
     {

@@ -5,21 +5,21 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// A random contour of lines and arcs on the grid of 0.001 mm: corners of 45 to 110 degrees or smooth joints. The same contour can be spelled in several ways.
+/// A random contour of lines and arcs on the grid of 0.001 mm: corners of 45 to 110 degrees (or any) or smooth joints. The same contour can be spelled in several ways.
 /// </summary>
 internal sealed class RandomContour
 {
     private readonly List<(bool IsArc, bool CounterClockwise, Point2 Start, Point2 End, Point2 Center)> elements = [];
     private ulong state;
 
-    public RandomContour(int seed, bool onlyLines = false)
+    public RandomContour(int seed, bool onlyLines = false, bool anyCorner = false)
     {
         state = (ulong)seed * 0x9E3779B97F4A7C15UL;
         var (place, heading) = (new Point2(Grid(Uniform(-50, 50)), Grid(Uniform(-50, 50))), Uniform(-Math.PI, Math.PI));
         var count = 4 + (int)Uniform(0, 8);
         for (var i = 0; i < count; i++)
         {
-            var turn = Uniform(0, 1) < 0.25 ? 0 : Uniform(45, 110) * Math.PI / 180 * (Uniform(0, 1) < 0.5 ? -1 : 1);
+            var turn = Uniform(0, 1) < 0.25 ? 0 : (anyCorner ? Uniform(1, 179) : Uniform(45, 110)) * Math.PI / 180 * (Uniform(0, 1) < 0.5 ? -1 : 1);
             var (start, direction) = (place, Vector2.FromDirection(Angle.FromRadians(heading + turn)));
             if (onlyLines || Uniform(0, 1) < 0.5)
             {

@@ -18,16 +18,16 @@ internal sealed class LeaveOneOut
     /// <summary>Leave-one-out errors below this part of the largest ordinate are rounding of the data: such a fit is exact and nothing is better.</summary>
     private const double Exact = 1e-14;
 
-    private readonly double[][] leverages;
-    private readonly double[][] fitted;
-    private readonly double[][] residuals;
+    private readonly double[][] _leverages;
+    private readonly double[][] _fitted;
+    private readonly double[][] _residuals;
 
     /// <summary>Prepares the errors of every degree of a basis.</summary>
     public LeaveOneOut(ForsytheBasis basis)
     {
-        leverages = [.. basis.Values.Select((row, k) => Array.ConvertAll(row, v => (v * v / basis.SquaredNorms[k]).ToDouble()))];
-        fitted = [.. basis.Values.Select((row, k) => Array.ConvertAll(row, v => (v * basis.Coefficients[k]).ToDouble()))];
-        residuals = [.. basis.Residuals.Select(row => Array.ConvertAll(row, v => v.ToDouble()))];
+        _leverages = [.. basis.Values.Select((row, k) => Array.ConvertAll(row, v => (v * v / basis.SquaredNorms[k]).ToDouble()))];
+        _fitted = [.. basis.Values.Select((row, k) => Array.ConvertAll(row, v => (v * basis.Coefficients[k]).ToDouble()))];
+        _residuals = [.. basis.Residuals.Select(row => Array.ConvertAll(row, v => v.ToDouble()))];
     }
 
     /// <summary>Part of the plain coefficient of degree k that a ridge weight leaves.</summary>
@@ -46,14 +46,14 @@ internal sealed class LeaveOneOut
         }
 
         var sum = 0.0;
-        var n = residuals[degree].Length;
+        var n = _residuals[degree].Length;
         for (var i = 0; i < n; i++)
         {
-            var (leverage, residual) = (0.0, residuals[degree][i]);
+            var (leverage, residual) = (0.0, _residuals[degree][i]);
             for (var k = 0; k <= degree; k++)
             {
-                leverage += kept[k] * leverages[k][i];
-                residual += (1 - kept[k]) * fitted[k][i];
+                leverage += kept[k] * _leverages[k][i];
+                residual += (1 - kept[k]) * _fitted[k][i];
             }
 
             if (leverage > FullLeverage)

@@ -18,20 +18,20 @@ namespace ErrorMatching.Geometry;
 /// </remarks>
 public sealed partial class PolynomialFit
 {
-    private readonly double[] a;
-    private readonly double[] b;
-    private readonly double[] terms;
-    private readonly double[] termErrors;
-    private readonly double center;
-    private readonly double halfWidth;
-    private readonly Matrix<double> basisInPowersOfT;
+    private readonly double[] _a;
+    private readonly double[] _b;
+    private readonly double[] _terms;
+    private readonly double[] _termErrors;
+    private readonly double _center;
+    private readonly double _halfWidth;
+    private readonly Matrix<double> _basisInPowersOfT;
 
     private PolynomialFit(ForsytheBasis basis, LeaveOneOut leaveOneOut, int degree, double ridge, int[] places, double pointUncertaintyMm)
     {
         (Degree, Ridge) = (degree, ridge);
-        (center, halfWidth) = (basis.Center, basis.HalfWidth);
-        a = [.. basis.A.Take(degree + 1).Select(v => v.ToDouble())];
-        b = [.. basis.B.Take(degree + 1).Select(v => v.ToDouble())];
+        (_center, _halfWidth) = (basis.Center, basis.HalfWidth);
+        _a = [.. basis.A.Take(degree + 1).Select(v => v.ToDouble())];
+        _b = [.. basis.B.Take(degree + 1).Select(v => v.ToDouble())];
         var kept = new DoubleDouble[degree + 1];
         var shrunk = new DoubleDouble[degree + 1];
         for (var k = 0; k <= degree; k++)
@@ -41,7 +41,7 @@ public sealed partial class PolynomialFit
             EffectiveDegreesOfFreedom += kept[k].ToDouble();
         }
 
-        terms = [.. shrunk.Select(v => v.ToDouble())];
+        _terms = [.. shrunk.Select(v => v.ToDouble())];
         var sum = DoubleDouble.Zero;
         var residuals = new double[places.Length];
         for (var i = 0; i < residuals.Length; i++)
@@ -78,9 +78,9 @@ public sealed partial class PolynomialFit
 
         Coefficients = Array.AsReadOnly([.. coefficients.Select(v => v.ToDouble())]);
         StandardErrors = Array.AsReadOnly([.. variances.Select(v => (sigma * DoubleDouble.Sqrt(v)).ToDouble())]);
-        termErrors = [.. basis.SquaredNorms.Take(degree + 1).Select((norm, k) => (sigma * kept[k] / DoubleDouble.Sqrt(norm)).ToDouble())];
+        _termErrors = [.. basis.SquaredNorms.Take(degree + 1).Select((norm, k) => (sigma * kept[k] / DoubleDouble.Sqrt(norm)).ToDouble())];
         var inT = basis.InPowersOfT(degree);
-        basisInPowersOfT = Matrix<double>.Build.Dense(degree + 1, degree + 1, (k, j) => j <= k ? (inT[k][j] / DoubleDouble.Sqrt(basis.SquaredNorms[k])).ToDouble() : 0);
+        _basisInPowersOfT = Matrix<double>.Build.Dense(degree + 1, degree + 1, (k, j) => j <= k ? (inT[k][j] / DoubleDouble.Sqrt(basis.SquaredNorms[k])).ToDouble() : 0);
     }
 
     /// <summary>The degree, given or chosen.</summary>
@@ -110,31 +110,31 @@ public sealed partial class PolynomialFit
     /// <summary>
     /// Condition number (2-norm) of the design in powers of the abscissa mapped to [-1, 1]: how well the places of the points tell the coefficients apart, whatever unit and origin.
     /// </summary>
-    public double Condition => Degree == 0 ? 1 : basisInPowersOfT.ConditionNumber();
+    public double Condition => Degree == 0 ? 1 : _basisInPowersOfT.ConditionNumber();
 
     /// <summary>The value at a place, from the orthogonal basis: exact to rounding where the powers of x would lose digits.</summary>
     public double Evaluate(double x)
     {
-        var (sum, _) = Recur(x, terms);
+        var (sum, _) = Recur(x, _terms);
         return sum;
     }
 
     /// <summary>The derivative dy/dx at a place.</summary>
     public double Derivative(double x)
     {
-        var (_, slope) = Recur(x, terms);
-        return slope / halfWidth;
+        var (_, slope) = Recur(x, _terms);
+        return slope / _halfWidth;
     }
 
     /// <summary>Standard error of the fitted value at a place. Under a ridge it does not include its bias.</summary>
     public double StandardErrorAt(double x)
     {
-        var t = (x - center) / halfWidth;
+        var t = (x - _center) / _halfWidth;
         var (before, value, sum) = (0.0, 1.0, 0.0);
         for (var k = 0; k <= Degree; k++)
         {
-            sum += termErrors[k] * value * (termErrors[k] * value);
-            (before, value) = (value, ((t - a[k]) * value) - (b[k] * before));
+            sum += _termErrors[k] * value * (_termErrors[k] * value);
+            (before, value) = (value, ((t - _a[k]) * value) - (_b[k] * before));
         }
 
         return Math.Sqrt(sum);
@@ -145,16 +145,16 @@ public sealed partial class PolynomialFit
 
     private (double Sum, double SlopeInT) Recur(double x, double[] weights)
     {
-        var t = (x - center) / halfWidth;
+        var t = (x - _center) / _halfWidth;
         var (before, value, sum) = (0.0, 1.0, 0.0);
         var (slopeBefore, slope, slopeSum) = (0.0, 0.0, 0.0);
         for (var k = 0; k < weights.Length; k++)
         {
             sum += weights[k] * value;
             slopeSum += weights[k] * slope;
-            var nextSlope = value + ((t - a[k]) * slope) - (b[k] * slopeBefore);
+            var nextSlope = value + ((t - _a[k]) * slope) - (_b[k] * slopeBefore);
             (slopeBefore, slope) = (slope, nextSlope);
-            (before, value) = (value, ((t - a[k]) * value) - (b[k] * before));
+            (before, value) = (value, ((t - _a[k]) * value) - (_b[k] * before));
         }
 
         return (sum, slopeSum);

@@ -3,7 +3,7 @@ namespace ErrorMatching.Geometry;
 /// <summary>A polynomial in powers of its variable, evaluated by Horner's rule. Immutable; two are equal if their coefficients are.</summary>
 public sealed class Polynomial : IEquatable<Polynomial>
 {
-    private readonly double[] coefficients;
+    private readonly double[] _coefficients;
 
     /// <summary>A polynomial from ascending coefficients: the constant first. Zeros at the end are dropped, and no coefficient at all means zero.</summary>
     /// <param name="ascending">Coefficient of each power, from the zeroth.</param>
@@ -24,22 +24,22 @@ public sealed class Polynomial : IEquatable<Polynomial>
             count--;
         }
 
-        coefficients = count == 0 ? [0] : ascending[..count].ToArray();
+        _coefficients = count == 0 ? [0] : ascending[..count].ToArray();
     }
 
     /// <summary>Coefficients in ascending powers; at least one, the last not zero unless it is the only one.</summary>
-    public IReadOnlyList<double> Coefficients => Array.AsReadOnly(coefficients);
+    public IReadOnlyList<double> Coefficients => Array.AsReadOnly(_coefficients);
 
     /// <summary>The highest power, zero for a constant.</summary>
-    public int Degree => coefficients.Length - 1;
+    public int Degree => _coefficients.Length - 1;
 
     /// <summary>The value at a place.</summary>
     public double Evaluate(double x)
     {
         var value = 0.0;
-        for (var i = coefficients.Length - 1; i >= 0; i--)
+        for (var i = _coefficients.Length - 1; i >= 0; i--)
         {
-            value = Math.FusedMultiplyAdd(value, x, coefficients[i]);
+            value = Math.FusedMultiplyAdd(value, x, _coefficients[i]);
         }
 
         return value;
@@ -51,14 +51,14 @@ public sealed class Polynomial : IEquatable<Polynomial>
         var derived = new double[Degree];
         for (var i = 0; i < derived.Length; i++)
         {
-            derived[i] = coefficients[i + 1] * (i + 1);
+            derived[i] = _coefficients[i + 1] * (i + 1);
         }
 
         return new(derived);
     }
 
     /// <inheritdoc/>
-    public bool Equals(Polynomial? other) => other is not null && coefficients.AsSpan().SequenceEqual(other.coefficients);
+    public bool Equals(Polynomial? other) => other is not null && _coefficients.AsSpan().SequenceEqual(other._coefficients);
 
     /// <inheritdoc/>
     public override bool Equals(object? obj) => Equals(obj as Polynomial);
@@ -67,7 +67,7 @@ public sealed class Polynomial : IEquatable<Polynomial>
     public override int GetHashCode()
     {
         var hash = default(HashCode);
-        foreach (var coefficient in coefficients)
+        foreach (var coefficient in _coefficients)
         {
             hash.Add(coefficient);
         }

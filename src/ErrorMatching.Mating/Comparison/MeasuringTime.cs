@@ -6,18 +6,19 @@ namespace ErrorMatching.Mating;
 /// <param name="ProbingSpeedMmPerS">Velocity of the touch.</param>
 /// <param name="ProbingDistanceMm">Distance between the probe and a key point before the touch.</param>
 /// <param name="CalculatingS">Time to calculate the deviations.</param>
-public sealed record MeasuringTime(double ProbingSpeedMmPerS, double ProbingDistanceMm, double CalculatingS)
+/// <param name="Touches">How many points the gauge touches; null where it is the number of key points.</param>
+public sealed record MeasuringTime(double ProbingSpeedMmPerS, double ProbingDistanceMm, double CalculatingS, int? Touches = null)
 {
     /// <summary>What the paper measured with: 10 mm/s, 5 mm, 1 s.</summary>
     public static MeasuringTime Default { get; } = new(10, 5, 1);
 
-    /// <summary>Equation (7): number of key points times distance by speed, plus the calculation.</summary>
+    /// <summary>Equation (7): number of touched points times distance by speed, plus the calculation.</summary>
     /// <param name="keyPoints">Number of key points, zero or more.</param>
     /// <exception cref="ArgumentOutOfRangeException">The number is negative.</exception>
     public double TotalS(int keyPoints)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(keyPoints);
-        return (keyPoints * ProbingDistanceMm / ProbingSpeedMmPerS) + CalculatingS;
+        return ((Touches ?? keyPoints) * ProbingDistanceMm / ProbingSpeedMmPerS) + CalculatingS;
     }
 
     /// <inheritdoc/>

@@ -66,7 +66,8 @@ internal sealed partial class JobReader(JsonItem root)
             new(
                 measuring?.Find("probingSpeedMmPerS")?.Number ?? MeasuringTime.Default.ProbingSpeedMmPerS,
                 measuring?.Find("probingDistanceMm")?.Number ?? MeasuringTime.Default.ProbingDistanceMm,
-                measuring?.Find("calculatingS")?.Number ?? MeasuringTime.Default.CalculatingS));
+                measuring?.Find("calculatingS")?.Number ?? MeasuringTime.Default.CalculatingS,
+                (int?)measuring?.Find("touches")?.Number));
     }
 
     private MeasurementFormat ReadFormat(JsonItem item)

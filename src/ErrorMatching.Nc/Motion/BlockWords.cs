@@ -3,10 +3,10 @@ namespace ErrorMatching.Nc;
 /// <summary>The words of one block, sorted by letter: reused from block to block so that interpreting allocates nothing.</summary>
 internal sealed class BlockWords
 {
-    private readonly NcNumber[] numbers = new NcNumber[26];
-    private readonly int[] codes = new int[16];
-    private readonly int[] functions = new int[16];
-    private readonly List<NcToken> keywords = [];
+    private readonly NcNumber[] _numbers = new NcNumber[26];
+    private readonly int[] _codes = new int[16];
+    private readonly int[] _functions = new int[16];
+    private readonly List<NcToken> _keywords = [];
 
     /// <summary>Letters with a plain number, one bit each, A first.</summary>
     public uint Present { get; private set; }
@@ -28,19 +28,19 @@ internal sealed class BlockWords
 
     public NcToken Invalid { get; private set; }
 
-    public IReadOnlyList<NcToken> Keywords => keywords;
+    public IReadOnlyList<NcToken> Keywords => _keywords;
 
-    public ReadOnlySpan<int> Codes => codes.AsSpan(0, CodeCount);
+    public ReadOnlySpan<int> Codes => _codes.AsSpan(0, CodeCount);
 
-    public ReadOnlySpan<int> Functions => functions.AsSpan(0, FunctionCount);
+    public ReadOnlySpan<int> Functions => _functions.AsSpan(0, FunctionCount);
 
     public static uint Bit(char letter) => 1u << (letter - 'A');
 
     public bool Has(char letter) => (Present & Bit(letter)) != 0;
 
-    public double Value(char letter) => numbers[letter - 'A'].Value;
+    public double Value(char letter) => _numbers[letter - 'A'].Value;
 
-    public NcNumber Number(char letter) => numbers[letter - 'A'];
+    public NcNumber Number(char letter) => _numbers[letter - 'A'];
 
     /// <summary>Position of the block in its program.</summary>
     public int BlockIndex { get; private set; }
@@ -49,22 +49,22 @@ internal sealed class BlockWords
     {
         BlockIndex = block.Index;
         (Present, Computed, Repeated, HasCornerWord, AssignsSystemVariable, CodeCount, FunctionCount, Invalid) = (0, 0, 0, false, false, 0, 0, default);
-        keywords.Clear();
+        _keywords.Clear();
         foreach (var token in program.Tokens(block))
         {
             switch (token.Kind)
             {
-                case NcTokenKind.Word when token.Letter == 'G' && CodeCount < codes.Length:
-                    codes[CodeCount++] = Tenths(token.Number);
+                case NcTokenKind.Word when token.Letter == 'G' && CodeCount < _codes.Length:
+                    _codes[CodeCount++] = Tenths(token.Number);
                     break;
-                case NcTokenKind.Word when token.Letter == 'M' && FunctionCount < functions.Length:
-                    functions[FunctionCount++] = Function(token.Number);
+                case NcTokenKind.Word when token.Letter == 'M' && FunctionCount < _functions.Length:
+                    _functions[FunctionCount++] = Function(token.Number);
                     break;
                 case NcTokenKind.Word:
                     var bit = 1u << (token.Letter - 'A');
                     Repeated |= (Present | Computed) & bit;
                     Present |= bit;
-                    numbers[token.Letter - 'A'] = token.Number;
+                    _numbers[token.Letter - 'A'] = token.Number;
                     break;
                 case NcTokenKind.ExpressionWord:
                     var computed = 1u << (token.Letter - 'A');
@@ -75,7 +75,7 @@ internal sealed class BlockWords
                     HasCornerWord = true;
                     break;
                 case NcTokenKind.Keyword:
-                    keywords.Add(token);
+                    _keywords.Add(token);
                     break;
                 case NcTokenKind.Assignment:
                     AssignsSystemVariable |= IsSystemVariable(program.Bytes.Span.Slice(token.Start, token.Length));

@@ -3,8 +3,8 @@ namespace ErrorMatching.Nc;
 /// <summary>A control's language as data: what its codes and letters mean, its increments and tolerances. No rule of a control lives in code elsewhere.</summary>
 public sealed class NcDialect
 {
-    private readonly NcMeaning[] codes = new NcMeaning[10_000];
-    private readonly LetterRole[] letters = new LetterRole[26];
+    private readonly NcMeaning[] _codes = new NcMeaning[10_000];
+    private readonly LetterRole[] _letters = new LetterRole[26];
 
     internal NcDialect(string name, string description) => (Name, Description) = (name, description);
 
@@ -43,16 +43,16 @@ public sealed class NcDialect
 
     /// <summary>What a G code means.</summary>
     /// <param name="tenths">The code times ten: 1 is 10, 54.1 is 541.</param>
-    public NcMeaning MeaningOf(int tenths) => (uint)tenths < (uint)codes.Length ? codes[tenths] : NcMeaning.Unknown;
+    public NcMeaning MeaningOf(int tenths) => (uint)tenths < (uint)_codes.Length ? _codes[tenths] : NcMeaning.Unknown;
 
     /// <summary>What an upper-case letter stands for.</summary>
-    public LetterRole RoleOf(byte letter) => letters[letter - 'A'];
+    public LetterRole RoleOf(byte letter) => _letters[letter - 'A'];
 
     internal NcDialect Code(NcMeaning meaning, params ReadOnlySpan<double> values)
     {
         foreach (var value in values)
         {
-            codes[(int)Math.Round(value * 10)] = meaning;
+            _codes[(int)Math.Round(value * 10)] = meaning;
         }
 
         return this;
@@ -62,7 +62,7 @@ public sealed class NcDialect
     {
         for (var code = first; code <= last; code++)
         {
-            codes[code * 10] = meaning;
+            _codes[code * 10] = meaning;
         }
 
         return this;
@@ -72,7 +72,7 @@ public sealed class NcDialect
     {
         foreach (var letter in which)
         {
-            letters[letter - 'A'] = role;
+            _letters[letter - 'A'] = role;
         }
 
         return this;

@@ -6,12 +6,12 @@ public sealed partial class NcInterpreter
     private (AxisUse Use, int Code) ReadCodes()
     {
         var (use, code) = (AxisUse.Motion, 0);
-        foreach (var tenths in words.Codes)
+        foreach (var tenths in _words.Codes)
         {
-            switch (dialect.MeaningOf(tenths))
+            switch (_dialect.MeaningOf(tenths))
             {
                 case NcMeaning.Unknown:
-                    problems.Add(new("unknown-code", words.BlockIndex, $"G{(tenths / 10m).ToString(System.Globalization.CultureInfo.InvariantCulture)} is not known to the dialect {dialect.Name}."));
+                    _problems.Add(new("unknown-code", _words.BlockIndex, $"G{(tenths / 10m).ToString(System.Globalization.CultureInfo.InvariantCulture)} is not known to the _dialect {_dialect.Name}."));
                     Forget();
                     break;
                 case NcMeaning.Dwell:
@@ -36,10 +36,10 @@ public sealed partial class NcInterpreter
                 case NcMeaning.TransformOff:
                     SwitchTransforms(tenths);
                     break;
-                case NcMeaning.WorkOffset when tenths != state.WorkOffset || words.Has('P'):
-                    state.WorkOffset = tenths;
-                    state.Frame++;
-                    state.Unknown = AxisSet.All;
+                case NcMeaning.WorkOffset when tenths != _state.WorkOffset || _words.Has('P'):
+                    _state.WorkOffset = tenths;
+                    _state.Frame++;
+                    _state.Unknown = AxisSet.All;
                     break;
                 case var meaning:
                     SwitchMode(meaning);
@@ -52,19 +52,19 @@ public sealed partial class NcInterpreter
 
     private void SwitchTransforms(int tenths)
     {
-        for (var i = 0; i < dialect.Transforms.Count; i++)
+        for (var i = 0; i < _dialect.Transforms.Count; i++)
         {
-            var (on, off) = dialect.Transforms[i];
+            var (on, off) = _dialect.Transforms[i];
             if (tenths == on)
             {
-                state.Transforms |= 1ul << i;
-                state.Frame++;
+                _state.Transforms |= 1ul << i;
+                _state.Frame++;
             }
-            else if (tenths == off && (state.Transforms & (1ul << i)) != 0)
+            else if (tenths == off && (_state.Transforms & (1ul << i)) != 0)
             {
-                state.Transforms &= ~(1ul << i);
-                state.Frame++;
-                state.Unknown = AxisSet.All;
+                _state.Transforms &= ~(1ul << i);
+                _state.Frame++;
+                _state.Unknown = AxisSet.All;
             }
         }
     }
@@ -78,17 +78,17 @@ public sealed partial class NcInterpreter
             case NcMeaning.ArcClockwise: Mode(MotionKind.ArcClockwise); break;
             case NcMeaning.ArcCounterClockwise: Mode(MotionKind.ArcCounterClockwise); break;
             case NcMeaning.Probe: Mode(MotionKind.Probe); break;
-            case NcMeaning.Cycle: state.CycleActive = true; break;
-            case NcMeaning.CycleOff: state.CycleActive = false; break;
+            case NcMeaning.Cycle: _state.CycleActive = true; break;
+            case NcMeaning.CycleOff: _state.CycleActive = false; break;
             case NcMeaning.PlaneXY: Plane(Geometry.CoordinatePlane.XY); break;
             case NcMeaning.PlaneZX: Plane(Geometry.CoordinatePlane.ZX); break;
             case NcMeaning.PlaneYZ: Plane(Geometry.CoordinatePlane.YZ); break;
-            case NcMeaning.Inch: state.Inch = true; break;
-            case NcMeaning.Metric: state.Inch = false; break;
+            case NcMeaning.Inch: _state.Inch = true; break;
+            case NcMeaning.Metric: _state.Inch = false; break;
             case NcMeaning.Absolute: Distance(incremental: false); break;
             case NcMeaning.Incremental: Distance(incremental: true); break;
-            case NcMeaning.AbsoluteCenters: state.AbsoluteCenters = true; break;
-            case NcMeaning.IncrementalCenters: state.AbsoluteCenters = false; break;
+            case NcMeaning.AbsoluteCenters: _state.AbsoluteCenters = true; break;
+            case NcMeaning.IncrementalCenters: _state.AbsoluteCenters = false; break;
             case NcMeaning.CompensationOff: Compensate(MotionFlags.None); break;
             case NcMeaning.CompensationLeft: Compensate(MotionFlags.CompensationLeft); break;
             case NcMeaning.CompensationRight: Compensate(MotionFlags.CompensationRight); break;
@@ -97,27 +97,27 @@ public sealed partial class NcInterpreter
 
     private void Mode(MotionKind kind)
     {
-        state.Mode = kind;
-        state.CycleActive = false;
-        state.Unsure &= ~Unsure.Mode;
+        _state.Mode = kind;
+        _state.CycleActive = false;
+        _state.Unsure &= ~Unsure.Mode;
     }
 
     private void Plane(Geometry.CoordinatePlane plane)
     {
-        state.Plane = plane;
-        state.Unsure &= ~Unsure.Plane;
+        _state.Plane = plane;
+        _state.Unsure &= ~Unsure.Plane;
     }
 
     private void Distance(bool incremental)
     {
-        state.Incremental = incremental;
-        state.Unsure &= ~Unsure.Distance;
+        _state.Incremental = incremental;
+        _state.Unsure &= ~Unsure.Distance;
     }
 
     private void Compensate(MotionFlags side)
     {
-        state.CompensationSwitched |= state.Compensation != side;
-        state.Compensation = side;
-        state.Unsure &= ~Unsure.Compensation;
+        _state.CompensationSwitched |= _state.Compensation != side;
+        _state.Compensation = side;
+        _state.Unsure &= ~Unsure.Compensation;
     }
 }

@@ -3,15 +3,15 @@ namespace ErrorMatching.Nc;
 /// <summary>What a program does: its motions in order, and what stands in the way of trusting them.</summary>
 public sealed class NcPath
 {
-    private readonly NcMotion[] motions;
-    private readonly int count;
+    private readonly NcMotion[] _motions;
+    private readonly int _count;
 
     internal NcPath(NcProgram program, NcDialect dialect, NcMotion[] motions, int count, IReadOnlyList<NcProblem> problems, IReadOnlyList<int> placeDependents, int flowBlock)
     {
         Program = program;
         Dialect = dialect;
-        this.motions = motions;
-        this.count = count;
+        _motions = motions;
+        _count = count;
         Problems = problems;
         PlaceDependents = placeDependents;
         FlowBlock = flowBlock;
@@ -24,7 +24,7 @@ public sealed class NcPath
     public NcDialect Dialect { get; }
 
     /// <summary>All motions, in the order of their blocks.</summary>
-    public ReadOnlySpan<NcMotion> Motions => motions.AsSpan(0, count);
+    public ReadOnlySpan<NcMotion> Motions => _motions.AsSpan(0, _count);
 
     /// <summary>Unknown words, arcs that do not close, unterminated comments and the like, in the order of the blocks.</summary>
     public IReadOnlyList<NcProblem> Problems { get; }
@@ -38,11 +38,11 @@ public sealed class NcPath
     /// <summary>Position of the first motion of a block or a later one: <see cref="Motions"/> is sorted by block.</summary>
     public int FirstMotionFrom(int block)
     {
-        var (low, high) = (0, count);
+        var (low, high) = (0, _count);
         while (low < high)
         {
             var middle = (low + high) / 2;
-            if (motions[middle].Block < block)
+            if (_motions[middle].Block < block)
             {
                 low = middle + 1;
             }
@@ -59,6 +59,6 @@ public sealed class NcPath
     public int MotionOf(int block)
     {
         var at = FirstMotionFrom(block);
-        return at < count && motions[at].Block == block ? at : -1;
+        return at < _count && _motions[at].Block == block ? at : -1;
     }
 }

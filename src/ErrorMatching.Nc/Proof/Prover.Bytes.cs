@@ -11,7 +11,7 @@ public sealed partial class Prover
     private bool CompareBytes(int markerBlock)
     {
         var identical = true;
-        var (was, now) = (before.Program, after.Program);
+        var (was, now) = (_before.Program, _after.Program);
         for (var i = 0; i < was.BlockCount; i++)
         {
             var (a, b) = (was[i], now[InResult(i, markerBlock)]);
@@ -20,13 +20,13 @@ public sealed partial class Prover
                 continue;
             }
 
-            var motion = before.MotionOf(i);
+            var motion = _before.MotionOf(i);
             if (motion < 0 || !SameButCoordinates(motion, a, b))
             {
                 Fail(i, "something other than the words of its new place changed in it.");
                 identical = false;
             }
-            else if ((Obstacles.Of(before) ?? Obstacles.Of(before, motion)) is { } obstacle)
+            else if ((Obstacles.Of(_before) ?? Obstacles.Of(_before, motion)) is { } obstacle)
             {
                 Fail(i, $"it changed although {obstacle.Message}");
             }
@@ -37,10 +37,10 @@ public sealed partial class Prover
 
     private bool SameButCoordinates(int motion, NcBlock a, NcBlock b)
     {
-        var (was, now) = (before.Motions[motion], after.Motions[motion]);
-        var (original, result) = (WordsOf(before.Program, a), WordsOf(after.Program, b));
-        return Remainder(before.Program, a, Judge(was, now, original, result, inOriginal: true))
-            .SequenceEqual(Remainder(after.Program, b, Judge(was, now, result, original, inOriginal: false)));
+        var (was, now) = (_before.Motions[motion], _after.Motions[motion]);
+        var (original, result) = (WordsOf(_before.Program, a), WordsOf(_after.Program, b));
+        return Remainder(_before.Program, a, Judge(was, now, original, result, inOriginal: true))
+            .SequenceEqual(Remainder(_after.Program, b, Judge(was, now, result, original, inOriginal: false)));
     }
 
     private static Dictionary<byte, NcNumber> WordsOf(NcProgram program, NcBlock block)

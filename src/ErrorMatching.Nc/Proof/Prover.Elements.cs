@@ -6,19 +6,19 @@ namespace ErrorMatching.Nc;
 public sealed partial class Prover
 {
     /// <summary>Both coordinates of an end are rounded by up to half an increment.</summary>
-    private double LineTolerance => (0.75 * increment) + 1e-6;
+    private double LineTolerance => (0.75 * _increment) + 1e-6;
 
     /// <summary>Arcs add the rounding of their center.</summary>
-    private double ArcTolerance => (1.6 * increment) + 1e-6;
+    private double ArcTolerance => (1.6 * _increment) + 1e-6;
 
     /// <summary>A fillet's ends are rounded, and so is the center whose feet they are.</summary>
-    private double FootTolerance => (5 * increment) + 1e-6;
+    private double FootTolerance => (5 * _increment) + 1e-6;
 
     private static double Mismatch(in NcMotion motion) => ArcCenter.Mismatch(motion.PlaneStart, motion.PlaneEnd, motion.Center);
 
     private void Measure(int block, double deviation, double tolerance)
     {
-        maxDeviation = Math.Max(maxDeviation, deviation);
+        _maxDeviation = Math.Max(_maxDeviation, deviation);
         if (!(deviation <= tolerance))
         {
             Fail(block, FormattableString.Invariant($"it lies {deviation:0.0000} mm from where it was wanted."));
@@ -65,20 +65,20 @@ public sealed partial class Prover
     // A vertex may run along its element to meet the neighbor, but not away.
     private void CheckReach(in NcMotion was, Vector2 moved)
     {
-        if (moved.Length > reach)
+        if (moved.Length > _reach)
         {
             Fail(was.Block, FormattableString.Invariant($"an end went {moved.Length:0.000} mm, further than any displacement asked for can explain."));
         }
     }
 
-    private Line2? Flank(int motion) => elements.TryGetValue(motion, out var element) && before.Motions[motion] is { IsArc: false } m
+    private Line2? Flank(int motion) => _elements.TryGetValue(motion, out var element) && _before.Motions[motion] is { IsArc: false } m
         ? Line2.Through(m.PlaneStart + element.Start, m.PlaneEnd + element.End)
         : null;
 
     // The lines beside a fillet touch its circle, and it begins and ends there. A joint between two of its arcs keeps its direction from the center.
     private void CheckFillet(int motion, in NcMotion was, in NcMotion now)
     {
-        var (first, last) = Fillet.Around(before, motion)!.Value;
+        var (first, last) = Fillet.Around(_before, motion)!.Value;
         var (lineBefore, behind) = (Flank(first - 1)!.Value, Flank(last + 1)!.Value);
         var circle = now.Arc.Circle;
         Measure(was.Block, Math.Abs(Math.Abs(lineBefore.SignedDistance(circle.Center)) - circle.Radius), ArcTolerance);
@@ -98,7 +98,7 @@ public sealed partial class Prover
             return;
         }
 
-        var allowed = Math.Max(Mismatch(was), 1.5 * increment);
+        var allowed = Math.Max(Mismatch(was), 1.5 * _increment);
         if (Mismatch(now) > allowed + 1e-9)
         {
             Fail(was.Block, "the radii at its start and end differ by more than a control accepts.");
@@ -106,7 +106,7 @@ public sealed partial class Prover
 
         if (Math.Abs(now.Arc.Sweep.Radians - was.Arc.Sweep.Radians) > Math.PI / 2)
         {
-            Fail(was.Block, "it turns by another angle than before.");
+            Fail(was.Block, "it turns by another angle than _before.");
         }
     }
 
@@ -142,7 +142,7 @@ public sealed partial class Prover
         }
         else
         {
-            if (was.IsArc && moved.Length > 5 * increment && EndsOnCircle(was, now))
+            if (was.IsArc && moved.Length > 5 * _increment && EndsOnCircle(was, now))
             {
                 Fail(was.Block, "its ends slid along its circle, but its center moved.");
             }
@@ -184,11 +184,11 @@ public sealed partial class Prover
     {
         var wanted = Circle2.Through(now.PlaneStart, middle, now.PlaneEnd).Radius;
         var isKept = Math.Abs(now.Arc.Radius - was.Arc.Radius) < 1e-6 && Math.Abs(now.Arc.Sweep.Radians - was.Arc.Sweep.Radians) < 0.02 * Math.Abs(was.Arc.Sweep.Radians);
-        return isKept || Math.Abs(now.Arc.Radius - wanted) <= (1.5 * increment) + 1e-6;
+        return isKept || Math.Abs(now.Arc.Radius - wanted) <= (1.5 * _increment) + 1e-6;
     }
 
     private void Note(in NcMotion was, NeighborRole role, Vector2 moved) =>
-        neighbors.Add(new(before.Program.NameOf(before.Program[was.Block]), was.Block + 1, role, moved.Length));
+        _neighbors.Add(new(_before.Program.NameOf(_before.Program[was.Block]), was.Block + 1, role, moved.Length));
 
     private bool EndsOnCircle(in NcMotion was, in NcMotion now)
     {
@@ -200,7 +200,7 @@ public sealed partial class Prover
     {
         if (was.IsArc)
         {
-            return now.Center.DistanceTo(was.Center) <= 3 * increment && EndsOnCircle(was, now);
+            return now.Center.DistanceTo(was.Center) <= 3 * _increment && EndsOnCircle(was, now);
         }
 
         var line = was.Segment.Line;

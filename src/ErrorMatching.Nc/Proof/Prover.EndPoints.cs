@@ -9,10 +9,10 @@ public sealed partial class Prover
     {
         var plane = was.Plane;
         var moved = now.End - was.End;
-        if (endPoints.Contains(motion))
+        if (_endPoints.Contains(motion))
         {
-            var off = moved - wish.By;
-            Measure(was.Block, Math.Max(Math.Abs(off.X), Math.Max(Math.Abs(off.Y), Math.Abs(off.Z))), (0.5 * increment) + 1e-6);
+            var off = moved - _wish.By;
+            Measure(was.Block, Math.Max(Math.Abs(off.X), Math.Max(Math.Abs(off.Y), Math.Abs(off.Z))), (0.5 * _increment) + 1e-6);
         }
         else if (startMoved || endMoved)
         {

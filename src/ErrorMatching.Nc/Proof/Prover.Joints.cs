@@ -17,34 +17,34 @@ public sealed partial class Prover
     /// <summary>Displacements that differ by no more are one, mm.</summary>
     private const double TangentStep = 0.0004;
 
-    private Point3 WasAt(int joint) => joint < before.Motions.Length ? before.Motions[joint].Start : before.Motions[joint - 1].End;
+    private Point3 WasAt(int joint) => joint < _before.Motions.Length ? _before.Motions[joint].Start : _before.Motions[joint - 1].End;
 
-    private Vector3 MoveOf(int joint) => (joint < after.Motions.Length ? after.Motions[joint].Start : after.Motions[joint - 1].End) - WasAt(joint);
+    private Vector3 MoveOf(int joint) => (joint < _after.Motions.Length ? _after.Motions[joint].Start : _after.Motions[joint - 1].End) - WasAt(joint);
 
     /// <summary>Joints that may move: those of named motions, those that positioning shares with them, and the other end of a closed contour.</summary>
     private HashSet<int> AllowedJoints()
     {
         var allowed = new HashSet<int>();
-        foreach (var motion in elements.Keys)
+        foreach (var motion in _elements.Keys)
         {
             allowed.Add(motion);
             allowed.Add(motion + 1);
         }
 
-        foreach (var motion in endPoints)
+        foreach (var motion in _endPoints)
         {
             allowed.Add(motion + 1);
         }
 
-        allowed.UnionWith(closures.Values);
+        allowed.UnionWith(_closures.Values);
         foreach (var joint in allowed.Order().ToArray())
         {
-            for (var i = joint - 1; elements.Count > 0 && i >= 0 && !before.Motions[i].MovesInPlane; i--)
+            for (var i = joint - 1; _elements.Count > 0 && i >= 0 && !_before.Motions[i].MovesInPlane; i--)
             {
                 allowed.Add(i);
             }
 
-            for (var i = joint; i < before.Motions.Length && !before.Motions[i].MovesInPlane; i++)
+            for (var i = joint; i < _before.Motions.Length && !_before.Motions[i].MovesInPlane; i++)
             {
                 allowed.Add(i + 1);
             }
@@ -53,46 +53,49 @@ public sealed partial class Prover
         return allowed;
     }
 
-    // Both ends of a contour that closes on itself are one corner of the piece.
+    // Both ends of a contour that closes on itself are one corner of the piece: a later cut ends where a run begins, or an earlier one begins where a run ends.
     private void FindClosures()
     {
-        foreach (var joint in elements.Keys.SelectMany(m => new[] { m, m + 1 }).Distinct().Order())
+        foreach (var motion in _elements.Keys.Order())
         {
-            if (elements.ContainsKey(joint) && elements.ContainsKey(joint - 1))
+            if (!_elements.ContainsKey(motion - 1))
             {
-                continue;
-            }
-
-            var place = WasAt(joint);
-            for (var i = joint; i < before.Motions.Length && IsContour(i); i++)
-            {
-                if (Same(before.Motions[i].End, place))
+                for (var i = motion; i < _before.Motions.Length && IsContour(i, motion) && !_closures.ContainsKey(motion); i++)
                 {
-                    closures[joint] = i + 1;
-                    break;
+                    if (Same(_before.Motions[i].End, WasAt(motion)))
+                    {
+                        _closures[motion] = i + 1;
+                    }
                 }
             }
 
-            for (var i = joint - 1; i >= 0 && !closures.ContainsKey(joint) && IsContour(i); i--)
+            if (!_elements.ContainsKey(motion + 1))
             {
-                if (Same(before.Motions[i].Start, place))
+                for (var i = motion; i >= 0 && IsContour(i, motion) && !_closures.ContainsKey(motion + 1); i--)
                 {
-                    closures[joint] = i;
+                    if (Same(_before.Motions[i].Start, WasAt(motion + 1)))
+                    {
+                        _closures[motion + 1] = i;
+                    }
                 }
             }
         }
     }
 
-    private bool IsContour(int motion) => before.Motions[motion] is { IsCut: true, MovesInPlane: true };
+    private bool IsContour(int motion, int like)
+    {
+        var (m, l) = (_before.Motions[motion], _before.Motions[like]);
+        return motion == like || (m is { IsCut: true, MovesInPlane: true } && m.Plane == l.Plane && m.Frame == l.Frame && !m.Has(MotionFlags.CompensationSwitches));
+    }
 
     // What is set or called where the tool stands must find it where it was.
     private void CheckPlaceDependents()
     {
-        foreach (var block in before.PlaceDependents)
+        foreach (var block in _before.PlaceDependents)
         {
             // What follows may count from a new origin, so the end before it is compared.
-            var motion = before.FirstMotionFrom(block + 1) - 1;
-            if (motion >= 0 && !Same(before.Motions[motion].End, after.Motions[motion].End))
+            var motion = _before.FirstMotionFrom(block + 1) - 1;
+            if (motion >= 0 && !Same(_before.Motions[motion].End, _after.Motions[motion].End))
             {
                 Fail(block, "an origin is set or a program is called here at a place that moved.");
             }
@@ -105,21 +108,21 @@ public sealed partial class Prover
     /// </summary>
     private void CheckJoint(int motion, int joint, Vector2 wished)
     {
-        var plane = before.Motions[motion].Plane;
+        var plane = _before.Motions[motion].Plane;
         var move = MoveOf(joint);
         var moved = plane.Project(default(Point3) + move) - Point2.Origin;
         if (Math.Abs(plane.Height(default(Point3) + move)) > 1e-9)
         {
-            Fail(before.Motions[motion].Block, "an end moved along the tool axis.");
+            Fail(_before.Motions[motion].Block, "an end moved along the tool axis.");
         }
 
-        var other = closures.TryGetValue(joint, out var closing) ? closing : -1;
-        if (other >= 0 && MoveOf(other).Length > 1e-9 && (MoveOf(other) - move).Length > 1e-9)
+        var other = _closures.TryGetValue(joint, out var closing) ? closing : -1;
+        if (other >= 0 && (MoveOf(other) - move).Length > 1e-9)
         {
-            Fail(before.Motions[motion].Block, "the contour no longer closes.");
+            Fail(_before.Motions[motion].Block, "the contour no longer closes.");
         }
 
-        if ((moved - wished).Length <= increment + 1e-6 || IsFillet(motion))
+        if ((moved - wished).Length <= _increment + 1e-6 || IsFillet(motion))
         {
             return;
         }
@@ -132,7 +135,7 @@ public sealed partial class Prover
 
         if (!isHeld)
         {
-            Fail(before.Motions[motion].Block, FormattableString.Invariant($"an end moved by ({moved.X:0.000}, {moved.Y:0.000}), where neither the wish nor a neighbor puts it."));
+            Fail(_before.Motions[motion].Block, FormattableString.Invariant($"an end moved by ({moved.X:0.000}, {moved.Y:0.000}), where neither the _wish nor a neighbor puts it."));
         }
     }
 
@@ -140,12 +143,12 @@ public sealed partial class Prover
     private IEnumerable<(int Motion, bool AtStart)> MotionsAt(int joint)
     {
         var behind = joint;
-        while (behind >= 0 && behind < before.Motions.Length && IsShrunk(behind))
+        while (behind >= 0 && behind < _before.Motions.Length && IsShrunk(behind))
         {
             behind++;
         }
 
-        if (behind >= 0 && behind < before.Motions.Length && IsContour(behind))
+        if (behind >= 0 && behind < _before.Motions.Length && _before.Motions[behind] is { IsCut: true, MovesInPlane: true })
         {
             yield return (behind, true);
         }
@@ -156,19 +159,19 @@ public sealed partial class Prover
             ahead--;
         }
 
-        if (ahead >= 0 && IsContour(ahead))
+        if (ahead >= 0 && _before.Motions[ahead] is { IsCut: true, MovesInPlane: true })
         {
             yield return (ahead, false);
         }
     }
 
     /// <summary>True for a named line that was cut off by the displacement of a corner and shrank to it: what it was measured by are the elements on both sides.</summary>
-    private bool IsShrunk(int motion) => elements.ContainsKey(motion) && before.Motions[motion] is { Kind: MotionKind.Line, MovesInPlane: true } was
-        && after.Motions[motion] is { MovesInPlane: false } && was.PlaneLength <= reach;
+    private bool IsShrunk(int motion) => _elements.ContainsKey(motion) && _before.Motions[motion] is { Kind: MotionKind.Line, MovesInPlane: true } was
+        && _after.Motions[motion] is { MovesInPlane: false } && was.PlaneLength <= _reach;
 
     private bool Holds(int neighbor, bool atStart, int motion, int joint, Vector2 moved, Vector2 wished)
     {
-        var (n, e) = (before.Motions[neighbor], before.Motions[motion]);
+        var (n, e) = (_before.Motions[neighbor], _before.Motions[motion]);
         if (n.Plane != e.Plane || Same(n.PlaneStart, n.PlaneEnd) && !n.IsArc)
         {
             return false;
@@ -177,13 +180,15 @@ public sealed partial class Prover
         var elementStarts = joint == motion;
         var (tangent, other) = (e.TangentAt(elementStarts ? 0 : 1), n.TangentAt(atStart ? 0 : 1));
         var isTangent = Math.Abs(tangent.Cross(other)) < TangentSine;
-        if (elements.TryGetValue(neighbor, out var element))
+        if (_elements.TryGetValue(neighbor, out var element))
         {
             // It is measured itself; two that run into each other meet where their common normal says.
-            var turned = tangent.Dot(other) > 0 ? other : -other;
-            var step = Math.Abs(wished.Dot(tangent.Left) - (atStart ? element.Start : element.End).Dot(turned.Left));
+            var (leaving, arriving) = (elementStarts ? tangent : -tangent, atStart ? -other : other);
+            var isReversal = leaving.Dot(arriving) < 0;
+            var otherWished = atStart ? element.Start : element.End;
+            var step = Math.Abs(wished.Dot(leaving.Left) - otherWished.Dot(arriving.Left));
             var meets = step > TangentStep && Math.Abs(tangent.Cross(other)) > SmallestCornerSine;
-            return !isTangent || meets || IsFillet(neighbor) || IsOnCommonNormal(tangent, turned, moved, wished, atStart ? element.Start : element.End);
+            return !isTangent || isReversal || meets || IsFillet(neighbor) || IsOnCommonNormal(leaving, arriving, moved, wished, otherWished);
         }
 
         if (IsFillet(neighbor))
@@ -198,11 +203,11 @@ public sealed partial class Prover
     private bool IsOnCommonNormal(Vector2 tangent, Vector2 other, Vector2 moved, Vector2 wished, Vector2 otherWished)
     {
         var along = (tangent + other).Normalize();
-        var allowed = (TangentSine * wished.Length) + increment + 1e-6;
+        var allowed = (TangentSine * wished.Length) + _increment + 1e-6;
         return Math.Abs(moved.Dot(along)) <= allowed || Math.Abs((moved - ((wished + otherWished) / 2)).Dot(along)) <= allowed;
     }
 
     /// <summary>True for an arc that joins two named lines tangentially and must go on doing so: one that was not named, or that was named as a fillet.</summary>
-    private bool IsFillet(int motion) => (!elements.TryGetValue(motion, out var element) || element.IsFillet)
-        && Fillet.Around(before, motion) is var (first, last) && Flank(first - 1) is not null && Flank(last + 1) is not null;
+    private bool IsFillet(int motion) => (!_elements.TryGetValue(motion, out var element) || element.IsFillet)
+        && Fillet.Around(_before, motion) is var (first, last) && Flank(first - 1) is not null && Flank(last + 1) is not null;
 }

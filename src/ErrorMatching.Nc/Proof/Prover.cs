@@ -11,29 +11,29 @@ public sealed partial class Prover
     /// <summary>How far a vertex may go, in multiples of the largest displacement asked for: a corner of 10 degrees needs 11.5.</summary>
     private const double FurthestCorner = 13;
 
-    private readonly NcPath before;
-    private readonly NcPath after;
-    private readonly DisplacementWish wish;
-    private readonly string? marker;
-    private readonly double increment;
-    private readonly Dictionary<int, ElementWish> elements;
-    private readonly HashSet<int> endPoints;
-    private readonly Dictionary<int, int> closures = [];
-    private readonly List<NcRefusal> failures = [];
-    private readonly List<ProofNeighbor> neighbors = [];
-    private readonly double reach;
-    private double maxDeviation;
+    private readonly NcPath _before;
+    private readonly NcPath _after;
+    private readonly DisplacementWish _wish;
+    private readonly string? _marker;
+    private readonly double _increment;
+    private readonly Dictionary<int, ElementWish> _elements;
+    private readonly HashSet<int> _endPoints;
+    private readonly Dictionary<int, int> _closures = [];
+    private readonly List<NcRefusal> _failures = [];
+    private readonly List<ProofNeighbor> _neighbors = [];
+    private readonly double _reach;
+    private double _maxDeviation;
 
     private Prover(NcPath before, NcPath after, DisplacementWish wish, string? marker, double increment)
     {
-        this.before = before;
-        this.after = after;
-        this.wish = wish;
-        this.marker = marker;
-        this.increment = increment;
-        elements = wish.Elements.ToDictionary(e => e.Motion);
-        endPoints = [.. wish.EndPoints];
-        reach = (FurthestCorner * wish.Elements.Select(e => Math.Max(e.Start.Length, e.End.Length)).DefaultIfEmpty().Max()) + (2 * increment);
+        _before = before;
+        _after = after;
+        _wish = wish;
+        _marker = marker;
+        _increment = increment;
+        _elements = wish.Elements.ToDictionary(e => e.Motion);
+        _endPoints = [.. wish.EndPoints];
+        _reach = (FurthestCorner * wish.Elements.Select(e => Math.Max(e.Start.Length, e.End.Length)).DefaultIfEmpty().Max()) + (2 * increment);
     }
 
     /// <summary>Compares a displaced program with its original.</summary>
@@ -50,49 +50,49 @@ public sealed partial class Prover
         var markerBlock = FindMarker();
         var moved = 0;
         var bytesIdentical = false;
-        if (failures.Count == 0 && SameStructure(markerBlock))
+        if (_failures.Count == 0 && SameStructure(markerBlock))
         {
             moved = CompareMotions();
             bytesIdentical = CompareBytes(markerBlock);
         }
 
-        return new(failures.Count == 0, before.Motions.Length, moved, neighbors, marker, maxDeviation, bytesIdentical, failures);
+        return new(_failures.Count == 0, _before.Motions.Length, moved, _neighbors, _marker, _maxDeviation, bytesIdentical, _failures);
     }
 
-    private void Fail(int block, string what) => failures.Add(NcRefusal.At(before.Program, block, NcRefusalCodes.ProofFailed, what));
+    private void Fail(int block, string what) => _failures.Add(NcRefusal.At(_before.Program, block, NcRefusalCodes.ProofFailed, what));
 
     // The line that holds the marker in the result, or -1 where none was asked for.
     private int FindMarker()
     {
-        var extra = after.Program.BlockCount - before.Program.BlockCount;
-        if (extra != (marker is null ? 0 : 1))
+        var extra = _after.Program.BlockCount - _before.Program.BlockCount;
+        if (extra != (_marker is null ? 0 : 1))
         {
-            failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, $"The result has {after.Program.BlockCount} lines, expected {before.Program.BlockCount + (marker is null ? 0 : 1)}."));
+            _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, $"The result has {_after.Program.BlockCount} lines, expected {_before.Program.BlockCount + (_marker is null ? 0 : 1)}."));
             return -1;
         }
 
-        if (marker is null)
+        if (_marker is null)
         {
             return -1;
         }
 
-        for (var i = 0; i < after.Program.BlockCount; i++)
+        for (var i = 0; i < _after.Program.BlockCount; i++)
         {
-            if (after.Program.TextOf(after.Program[i]) == marker)
+            if (_after.Program.TextOf(_after.Program[i]) == _marker)
             {
                 CheckMarker(i);
                 return i;
             }
         }
 
-        failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The marker comment is not in the result."));
+        _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The _marker comment is not in the result."));
         return -1;
     }
 
     // The marker does nothing and ends as the lines beside it end.
     private void CheckMarker(int line)
     {
-        var program = after.Program;
+        var program = _after.Program;
         var onlyComment = true;
         foreach (var token in program.Tokens(program[line]))
         {
@@ -102,7 +102,7 @@ public sealed partial class Prover
         var beside = line > 0 ? line - 1 : line + 1;
         if (!onlyComment || (beside < program.BlockCount && !LineEnd(program, line).SequenceEqual(LineEnd(program, beside))))
         {
-            failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The marker is not a plain comment line."));
+            _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The _marker is not a plain comment line."));
         }
     }
 
@@ -111,15 +111,15 @@ public sealed partial class Prover
 
     private bool SameStructure(int markerBlock)
     {
-        if (before.Motions.Length != after.Motions.Length)
+        if (_before.Motions.Length != _after.Motions.Length)
         {
-            failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, $"The result has {after.Motions.Length} motions, the original {before.Motions.Length}."));
+            _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, $"The result has {_after.Motions.Length} motions, the original {_before.Motions.Length}."));
             return false;
         }
 
-        for (var i = 0; i < before.Motions.Length; i++)
+        for (var i = 0; i < _before.Motions.Length; i++)
         {
-            var (was, now) = (before.Motions[i], after.Motions[i]);
+            var (was, now) = (_before.Motions[i], _after.Motions[i]);
             const MotionFlags Spelling = MotionFlags.ByRadius;
             if (now.Block != InResult(was.Block, markerBlock) || now.Kind != was.Kind || now.Plane != was.Plane || (now.Flags & ~Spelling) != (was.Flags & ~Spelling)
                 || now.Turns != was.Turns || now.Frame != was.Frame || now.Feed != was.Feed || now.UnknownStart != was.UnknownStart || now.UnknownEnd != was.UnknownEnd)
@@ -128,7 +128,7 @@ public sealed partial class Prover
             }
         }
 
-        return failures.Count == 0;
+        return _failures.Count == 0;
     }
 
     private static int InResult(int block, int markerBlock) => markerBlock >= 0 && block >= markerBlock ? block + 1 : block;
@@ -138,9 +138,9 @@ public sealed partial class Prover
         FindClosures();
         var allowed = AllowedJoints();
         var moved = 0;
-        for (var i = 0; i < before.Motions.Length; i++)
+        for (var i = 0; i < _before.Motions.Length; i++)
         {
-            var (was, now) = (before.Motions[i], after.Motions[i]);
+            var (was, now) = (_before.Motions[i], _after.Motions[i]);
             var (startMoved, endMoved) = (!Same(was.Start, now.Start), !Same(was.End, now.End));
             var differs = startMoved || endMoved || (was.IsArc && !Same(was.Center, now.Center));
             moved += differs ? 1 : 0;
@@ -148,11 +148,11 @@ public sealed partial class Prover
             {
                 Fail(was.Block, "it moved although neither it nor a motion beside it was named.");
             }
-            else if (elements.TryGetValue(i, out var element))
+            else if (_elements.TryGetValue(i, out var element))
             {
                 CheckElement(element, was, now);
             }
-            else if (endPoints.Count > 0)
+            else if (_endPoints.Count > 0)
             {
                 CheckEndPoint(i, was, now, startMoved, endMoved);
             }

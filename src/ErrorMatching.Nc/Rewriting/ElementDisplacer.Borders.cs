@@ -11,7 +11,7 @@ internal sealed partial class ElementDisplacer
 {
     private NcRefusal? Borders(int first, int last)
     {
-        var motions = path.Motions;
+        var motions = _path.Motions;
         var (start, end) = (motions[first].Start, motions[last].End);
         if (first < last && IsSamePlace(start, end))
         {
@@ -28,13 +28,13 @@ internal sealed partial class ElementDisplacer
     // The whole contour is displaced: its first and last element meet each other.
     private NcRefusal? CloseRun(int first, int last)
     {
-        var motion = path.Motions[first];
+        var motion = _path.Motions[first];
         var place = motion.PlaneStart;
-        var amount = Math.Max(wishes[last].End.Length, wishes[first].Start.Length);
+        var amount = Math.Max(_wishes[last].End.Length, _wishes[first].Start.Length);
         var move = Smooth(last, first) ?? (Meet(last, first, first, amount) is { } point ? point - place : null);
         if (move is not { } both)
         {
-            return At(motion, NcRefusalCodes.NoIntersection, $"displaced as asked, the contour no longer closes with {path.Program.NameOf(path.Program[path.Motions[last].Block])}.");
+            return At(motion, NcRefusalCodes.NoIntersection, $"displaced as asked, the contour no longer closes with {_path.Program.NameOf(_path.Program[_path.Motions[last].Block])}.");
         }
 
         Place(first, motion.Plane, both);
@@ -50,20 +50,20 @@ internal sealed partial class ElementDisplacer
     /// <param name="otherJoint">The joint of the neighbor where a closed contour makes that another one, else -1.</param>
     private void Border(int element, int neighbor, int joint, bool atStart, int otherJoint)
     {
-        if (change.IsSet(joint))
+        if (_change.IsSet(joint))
         {
             return;
         }
 
-        var motion = path.Motions[element];
-        var wished = atStart ? wishes[element].Start : wishes[element].End;
-        var slide = (uint)neighbor < (uint)path.Motions.Length ? Slide(element, neighbor, atStart) : null;
+        var motion = _path.Motions[element];
+        var wished = atStart ? _wishes[element].Start : _wishes[element].End;
+        var slide = (uint)neighbor < (uint)_path.Motions.Length ? Slide(element, neighbor, atStart) : null;
         if (slide is { } meeting)
         {
             var place = atStart ? motion.PlaneStart : motion.PlaneEnd;
             Shrink(atStart ? joint : meeting.Element + 1, atStart ? meeting.Element : joint, meeting.Point);
             Place(joint, motion.Plane, meeting.Point - place);
-            if (otherJoint >= 0 && !change.IsSet(otherJoint))
+            if (otherJoint >= 0 && !_change.IsSet(otherJoint))
             {
                 Place(otherJoint, motion.Plane, meeting.Point - place);
             }
@@ -72,7 +72,7 @@ internal sealed partial class ElementDisplacer
         }
 
         Place(joint, motion.Plane, wished);
-        if (otherJoint >= 0 && !change.IsSet(otherJoint))
+        if (otherJoint >= 0 && !_change.IsSet(otherJoint))
         {
             Place(otherJoint, motion.Plane, wished);
         }
@@ -80,16 +80,16 @@ internal sealed partial class ElementDisplacer
 
     private void Place(int joint, CoordinatePlane plane, Vector2 move)
     {
-        change.Move(joint, plane, move);
-        change.CarryPositioning(joint);
+        _change.Move(joint, plane, move);
+        _change.CarryPositioning(joint);
     }
 
     /// <summary>Where a displaced element meets its neighbor's own carrier, and which element that is after short ones were cut off; null if the neighbor cannot slide.</summary>
     private (Point2 Point, int Element)? Slide(int element, int neighbor, bool atStart)
     {
-        var (e, n) = (path.Motions[element], path.Motions[neighbor]);
+        var (e, n) = (_path.Motions[element], _path.Motions[neighbor]);
         if (n is not { IsCut: true, MovesInPlane: true } || n.Plane != e.Plane || n.Frame != e.Frame || n.Has(MotionFlags.CompensationSwitches)
-            || !n.IsKnownInPlane || Obstacles.Of(path, neighbor) is not null)
+            || !n.IsKnownInPlane || Obstacles.Of(_path, neighbor) is not null)
         {
             return null;
         }
@@ -101,9 +101,9 @@ internal sealed partial class ElementDisplacer
             return null;
         }
 
-        var wished = atStart ? wishes[element].Start : wishes[element].End;
+        var wished = atStart ? _wishes[element].Start : _wishes[element].End;
         var guess = joint + CornerMove(tangent.Left, wished.Dot(tangent.Left), other.Left, 0);
-        while (carriers[element].Meet(Carrier.Of(n), guess) is { } point && IsNear(point, joint, wished.Length) && point.DistanceTo(joint) < n.PlaneLength)
+        while (_carriers[element].Meet(Carrier.Of(n), guess) is { } point && IsNear(point, joint, wished.Length) && point.DistanceTo(joint) < n.PlaneLength)
         {
             if (e.PlaneStart.DistanceTo(e.PlaneEnd) < 1e-9 && (point - joint - wished).Length > 1e-6)
             {
@@ -111,7 +111,7 @@ internal sealed partial class ElementDisplacer
                 return null;
             }
 
-            if (!EndsBefore(element, point, !atStart) || !wishes.ContainsKey(element + (atStart ? 1 : -1)))
+            if (!EndsBefore(element, point, !atStart) || !_wishes.ContainsKey(element + (atStart ? 1 : -1)))
             {
                 return (point, element);
             }
@@ -125,7 +125,7 @@ internal sealed partial class ElementDisplacer
     // A later cut of the same contour that ends where the run begins: the contour closes there.
     private int ClosingAtStart(int first, int last)
     {
-        var motions = path.Motions;
+        var motions = _path.Motions;
         var place = motions[first].Start;
         for (var i = last + 1; i < motions.Length && IsContour(motions[i], motions[first]); i++)
         {
@@ -141,7 +141,7 @@ internal sealed partial class ElementDisplacer
     // An earlier cut of the same contour that begins where the run ends.
     private int OpeningAtEnd(int first, int last)
     {
-        var motions = path.Motions;
+        var motions = _path.Motions;
         var place = motions[last].End;
         for (var i = first - 1; i >= 0 && IsContour(motions[i], motions[first]); i--)
         {

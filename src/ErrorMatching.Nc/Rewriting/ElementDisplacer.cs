@@ -20,24 +20,24 @@ internal sealed partial class ElementDisplacer
     /// <summary>An intersection further from the joint than this multiple of the displacement is not nearby.</summary>
     private const double Nearby = 12;
 
-    private readonly NcPath path;
-    private readonly PathChange change;
-    private readonly Dictionary<int, ElementWish> wishes = [];
-    private readonly Dictionary<int, Carrier> carriers = [];
-    private readonly HashSet<int> shrunk = [];
-    private readonly HashSet<int> smoothJoints = [];
+    private readonly NcPath _path;
+    private readonly PathChange _change;
+    private readonly Dictionary<int, ElementWish> _wishes = [];
+    private readonly Dictionary<int, Carrier> _carriers = [];
+    private readonly HashSet<int> _shrunk = [];
+    private readonly HashSet<int> _smoothJoints = [];
 
     private ElementDisplacer(NcPath path)
     {
-        this.path = path;
-        change = new(path);
+        _path = path;
+        _change = new(path);
     }
 
     /// <summary>Computes the new joints and centers for a wish.</summary>
     public static NcOutcome<PathChange> Run(NcPath path, DisplacementWish wish)
     {
         var displacer = new ElementDisplacer(path);
-        return displacer.Displace(wish.Elements) is { } refusal ? refusal : displacer.change;
+        return displacer.Displace(wish.Elements) is { } refusal ? refusal : displacer._change;
     }
 
     private NcRefusal? Displace(IReadOnlyList<ElementWish> elements)
@@ -50,7 +50,7 @@ internal sealed partial class ElementDisplacer
             }
         }
 
-        foreach (var element in wishes.Values.Where(w => w.IsFillet).OrderBy(w => w.Motion))
+        foreach (var element in _wishes.Values.Where(w => w.IsFillet).OrderBy(w => w.Motion))
         {
             if (Round(element) is { } refusal)
             {
@@ -72,15 +72,15 @@ internal sealed partial class ElementDisplacer
 
     private NcRefusal? Add(ElementWish element)
     {
-        var motion = path.Motions[element.Motion];
-        if (Obstacles.Of(path, element.Motion) is { } obstacle)
+        var motion = _path.Motions[element.Motion];
+        if (Obstacles.Of(_path, element.Motion) is { } obstacle)
         {
             return obstacle;
         }
 
         if (!motion.IsKnownInPlane)
         {
-            return Obstacles.UnknownPlace(path, element.Motion);
+            return Obstacles.UnknownPlace(_path, element.Motion);
         }
 
         if (Carrier.Displaced(motion, element) is not { } carrier)
@@ -90,8 +90,8 @@ internal sealed partial class ElementDisplacer
 
         // Both ends of a full circle are one place, to the last bit.
         var isClosed = motion.PlaneStart.DistanceTo(motion.PlaneEnd) < 1e-9 && (element.End - element.Start).Length < 1e-9;
-        wishes.Add(element.Motion, isClosed ? element with { End = element.Start } : element);
-        carriers.Add(element.Motion, carrier);
+        _wishes.Add(element.Motion, isClosed ? element with { End = element.Start } : element);
+        _carriers.Add(element.Motion, carrier);
         return null;
     }
 
@@ -103,7 +103,7 @@ internal sealed partial class ElementDisplacer
             yield return elements[i];
             var first = elements[i].Motion + 1;
             var behind = i + 1 < elements.Count ? elements[i + 1].Motion : first;
-            if (behind == first || Fillet.Around(path, first) is not { } fillet || fillet != (first, behind - 1))
+            if (behind == first || Fillet.Around(_path, first) is not { } fillet || fillet != (first, behind - 1))
             {
                 continue;
             }
@@ -121,16 +121,16 @@ internal sealed partial class ElementDisplacer
     // Both flanks offset by the new radius meet in the new center; its feet on them are the new tangent points. Joints between arcs of the fillet keep their direction from the center.
     private NcRefusal? Round(ElementWish element)
     {
-        if (change.Centers.ContainsKey(element.Motion) || Fillet.Around(path, element.Motion) is not { } fillet
-            || !carriers.TryGetValue(fillet.First - 1, out var before) || !carriers.TryGetValue(fillet.Last + 1, out var behind)
+        if (_change.Centers.ContainsKey(element.Motion) || Fillet.Around(_path, element.Motion) is not { } fillet
+            || !_carriers.TryGetValue(fillet.First - 1, out var before) || !_carriers.TryGetValue(fillet.Last + 1, out var behind)
             || before.Line is not { } first || behind.Line is not { } second)
         {
             return null;
         }
 
-        var motion = path.Motions[element.Motion];
+        var motion = _path.Motions[element.Motion];
         var arc = motion.Arc;
-        var left = (wishes[fillet.First - 1].End.Dot(first.Normal) + wishes[fillet.Last + 1].Start.Dot(second.Normal)) / 2;
+        var left = (_wishes[fillet.First - 1].End.Dot(first.Normal) + _wishes[fillet.Last + 1].Start.Dot(second.Normal)) / 2;
         var towardCenter = arc.IsCounterClockwise ? 1 : -1;
         var radius = arc.Radius - (towardCenter * left);
         var center = radius > 0 ? Intersect.Lines(first.Offset(towardCenter * radius), second.Offset(towardCenter * radius)).Nearest(arc.Center) : null;
@@ -139,13 +139,13 @@ internal sealed partial class ElementDisplacer
             return At(motion, NcRefusalCodes.ElementFlips, "the fillet is smaller than the displacement of its flanks.");
         }
 
-        change.Move(fillet.First, motion.Plane, first.Foot(c) - path.Motions[fillet.First].PlaneStart);
+        _change.Move(fillet.First, motion.Plane, first.Foot(c) - _path.Motions[fillet.First].PlaneStart);
         for (var i = fillet.First; i <= fillet.Last; i++)
         {
-            var end = path.Motions[i].PlaneEnd;
-            carriers[i] = new(null, new(c, radius));
-            change.SetCenter(i, c);
-            change.Move(i + 1, motion.Plane, (i == fillet.Last ? second.Foot(c) : c + ((end - arc.Center).Normalize() * radius)) - end);
+            var end = _path.Motions[i].PlaneEnd;
+            _carriers[i] = new(null, new(c, radius));
+            _change.SetCenter(i, c);
+            _change.Move(i + 1, motion.Plane, (i == fillet.Last ? second.Foot(c) : c + ((end - arc.Center).Normalize() * radius)) - end);
         }
 
         return null;
@@ -155,7 +155,7 @@ internal sealed partial class ElementDisplacer
     {
         int? first = null;
         var last = 0;
-        foreach (var motion in wishes.Keys.Order())
+        foreach (var motion in _wishes.Keys.Order())
         {
             if (first is { } from && motion != last + 1)
             {
@@ -177,27 +177,27 @@ internal sealed partial class ElementDisplacer
     {
         for (var joint = first + 1; joint <= last; joint++)
         {
-            var motion = path.Motions[joint];
-            if (motion.Plane != path.Motions[first].Plane)
+            var motion = _path.Motions[joint];
+            if (motion.Plane != _path.Motions[first].Plane)
             {
                 return At(motion, NcRefusalCodes.PlaneChange, "the plane changes inside the named blocks. Name the blocks of each plane as a feature of its own.");
             }
 
-            if (motion.Frame != path.Motions[first].Frame)
+            if (motion.Frame != _path.Motions[first].Frame)
             {
                 return At(motion, NcRefusalCodes.FrameChange, "the work offset or origin changes inside the named blocks.");
             }
 
-            if (!change.IsSet(joint) && Smooth(joint - 1, joint) is { } move)
+            if (!_change.IsSet(joint) && Smooth(joint - 1, joint) is { } move)
             {
-                change.Move(joint, motion.Plane, move);
-                smoothJoints.Add(joint);
+                _change.Move(joint, motion.Plane, move);
+                _smoothJoints.Add(joint);
             }
         }
 
         for (var joint = first + 1; joint <= last; joint++)
         {
-            if (!change.IsSet(joint) && Corner(joint, first, last) is { } refusal)
+            if (!_change.IsSet(joint) && Corner(joint, first, last) is { } refusal)
             {
                 return refusal;
             }
@@ -209,13 +209,13 @@ internal sealed partial class ElementDisplacer
     /// <summary>The displacement of a joint at which both elements agree: a vertex of a polyline, or a tangential transition. Null at a corner.</summary>
     private Vector2? Smooth(int before, int behind)
     {
-        var (moveA, moveB) = (wishes[before].End, wishes[behind].Start);
+        var (moveA, moveB) = (_wishes[before].End, _wishes[behind].Start);
         if ((moveA - moveB).Length <= 1e-9)
         {
             return moveA;
         }
 
-        var (tangentA, tangentB) = (path.Motions[before].TangentAt(1), path.Motions[behind].TangentAt(0));
+        var (tangentA, tangentB) = (_path.Motions[before].TangentAt(1), _path.Motions[behind].TangentAt(0));
         var (left, right) = (moveA.Dot(tangentA.Left), moveB.Dot(tangentB.Left));
         return IsTangent(tangentA, tangentB) && Math.Abs(left - right) <= TangentStep
             ? (tangentA.Left + tangentB.Left) * ((left + right) / 2 / (1 + tangentA.Dot(tangentB)))
@@ -229,7 +229,7 @@ internal sealed partial class ElementDisplacer
     private NcRefusal? Corner(int joint, int first, int last)
     {
         var (before, behind) = (joint - 1, joint);
-        var amount = Math.Max(wishes[before].End.Length, wishes[behind].Start.Length);
+        var amount = Math.Max(_wishes[before].End.Length, _wishes[behind].Start.Length);
         while (Meet(before, behind, joint, amount) is { } point)
         {
             if (before > first && EndsBefore(before, point, atStart: true))
@@ -247,38 +247,38 @@ internal sealed partial class ElementDisplacer
             }
         }
 
-        var (a, b) = (path.Motions[joint - 1], path.Motions[joint]);
-        var (left, right) = (wishes[joint - 1].End.Dot(a.TangentAt(1).Left), wishes[joint].Start.Dot(b.TangentAt(0).Left));
-        return At(b, NcRefusalCodes.NoIntersection, FormattableString.Invariant($"displaced as asked, it no longer meets {path.Program.NameOf(path.Program[a.Block])} nearby: the two are displaced by different amounts ({left:0.000} and {right:0.000} mm). Put both into one feature, or displace less."));
+        var (a, b) = (_path.Motions[joint - 1], _path.Motions[joint]);
+        var (left, right) = (_wishes[joint - 1].End.Dot(a.TangentAt(1).Left), _wishes[joint].Start.Dot(b.TangentAt(0).Left));
+        return At(b, NcRefusalCodes.NoIntersection, FormattableString.Invariant($"displaced as asked, it no longer meets {_path.Program.NameOf(_path.Program[a.Block])} nearby: the two are displaced by different amounts ({left:0.000} and {right:0.000} mm). Put both into one feature, or displace less."));
     }
 
     private Point2? Meet(int before, int behind, int joint, double amount)
     {
-        var (a, b) = (path.Motions[before], path.Motions[behind]);
+        var (a, b) = (_path.Motions[before], _path.Motions[behind]);
         var (tangentA, tangentB) = (a.TangentAt(1), b.TangentAt(0));
         if (Math.Abs(tangentA.Cross(tangentB)) < SmallestCornerSine)
         {
             return null;
         }
 
-        var place = path.Motions[joint].PlaneStart;
+        var place = _path.Motions[joint].PlaneStart;
         var guess = a.PlaneEnd == b.PlaneStart
-            ? place + CornerMove(tangentA.Left, wishes[before].End.Dot(tangentA.Left), tangentB.Left, wishes[behind].Start.Dot(tangentB.Left))
+            ? place + CornerMove(tangentA.Left, _wishes[before].End.Dot(tangentA.Left), tangentB.Left, _wishes[behind].Start.Dot(tangentB.Left))
             : place;
-        return carriers[before].Meet(carriers[behind], guess) is { } point && IsNear(point, place, amount) ? point : null;
+        return _carriers[before].Meet(_carriers[behind], guess) is { } point && IsNear(point, place, amount) ? point : null;
     }
 
     // True if a displaced line of a polyline lies wholly on the wrong side of a corner, and a neighbor in the same polyline can take its place.
     private bool EndsBefore(int element, Point2 corner, bool atStart)
     {
-        var motion = path.Motions[element];
+        var motion = _path.Motions[element];
         var joint = atStart ? element : element + 1;
-        if (motion.IsArc || !smoothJoints.Contains(joint))
+        if (motion.IsArc || !_smoothJoints.Contains(joint))
         {
             return false;
         }
 
-        var far = (atStart ? motion.PlaneStart : motion.PlaneEnd) + change.PlaneMoveOf(joint, motion.Plane);
+        var far = (atStart ? motion.PlaneStart : motion.PlaneEnd) + _change.PlaneMoveOf(joint, motion.Plane);
         var beyond = (corner - far).Dot(motion.PlaneEnd - motion.PlaneStart);
         return atStart ? beyond <= 0 : beyond >= 0;
     }
@@ -288,12 +288,12 @@ internal sealed partial class ElementDisplacer
     {
         for (var joint = firstJoint; joint <= lastJoint; joint++)
         {
-            change.Move(joint, path.Motions[firstJoint].Plane, point - path.Motions[joint].PlaneStart);
+            _change.Move(joint, _path.Motions[firstJoint].Plane, point - _path.Motions[joint].PlaneStart);
         }
 
         for (var motion = firstJoint; motion < lastJoint; motion++)
         {
-            shrunk.Add(motion);
+            _shrunk.Add(motion);
         }
     }
 
@@ -305,11 +305,11 @@ internal sealed partial class ElementDisplacer
 
     private void SetCenters()
     {
-        foreach (var (motion, carrier) in carriers)
+        foreach (var (motion, carrier) in _carriers)
         {
             if (carrier.Circle is { } circle)
             {
-                change.SetCenter(motion, circle.Center);
+                _change.SetCenter(motion, circle.Center);
             }
         }
     }
@@ -317,10 +317,10 @@ internal sealed partial class ElementDisplacer
     // Arcs that were not named and whose ends left their circle: a lead-in that is an arc, or an arc beside a run that it does not meet.
     private NcRefusal? FollowWithArcs()
     {
-        var motions = path.Motions;
+        var motions = _path.Motions;
         for (var i = 0; i < motions.Length; i++)
         {
-            if (motions[i].IsArc && !carriers.ContainsKey(i) && (change.IsSet(i) || change.IsSet(i + 1)) && !SlidesOnCircle(i) && change.FollowWithArc(i) is { } refusal)
+            if (motions[i].IsArc && !_carriers.ContainsKey(i) && (_change.IsSet(i) || _change.IsSet(i + 1)) && !SlidesOnCircle(i) && _change.FollowWithArc(i) is { } refusal)
             {
                 return refusal;
             }
@@ -331,9 +331,9 @@ internal sealed partial class ElementDisplacer
 
     private bool SlidesOnCircle(int motion)
     {
-        var arc = path.Motions[motion];
+        var arc = _path.Motions[motion];
         var circle = arc.Arc.Circle;
-        return IsAlong(arc.PlaneStart, change.PlaneMoveOf(motion, arc.Plane)) && IsAlong(arc.PlaneEnd, change.PlaneMoveOf(motion + 1, arc.Plane));
+        return IsAlong(arc.PlaneStart, _change.PlaneMoveOf(motion, arc.Plane)) && IsAlong(arc.PlaneEnd, _change.PlaneMoveOf(motion + 1, arc.Plane));
 
         // An end whose radius differs from the start's, as far as a control accepts that, is on the circle all the same.
         bool IsAlong(Point2 end, Vector2 move) => Math.Abs(circle.SignedDistance(end + move)) <= Math.Abs(circle.SignedDistance(end)) + 1e-6;
@@ -342,15 +342,15 @@ internal sealed partial class ElementDisplacer
     // No element may turn round: that is a loop in the path, and a mark on the piece.
     private NcRefusal? CheckSense()
     {
-        var motions = path.Motions;
+        var motions = _path.Motions;
         for (var i = 0; i < motions.Length; i++)
         {
-            if (motions[i] is not { IsCut: true, MovesInPlane: true } motion || !(change.IsSet(i) || change.IsSet(i + 1)) || shrunk.Contains(i))
+            if (motions[i] is not { IsCut: true, MovesInPlane: true } motion || !(_change.IsSet(i) || _change.IsSet(i + 1)) || _shrunk.Contains(i))
             {
                 continue;
             }
 
-            if (!change.KeepsSense(i))
+            if (!_change.KeepsSense(i))
             {
                 return At(motion, NcRefusalCodes.ElementFlips, "displaced as asked, this element would turn round: it is shorter than its neighbors' displacement needs. Leave it out of the program, or displace less.");
             }
@@ -359,5 +359,5 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    private NcRefusal At(in NcMotion motion, string code, string message) => NcRefusal.At(path.Program, motion.Block, code, message);
+    private NcRefusal At(in NcMotion motion, string code, string message) => NcRefusal.At(_path.Program, motion.Block, code, message);
 }

@@ -7,38 +7,38 @@ namespace ErrorMatching.Nc;
 /// </summary>
 internal sealed class PathChange
 {
-    private readonly Vector3[] moves;
-    private readonly bool[] isSet;
-    private readonly Dictionary<int, Point2> centers = [];
+    private readonly Vector3[] _moves;
+    private readonly bool[] _isSet;
+    private readonly Dictionary<int, Point2> _centers = [];
 
     public PathChange(NcPath path)
     {
         Path = path;
-        moves = new Vector3[path.Motions.Length + 1];
-        isSet = new bool[moves.Length];
+        _moves = new Vector3[path.Motions.Length + 1];
+        _isSet = new bool[_moves.Length];
     }
 
     public NcPath Path { get; }
 
     /// <summary>Arcs with a new exact center in their plane, by motion.</summary>
-    public IReadOnlyDictionary<int, Point2> Centers => centers;
+    public IReadOnlyDictionary<int, Point2> Centers => _centers;
 
-    public bool IsSet(int joint) => isSet[joint];
+    public bool IsSet(int joint) => _isSet[joint];
 
-    public Vector3 MoveOf(int joint) => moves[joint];
+    public Vector3 MoveOf(int joint) => _moves[joint];
 
     public void Move(int joint, Vector3 by)
     {
-        moves[joint] = by;
-        isSet[joint] = true;
+        _moves[joint] = by;
+        _isSet[joint] = true;
     }
 
     public void Move(int joint, CoordinatePlane plane, Vector2 by) => Move(joint, plane.Lift(Point2.Origin + by, 0) - default(Point3));
 
-    public void SetCenter(int motion, Point2 center) => centers[motion] = center;
+    public void SetCenter(int motion, Point2 center) => _centers[motion] = center;
 
     /// <summary>A joint's displacement in a plane.</summary>
-    public Vector2 PlaneMoveOf(int joint, CoordinatePlane plane) => plane.Project(default(Point3) + moves[joint]) - Point2.Origin;
+    public Vector2 PlaneMoveOf(int joint, CoordinatePlane plane) => plane.Project(default(Point3) + _moves[joint]) - Point2.Origin;
 
     /// <summary>False if an element would turn round: that is a loop in the path, and a mark on the piece.</summary>
     public bool KeepsSense(int motion)
@@ -53,7 +53,7 @@ internal sealed class PathChange
 
         var counterClockwise = was.Kind == MotionKind.ArcCounterClockwise;
         var before = Arc2.Between(was.PlaneStart, was.PlaneEnd, was.Center, counterClockwise).Sweep;
-        var now = Arc2.Between(start, end, centers.TryGetValue(motion, out var center) ? center : was.Center, counterClockwise).Sweep;
+        var now = Arc2.Between(start, end, _centers.TryGetValue(motion, out var center) ? center : was.Center, counterClockwise).Sweep;
         return Math.Abs((now - before).Radians) < Math.PI / 2;
     }
 
@@ -68,7 +68,7 @@ internal sealed class PathChange
         var (start, end) = (PlaneMoveOf(motion, arc.Plane), PlaneMoveOf(motion + 1, arc.Plane));
         if ((start - end).Length < 1e-12)
         {
-            centers[motion] = arc.Center + start;
+            _centers[motion] = arc.Center + start;
             return null;
         }
 
@@ -84,28 +84,28 @@ internal sealed class PathChange
 
         if (arc.PlaneStart.DistanceTo(arc.PlaneEnd) > 1e-9 && Carrier.Displaced(arc, new(motion, start, (start + end) / 2, end))?.Circle is { } circle)
         {
-            centers[motion] = circle.Center;
+            _centers[motion] = circle.Center;
             if (KeepsSense(motion))
             {
                 return null;
             }
         }
 
-        return NcRefusal.At(Path.Program, arc.Block, NcRefusalCodes.ElementFlips, "this arc cannot follow its end that moves. Name it as well, or leave out the block beside it.");
+        return NcRefusal.At(Path.Program, arc.Block, NcRefusalCodes.ElementFlips, "this arc cannot follow its end that _moves. Name it as well, or leave out the block beside it.");
     }
 
     /// <summary>Positioning that only goes to the place of a moved joint goes to its new place: plunges before it, retracts behind it.</summary>
     public void CarryPositioning(int joint)
     {
         var motions = Path.Motions;
-        for (var before = joint - 1; before >= 0 && IsPlainPositioning(motions[before]) && !isSet[before]; before--)
+        for (var before = joint - 1; before >= 0 && IsPlainPositioning(motions[before]) && !_isSet[before]; before--)
         {
-            Move(before, moves[joint]);
+            Move(before, _moves[joint]);
         }
 
-        for (var behind = joint; behind < motions.Length && IsPlainPositioning(motions[behind]) && !isSet[behind + 1]; behind++)
+        for (var behind = joint; behind < motions.Length && IsPlainPositioning(motions[behind]) && !_isSet[behind + 1]; behind++)
         {
-            Move(behind + 1, moves[joint]);
+            Move(behind + 1, _moves[joint]);
         }
     }
 

@@ -8,21 +8,21 @@ namespace ErrorMatching.Nc;
 /// </summary>
 internal sealed class WordEditor
 {
-    private readonly PathChange change;
-    private readonly NcPath path;
-    private readonly bool keepRadii;
-    private readonly List<NcPatch> patches = [];
-    private readonly List<int> changedBlocks = [];
-    private bool inch;
-    private int decimals;
-    private double increment;
-    private bool programIsFixed;
+    private readonly PathChange _change;
+    private readonly NcPath _path;
+    private readonly bool _keepRadii;
+    private readonly List<NcPatch> _patches = [];
+    private readonly List<int> _changedBlocks = [];
+    private bool _inch;
+    private int _decimals;
+    private double _increment;
+    private bool _programIsFixed;
 
     public WordEditor(PathChange change, bool keepRadii)
     {
-        this.change = change;
-        this.keepRadii = keepRadii;
-        path = change.Path;
+        _change = change;
+        _keepRadii = keepRadii;
+        _path = change.Path;
     }
 
     public NcOutcome<Rewrite> Run()
@@ -30,7 +30,7 @@ internal sealed class WordEditor
         var affected = Affected();
         if (affected.Count == 0)
         {
-            return Rewrite.None(path);
+            return Rewrite.None(_path);
         }
 
         ChooseIncrement(affected);
@@ -42,16 +42,16 @@ internal sealed class WordEditor
             }
         }
 
-        var program = patches.Count == 0 ? path.Program : NcProgram.Read(NcPatch.Apply(path.Program.Bytes.Span, patches));
-        return new Rewrite(program, patches, changedBlocks, patches.Count, increment);
+        var program = _patches.Count == 0 ? _path.Program : NcProgram.Read(NcPatch.Apply(_path.Program.Bytes.Span, _patches));
+        return new Rewrite(program, _patches, _changedBlocks, _patches.Count, _increment);
     }
 
     private List<int> Affected()
     {
         var affected = new List<int>();
-        for (var i = 0; i < path.Motions.Length; i++)
+        for (var i = 0; i < _path.Motions.Length; i++)
         {
-            if (change.IsSet(i) || change.IsSet(i + 1) || change.Centers.ContainsKey(i))
+            if (_change.IsSet(i) || _change.IsSet(i + 1) || _change.Centers.ContainsKey(i))
             {
                 affected.Add(i);
             }
@@ -63,34 +63,34 @@ internal sealed class WordEditor
     // The control's least increment, or finer where the program itself is written finer.
     private void ChooseIncrement(List<int> affected)
     {
-        var first = path.Motions[affected.Find(i => change.IsSet(i + 1))];
-        inch = first.Has(MotionFlags.Inch);
-        decimals = inch ? path.Dialect.InchDecimals : path.Dialect.MetricDecimals;
+        var first = _path.Motions[affected.Find(i => _change.IsSet(i + 1))];
+        _inch = first.Has(MotionFlags.Inch);
+        _decimals = _inch ? _path.Dialect.InchDecimals : _path.Dialect.MetricDecimals;
         foreach (var motion in affected)
         {
-            foreach (var token in path.Program.Tokens(path.Program[path.Motions[motion].Block]))
+            foreach (var token in _path.Program.Tokens(_path.Program[_path.Motions[motion].Block]))
             {
                 if (token.Kind == NcTokenKind.Word && token.Letter is >= (byte)'X' and <= (byte)'Z' or >= (byte)'I' and <= (byte)'K')
                 {
-                    decimals = Math.Max(decimals, Math.Min(6, token.Number.Decimals));
-                    programIsFixed |= token.Number.Decimals > 1 && token.Number.Digits % 10 == 0;
+                    _decimals = Math.Max(_decimals, Math.Min(6, token.Number.Decimals));
+                    _programIsFixed |= token.Number.Decimals > 1 && token.Number.Digits % 10 == 0;
                 }
             }
         }
 
-        increment = Math.Pow(10, -decimals) * (inch ? 25.4 : 1);
+        _increment = Math.Pow(10, -_decimals) * (_inch ? 25.4 : 1);
     }
 
     private NcRefusal? Edit(int index)
     {
-        var motion = path.Motions[index];
+        var motion = _path.Motions[index];
         if (motion.Kind == MotionKind.Reference)
         {
             // It ends at a place of the machine, wherever it begins.
             return null;
         }
 
-        var edit = new BlockEdit(path.Program, path.Program[motion.Block], programIsFixed);
+        var edit = new BlockEdit(_path.Program, _path.Program[motion.Block], _programIsFixed);
         if (SetCoordinates(edit, index, motion) is { } unknown)
         {
             return unknown;
@@ -106,18 +106,18 @@ internal sealed class WordEditor
             return null;
         }
 
-        if (Obstacles.Of(path, index) is { } obstacle)
+        if (Obstacles.Of(_path, index) is { } obstacle)
         {
             return obstacle;
         }
 
-        if (motion.Has(MotionFlags.Inch) != inch)
+        if (motion.Has(MotionFlags.Inch) != _inch)
         {
-            return NcRefusal.At(path.Program, motion.Block, NcRefusalCodes.UnknownState, "the unit changes (G20/G21) between blocks that must change together.");
+            return NcRefusal.At(_path.Program, motion.Block, NcRefusalCodes.UnknownState, "the unit changes (G20/G21) between blocks that must _change together.");
         }
 
-        patches.AddRange(edit.Patches);
-        changedBlocks.Add(motion.Block);
+        _patches.AddRange(edit.Patches);
+        _changedBlocks.Add(motion.Block);
         return null;
     }
 
@@ -131,18 +131,18 @@ internal sealed class WordEditor
             {
                 if (steps != 0)
                 {
-                    edit.Set(axis, number + new NcNumber(steps, decimals));
+                    edit.Set(axis, number + new NcNumber(steps, _decimals));
                 }
             }
             else if (from != to)
             {
                 if (!motion.Has(MotionFlags.Incremental) && (motion.UnknownEnd & Axis(axis)) != AxisSet.None)
                 {
-                    return Obstacles.UnknownPlace(path, index);
+                    return Obstacles.UnknownPlace(_path, index);
                 }
 
                 var original = motion.Has(MotionFlags.Incremental) ? new NcNumber(0, 0) : NcNumber.Round(Coordinate(motion.End, axis) / Unit, 6).Trim();
-                edit.Set(axis, original + new NcNumber(steps, decimals));
+                edit.Set(axis, original + new NcNumber(steps, _decimals));
             }
         }
 
@@ -151,19 +151,19 @@ internal sealed class WordEditor
 
     private static AxisSet Axis(char letter) => letter switch { 'X' => AxisSet.X, 'Y' => AxisSet.Y, _ => AxisSet.Z };
 
-    private double Unit => inch ? 25.4 : 1;
+    private double Unit => _inch ? 25.4 : 1;
 
-    private long Steps(int joint, char axis) => (long)Math.Round(Coordinate(default(Point3) + change.MoveOf(joint), axis) / increment, MidpointRounding.AwayFromZero);
+    private long Steps(int joint, char axis) => (long)Math.Round(Coordinate(default(Point3) + _change.MoveOf(joint), axis) / _increment, MidpointRounding.AwayFromZero);
 
     private static double Coordinate(Point3 point, char axis) => axis switch { 'X' => point.X, 'Y' => point.Y, _ => point.Z };
 
     private Point2 Rounded(Point3 place, int joint, CoordinatePlane plane) =>
-        plane.Project(new(place.X + (Steps(joint, 'X') * increment), place.Y + (Steps(joint, 'Y') * increment), place.Z + (Steps(joint, 'Z') * increment)));
+        plane.Project(new(place.X + (Steps(joint, 'X') * _increment), place.Y + (Steps(joint, 'Y') * _increment), place.Z + (Steps(joint, 'Z') * _increment)));
 
     private void SetCircle(BlockEdit edit, int index, in NcMotion motion)
     {
         var (start, end) = (Rounded(motion.Start, index, motion.Plane), Rounded(motion.End, index + 1, motion.Plane));
-        var exact = change.Centers.TryGetValue(index, out var moved) ? moved : motion.Center;
+        var exact = _change.Centers.TryGetValue(index, out var moved) ? moved : motion.Center;
         if (IsShift(index, motion, exact - motion.Center))
         {
             ShiftCenter(edit, index, motion);
@@ -171,7 +171,13 @@ internal sealed class WordEditor
         }
 
         var wanted = Arc2.Between(
-            motion.PlaneStart + change.PlaneMoveOf(index, motion.Plane), motion.PlaneEnd + change.PlaneMoveOf(index + 1, motion.Plane), exact, motion.Kind == MotionKind.ArcCounterClockwise);
+            motion.PlaneStart + _change.PlaneMoveOf(index, motion.Plane), motion.PlaneEnd + _change.PlaneMoveOf(index + 1, motion.Plane), exact, motion.Kind == MotionKind.ArcCounterClockwise);
+        if (start == motion.PlaneStart && end == motion.PlaneEnd && wanted.Middle.DistanceTo(motion.Arc.Middle) < _increment)
+        {
+            // What was asked is less than the control can do.
+            return;
+        }
+
         if (motion.Has(MotionFlags.ByRadius))
         {
             SetRadius(edit, motion, start, end, wanted);
@@ -181,7 +187,7 @@ internal sealed class WordEditor
         var (first, second) = CenterLetters(motion.Plane);
         var origin = CenterOrigin(motion, start);
         var was = new Vector2((edit.Number(first)?.Value ?? 0) * Unit, (edit.Number(second)?.Value ?? 0) * Unit);
-        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, was, increment);
+        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, was, _increment);
         SetCenterWord(edit, first, i);
         SetCenterWord(edit, second, j);
     }
@@ -190,7 +196,7 @@ internal sealed class WordEditor
 
     // An arc that moves as a whole keeps its words, even if its radii agreed badly before; absolute center words move along.
     private bool IsShift(int index, in NcMotion motion, Vector2 centerMove) =>
-        (change.PlaneMoveOf(index, motion.Plane) - centerMove).Length < 1e-9 && (change.PlaneMoveOf(index + 1, motion.Plane) - centerMove).Length < 1e-9;
+        (_change.PlaneMoveOf(index, motion.Plane) - centerMove).Length < 1e-9 && (_change.PlaneMoveOf(index + 1, motion.Plane) - centerMove).Length < 1e-9;
 
     private void ShiftCenter(BlockEdit edit, int index, in NcMotion motion)
     {
@@ -204,7 +210,7 @@ internal sealed class WordEditor
         {
             if (Steps(index, letter switch { 'I' => 'X', 'J' => 'Y', _ => 'Z' }) is not 0 and var steps)
             {
-                edit.Set(letter, (edit.Number(letter) ?? new NcNumber(0, 0)) + new NcNumber(steps, decimals));
+                edit.Set(letter, (edit.Number(letter) ?? new NcNumber(0, 0)) + new NcNumber(steps, _decimals));
             }
         }
     }
@@ -213,7 +219,7 @@ internal sealed class WordEditor
     {
         if (steps is { } value && (value != 0 || edit.Number(letter) is not null))
         {
-            edit.Set(letter, new(value, decimals));
+            edit.Set(letter, new(value, _decimals));
         }
     }
 
@@ -223,35 +229,35 @@ internal sealed class WordEditor
         var old = edit.Number('R')!.Value;
         var sign = old.Digits < 0 ? -1 : 1;
         var oldRadius = Math.Abs(old.Value) * Unit;
-        if (keepRadii && Sweep(start, end, sign * oldRadius, motion) is { } kept && Math.Abs(kept - motion.Arc.Sweep.Radians) < 0.02 * Math.Abs(motion.Arc.Sweep.Radians))
+        if (_keepRadii && Sweep(start, end, sign * oldRadius, motion) is { } kept && Math.Abs(kept - motion.Arc.Sweep.Radians) < 0.02 * Math.Abs(motion.Arc.Sweep.Radians))
         {
             return;
         }
 
-        if (Math.Abs(wanted.Radius - oldRadius) < increment / 2 && HeightError(start, end, sign * oldRadius, wanted, motion) < increment)
+        if (Math.Abs(wanted.Radius - oldRadius) < _increment / 2 && HeightError(start, end, sign * oldRadius, wanted, motion) < _increment)
         {
             return;
         }
 
         // Moved end points take the radius rounded up, so that it surely reaches; elements take the nearest.
-        var exactSteps = wanted.Radius / increment;
-        var steps = (long)(keepRadii ? Math.Ceiling(exactSteps - 1e-6) : Math.Round(exactSteps, MidpointRounding.AwayFromZero));
+        var exactSteps = wanted.Radius / _increment;
+        var steps = (long)(_keepRadii ? Math.Ceiling(exactSteps - 1e-6) : Math.Round(exactSteps, MidpointRounding.AwayFromZero));
         sign = Math.Abs(wanted.Sweep.Radians) > Math.PI + 1e-9 ? -1 : 1;
-        while (2 * steps * increment < start.DistanceTo(end))
+        while (2 * steps * _increment < start.DistanceTo(end))
         {
             steps++;
         }
 
-        if (keepRadii || HeightError(start, end, sign * steps * increment, wanted, motion) < increment)
+        if (_keepRadii || HeightError(start, end, sign * steps * _increment, wanted, motion) < _increment)
         {
-            edit.Set('R', new(sign * steps, decimals));
+            edit.Set('R', new(sign * steps, _decimals));
             return;
         }
 
         var (first, second) = CenterLetters(motion.Plane);
         var origin = CenterOrigin(motion, start);
-        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, null, increment);
-        edit.Replace('R', (first, new(i!.Value, decimals)), (second, new(j!.Value, decimals)));
+        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, null, _increment);
+        edit.Replace('R', (first, new(i!.Value, _decimals)), (second, new(j!.Value, _decimals)));
     }
 
     private static double? Sweep(Point2 start, Point2 end, double radius, in NcMotion motion)

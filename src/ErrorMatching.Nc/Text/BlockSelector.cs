@@ -17,16 +17,16 @@ public sealed class BlockSelector
     /// <summary>Longest time an expression may take on one block.</summary>
     public static readonly TimeSpan PatternLimit = TimeSpan.FromMilliseconds(250);
 
-    private readonly NcNumber? first;
-    private readonly NcNumber? last;
-    private readonly Regex? pattern;
+    private readonly NcNumber? _first;
+    private readonly NcNumber? _last;
+    private readonly Regex? _pattern;
 
     private BlockSelector(string text, NcNumber? first, NcNumber? last, Regex? pattern)
     {
         Text = text;
-        this.first = first;
-        this.last = last;
-        this.pattern = pattern;
+        _first = first;
+        _last = last;
+        _pattern = pattern;
     }
 
     /// <summary>The selector as given.</summary>
@@ -49,7 +49,7 @@ public sealed class BlockSelector
     public static NcOutcome<int[]> Select(NcProgram program, IReadOnlyList<BlockSelector> selectors)
     {
         var wanted = new Dictionary<NcNumber, List<int>>();
-        foreach (var number in selectors.SelectMany(s => new[] { s.first, s.last }).OfType<NcNumber>())
+        foreach (var number in selectors.SelectMany(s => new[] { s._first, s._last }).OfType<NcNumber>())
         {
             wanted.TryAdd(number, []);
         }
@@ -107,25 +107,25 @@ public sealed class BlockSelector
 
     private NcRefusal? Collect(NcProgram program, Dictionary<NcNumber, List<int>> wanted, SortedSet<int> chosen)
     {
-        if (pattern is not null)
+        if (_pattern is not null)
         {
-            return CollectByPattern(program, pattern, chosen);
+            return CollectByPattern(program, _pattern, chosen);
         }
 
-        if (Single(program, wanted, first!.Value, out var from) is { } missing)
+        if (Single(program, wanted, _first!.Value, out var from) is { } missing)
         {
             return missing;
         }
 
         var to = from;
-        if (last is { } end && Single(program, wanted, end, out to) is { } missingEnd)
+        if (_last is { } end && Single(program, wanted, end, out to) is { } missingEnd)
         {
             return missingEnd;
         }
 
         if (to < from)
         {
-            return NcRefusal.At(program, to, NcRefusalCodes.BlockNotFound, $"the range {Text} ends before it begins: {Show(last!.Value)} stands in line {to + 1}, {Show(first.Value)} in line {from + 1}. Swap the two.");
+            return NcRefusal.At(program, to, NcRefusalCodes.BlockNotFound, $"the range {Text} ends before it begins: {Show(_last!.Value)} stands in line {to + 1}, {Show(_first.Value)} in line {from + 1}. Swap the two.");
         }
 
         for (var i = from; i <= to; i++)

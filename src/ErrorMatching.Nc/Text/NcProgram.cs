@@ -11,30 +11,30 @@ public sealed class NcProgram
     /// <summary>Largest program that is read, in bytes.</summary>
     public const int MaxBytes = 1 << 30;
 
-    private readonly int[] starts;
-    private readonly int count;
+    private readonly int[] _starts;
+    private readonly int _count;
 
     private NcProgram(ReadOnlyMemory<byte> bytes, int[] starts, int count)
     {
         Bytes = bytes;
-        this.starts = starts;
-        this.count = count;
+        _starts = starts;
+        _count = count;
     }
 
     /// <summary>The program's bytes.</summary>
     public ReadOnlyMemory<byte> Bytes { get; }
 
     /// <summary>Number of blocks (lines). A line end at the very end of the file does not begin another block.</summary>
-    public int BlockCount => count;
+    public int BlockCount => _count;
 
     /// <summary>The block at a position, from 0.</summary>
     public NcBlock this[int index]
     {
         get
         {
-            ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)index, (uint)count, nameof(index));
-            var start = starts[index];
-            var next = index + 1 < count ? starts[index + 1] : Bytes.Length;
+            ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)index, (uint)_count, nameof(index));
+            var start = _starts[index];
+            var next = index + 1 < _count ? _starts[index + 1] : Bytes.Length;
             var span = Bytes.Span;
             var end = next;
             if (end > start && span[end - 1] == (byte)'\n')
@@ -62,15 +62,15 @@ public sealed class NcProgram
 
         var span = bytes.Span;
         var begins = new int[Math.Max(16, (span.Length / 24) + 1)];
-        var (count, position) = (0, 0);
+        var (_count, position) = (0, 0);
         while (position < span.Length)
         {
-            if (count == begins.Length)
+            if (_count == begins.Length)
             {
                 Array.Resize(ref begins, begins.Length * 2);
             }
 
-            begins[count++] = position;
+            begins[_count++] = position;
             var length = span[position..].IndexOfAny((byte)'\n', (byte)'\r');
             if (length < 0)
             {
@@ -81,7 +81,7 @@ public sealed class NcProgram
             position += span[position] == (byte)'\r' && position + 1 < span.Length && span[position + 1] == (byte)'\n' ? 2 : 1;
         }
 
-        return new(bytes, begins, count);
+        return new(bytes, begins, _count);
     }
 
     /// <summary>A program from text; for tests and examples. The text is written as UTF-8 without a mark.</summary>

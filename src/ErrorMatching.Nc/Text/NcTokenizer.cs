@@ -6,17 +6,17 @@ namespace ErrorMatching.Nc;
 /// </summary>
 public ref struct NcTokenizer
 {
-    private readonly ReadOnlySpan<byte> bytes;
-    private readonly int end;
-    private int position;
-    private bool atStart;
+    private readonly ReadOnlySpan<byte> _bytes;
+    private readonly int _end;
+    private int _position;
+    private bool _atStart;
 
     internal NcTokenizer(ReadOnlySpan<byte> bytes, int start, int end)
     {
-        this.bytes = bytes;
-        this.end = end;
-        position = start;
-        atStart = true;
+        _bytes = bytes;
+        _end = end;
+        _position = start;
+        _atStart = true;
         Current = default;
     }
 
@@ -29,56 +29,56 @@ public ref struct NcTokenizer
     /// <summary>Reads the next token; false at the end of the block.</summary>
     public bool MoveNext()
     {
-        if (position >= end)
+        if (_position >= _end)
         {
             return false;
         }
 
-        var c = bytes[position];
+        var c = _bytes[_position];
         if ((uint)((c | 0x20) - 'a') < 26)
         {
             ReadLetter((byte)(c & ~0x20));
-            atStart &= Current is { Kind: NcTokenKind.Word, Letter: (byte)'N' };
+            _atStart &= Current is { Kind: NcTokenKind.Word, Letter: (byte)'N' };
             return true;
         }
 
         switch (c)
         {
             case (byte)' ' or (byte)'\t':
-                Plain(NcTokenKind.Space, SkipSpaces(position + 1));
+                Plain(NcTokenKind.Space, SkipSpaces(_position + 1));
                 break;
             case (byte)'(':
                 ReadComment();
                 break;
             case (byte)';':
-                Plain(NcTokenKind.Comment, end);
+                Plain(NcTokenKind.Comment, _end);
                 break;
             case (byte)'%':
-                Plain(NcTokenKind.Percent, end);
+                Plain(NcTokenKind.Percent, _end);
                 break;
             // A slash stands at the beginning of a block or behind its number (N10 /1 G0); elsewhere it divides.
-            case (byte)'/' when atStart:
-                Plain(NcTokenKind.BlockSkip, position + 1 < end && IsDigit(bytes[position + 1]) ? position + 2 : position + 1);
+            case (byte)'/' when _atStart:
+                Plain(NcTokenKind.BlockSkip, _position + 1 < _end && IsDigit(_bytes[_position + 1]) ? _position + 2 : _position + 1);
                 break;
             case (byte)',':
                 ReadCommaWord();
                 break;
             case (byte)'#':
-                Plain(NcTokenKind.Assignment, ToCommentOrEnd(position + 1));
+                Plain(NcTokenKind.Assignment, ToCommentOrEnd(_position + 1));
                 break;
             case (byte)'[':
-                Plain(NcTokenKind.Expression, BehindBracket(position));
+                Plain(NcTokenKind.Expression, BehindBracket(_position));
                 break;
             case (byte)'"':
-                var close = bytes[(position + 1)..end].IndexOf((byte)'"');
-                Plain(NcTokenKind.Invalid, close < 0 ? end : position + close + 2);
+                var close = _bytes[(_position + 1).._end].IndexOf((byte)'"');
+                Plain(NcTokenKind.Invalid, close < 0 ? _end : _position + close + 2);
                 break;
             default:
-                Plain(NcTokenKind.Invalid, position + 1);
+                Plain(NcTokenKind.Invalid, _position + 1);
                 break;
         }
 
-        atStart &= Current.Kind is NcTokenKind.Space or NcTokenKind.BlockSkip;
+        _atStart &= Current.Kind is NcTokenKind.Space or NcTokenKind.BlockSkip;
         return true;
     }
 
@@ -88,13 +88,13 @@ public ref struct NcTokenizer
 
     private void Plain(NcTokenKind kind, int next, byte letter = 0)
     {
-        Current = new(kind, letter, position, next - position, position, default);
-        position = next;
+        Current = new(kind, letter, _position, next - _position, _position, default);
+        _position = next;
     }
 
     private readonly int SkipSpaces(int at)
     {
-        while (at < end && bytes[at] is (byte)' ' or (byte)'\t')
+        while (at < _end && _bytes[at] is (byte)' ' or (byte)'\t')
         {
             at++;
         }
@@ -105,13 +105,13 @@ public ref struct NcTokenizer
     private void ReadComment()
     {
         var depth = 0;
-        for (var at = position; at < end; at++)
+        for (var at = _position; at < _end; at++)
         {
-            if (bytes[at] == '(')
+            if (_bytes[at] == '(')
             {
                 depth++;
             }
-            else if (bytes[at] == ')' && --depth == 0)
+            else if (_bytes[at] == ')' && --depth == 0)
             {
                 Plain(NcTokenKind.Comment, at + 1);
                 return;
@@ -119,46 +119,46 @@ public ref struct NcTokenizer
         }
 
         // Without a partner for every parenthesis the first closing one ends the comment, as most controls read it.
-        var close = bytes[position..end].IndexOf((byte)')');
-        Plain(close < 0 ? NcTokenKind.Invalid : NcTokenKind.Comment, close < 0 ? end : position + close + 1);
+        var close = _bytes[_position.._end].IndexOf((byte)')');
+        Plain(close < 0 ? NcTokenKind.Invalid : NcTokenKind.Comment, close < 0 ? _end : _position + close + 1);
     }
 
     private void ReadCommaWord()
     {
-        var letterAt = SkipSpaces(position + 1);
-        if (letterAt < end && IsLetter(bytes[letterAt]) && ReadNumber(SkipSpaces(letterAt + 1), out var next, out var number))
+        var letterAt = SkipSpaces(_position + 1);
+        if (letterAt < _end && IsLetter(_bytes[letterAt]) && ReadNumber(SkipSpaces(letterAt + 1), out var next, out var number))
         {
-            Current = new(NcTokenKind.CommaWord, (byte)(bytes[letterAt] & ~0x20), position, next - position, SkipSpaces(letterAt + 1), number);
-            position = next;
+            Current = new(NcTokenKind.CommaWord, (byte)(_bytes[letterAt] & ~0x20), _position, next - _position, SkipSpaces(letterAt + 1), number);
+            _position = next;
             return;
         }
 
-        Plain(NcTokenKind.Invalid, position + 1);
+        Plain(NcTokenKind.Invalid, _position + 1);
     }
 
     private void ReadLetter(byte letter)
     {
-        var valueAt = SkipSpaces(position + 1);
+        var valueAt = SkipSpaces(_position + 1);
         if (ReadNumber(valueAt, out var next, out var number))
         {
-            Current = new(NcTokenKind.Word, letter, position, next - position, valueAt, number);
-            position = next;
+            Current = new(NcTokenKind.Word, letter, _position, next - _position, valueAt, number);
+            _position = next;
         }
-        else if (letter == 'O' && valueAt < end && bytes[valueAt] == '<')
+        else if (letter == 'O' && valueAt < _end && _bytes[valueAt] == '<')
         {
             Plain(NcTokenKind.ExpressionWord, BehindName(valueAt), letter);
         }
-        else if (valueAt < end && ExpressionEnd(valueAt) is > 0 and var behind)
+        else if (valueAt < _end && ExpressionEnd(valueAt) is > 0 and var behind)
         {
             Plain(NcTokenKind.ExpressionWord, behind, letter);
         }
-        else if (position + 1 < end && IsLetter(bytes[position + 1]))
+        else if (_position + 1 < _end && IsLetter(_bytes[_position + 1]))
         {
             Plain(NcTokenKind.Keyword, KeywordEnd());
         }
         else
         {
-            Plain(NcTokenKind.Invalid, position + 1, letter);
+            Plain(NcTokenKind.Invalid, _position + 1, letter);
         }
     }
 
@@ -167,31 +167,31 @@ public ref struct NcTokenizer
     {
         next = at;
         number = default;
-        if (at >= end)
+        if (at >= _end)
         {
             return false;
         }
 
-        var negative = bytes[at] == '-';
-        if (negative || bytes[at] == '+')
+        var negative = _bytes[at] == '-';
+        if (negative || _bytes[at] == '+')
         {
             at++;
         }
 
         long digits = 0;
         var (first, significant, decimals) = (at, 0, 0);
-        for (; at < end && IsDigit(bytes[at]) && significant <= NcNumber.MaxDigits; at++)
+        for (; at < _end && IsDigit(_bytes[at]) && significant <= NcNumber.MaxDigits; at++)
         {
-            digits = (digits * 10) + (bytes[at] - '0');
+            digits = (digits * 10) + (_bytes[at] - '0');
             significant += digits == 0 ? 0 : 1;
         }
 
         var whole = at - first;
-        if (at < end && bytes[at] == '.')
+        if (at < _end && _bytes[at] == '.')
         {
-            for (at++; at < end && IsDigit(bytes[at]) && significant <= NcNumber.MaxDigits && decimals <= NcNumber.MaxDigits; at++)
+            for (at++; at < _end && IsDigit(_bytes[at]) && significant <= NcNumber.MaxDigits && decimals <= NcNumber.MaxDigits; at++)
             {
-                digits = (digits * 10) + (bytes[at] - '0');
+                digits = (digits * 10) + (_bytes[at] - '0');
                 significant += digits == 0 ? 0 : 1;
                 decimals++;
             }
@@ -210,13 +210,13 @@ public ref struct NcTokenizer
     // The end of a computed value (#100, -#[1], [#1+2], =R1+5), or 0 where none begins.
     private readonly int ExpressionEnd(int at)
     {
-        if (bytes[at] == '=')
+        if (_bytes[at] == '=')
         {
             var depth = 0;
-            for (; at < end; at++)
+            for (; at < _end; at++)
             {
-                depth += bytes[at] is (byte)'(' or (byte)'[' ? 1 : bytes[at] is (byte)')' or (byte)']' ? -1 : 0;
-                if (depth <= 0 && bytes[at] is (byte)' ' or (byte)'\t' or (byte)';')
+                depth += _bytes[at] is (byte)'(' or (byte)'[' ? 1 : _bytes[at] is (byte)')' or (byte)']' ? -1 : 0;
+                if (depth <= 0 && _bytes[at] is (byte)' ' or (byte)'\t' or (byte)';')
                 {
                     break;
                 }
@@ -225,18 +225,18 @@ public ref struct NcTokenizer
             return at;
         }
 
-        if (bytes[at] is (byte)'-' or (byte)'+')
+        if (_bytes[at] is (byte)'-' or (byte)'+')
         {
             at++;
         }
 
         var hashes = at;
-        while (at < end && bytes[at] == '#')
+        while (at < _end && _bytes[at] == '#')
         {
             at++;
         }
 
-        if (at < end && bytes[at] == '[')
+        if (at < _end && _bytes[at] == '[')
         {
             return BehindBracket(at);
         }
@@ -246,12 +246,12 @@ public ref struct NcTokenizer
             return 0;
         }
 
-        if (at < end && bytes[at] == '<')
+        if (at < _end && _bytes[at] == '<')
         {
             return BehindName(at);
         }
 
-        while (at < end && IsDigit(bytes[at]))
+        while (at < _end && IsDigit(_bytes[at]))
         {
             at++;
         }
@@ -262,54 +262,54 @@ public ref struct NcTokenizer
     // Named variables and O words: #<depth>, o<pocket>.
     private readonly int BehindName(int at)
     {
-        var close = bytes[at..end].IndexOf((byte)'>');
-        return close < 0 ? end : at + close + 1;
+        var close = _bytes[at.._end].IndexOf((byte)'>');
+        return close < 0 ? _end : at + close + 1;
     }
 
     private readonly int KeywordEnd()
     {
-        var at = position;
-        while (at < end && (IsLetter(bytes[at]) || IsDigit(bytes[at]) || bytes[at] is (byte)'_' or (byte)'$'))
+        var at = _position;
+        while (at < _end && (IsLetter(_bytes[at]) || IsDigit(_bytes[at]) || _bytes[at] is (byte)'_' or (byte)'$'))
         {
             at++;
         }
 
-        if (at < end && bytes[at] == '(')
+        if (at < _end && _bytes[at] == '(')
         {
             var depth = 0;
-            for (; at < end; at++)
+            for (; at < _end; at++)
             {
-                depth += bytes[at] == '(' ? 1 : bytes[at] == ')' ? -1 : 0;
+                depth += _bytes[at] == '(' ? 1 : _bytes[at] == ')' ? -1 : 0;
                 if (depth == 0)
                 {
                     return at + 1;
                 }
             }
 
-            return end;
+            return _end;
         }
 
-        return at < end && bytes[at] == '=' ? ExpressionEnd(at) : at;
+        return at < _end && _bytes[at] == '=' ? ExpressionEnd(at) : at;
     }
 
     private readonly int BehindBracket(int at)
     {
         var depth = 0;
-        for (; at < end; at++)
+        for (; at < _end; at++)
         {
-            depth += bytes[at] == '[' ? 1 : bytes[at] == ']' ? -1 : 0;
+            depth += _bytes[at] == '[' ? 1 : _bytes[at] == ']' ? -1 : 0;
             if (depth == 0)
             {
                 return at + 1;
             }
         }
 
-        return end;
+        return _end;
     }
 
     private readonly int ToCommentOrEnd(int at)
     {
-        var length = bytes[at..end].IndexOfAny((byte)'(', (byte)';');
-        return length < 0 ? end : at + length;
+        var length = _bytes[at.._end].IndexOfAny((byte)'(', (byte)';');
+        return length < 0 ? _end : at + length;
     }
 }
