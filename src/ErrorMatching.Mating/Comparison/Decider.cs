@@ -14,7 +14,7 @@ namespace ErrorMatching.Mating;
 /// </para>
 /// <para>Plausible is a displacement, along whatever direction, of at most the job's limit. One that exceeds it at any point refuses the job.</para>
 /// </remarks>
-public static class Decider
+internal static class Decider
 {
     /// <summary>Code of the refusal of a deviation beyond the job's limit.</summary>
     public const string ImplausibleDeviation = "implausible-deviation";

@@ -13,7 +13,7 @@ namespace ErrorMatching.Mating;
 /// <param name="TheoreticalCurve">The fit to a curve's theoretical points; null for straight features and for curves that turn back over their chord.</param>
 /// <param name="ActualCurve">The fit to a curve's measured points; null for straight features and for curves that turn back over their chord.</param>
 /// <param name="Warnings">What a person should know, in sentences.</param>
-public sealed record FeatureEvaluation(
+internal sealed record FeatureEvaluation(
     string Feature,
     FeatureKind Kind,
     IReadOnlyList<FeatureQuantity> Quantities,

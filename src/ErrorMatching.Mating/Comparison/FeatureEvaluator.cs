@@ -5,7 +5,7 @@ using MathNet.Numerics.Integration;
 namespace ErrorMatching.Mating;
 
 /// <summary>Evaluates features as designed and as measured (Wang 2021, sections 2.1 to 2.4).</summary>
-public static class FeatureEvaluator
+internal static class FeatureEvaluator
 {
     /// <summary>One key point is recommended for so many millimetres of a curve (Wang 2021, section 2.1).</summary>
     public const double RecommendedSpacingMm = 5;

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Mating;
 
 /// <summary>Which of the two pieces was measured.</summary>
-public enum MeasuredPiece
+internal enum MeasuredPiece
 {
     /// <summary>The part: its material lies on the tool's side of the boundary that the counterpart's tool cuts.</summary>
     Part,

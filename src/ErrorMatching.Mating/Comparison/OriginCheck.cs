@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Mating;
 
@@ -28,5 +29,19 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
     {
         ArgumentNullException.ThrowIfNull(check);
         return new(check.Point, (measured - theoretical).Length, check.LimitMm);
+    }
+
+    /// <summary>The refusal of the first measurement whose origin is off, or null; without a check in the job, null.</summary>
+    internal static MatingRefusal? Refuse(MatingJob job, MeasurementFile theoretical, params ReadOnlySpan<MeasurementFile?> measurements)
+    {
+        foreach (var file in measurements)
+        {
+            if (job.OriginCheck is { } check && file is not null && Of(check, theoretical[check.Point].Position, file[check.Point].Position).Refusal is { } refusal)
+            {
+                return refusal with { Message = $"{file.File}: {refusal.Message}" };
+            }
+        }
+
+        return null;
     }
 }

@@ -8,7 +8,7 @@ namespace ErrorMatching.Mating;
 /// <param name="Label">Name of the point.</param>
 /// <param name="Position">Its place in the plane, in the plane's axis order.</param>
 /// <param name="HeightMm">Its coordinate along the plane's third axis; null where the file has no Z.</param>
-public readonly record struct ProjectedPoint(string Label, Point2 Position, double? HeightMm)
+internal readonly record struct ProjectedPoint(string Label, Point2 Position, double? HeightMm)
 {
     /// <summary>Projects a point (Wang 2021, section 2.3: the three-dimensional problem is converted into a two-dimensional one).</summary>
     /// <param name="point">The point.</param>

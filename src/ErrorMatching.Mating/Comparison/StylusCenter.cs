@@ -17,7 +17,7 @@ namespace ErrorMatching.Mating;
 /// With the measured piece's own normal, out of its material, both read contact = center - radius * normal.
 /// </para>
 /// </remarks>
-public static class StylusCenter
+internal static class StylusCenter
 {
     /// <summary>The point of contact.</summary>
     /// <param name="center">Center of the ball at the moment of touch, in the part's frame.</param>

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Mating;
 
 /// <summary>Whether a whole correction is one uniform offset, which the control could make by itself.</summary>
-public static class UniformOffset
+internal static class UniformOffset
 {
     /// <summary>How much corrections may differ and still count as one: half the usual least increment.</summary>
     public const double ToleranceMm = 0.0005;

@@ -38,7 +38,7 @@ internal sealed class CircleField
     public static CircleField? Of(NcPath path, FeaturePass pass, IReadOnlyList<Vector2> corrections)
     {
         var first = path.Motions[pass.First];
-        for (var i = pass.First; i <= pass.Last; i++)
+        foreach (var i in FeaturePass.Moving(path, pass.First, pass.Last))
         {
             var motion = path.Motions[i];
             if (motion.Kind != first.Kind || !motion.IsArc || motion.Center.DistanceTo(first.Center) > 0.01 || Math.Abs(motion.Arc.Radius - first.Arc.Radius) > 0.01)

@@ -69,7 +69,7 @@ internal static class FeatureWish
 
     private static IEnumerable<ElementWish> Along(NcPath path, FeaturePass pass, Func<double, Vector2, Vector2> course)
     {
-        for (var i = pass.First; i <= pass.Last; i++)
+        foreach (var i in FeaturePass.Moving(path, pass.First, pass.Last))
         {
             yield return Element(path, pass, i, course);
         }
@@ -90,30 +90,31 @@ internal static class FeatureWish
         var before = Flank(job, pass, corrections, head);
         var behind = Flank(job, pass, corrections, tail);
         KeyPointFoot[] feet = [.. pass.Feet];
-        var lastBefore = feet[head].Max(f => f.Motion);
-        while (lastBefore < pass.Last && RunsOnStraight(path, lastBefore))
+        int[] moving = [.. FeaturePass.Moving(path, pass.First, pass.Last)];
+        var lastBefore = Array.IndexOf(moving, feet[head].Max(f => f.Motion));
+        while (lastBefore < moving.Length - 1 && RunsOnStraight(path, moving[lastBefore], moving[lastBefore + 1]))
         {
             lastBefore++;
         }
 
-        var firstBehind = feet[tail].Min(f => f.Motion);
-        while (firstBehind > pass.First && RunsOnStraight(path, firstBehind - 1))
+        var firstBehind = Array.IndexOf(moving, feet[tail].Min(f => f.Motion));
+        while (firstBehind > 0 && RunsOnStraight(path, moving[firstBehind - 1], moving[firstBehind]))
         {
             firstBehind--;
         }
 
-        for (var i = pass.First; i <= pass.Last; i++)
+        for (var i = 0; i < moving.Length; i++)
         {
-            yield return i <= lastBefore ? Element(path, pass, i, before)
-                : i >= firstBehind ? Element(path, pass, i, behind)
-                : Between(path, pass, i, lastBefore, firstBehind, before, behind);
+            yield return i <= lastBefore ? Element(path, pass, moving[i], before)
+                : i >= firstBehind ? Element(path, pass, moving[i], behind)
+                : Between(path, pass, moving[i], moving[lastBefore], moving[firstBehind], before, behind);
         }
     }
 
-    // True if the next motion goes on in the same direction: a flank may be cut by several blocks.
-    private static bool RunsOnStraight(NcPath path, int motion)
+    // True if a next motion goes on in the same direction: a flank may be cut by several blocks.
+    private static bool RunsOnStraight(NcPath path, int motion, int next)
     {
-        var (a, b) = (path.Motions[motion], path.Motions[motion + 1]);
+        var (a, b) = (path.Motions[motion], path.Motions[next]);
         return !a.IsArc && !b.IsArc && Math.Abs(a.TangentAt(1).Cross(b.TangentAt(0))) < 0.001 && a.TangentAt(1).Dot(b.TangentAt(0)) > 0;
     }
 

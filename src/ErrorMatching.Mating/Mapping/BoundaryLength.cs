@@ -16,21 +16,29 @@ internal static class BoundaryLength
     public static double[] Starts(NcPath path, int first, int last, double left)
     {
         var starts = new double[last - first + 2];
-        for (var i = first; i <= last; i++)
+        var lengths = new double[last - first + 1];
+        int[] moving = [.. FeaturePass.Moving(path, first, last)];
+        for (var k = 0; k < moving.Length; k++)
         {
-            var motion = path.Motions[i];
-            var turned = (motion.IsArc ? motion.Arc.Sweep.Radians : 0) + (((i > first ? Turn(path, i) : 0) + (i < last ? Turn(path, i + 1) : 0)) / 2);
+            var motion = path.Motions[moving[k]];
+            var joints = (k > 0 ? Turn(path, moving[k - 1], moving[k]) : 0) + (k < moving.Length - 1 ? Turn(path, moving[k], moving[k + 1]) : 0);
+            var turned = (motion.IsArc ? motion.Arc.Sweep.Radians : 0) + (joints / 2);
 
             // Where the tool rounds an inside corner the boundary has no length of its own; a little keeps the order of places.
-            starts[i - first + 1] = starts[i - first] + Math.Max(motion.PlaneLength - (left * turned), 0.01 * motion.PlaneLength);
+            lengths[moving[k] - first] = Math.Max(motion.PlaneLength - (left * turned), 0.01 * motion.PlaneLength);
+        }
+
+        for (var i = 0; i < lengths.Length; i++)
+        {
+            starts[i + 1] = starts[i] + lengths[i];
         }
 
         return starts;
     }
 
-    private static double Turn(NcPath path, int motion)
+    private static double Turn(NcPath path, int before, int behind)
     {
-        var (before, behind) = (path.Motions[motion - 1].TangentAt(1), path.Motions[motion].TangentAt(0));
-        return Math.Atan2(before.Cross(behind), before.Dot(behind));
+        var (from, to) = (path.Motions[before].TangentAt(1), path.Motions[behind].TangentAt(0));
+        return Math.Atan2(from.Cross(to), from.Dot(to));
     }
 }

@@ -9,7 +9,7 @@ namespace ErrorMatching.Mating;
 /// Finds where each theoretical key point belongs on the path of its feature's blocks. Without cutter compensation it must lie one tool radius from the path, all on one side:
 /// that side holds the counterpart's material. Under G41 or G42 it lies on the path, and the code says where the material is.
 /// </summary>
-public static class FeatureMapper
+internal static class FeatureMapper
 {
     /// <summary>Code of the refusal of a key point that is too far from its blocks.</summary>
     public const string PointOffPath = "point-off-path";
@@ -79,9 +79,12 @@ public static class FeatureMapper
         var mapped = new List<FeaturePass>();
         foreach (var (first, last) in passes)
         {
-            if (path.Motions[first].Plane != feature.Plane)
+            for (var i = first; i <= last; i++)
             {
-                return At(path, path.Motions[first].Block, PlaneDiffers, $"it cuts in the plane {path.Motions[first].Plane}, the feature lies in {feature.Plane}. Set \"plane\" in the job.", feature.Name);
+                if (Unplaceable(path.Motions[i], feature.Plane) is { } why)
+                {
+                    return At(path, path.Motions[i].Block, why.Code, why.Message, feature.Name);
+                }
             }
 
             var feet = new List<KeyPointFoot>();
@@ -105,12 +108,28 @@ public static class FeatureMapper
             var compensated = path.Motions[first].Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight);
             var left = compensated ? 0 : (feet[0].MaterialIsLeft ? 1 : -1) * job.Counterpart.ToolDiameterMm / 2;
             mapped.Add(new(first, last, BoundaryLength.Starts(path, first, last, left), feet));
+            var opposite = feet.FindIndex(f => f.Normal.Dot(mapped[0].Feet[feet.IndexOf(f)].Normal) < 0);
+            if (opposite >= 0)
+            {
+                var foot = feet[opposite];
+                return At(path, path.Motions[foot.Motion].Block, SidesDiffer, $"here the tool is on the other side of the point {foot.Label} than in {NameOf(path, mapped[0].Feet[opposite].Motion)}, so the material cannot be told. Name only the blocks that cut this boundary.", feature.Name, foot.Label);
+            }
         }
 
         var toPart = job.Counterpart.Frame.Inverse();
         map = new(feature, blocks, mapped, [.. mapped[0].Feet.Select(f => toPart.Apply(f.Normal))]);
         return null;
     }
+
+    // Why it cannot be said where a motion lies in the feature's plane, or null.
+    private static (string Code, string Message)? Unplaceable(in NcMotion motion, CoordinatePlane plane) => motion switch
+    {
+        _ when motion.Has(MotionFlags.Expression) => (NcRefusalCodes.Expression, "the control computes where it goes (variable or expression). Post plain numbers for the blocks of a feature."),
+        _ when motion.Plane != plane => (PlaneDiffers, $"it cuts in the plane {motion.Plane}, the feature lies in {plane}. Set \"plane\" in the job."),
+        _ when !motion.IsKnownInPlane => (NcRefusalCodes.UnknownState, "the program does not say where this motion begins or ends. State X, Y and Z before it."),
+        _ when motion.Has(MotionFlags.BadArc) => (NcRefusalCodes.BadArc, "its words describe no circle within the control's tolerance."),
+        _ => null,
+    };
 
     // Named cuts that follow one another without a motion between them.
     private static List<(int First, int Last)> Passes(NcPath path, int[] blocks)
@@ -123,7 +142,7 @@ public static class FeatureMapper
                 continue;
             }
 
-            if (passes.Count > 0 && passes[^1].Last == motion - 1)
+            if (passes.Count > 0 && Continues(path, passes[^1].Last, motion))
             {
                 passes[^1] = (passes[^1].First, motion);
             }
@@ -136,6 +155,20 @@ public static class FeatureMapper
         return passes;
     }
 
+    // True if nothing but blocks without length, as some CAM systems and cut corners leave them, lies between two cuts.
+    private static bool Continues(NcPath path, int last, int next)
+    {
+        for (var i = last + 1; i < next; i++)
+        {
+            if (!path.Motions[i].IsCut || path.Motions[i].End != path.Motions[i].Start)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
     private static MatingRefusal? Foot(
         MatingJob job, NcPath path, JobFeature feature, string label, Point2 point, int first, int last, out KeyPointFoot? foot)
     {
@@ -143,6 +176,11 @@ public static class FeatureMapper
         for (var i = first; i <= last; i++)
         {
             var motion = path.Motions[i];
+            if (!motion.MovesInPlane)
+            {
+                continue;
+            }
+
             var fraction = motion.IsArc ? motion.Arc.NearestFraction(point) : motion.Segment.NearestFraction(point);
             var distance = motion.PlaneAt(fraction).DistanceTo(point);
             if (distance < nearestDistance)
@@ -172,6 +210,8 @@ public static class FeatureMapper
             feature.Name,
             label);
     }
+
+    private static string NameOf(NcPath path, int motion) => path.Program.NameOf(path.Program[path.Motions[motion].Block]);
 
     private static MatingRefusal At(NcPath path, int block, string code, string message, string feature, string? point = null) =>
         new(code, $"{feature}, {path.Program.NameOf(path.Program[block])}: {message}", feature, point, path.Program.NameOf(path.Program[block]), block + 1);

@@ -18,7 +18,7 @@ public sealed record AlignedMeasurement(
     private const double Flat = 0.001;
 
     /// <summary>Why a job's alignment cannot be computed, or null.</summary>
-    public static MatingRefusal? Check(MatingJob job)
+    internal static MatingRefusal? Check(MatingJob job)
     {
         ArgumentNullException.ThrowIfNull(job);
         return job.Alignment.Kind == JobAlignmentKind.None || job.Features.All(f => f.Plane == job.Features[0].Plane)
@@ -34,11 +34,12 @@ public sealed record AlignedMeasurement(
     /// <param name="piece">Which piece it is of.</param>
     /// <exception cref="MeasurementException">A point is missing, or has no coordinate in its feature's plane.</exception>
     /// <exception cref="GeometryException">The points do not determine the alignment.</exception>
-    public static AlignedMeasurement Of(MatingJob job, IReadOnlyList<FeatureMap> maps, MeasurementFile theoretical, MeasurementFile measured, MeasuredPiece piece)
+    internal static AlignedMeasurement Of(MatingJob job, IReadOnlyList<FeatureMap> maps, MeasurementFile theoretical, MeasurementFile measured, MeasuredPiece piece)
     {
         measured.Require(job.NeededPoints);
         var labels = new List<string>();
-        var (actual, nominal) = (new List<Point2>(), new List<Point2>());
+        var (actual, nominal, toContact) = (new List<Point2>(), new List<Point2>(), new List<Vector2>());
+        var radius = job.Gauge.Reports == ProbeReport.StylusCenter ? job.Gauge.StylusDiameterMm!.Value / 2 : 0;
         var standsOut = new List<(string, double)>();
         foreach (var map in maps)
         {
@@ -52,15 +53,16 @@ public sealed record AlignedMeasurement(
                 }
 
                 labels.Add(label);
-                nominal.Add(want.Position);
-                actual.Add(job.Gauge.Reports == ProbeReport.StylusCenter
-                    ? StylusCenter.ToContact(have.Position, job.Gauge.StylusDiameterMm!.Value / 2, map.Normals[i], piece)
-                    : have.Position);
+                toContact.Add(StylusCenter.ToContact(want.Position, radius, map.Normals[i], piece) - want.Position);
+                nominal.Add(want.Position - toContact[^1]);
+                actual.Add(have.Position);
             }
         }
 
+        // Balls are aligned with where their centers should be, and only then taken to the contact: the normals are those of the part's frame, which a piece reaches by its alignment.
         var alignment = Align(job, theoretical, measured, actual, nominal);
-        return new(measured, alignment, labels.Zip(alignment.Aligned).ToDictionary(p => p.First, p => p.Second, StringComparer.Ordinal), standsOut);
+        var points = labels.Select((label, i) => (label, alignment.Aligned[i] + toContact[i]));
+        return new(measured, alignment, points.ToDictionary(p => p.label, p => p.Item2, StringComparer.Ordinal), standsOut);
     }
 
     private static Alignment Align(MatingJob job, MeasurementFile theoretical, MeasurementFile measured, List<Point2> actual, List<Point2> nominal)

@@ -1,3 +1,4 @@
+using System.Buffers;
 using System.Text;
 using ErrorMatching.Nc;
 
@@ -13,6 +14,7 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     private const string Word = "ERRORMATCH";
     private const string Measurement = "MEASUREMENT=";
     private const string Base = "BASE=";
+    private static readonly SearchValues<char> HexDigits = SearchValues.Create("0123456789abcdefABCDEF");
 
     /// <summary>Code of the refusal of a program that is not the nominal one.</summary>
     public const string AlreadyCompensated = "already-compensated";
@@ -20,15 +22,18 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     /// <summary>Code of the refusal of a measurement that the program already follows.</summary>
     public const string SameMeasurement = "same-measurement";
 
+    /// <summary>Code of the refusal of a marker that cannot be read, so that nobody knows which measurements the program already follows.</summary>
+    public const string MarkerDamaged = "marker-damaged";
+
     /// <summary>The comment, as a line of the program without its line end.</summary>
     public string Text => $"({Word} {Measurement}{MeasurementSha256.ToUpperInvariant()} {Base}{BaseSha256.ToUpperInvariant()})";
 
-    /// <summary>All markers of a program with the positions of their blocks.</summary>
-    public static IReadOnlyList<(int Block, Marker Marker)> Find(NcProgram program)
+    /// <summary>All markers of a program with the positions of their blocks; a marker that was damaged so that its hashes cannot be read is null.</summary>
+    internal static IReadOnlyList<(int Block, Marker? Marker)> Find(NcProgram program)
     {
-        var found = new List<(int, Marker)>();
-        var span = program.Bytes.Span;
-        if (span.IndexOf(Encoding.ASCII.GetBytes(Word)) < 0)
+        ArgumentNullException.ThrowIfNull(program);
+        var found = new List<(int, Marker?)>();
+        if (!HoldsWord(program.Bytes.Span))
         {
             return found;
         }
@@ -37,7 +42,8 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
         {
             foreach (var token in program.Tokens(program[i]))
             {
-                if (token.Kind == NcTokenKind.Comment && Parse(Encoding.Latin1.GetString(span.Slice(token.Start, token.Length))) is { } marker)
+                // A comment that lost its end is no comment for the tokenizer, but it is a marker for us.
+                if (token.Kind is NcTokenKind.Comment or NcTokenKind.Invalid && IsMarker(Encoding.Latin1.GetString(program.Bytes.Span.Slice(token.Start, token.Length)), out var marker))
                 {
                     found.Add((i, marker));
                 }
@@ -50,14 +56,10 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     /// <summary>
     /// The program with the marker as a line of its own: behind the percent sign and the program number if it begins with them, so that the control still finds both.
     /// </summary>
-    public byte[] InsertInto(NcProgram program)
+    internal byte[] InsertInto(NcProgram program)
     {
-        var at = 0;
-        while (at < program.BlockCount && IsHead(program, program[at]))
-        {
-            at++;
-        }
-
+        ArgumentNullException.ThrowIfNull(program);
+        var at = HeadLength(program);
         var start = at < program.BlockCount ? program[at].Start : program.Bytes.Length;
         var lineEnd = LineEnd(program);
         byte[] line = [.. Encoding.ASCII.GetBytes(Text), .. lineEnd];
@@ -65,35 +67,61 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
         return NcPatch.Apply(program.Bytes.Span, [new(start, 0, headHasEnd ? line : (byte[])[.. lineEnd, .. Encoding.ASCII.GetBytes(Text)])]);
     }
 
-    private static Marker? Parse(string comment)
+    private static bool HoldsWord(ReadOnlySpan<byte> bytes)
     {
-        var words = comment.Trim('(', ')', ';', ' ').Split(' ', StringSplitOptions.RemoveEmptyEntries);
-        return words is [Word, var measurement, var program]
-            && measurement.StartsWith(Measurement, StringComparison.Ordinal) && program.StartsWith(Base, StringComparison.Ordinal)
-            ? new(measurement[Measurement.Length..].ToLowerInvariant(), program[Base.Length..].ToLowerInvariant())
-            : null;
-    }
-
-    // Percent sign, program number, and what is empty between them.
-    private static bool IsHead(NcProgram program, NcBlock block)
-    {
-        foreach (var token in program.Tokens(block))
+        while (bytes.IndexOfAny((byte)Word[0], (byte)(Word[0] | 0x20)) is >= 0 and var at)
         {
-            if (token.Kind is not (NcTokenKind.Space or NcTokenKind.Percent or NcTokenKind.Comment) && token is not { Kind: NcTokenKind.Word, Letter: (byte)'O' or (byte)':' })
-            {
-                return false;
-            }
-        }
-
-        foreach (var token in program.Tokens(block))
-        {
-            if (token.Kind is NcTokenKind.Percent or NcTokenKind.Word)
+            bytes = bytes[at..];
+            if (bytes.Length >= Word.Length && Ascii.EqualsIgnoreCase(bytes[..Word.Length], Word))
             {
                 return true;
             }
+
+            bytes = bytes[1..];
         }
 
         return false;
+    }
+
+    private static bool IsMarker(string comment, out Marker? marker)
+    {
+        var words = comment.Trim('(', ')', ';', ' ').Split(' ', StringSplitOptions.RemoveEmptyEntries);
+        marker = words is [_, var measurement, var program] && HashBehind(Measurement, measurement) is { } m && HashBehind(Base, program) is { } b ? new(m, b) : null;
+        return words.Length > 0 && words[0].Equals(Word, StringComparison.OrdinalIgnoreCase);
+    }
+
+    private static string? HashBehind(string name, string word)
+    {
+        const int digits = 64;
+        return word.Length == name.Length + digits && word.StartsWith(name, StringComparison.OrdinalIgnoreCase) && word.AsSpan(name.Length).IndexOfAnyExcept(HexDigits) < 0
+            ? word[name.Length..].ToLowerInvariant()
+            : null;
+    }
+
+    // The blocks up to the percent sign and the program number, with what is empty before and between them.
+    private static int HeadLength(NcProgram program)
+    {
+        var length = 0;
+        for (var i = 0; i < program.BlockCount; i++)
+        {
+            // A colon is the letter O in programs of ISO code.
+            var names = program.BytesOf(program[i]) is [(byte)':', ..];
+            foreach (var token in program.Tokens(program[i]))
+            {
+                if (token.Kind is NcTokenKind.Percent || token is { Kind: NcTokenKind.Word, Letter: (byte)'O' })
+                {
+                    names = true;
+                }
+                else if (!names && token.Kind is not (NcTokenKind.Space or NcTokenKind.Comment))
+                {
+                    return length;
+                }
+            }
+
+            length = names ? i + 1 : length;
+        }
+
+        return length;
     }
 
     private static byte[] LineEnd(NcProgram program)

@@ -41,34 +41,28 @@ public static class Matcher
 
     private static MatingRefusal? CheckBefore(MatchInput input, NcPath path)
     {
-        var job = input.Job;
         foreach (var (block, marker) in Marker.Find(path.Program))
         {
             var name = path.Program.NameOf(path.Program[block]);
-            if (job.Compensation.From == CompensationSource.Part)
+            if (Refused(input, marker) is var (code, why))
             {
-                return new(Marker.AlreadyCompensated, $"{input.ProgramFile}, {name}: the program carries a marker, so it is already compensated and not the nominal one. Start from the nominal program.", Block: name, Line: block + 1);
-            }
-
-            if (marker.MeasurementSha256 == input.Compensated.Sha256)
-            {
-                return new(Marker.SameMeasurement, $"{input.ProgramFile}, {name}: the program already follows this very measurement of the counterpart. Measure the piece that this program cut.", Block: name, Line: block + 1);
+                return new(code, $"{input.ProgramFile}, {name}: {why}", Block: name, Line: block + 1);
             }
         }
 
-        if (job.OriginCheck is { } check)
-        {
-            foreach (var file in new[] { input.Part, input.Counterpart }.OfType<MeasurementFile>())
-            {
-                if (OriginCheck.Of(check, input.Theoretical[check.Point].Position, file[check.Point].Position).Refusal is { } off)
-                {
-                    return off;
-                }
-            }
-        }
-
-        return AlignedMeasurement.Check(job);
+        return OriginCheck.Refuse(input.Job, input.Theoretical, input.Part, input.Counterpart) ?? AlignedMeasurement.Check(input.Job);
     }
+
+    // Why a program with this marker must not be compensated, or null.
+    private static (string Code, string Why)? Refused(MatchInput input, Marker? marker) => marker switch
+    {
+        _ when input.Job.Compensation.From == CompensationSource.Part =>
+            (Marker.AlreadyCompensated, "the program carries a marker, so it is already compensated and not the nominal one. Start from the nominal program."),
+        null => (Marker.MarkerDamaged, "the marker was changed and cannot be read, so the program may already follow this measurement. Start from the program as it was written."),
+        _ when marker.MeasurementSha256 == input.Compensated.Sha256 =>
+            (Marker.SameMeasurement, "the program already follows this very measurement of the counterpart. Measure the piece that this program cut."),
+        _ => null,
+    };
 
     private static List<IReadOnlyList<BoundaryPoint>> BoundaryPoints(MatchInput input, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part, AlignedMeasurement? counterpart)
     {

@@ -77,7 +77,7 @@ public static class MatchReporter
             Name = map.Feature.Name,
             Kind = map.Feature.Kind,
             Tolerance = map.Feature.Tolerance,
-            Quantities = [.. Quantities(result, map, evaluation)],
+            Quantities = [.. Quantities(result, map, decision, evaluation)],
             Decision = decision.Decision,
             LargestMm = decision.LargestMm,
             UncertaintyMm = decision.StandardUncertaintyMm,
@@ -90,11 +90,11 @@ public static class MatchReporter
         };
     }
 
-    // Corrected: the same quantity of the key points moved along their normals as the new program moves the boundary.
-    private static IEnumerable<ReportQuantity> Quantities(MatchResult result, FeatureMap map, FeatureEvaluation evaluation)
+    // Corrected: the same quantity of the key points where the original program puts the boundary (as designed, or as measured on the counterpart that it cut), moved as the new program moves it.
+    private static IEnumerable<ReportQuantity> Quantities(MatchResult result, FeatureMap map, FeatureDecision decision, FeatureEvaluation evaluation)
     {
         var theoretical = Theoretical(result, map);
-        Point2[] corrected = [.. theoretical.Select((p, i) => p + (map.Normals[i] * Moved(result, map, i, p)))];
+        Point2[] corrected = [.. theoretical.Select((p, i) => decision.Points[i].Point.Present + (map.Normals[i] * Moved(result, map, i, p)))];
         var after = FeatureEvaluator.Evaluate(map.Feature, theoretical, corrected, 0).Quantities.ToDictionary(q => q.Name, q => q.Actual, StringComparer.Ordinal);
         return evaluation.Quantities.Select(q => new ReportQuantity(q, after.TryGetValue(q.Name, out var value) ? value : null));
     }

@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Mating;
 
 /// <summary>Compares counterparts with the part (Wang 2021, section 4): for a line deviations and length, for a triangle deviations and angle, for a curve deviations, and what the job asks for besides.</summary>
-public static class Verifier
+internal static class Verifier
 {
     /// <summary>Compares two counterparts with the part.</summary>
     /// <param name="job">The job.</param>

@@ -10,7 +10,7 @@ public static class VerifyRun
 {
     /// <summary>Makes the report of a verification.</summary>
     /// <param name="input">What it is computed from.</param>
-    /// <param name="refusals">Why the features cannot be found on the program; empty where there is a report.</param>
+    /// <param name="refusals">Why nothing can be compared: an origin that is off, or features that are not on the program; empty where there is a report.</param>
     /// <exception cref="MeasurementException">A measurement lacks a point or coordinate.</exception>
     /// <exception cref="GeometryException">The points of a feature do not determine it; the message names it.</exception>
     /// <exception cref="NcException">The dialect or a selector cannot be read.</exception>
@@ -19,8 +19,8 @@ public static class VerifyRun
         ArgumentNullException.ThrowIfNull(input);
         var job = input.Job;
         var path = NcInterpreter.Run(NcProgram.Read(input.Program), NcDialects.Named(job.Counterpart.Dialect));
-        var unmapped = FeatureMapper.Map(job, path, input.Theoretical, out var maps);
-        if ((AlignedMeasurement.Check(job) ?? unmapped) is { } refusal)
+        IReadOnlyList<FeatureMap> maps = [];
+        if ((OriginCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After) ?? AlignedMeasurement.Check(job) ?? FeatureMapper.Map(job, path, input.Theoretical, out maps)) is { } refusal)
         {
             refusals = [refusal];
             return null;
