@@ -21,6 +21,9 @@ internal static class CommandTree
     {
         var root = new RootCommand("Measures a machined piece and rewrites the NC program of its counterpart so that the two fit.")
         {
+            new MatchVerb(),
+            new VerifyVerb(),
+            new Command("job", "Writes and checks jobs.") { new JobCheck(), new JobNew(), new JobSchema() },
             new Command("fit", "Fits curves to measured points.") { new FitLine(), new FitPolynomial(), new FitCircle() },
         };
         root.Directives.Clear();
