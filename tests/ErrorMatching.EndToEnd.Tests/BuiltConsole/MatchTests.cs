@@ -28,6 +28,9 @@ public sealed class MatchTests
         Assert.True(proof.GetProperty("untouchedBytesIdentical").GetBoolean());
         Assert.True(proof.GetProperty("maxDeviationFromWantedMm").GetDouble() <= 0.0015);
 
+        Assert.Equal(["counterpart.nc", "report.html", "report.json"], Directory.EnumerateFiles(shop["out", "new"]).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.StartsWith("<!DOCTYPE html>", File.ReadAllText(shop["out", "new", "report.html"]), StringComparison.OrdinalIgnoreCase);
+
         // Every input is as it was, and is named by the hash of what stands there.
         Assert.Equal(before, shop.State().Where(f => !f.StartsWith("out", StringComparison.Ordinal)));
         Assert.All(report.GetProperty("inputs").EnumerateArray(), i => Assert.Equal(Workshop.Sha256(shop[i.GetProperty("file").GetString()!]), i.GetProperty("sha256").GetString()));

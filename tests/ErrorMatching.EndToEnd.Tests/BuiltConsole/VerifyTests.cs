@@ -53,6 +53,7 @@ public sealed class VerifyTests
         var run = await shop.Run($"{Line("complex-mating")} --out out --json");
         Assert.Equal(0, run.Exit);
         Assert.Equal(run.Output, File.ReadAllText(shop["out", "verify.json"]));
+        Assert.StartsWith("<!DOCTYPE html>", File.ReadAllText(shop["out", "verify.html"]), StringComparison.OrdinalIgnoreCase);
     }
 
     private static string Line(string sample) => $"verify samples/{sample}/job.json --before samples/{sample}/counterpart.csv --after samples/{sample}/counterpart-after.csv";

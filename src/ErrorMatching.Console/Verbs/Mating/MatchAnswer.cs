@@ -17,7 +17,8 @@ internal sealed class MatchAnswer(MatchReport report, string? folder) : Answer
 
     /// <summary>What belongs into the folder. The program comes last: where it stands, its report stands too.</summary>
     /// <param name="program">The bytes of the program.</param>
-    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program) => [(In("report.json"), _json), (report.Program.File, program)];
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program) =>
+        [(In("report.json"), _json), (In("report.html"), MatchReportHtml.Write(report)), (report.Program.File, program)];
 
     /// <inheritdoc/>
     public override void WriteText(Page page)
@@ -98,10 +99,10 @@ internal sealed class MatchAnswer(MatchReport report, string? folder) : Answer
             return;
         }
 
-        page.Line($"Wrote {report.Program.File} and {In("report.json")}.");
+        page.Line($"Wrote {report.Program.File}, {In("report.html")} and {In("report.json")}.");
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Next: compare the blocks above with your drawing, cut the counterpart with {report.Program.File}, measure it, and compare by errormatch verify. Measuring takes about {report.Time.MeasuringS} s, this calculation took {report.Time.CalculatingS:0.000} s."));
+            $"Next: open {In("report.html")} in a browser, cut the counterpart with {report.Program.File}, measure it, and compare by errormatch verify. Measuring takes about {report.Time.MeasuringS} s, this calculation took {report.Time.CalculatingS:0.000} s."));
     }
 
     private string In(string name) => Path.Combine(folder ?? "", name);

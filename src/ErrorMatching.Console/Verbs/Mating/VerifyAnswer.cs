@@ -4,13 +4,16 @@ namespace ErrorMatching.Console;
 
 /// <summary>How well two counterparts fit the part.</summary>
 /// <param name="report">The report.</param>
-/// <param name="file">The file that it was written to; null if nothing was written.</param>
-internal sealed class VerifyAnswer(VerifyReport report, string? file) : Answer
+/// <param name="folder">The folder that it was written to; null if nothing was written.</param>
+internal sealed class VerifyAnswer(VerifyReport report, string? folder) : Answer
 {
     private readonly byte[] _json = VerifyReportJson.Write(report);
 
     /// <inheritdoc/>
     public override byte[] ToJson() => _json;
+
+    /// <summary>What belongs into the folder.</summary>
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files => [(In("verify.json"), _json), (In("verify.html"), VerifyReportHtml.Write(report))];
 
     /// <inheritdoc/>
     public override void WriteText(Page page)
@@ -38,6 +41,8 @@ internal sealed class VerifyAnswer(VerifyReport report, string? file) : Answer
         }
 
         page.Line();
-        page.Line(file is null ? "Nothing was written. Add --out DIR to write verify.json." : $"Wrote {file}.");
+        page.Line(folder is null ? "Nothing was written. Add --out DIR to write verify.json and verify.html." : $"Wrote {In("verify.html")} and {In("verify.json")}.");
     }
+
+    private string In(string name) => Path.Combine(folder ?? "", name);
 }

@@ -11,7 +11,7 @@ internal sealed class VerifyVerb : Verb
     private readonly Option<string> _before = FileOption("--before", "The measured counterpart that was cut without compensation.");
     private readonly Option<string> _after = FileOption("--after", "The measured counterpart that was cut with it.");
     private readonly Option<string> _part = FileOption("--part", "The measured part, instead of the job's.");
-    private readonly Option<string> _out = new("--out") { Description = "The folder to write verify.json to. Without it nothing is written.", HelpName = "DIR" };
+    private readonly Option<string> _out = new("--out") { Description = "The folder to write verify.json and verify.html to. Without it nothing is written.", HelpName = "DIR" };
 
     /// <summary>The verb.</summary>
     public VerifyVerb()
@@ -44,11 +44,11 @@ internal sealed class VerifyVerb : Verb
                 return FailureOf.Refused(files.Job.File, program, refusals);
             }
 
-            var file = arguments.GetValue(_out) is { } folder ? Path.Combine(folder, "verify.json") : null;
-            var answer = new VerifyAnswer(report, file);
-            if (file is not null)
+            var folder = arguments.GetValue(_out);
+            var answer = new VerifyAnswer(report, folder);
+            if (folder is not null)
             {
-                OutputFile.Write(file, answer.ToJson(), files.Read, cancellation);
+                OutputFile.WriteAll(answer.Files, files.Read, cancellation);
             }
 
             return answer;
