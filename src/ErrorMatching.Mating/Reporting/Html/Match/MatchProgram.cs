@@ -16,7 +16,7 @@ internal static class MatchProgram
         using (html.In("details", ("open", "open")))
         {
             html.Put("summary", $"{ReportNumber.Count(program.Blocks.Count, "block")} side by side");
-            HtmlTable.Write(html, "blocks-table", "Blocks that differ. What was replaced is framed, what stands there now is underlined.", [new("Line", true), new("Block"), new("Original"), new("Modified")], program.Blocks, (row, block) =>
+            HtmlTable.Write(html, "blocks-table", "Blocks that differ. What was replaced has a dotted line below it, what stands there now a solid one.", [new("Line", true), new("Block"), new("Original"), new("Modified")], program.Blocks, (row, block) =>
             {
                 row.Number(ReportNumber.Count(block.Line));
                 row.Header(block.Number.Length > 0 ? block.Number : ReportNumber.None);
