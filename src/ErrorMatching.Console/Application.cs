@@ -1,5 +1,7 @@
 using System.CommandLine;
+using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
@@ -50,6 +52,22 @@ internal static class Application
         catch (MeasurementException e)
         {
             return FailureOf.Measurement(e);
+        }
+        catch (JobException e)
+        {
+            return FailureOf.Job(e);
+        }
+        catch (NcException e)
+        {
+            return FailureOf.Nc(e);
+        }
+        catch (WrongPieceException e)
+        {
+            return FailureOf.WrongPiece(e);
+        }
+        catch (InputException e)
+        {
+            return FailureOf.Input(e);
         }
         catch (OutputException e)
         {

@@ -51,6 +51,15 @@ public static class NcRefusalCodes
     /// <summary>Motions in different planes cannot be displaced together.</summary>
     public const string PlaneChange = "plane-change";
 
+    /// <summary>A point of a wish lies too far from the path of the named blocks.</summary>
+    public const string PointOffPath = "point-off-path";
+
+    /// <summary>Blocks are to be displaced by points, and none of the points lies on them.</summary>
+    public const string RunWithoutPoint = "run-without-point";
+
+    /// <summary>Two points of a wish ask for different displacements at one place.</summary>
+    public const string PointsCoincide = "points-coincide";
+
     /// <summary>The displaced program, read again, does not do what was asked.</summary>
     public const string ProofFailed = "proof-failed";
 }

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Reflection;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Console.Tests;
@@ -8,6 +9,8 @@ public class ContractTests
     private static readonly IReadOnlyList<Verb> Verbs = [.. Tree(CommandTree.Build()).OfType<Verb>()];
 
     public static TheoryData<string> VerbNames => [.. Verbs.Select(WordsOf)];
+
+    public static TheoryData<string> DemandingVerbNames => [.. Verbs.Where(v => v.Arguments.Count > 0).Select(WordsOf)];
 
     [Fact]
     public void Version_prints_the_version_alone() => Assert.Equal((0, "0.1.0\n", ""), Shell.Run("--version"));
@@ -26,15 +29,20 @@ public class ContractTests
     [MemberData(nameof(VerbNames))]
     public void Each_example_runs_on_the_samples(string words)
     {
+        using var folder = new TemporaryFolder();
         var example = Find(words).Example;
-        Assert.StartsWith("errormatch " + words + " ", example, StringComparison.Ordinal);
-        var args = example.Split(' ')[1..].Select(a => a.StartsWith("samples/", StringComparison.Ordinal) ? Repository.PathTo(a) : a).ToArray();
+        Assert.StartsWith("errormatch " + words, example, StringComparison.Ordinal);
+        var args = example.Split(' ')[1..].Select(Placed).ToArray();
         Assert.Empty(CommandTree.Parse(args).Errors);
         Assert.Equal((0, ""), Shell.Run(args) is var r ? (r.Exit, r.Error) : default);
+
+        string Placed(string word) => word.StartsWith("samples/", StringComparison.Ordinal) ? Repository.PathTo(word)
+            : word == "out" || word.StartsWith("out/", StringComparison.Ordinal) ? folder[word]
+            : word;
     }
 
     [Theory]
-    [MemberData(nameof(VerbNames))]
+    [MemberData(nameof(DemandingVerbNames))]
     public void Each_verb_without_arguments_is_a_wrong_command_line(string words)
     {
         var errors = Shell.Json(1, "errormatch/error/1", words.Split(' ')).GetProperty("errors");
@@ -121,13 +129,31 @@ public class ContractTests
         Assert.Equal((ExitCode.Outside, "internal-error"), FailureOf.Defect(new InvalidOperationException()) is var f ? (f.Exit, f.Errors[0].Code) : default);
 
     [Fact]
-    public void Each_code_is_in_the_reference()
+    public void Each_code_of_an_error_is_in_the_reference()
     {
         var reference = File.ReadAllText(Repository.PathTo("docs", "reference-console.md"));
-        var codes = typeof(Measurement.MeasurementError).GetFields().Select(f => (string)f.GetRawConstantValue()!).Concat(
-            Enum.GetValues<Geometry.GeometryError>().Select(e => FailureOf.Geometry(new(e, ""), "").Errors[0].Code));
-        Assert.All(codes.Concat(["command-line", "output-is-input", "file-unwritable", "internal-error"]), c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
+        var codes = ConstantsOf(typeof(Measurement.MeasurementError))
+            .Concat(Enum.GetValues<Geometry.GeometryError>().Select(e => FailureOf.Geometry(new(e, ""), "").Errors[0].Code))
+            .Concat(Enum.GetValues<Nc.NcErrorCode>().Select(e => FailureOf.Nc(new(e, "")).Errors[0].Code))
+            .Concat(ConstantsOf(typeof(OutputException)));
+        Assert.All(codes.Concat(["command-line", "wrong-piece", "internal-error"]), c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
     }
+
+    [Fact]
+    public void Each_code_of_a_refusal_is_explained()
+    {
+        var page = File.ReadAllText(Repository.PathTo("docs", "refusals.md"));
+        var mating = typeof(Mating.Matcher).Assembly.GetTypes()
+            .Where(t => t.Name is "FeatureMapper" or "AlignedMeasurement" or "Marker" or "Decider" or "OriginCheck")
+            .SelectMany(ConstantsOf)
+            .Where(c => c.Contains('-', StringComparison.Ordinal));
+        var codes = ConstantsOf(typeof(Nc.NcRefusalCodes)).Concat(mating).ToArray();
+        Assert.True(codes.Length > 25);
+        Assert.All(codes, c => Assert.Contains($"`{c}`", page, StringComparison.Ordinal));
+    }
+
+    private static IEnumerable<string> ConstantsOf(Type type) =>
+        type.GetFields(BindingFlags.Public | BindingFlags.Static).Where(f => f.IsLiteral && f.FieldType == typeof(string)).Select(f => (string)f.GetRawConstantValue()!);
 
     private static Verb Find(string words) => Verbs.Single(v => WordsOf(v) == words);
 

@@ -25,7 +25,7 @@ public class OutputFileTests
         foreach (var path in new[] { input, Path.Combine(folder.Path, ".", "x", "..", "in.nc"), link, Path.Combine(folderLink, "in.nc"), Path.GetRelativePath(Directory.GetCurrentDirectory(), input) })
         {
             var error = Assert.Throws<OutputException>(() => Write(path, "output", input));
-            Assert.True(error.IsInput);
+            Assert.Equal("output-is-input", error.Code);
             Assert.Equal(1, (int)FailureOf.Output(error).Exit);
             Assert.Equal("input", File.ReadAllText(input));
         }
@@ -42,7 +42,7 @@ public class OutputFileTests
         foreach (var path in new[] { folder["taken"], Path.Combine(file, "below"), folder["a\0b"], "" })
         {
             var error = Assert.Throws<OutputException>(() => Write(path, "x"));
-            Assert.False(error.IsInput);
+            Assert.Equal("file-unwritable", error.Code);
             Assert.Equal(3, (int)FailureOf.Output(error).Exit);
         }
 
@@ -54,9 +54,47 @@ public class OutputFileTests
     {
         using var folder = new TemporaryFolder();
         var path = folder.File("out.nc", "old");
-        Assert.Throws<OperationCanceledException>(() => OutputFile.Write(path, "new"u8, [], new CancellationToken(canceled: true)));
+        Assert.Throws<OperationCanceledException>(() => OutputFile.Write(path, "new"u8.ToArray(), [], new CancellationToken(canceled: true)));
         Assert.Equal("old", File.ReadAllText(path));
         Assert.Equal([path], Directory.GetFiles(folder.Path));
+    }
+
+    [Fact]
+    public void Files_that_belong_together_appear_together_or_not_at_all()
+    {
+        using var folder = new TemporaryFolder();
+        var (first, last) = (folder.File("report.json", "old"), folder["program.nc"]);
+        Directory.CreateDirectory(last);
+        var token = TestContext.Current.CancellationToken;
+        (string, ReadOnlyMemory<byte>)[] files = [(folder["new.html"], "1"u8.ToArray()), (first, "2"u8.ToArray()), (last, "3"u8.ToArray())];
+        Assert.Throws<OutputException>(() => OutputFile.WriteAll(files, [], token));
+        Assert.Equal("old", File.ReadAllText(first));
+        Assert.Equal([first], Directory.GetFiles(folder.Path));
+
+        Directory.Delete(last);
+        OutputFile.WriteAll(files, [], token);
+        Assert.Equal(["1", "2", "3"], new[] { folder["new.html"], first, last }.Select(File.ReadAllText));
+        Assert.Equal(3, Directory.GetFiles(folder.Path).Length);
+    }
+
+    [Fact]
+    public void Two_outputs_with_one_name_are_refused_before_anything_is_written()
+    {
+        using var folder = new TemporaryFolder();
+        var path = folder["report.json"];
+        var error = Assert.Throws<OutputException>(() => OutputFile.WriteAll([(path, "1"u8.ToArray()), (path, "2"u8.ToArray())], [], TestContext.Current.CancellationToken));
+        Assert.Equal((1, "output-twice"), ((int)FailureOf.Output(error).Exit, error.Code));
+        Assert.Empty(Directory.GetFiles(folder.Path));
+    }
+
+    [Fact]
+    public void A_new_file_replaces_none()
+    {
+        using var folder = new TemporaryFolder();
+        var path = folder.File("job.json", "mine");
+        var error = Assert.Throws<OutputException>(() => OutputFile.Create(path, "new"u8.ToArray(), TestContext.Current.CancellationToken));
+        Assert.Equal((1, "output-exists"), ((int)FailureOf.Output(error).Exit, error.Code));
+        Assert.Equal("mine", File.ReadAllText(path));
     }
 
     private static void Write(string path, string text, params string[] inputs) =>

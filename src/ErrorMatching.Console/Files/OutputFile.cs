@@ -3,6 +3,8 @@ namespace ErrorMatching.Console;
 /// <summary>Writes outputs that appear whole or not at all: beside their place, flushed to the disk, renamed.</summary>
 internal static class OutputFile
 {
+    private static readonly StringComparison OfPaths = OperatingSystem.IsWindows() ? StringComparison.OrdinalIgnoreCase : StringComparison.Ordinal;
+
     /// <summary>Writes a file, replacing one that is there. Missing folders are made.</summary>
     /// <param name="path">The file.</param>
     /// <param name="bytes">Its content.</param>
@@ -10,44 +12,82 @@ internal static class OutputFile
     /// <param name="cancellation">Looked at last before the file appears.</param>
     /// <exception cref="OutputException">The file is an input, or cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Nothing was written.</exception>
-    public static void Write(string path, ReadOnlySpan<byte> bytes, IReadOnlyCollection<string> inputs, CancellationToken cancellation)
+    public static void Write(string path, ReadOnlyMemory<byte> bytes, IReadOnlyCollection<string> inputs, CancellationToken cancellation) =>
+        WriteAll([(path, bytes)], inputs, cancellation);
+
+    /// <summary>Writes files that belong together: all of them appear, in their order, or none does and what was there stays.</summary>
+    /// <param name="files">The files and their contents.</param>
+    /// <param name="inputs">The files that were read: none of them is ever replaced, not even through a link.</param>
+    /// <param name="cancellation">Looked at last before the first file appears.</param>
+    /// <exception cref="OutputException">A file is an input or another of the outputs, or cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">Nothing was written.</exception>
+    public static void WriteAll(IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, IReadOnlyCollection<string> inputs, CancellationToken cancellation)
     {
-        string? temporary = null;
-        try
+        var targets = new List<string>();
+        foreach (var (path, _) in files)
         {
-            var target = Path.GetFullPath(path);
-            RefuseInput(path, target, inputs);
-            var folder = Directory.CreateDirectory(Path.GetDirectoryName(target) ?? target);
-            temporary = Path.Combine(folder.FullName, $".{Path.GetFileName(target)}.{Path.GetRandomFileName()}.tmp");
-            using (var stream = new FileStream(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 0))
+            var target = Try(path, () => Final(Path.GetFullPath(path)));
+            if (inputs.FirstOrDefault(i => string.Equals(Final(Path.GetFullPath(i)), target, OfPaths)) is { } input)
             {
-                stream.Write(bytes);
-                stream.Flush(flushToDisk: true);
+                throw new OutputException(OutputException.IsInput, path, $"{path} is the input {input}, which is never changed. Name another output.");
             }
 
-            cancellation.ThrowIfCancellationRequested();
-            File.Move(temporary, target, overwrite: true);
-            temporary = null;
+            if (targets.Any(t => string.Equals(t, target, OfPaths)))
+            {
+                throw new OutputException(OutputException.Twice, path, $"{path} would be written twice with different content. Rename the program.");
+            }
+
+            targets.Add(target);
+        }
+
+        using var batch = new OutputBatch();
+        foreach (var (path, bytes) in files)
+        {
+            Try(path, () => batch.Stage(path, bytes.Span));
+        }
+
+        cancellation.ThrowIfCancellationRequested();
+        foreach (var (path, _) in files)
+        {
+            Try(path, batch.RevealNext);
+        }
+
+        batch.Keep();
+    }
+
+    /// <summary>Writes a file that is not there yet.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="bytes">Its content.</param>
+    /// <param name="cancellation">Looked at last before the file appears.</param>
+    /// <exception cref="OutputException">A file of this name exists, or it cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">Nothing was written.</exception>
+    public static void Create(string path, ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
+    {
+        if (Path.Exists(path))
+        {
+            throw new OutputException(OutputException.Exists, path, $"{path} exists and is not overwritten. Name a new file.");
+        }
+
+        Write(path, bytes, [], cancellation);
+    }
+
+    private static T Try<T>(string path, Func<T> work)
+    {
+        try
+        {
+            return work();
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)
         {
-            throw new OutputException(path, isInput: false, $"{path} cannot be written: {e.Message.TrimEnd('.')}. Choose a place with room where this user may write.", e);
-        }
-        finally
-        {
-            Remove(temporary);
+            throw new OutputException(OutputException.Unwritable, path, $"{path} cannot be written: {e.Message.TrimEnd('.')}. Choose a place with room where this user may write.", e);
         }
     }
 
-    private static void RefuseInput(string path, string target, IReadOnlyCollection<string> inputs)
+    private static void Try(string path, Action work) => Try(path, () =>
     {
-        var comparison = OperatingSystem.IsWindows() ? StringComparison.OrdinalIgnoreCase : StringComparison.Ordinal;
-        var final = Final(target);
-        if (inputs.FirstOrDefault(i => string.Equals(Final(Path.GetFullPath(i)), final, comparison)) is { } input)
-        {
-            throw new OutputException(path, isInput: true, $"{path} is the input {input}, which is never changed. Name another output.");
-        }
-    }
+        work();
+        return true;
+    });
 
     // Links are followed in every folder of the path, for the output's folder may be a link to the input's.
     private static string Final(string path)
@@ -62,20 +102,5 @@ internal static class OutputFile
         return here.LinkTarget is not null && here.ResolveLinkTarget(returnFinalTarget: true) is { } target
             ? Final(target.FullName)
             : Path.Combine(Final(folder), Path.GetFileName(path));
-    }
-
-    private static void Remove(string? temporary)
-    {
-        try
-        {
-            if (temporary is not null)
-            {
-                File.Delete(temporary);
-            }
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            // The failure that led here is the one to report; a stray temporary file is harmless and its name says what it is.
-        }
     }
 }

@@ -1,9 +1,12 @@
+using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>What each exception of the libraries means to the user of the console.</summary>
+/// <summary>What each exception and refusal of the libraries means to the user of the console.</summary>
 internal static class FailureOf
 {
     /// <summary>A measurement that cannot be used.</summary>
@@ -16,15 +19,57 @@ internal static class FailureOf
         Problem = e.Problem,
     });
 
+    /// <summary>A job that cannot be used: everything that is wrong in it.</summary>
+    public static Failure Job(JobException e) => new(ExitCode.WrongInput, [.. e.Problems.Select(p => new ErrorItem(p.Code, string.Create(CultureInfo.InvariantCulture, $"{e.File}, line {p.Line}, column {p.Column}, {p.Path}: {Sentence(p.Message)}"))
+    {
+        File = e.File,
+        Line = p.Line,
+        Column = p.Column,
+        Path = p.Path,
+        Problem = Sentence(p.Message),
+    })]);
+
     /// <summary>Points of a file without a usable answer.</summary>
     public static Failure Geometry(GeometryException e, string file) => new(ExitCode.WrongInput, new ErrorItem(CodeOf(e.Error), $"{file}: {e.Message}") { File = file, Problem = e.Message });
 
+    /// <summary>A program, selector or dialect that cannot be read at all.</summary>
+    public static Failure Nc(NcException e) => new(ExitCode.WrongInput, new ErrorItem(CodeOf(e.Code), e.Message));
+
+    /// <summary>A program or wish that can be read but must not be used.</summary>
+    public static Failure Refused(string file, params IReadOnlyList<NcRefusal> refusals) => new(ExitCode.Refused, [.. refusals.Select(r => new ErrorItem(r.Code, $"{file}: {r.Message}")
+    {
+        File = file,
+        Line = r.Line > 0 ? r.Line : null,
+        Block = r.Block.Length > 0 ? r.Block : null,
+        Problem = r.Message,
+    })]);
+
+    /// <summary>A match that must not lead to a program.</summary>
+    /// <param name="job">The job, where no block is to blame.</param>
+    /// <param name="program">The program, where one is.</param>
+    /// <param name="refusals">The reasons.</param>
+    public static Failure Refused(string job, string program, IReadOnlyList<MatingRefusal> refusals) => new(ExitCode.Refused, [.. refusals.Select(r => new ErrorItem(r.Code, r.Message)
+    {
+        File = r.Line > 0 || r.Block is not null ? program : job,
+        Line = r.Line > 0 ? r.Line : null,
+        Block = r.Block,
+        Problem = r.Message,
+    })]);
+
+    /// <summary>A measurement of the other piece.</summary>
+    public static Failure WrongPiece(WrongPieceException e) => new(ExitCode.WrongInput, new ErrorItem("wrong-piece", e.Message) { File = e.File, Problem = e.Problem });
+
+    /// <summary>An input that cannot be opened.</summary>
+    public static Failure Input(InputException e) => new(ExitCode.WrongInput, new ErrorItem(MeasurementError.FileUnreadable, e.Message) { File = e.File });
+
     /// <summary>An output that cannot be written, or must not be.</summary>
     public static Failure Output(OutputException e) =>
-        new(e.IsInput ? ExitCode.WrongInput : ExitCode.Outside, new ErrorItem(e.IsInput ? "output-is-input" : "file-unwritable", e.Message) { File = e.File });
+        new(e.Code == OutputException.Unwritable ? ExitCode.Outside : ExitCode.WrongInput, new ErrorItem(e.Code, e.Message) { File = e.File });
 
     /// <summary>A defect of the program, which its user can only report.</summary>
     public static Failure Defect(Exception e) => new(ExitCode.Outside, new ErrorItem("internal-error", $"This is a defect of errormatch: please report it with the input that shows it. {e}"));
+
+    private static string Sentence(string problem) => problem.TrimEnd('.') + ".";
 
     private static string CodeOf(GeometryError error) => error switch
     {
@@ -35,6 +80,16 @@ internal static class FailureOf
         GeometryError.RankDeficient => "rank-deficient",
         GeometryError.NotConverged => "not-converged",
         GeometryError.NotFinite => "not-finite",
+        GeometryError.FoldedCurve => "folded-curve",
         _ => throw new ArgumentOutOfRangeException(nameof(error), error, "A geometric error without a code."),
+    };
+
+    private static string CodeOf(NcErrorCode code) => code switch
+    {
+        NcErrorCode.NumberTooLong => "number-too-long",
+        NcErrorCode.BadSelector => "bad-selector",
+        NcErrorCode.UnknownDialect => "unknown-dialect",
+        NcErrorCode.ProgramTooLarge => "program-too-large",
+        _ => throw new ArgumentOutOfRangeException(nameof(code), code, "An error of a program without a code."),
     };
 }

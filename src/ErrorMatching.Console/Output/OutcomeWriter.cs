@@ -13,15 +13,12 @@ internal static class OutcomeWriter
     // Names of files and features are shown as they are: the document is UTF-8 and goes into no web page.
     private static readonly JsonWriterOptions Options = new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    /// <summary>The UTF-8 bytes of an answer's JSON document, with a line end behind it.</summary>
-    public static byte[] JsonOf(Answer answer) => Json(answer.Schema, answer.WriteJson);
-
     public static ExitCode Write(Outcome outcome, Terminal terminal, bool isJson)
     {
         switch (outcome)
         {
             case Answer answer when isJson:
-                terminal.Output.Write(Encoding.UTF8.GetString(JsonOf(answer)));
+                terminal.Output.Write(Encoding.UTF8.GetString(answer.ToJson()));
                 break;
             case Answer answer:
                 answer.WriteText(new Page(terminal.Output, terminal.HasColor));
@@ -41,7 +38,8 @@ internal static class OutcomeWriter
         return (outcome as Failure)?.Exit ?? ExitCode.Done;
     }
 
-    private static byte[] Json(string schema, Action<Utf8JsonWriter> write)
+    /// <summary>A JSON document: UTF-8 without a byte order mark, with a line end behind it.</summary>
+    public static byte[] Json(string schema, Action<Utf8JsonWriter> write)
     {
         using var stream = new MemoryStream();
         using (var json = new Utf8JsonWriter(stream, Options))

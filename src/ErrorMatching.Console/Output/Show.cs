@@ -8,6 +8,12 @@ internal static class Show
     /// <summary>A length in millimeters, to a tenth of a micrometer.</summary>
     public static string Mm(double value) => value.ToString("0.0000", CultureInfo.InvariantCulture);
 
+    /// <summary>A length in millimeters that has a direction, with its sign; no sign where it rounds to nothing.</summary>
+    public static string Signed(double value) => value.ToString("+0.0000;-0.0000;0.0000", CultureInfo.InvariantCulture);
+
+    /// <summary>A share in whole percent.</summary>
+    public static string Percent(double value) => value.ToString("0", CultureInfo.InvariantCulture) + " %";
+
     /// <summary>An angle in degrees, to a ten-thousandth.</summary>
     public static string Degrees(double value) => value.ToString("0.0000", CultureInfo.InvariantCulture);
 

@@ -21,6 +21,10 @@ internal static class CommandTree
     {
         var root = new RootCommand("Measures a machined piece and rewrites the NC program of its counterpart so that the two fit.")
         {
+            new MatchVerb(),
+            new VerifyVerb(),
+            new Command("job", "Writes and checks jobs.") { new JobCheck(), new JobNew(), new JobSchema() },
+            new Command("nc", "Looks at NC programs, displaces blocks, compares programs.") { new NcCheck(), new NcMotionVerb(), new NcLocate(), new NcDisplace(), new NcDiff(), new NcDialectsVerb() },
             new Command("fit", "Fits curves to measured points.") { new FitLine(), new FitPolynomial(), new FitCircle() },
         };
         root.Directives.Clear();

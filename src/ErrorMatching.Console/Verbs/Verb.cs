@@ -2,7 +2,7 @@ using System.CommandLine;
 
 namespace ErrorMatching.Console;
 
-/// <summary>One command of the console. It parses nothing by itself and writes nothing: it turns arguments into an outcome.</summary>
+/// <summary>One command of the console. It parses nothing by itself and prints nothing: it turns arguments into an outcome.</summary>
 internal abstract class Verb : Command
 {
     /// <summary>A command.</summary>
@@ -19,4 +19,16 @@ internal abstract class Verb : Command
     /// <param name="arguments">What the user typed, parsed without errors.</param>
     /// <param name="cancellation">Set by Ctrl+C.</param>
     public abstract Outcome Run(ParseResult arguments, CancellationToken cancellation);
+
+    /// <summary>An option that names a file.</summary>
+    protected static Option<string> FileOption(string name, string description) => new(name) { Description = description, HelpName = "FILE" };
+
+    /// <summary>Makes a value of another form a wrong command line.</summary>
+    protected static void Demand(Option<string> option, Predicate<string> isGood, string expected) => option.Validators.Add(result =>
+    {
+        if (result.Tokens is [var token] && !isGood(token.Value))
+        {
+            result.AddError($"{option.Name} is {token.Value}; expected {expected}.");
+        }
+    });
 }

@@ -72,6 +72,7 @@ public sealed class VerifierTests
                 ("L1", VerifiedQuantity.Deviation), ("L1", VerifiedQuantity.DeviationX), ("L1", VerifiedQuantity.Length),
                 ("L2L3", VerifiedQuantity.Deviation), ("L2L3", VerifiedQuantity.DeviationX), ("L2L3", VerifiedQuantity.Angle),
                 ("C1", VerifiedQuantity.Deviation), ("C1", VerifiedQuantity.DeviationX),
+                ("L1-L2", VerifiedQuantity.Angle), ("C1 in x", VerifiedQuantity.DeviationX),
             ],
             features.Select(f => (f.Name, f.Quantity)));
     }

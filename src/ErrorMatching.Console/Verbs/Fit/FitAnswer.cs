@@ -5,7 +5,7 @@ using ErrorMatching.Measurement;
 namespace ErrorMatching.Console;
 
 /// <summary>What every fit tells: the file, the number of points, the residuals and how well the points determine the result.</summary>
-internal abstract class FitAnswer(NumberTable table, IReadOnlyList<double> residuals, double residualStandardDeviation, double condition) : Answer
+internal abstract class FitAnswer(NumberTable table, IReadOnlyList<double> residuals, double residualStandardDeviation, double condition) : DocumentAnswer
 {
     /// <summary>The points that were fitted.</summary>
     protected NumberTable Table => table;

@@ -51,12 +51,4 @@ internal sealed class FitPolynomial : FitVerb
 
     private static double? RidgeOf(string text) =>
         text == Auto ? 0 : double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var weight) && double.IsFinite(weight) && weight >= 0 ? weight : null;
-
-    private static void Demand(Option<string> option, Predicate<string> isGood, string expected) => option.Validators.Add(result =>
-    {
-        if (result.Tokens is [var token] && !isGood(token.Value))
-        {
-            result.AddError($"{option.Name} is {token.Value}; expected {expected}.");
-        }
-    });
 }

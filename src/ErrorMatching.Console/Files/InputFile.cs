@@ -1,0 +1,33 @@
+using ErrorMatching.Mating;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Console;
+
+/// <summary>Reads inputs that the libraries take as bytes. Measurements have a reader of their own.</summary>
+internal static class InputFile
+{
+    /// <summary>The job in a file.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JobException">It cannot be used.</exception>
+    public static MatingJob Job(string path) => Open(path, MatingJob.Read);
+
+    /// <summary>The bytes of a program.</summary>
+    /// <exception cref="InputException">The file cannot be opened, or is larger than any program that is read.</exception>
+    public static ReadOnlyMemory<byte> Program(string path) => Open(path, p =>
+    {
+        var length = new FileInfo(p).Length;
+        return length <= NcProgram.MaxBytes ? File.ReadAllBytes(p) : throw new NcException(NcErrorCode.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read.");
+    });
+
+    private static T Open<T>(string path, Func<string, T> read)
+    {
+        try
+        {
+            return read(path);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)
+        {
+            throw new InputException(path, $"{path} cannot be opened: {e.Message.TrimEnd('.')}. Name a file that this user may read.", e);
+        }
+    }
+}

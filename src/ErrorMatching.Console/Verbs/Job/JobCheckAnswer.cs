@@ -1,0 +1,78 @@
+using System.Globalization;
+using System.Text.Json;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Console;
+
+/// <summary>What a valid job asks for.</summary>
+internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
+{
+    /// <inheritdoc/>
+    public override string Schema => "errormatch/job-check/1";
+
+    /// <inheritdoc/>
+    public override void WriteJson(Utf8JsonWriter json)
+    {
+        json.WriteString("file", job.File);
+        json.WriteString("sha256", job.Sha256);
+        json.WriteBoolean("valid", true);
+        json.WriteStartObject("summary");
+        json.WriteString("kind", "mating");
+        json.WriteString("name", job.Name);
+        json.WriteString("workOrder", job.WorkOrder);
+        json.WriteNumber("keyPoints", job.KeyPoints.Count);
+        json.WriteString("dialect", job.Counterpart.Dialect);
+        json.WriteString("from", ReportWords.Of(job.Compensation.From));
+        json.WriteString("amount", ReportWords.Of(job.Compensation.Amount));
+        json.WriteString("along", ReportWords.Of(job.Compensation.Along));
+        json.WriteStartArray("features");
+        foreach (var feature in job.Features)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", feature.Name);
+            json.WriteString("kind", ReportWords.Of(feature.Kind));
+            json.WriteNumber("points", feature.Points.Count);
+            json.Numbers("toleranceMm", [feature.Tolerance.Band.LowerMm, feature.Tolerance.Band.UpperMm]);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+        json.WriteEndObject();
+        json.WriteStartArray("files");
+        foreach (var (role, file) in Files)
+        {
+            json.WriteStartObject();
+            json.WriteString("role", role);
+            json.WriteString("file", file);
+            json.WriteBoolean("exists", File.Exists(file));
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        page.Heading($"{job.File} is a valid mating job: {job.Name}");
+        page.Line();
+        page.Table(
+            ["feature", "kind", "points", "lower", "upper", "blocks"],
+            job.Features.Select(f => (IReadOnlyList<string>)
+            [
+                f.Name, ReportWords.Of(f.Kind), f.Points.Count.ToString(CultureInfo.InvariantCulture), Show.Mm(f.Tolerance.Band.LowerMm), Show.Mm(f.Tolerance.Band.UpperMm), string.Join(", ", f.Blocks),
+            ]));
+        page.Line();
+        page.Line($"Compensation from the {ReportWords.Of(job.Compensation.From)}, {ReportWords.Of(job.Compensation.Amount)} deviation along the {ReportWords.Of(job.Compensation.Along)}, dialect {job.Counterpart.Dialect}.");
+        page.Line();
+        page.Table(["file", "", ""], Files.Select(f => (IReadOnlyList<string>)[f.Role, f.File, File.Exists(f.File) ? "" : "not there yet"]));
+    }
+
+    private IEnumerable<(string Role, string File)> Files => new (string Role, string? File)[]
+    {
+        ("theoretical", job.Part.Theoretical),
+        ("part", job.Part.Measured),
+        ("counterpart", job.Counterpart.Measured),
+        ("program", job.Counterpart.Program),
+    }.Where(f => f.File is not null).Select(f => (f.Role, job.PathOf(f.File!)));
+}

@@ -1,0 +1,57 @@
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Console;
+
+/// <summary>Reads what a job names and keeps the list of what was read, for none of it may be written to.</summary>
+internal sealed class JobFiles
+{
+    private readonly List<string> _read;
+
+    /// <summary>Reads the job.</summary>
+    /// <param name="job">The job's file.</param>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JobException">The job cannot be used.</exception>
+    public JobFiles(string job) => (Job, _read) = (InputFile.Job(job), [job]);
+
+    /// <summary>The job.</summary>
+    public MatingJob Job { get; }
+
+    /// <summary>The files that were read.</summary>
+    public IReadOnlyList<string> Read => _read;
+
+    /// <summary>The key points as designed.</summary>
+    /// <exception cref="MeasurementException">The file cannot be used.</exception>
+    public MeasurementFile Theoretical() => Measured(Job.PathOf(Job.Part.Theoretical), MeasurementFormat.Points);
+
+    /// <summary>A measurement of the part: the one named on the command line, else the job's.</summary>
+    /// <exception cref="MeasurementException">The file cannot be used.</exception>
+    /// <exception cref="WrongPieceException">By the rules of the job it is of the counterpart.</exception>
+    public MeasurementFile Part(string? given) => Recognized(given ?? Job.PathOf(Job.Part.Measured), SourceSide.Part);
+
+    /// <summary>A measurement of a counterpart.</summary>
+    /// <exception cref="MeasurementException">The file cannot be used.</exception>
+    /// <exception cref="WrongPieceException">By the rules of the job it is of the part.</exception>
+    public MeasurementFile Counterpart(string file) => Recognized(file, SourceSide.Counterpart);
+
+    /// <summary>The counterpart's program: the one named on the command line, else the job's.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    public (string File, ReadOnlyMemory<byte> Bytes) Program(string? given)
+    {
+        var file = given ?? Job.PathOf(Job.Counterpart.Program);
+        _read.Add(file);
+        return (file, InputFile.Program(file));
+    }
+
+    private MeasurementFile Recognized(string file, SourceSide expected)
+    {
+        var measurement = Measured(file, Job.Gauge.Format);
+        return Job.Recognition is null || Job.Recognition.Decide(measurement) == expected ? measurement : throw new WrongPieceException(file, expected);
+    }
+
+    private MeasurementFile Measured(string file, MeasurementFormat format)
+    {
+        _read.Add(file);
+        return MeasurementReader.Read(file, format);
+    }
+}

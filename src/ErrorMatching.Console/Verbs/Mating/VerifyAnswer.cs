@@ -1,0 +1,48 @@
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Console;
+
+/// <summary>How well two counterparts fit the part.</summary>
+/// <param name="report">The report.</param>
+/// <param name="folder">The folder that it was written to; null if nothing was written.</param>
+internal sealed class VerifyAnswer(VerifyReport report, string? folder) : Answer
+{
+    private readonly byte[] _json = VerifyReportJson.Write(report);
+
+    /// <inheritdoc/>
+    public override byte[] ToJson() => _json;
+
+    /// <summary>What belongs into the folder.</summary>
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files => [(In("verify.json"), _json), (In("verify.html"), VerifyReportHtml.Write(report))];
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        page.Heading($"{report.Job.Name}: the largest mating error was {Show.Mm(report.Result.MaxBeforeMm)} mm before and is {Show.Mm(report.Result.MaxAfterMm)} mm after");
+        page.Line();
+        page.Table(
+            ["feature", "quantity", "wanted", "before", "after", "better by"],
+            report.Result.Features.Select(f => (IReadOnlyList<string>)
+                [f.Name, ReportWords.Of(f.Quantity), Show.Mm(f.Wanted), Show.Mm(f.Before), Show.Mm(f.After), f.ImprovementPercent is { } percent ? Show.Percent(percent) : "-"]));
+        page.Line("Lengths in mm, angles in degrees. Wanted is the part's value; deviations are the largest of their points, counterpart - part.");
+        page.Line();
+        page.Table(
+            ["point", "before dx", "dy", "along normal", "after dx", "dy", "along normal"],
+            report.Result.Points.Select(p => (IReadOnlyList<string>)
+            [
+                p.Label,
+                Show.Signed(p.BeforeError.Vector.X), Show.Signed(p.BeforeError.Vector.Y), Show.Signed(p.BeforeError.NormalMm),
+                Show.Signed(p.AfterError.Vector.X), Show.Signed(p.AfterError.Vector.Y), Show.Signed(p.AfterError.NormalMm),
+            ]));
+        page.Line("Along the normal: positive where the pieces overlap, negative where a gap is left.");
+        foreach (var warning in report.Warnings)
+        {
+            page.Line("Warning: " + warning);
+        }
+
+        page.Line();
+        page.Line(folder is null ? "Nothing was written. Add --out DIR to write verify.json and verify.html." : $"Wrote {In("verify.html")} and {In("verify.json")}.");
+    }
+
+    private string In(string name) => Path.Combine(folder ?? "", name);
+}

@@ -1,0 +1,61 @@
+using System.CommandLine;
+using ErrorMatching.Geometry;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch verify</c>.</summary>
+internal sealed class VerifyVerb : Verb
+{
+    private readonly Argument<string> _job = new("JOB") { Description = "The job." };
+    private readonly Option<string> _before = FileOption("--before", "The measured counterpart that was cut without compensation.");
+    private readonly Option<string> _after = FileOption("--after", "The measured counterpart that was cut with it.");
+    private readonly Option<string> _part = FileOption("--part", "The measured part, instead of the job's.");
+    private readonly Option<string> _out = new("--out") { Description = "The folder to write verify.json and verify.html to. Without it nothing is written.", HelpName = "DIR" };
+
+    /// <summary>The verb.</summary>
+    public VerifyVerb()
+        : base(
+            "verify",
+            "Compares counterparts, cut without and with compensation, with the part.",
+            "errormatch verify samples/complex-mating/job.json --before samples/complex-mating/counterpart.csv --after samples/complex-mating/counterpart-after.csv")
+    {
+        _before.Required = true;
+        _after.Required = true;
+        Arguments.Add(_job);
+        Options.Add(_before);
+        Options.Add(_after);
+        Options.Add(_part);
+        Options.Add(_out);
+    }
+
+    /// <inheritdoc/>
+    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    {
+        var files = new JobFiles(arguments.GetRequiredValue(_job));
+        var (theoretical, part) = (files.Theoretical(), files.Part(arguments.GetValue(_part)));
+        var (before, after) = (files.Counterpart(arguments.GetRequiredValue(_before)), files.Counterpart(arguments.GetRequiredValue(_after)));
+        var (program, bytes) = files.Program(null);
+        cancellation.ThrowIfCancellationRequested();
+        try
+        {
+            if (VerifyRun.Report(new(files.Job, theoretical, part, before, after, program, bytes), out var refusals) is not { } report)
+            {
+                return FailureOf.Refused(files.Job.File, program, refusals);
+            }
+
+            var folder = arguments.GetValue(_out);
+            var answer = new VerifyAnswer(report, folder);
+            if (folder is not null)
+            {
+                OutputFile.WriteAll(answer.Files, files.Read, cancellation);
+            }
+
+            return answer;
+        }
+        catch (GeometryException e)
+        {
+            return FailureOf.Geometry(e, files.Job.File);
+        }
+    }
+}

@@ -1,0 +1,24 @@
+using System.CommandLine;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Console;
+
+/// <summary>The option that names blocks.</summary>
+internal sealed class BlocksOption : Option<string[]>
+{
+    /// <summary>The option, which is required.</summary>
+    public BlocksOption()
+        : base("--blocks")
+    {
+        Description = "The blocks: a number (N110), a range (N110..N130) or a regular expression (/^N8[0-9]{3}/), one or more of them.";
+        HelpName = "SELECTOR";
+        Required = true;
+        Arity = ArgumentArity.OneOrMore;
+        AllowMultipleArgumentsPerToken = true;
+    }
+
+    /// <summary>The positions of the named blocks, ascending.</summary>
+    /// <exception cref="NcException">A selector cannot be read.</exception>
+    public NcOutcome<int[]> Select(ParseResult arguments, NcProgram program) =>
+        BlockSelector.Select(program, [.. arguments.GetRequiredValue(this).Select(BlockSelector.Parse)]);
+}

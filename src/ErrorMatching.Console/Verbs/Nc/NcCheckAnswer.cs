@@ -1,0 +1,113 @@
+using System.Globalization;
+using System.Text.Json;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Console;
+
+/// <summary>What a program is made of, and what of it is not understood.</summary>
+internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) : DocumentAnswer
+{
+    /// <inheritdoc/>
+    public override string Schema => "errormatch/nc-check/1";
+
+    /// <inheritdoc/>
+    public override void WriteJson(Utf8JsonWriter json)
+    {
+        json.WriteString("file", file);
+        json.WriteString("dialect", path.Dialect.Name);
+        json.WriteNumber("bytes", path.Program.Bytes.Length);
+        json.WriteNumber("blocks", census.Blocks);
+        json.WriteNumber("words", census.Words);
+        json.WriteNumber("motions", path.Motions.Length);
+        json.WriteBoolean("roundTrip", census.RoundTrips);
+        WriteProblems(json, "unknownWords", path.Problems.Where(p => p.Code is "unknown-word" or "unknown-code"));
+        WriteProblems(json, "problems", path.Problems);
+        json.WriteStartArray("programmed");
+        foreach (var note in Programmed())
+        {
+            json.WriteStringValue(note);
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        page.Heading($"{file}, dialect {path.Dialect.Name}");
+        page.Line();
+        page.Facts(
+        [
+            ("blocks", Count(census.Blocks)),
+            ("words", Count(census.Words)),
+            ("motions", Count(path.Motions.Length)),
+            ("round trip", census.RoundTrips ? $"copied word by word: all {Count(path.Program.Bytes.Length)} bytes are the same" : "copied word by word, the bytes differ"),
+        ]);
+        foreach (var note in Programmed())
+        {
+            page.Line("Note: " + note);
+        }
+
+        page.Line();
+        if (path.Problems.Count == 0)
+        {
+            page.Line("Everything is understood.");
+            return;
+        }
+
+        page.Table(["line", "block", "what is not understood"], path.Problems.Select(p => (IReadOnlyList<string>)[Count(p.Block + 1), NumberOf(p), p.Message]));
+    }
+
+    // What a reader of the motions must know: they are the programmed path, not the one that the machine drives.
+    private List<string> Programmed()
+    {
+        var notes = new List<string>();
+        var (compensated, cycles, references, unknown) = (0, 0, 0, 0);
+        foreach (var motion in path.Motions)
+        {
+            compensated += motion.Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight) ? 1 : 0;
+            cycles += motion.Kind == MotionKind.Cycle ? 1 : 0;
+            references += motion.Kind == MotionKind.Reference ? 1 : 0;
+            unknown += motion.UnknownEnd != AxisSet.None ? 1 : 0;
+        }
+
+        Note(compensated, "run under cutter compensation (G41, G42), which is not applied: the path is as programmed");
+        Note(cycles, "belong to canned cycles: only their positions are known");
+        Note(references, "go to a position of the machine, which the program does not say");
+        Note(unknown, "end where at least one coordinate is not said by the program");
+        if (path.FlowBlock >= 0)
+        {
+            notes.Add($"From {path.Program.NameOf(path.Program[path.FlowBlock])} on the program branches, loops or defines subprograms; its blocks are read once, in the order in which they stand.");
+        }
+
+        return notes;
+
+        void Note(int count, string what)
+        {
+            if (count > 0)
+            {
+                notes.Add($"{Count(count)} of {Count(path.Motions.Length)} motions {what}.");
+            }
+        }
+    }
+
+    private void WriteProblems(Utf8JsonWriter json, string name, IEnumerable<NcProblem> problems)
+    {
+        json.WriteStartArray(name);
+        foreach (var problem in problems)
+        {
+            json.WriteStartObject();
+            json.WriteString("code", problem.Code);
+            json.WriteNumber("line", problem.Block + 1);
+            json.WriteString("block", NumberOf(problem));
+            json.WriteString("message", problem.Message);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    private string NumberOf(NcProblem problem) => path.Program.NumberOf(path.Program[problem.Block]);
+
+    private static string Count(long count) => count.ToString(CultureInfo.InvariantCulture);
+}

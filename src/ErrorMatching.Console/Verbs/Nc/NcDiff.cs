@@ -1,0 +1,30 @@
+using System.CommandLine;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch nc diff</c>.</summary>
+internal sealed class NcDiff : Verb
+{
+    private readonly Argument<string> _before = new("BEFORE") { Description = "The first program." };
+    private readonly Argument<string> _after = new("AFTER") { Description = "The second program." };
+    private readonly Option<string> _dialect = NcVerb.DialectOption();
+
+    /// <summary>The verb.</summary>
+    public NcDiff()
+        : base("diff", "Compares what two programs do, motion by motion.", "errormatch nc diff samples/figure-nine/original.nc samples/figure-nine/modified.nc --dialect delta-nc300")
+    {
+        Arguments.Add(_before);
+        Arguments.Add(_after);
+        Options.Add(_dialect);
+    }
+
+    /// <inheritdoc/>
+    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    {
+        var (before, after, dialect) = (arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_dialect));
+        var (was, now) = (NcVerb.Interpret(before, dialect), NcVerb.Interpret(after, dialect));
+        cancellation.ThrowIfCancellationRequested();
+        return new NcDiffAnswer(before, after, MotionComparison.Of(was, now));
+    }
+}

@@ -1,0 +1,110 @@
+using System.CommandLine;
+using System.Globalization;
+using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch nc displace</c>.</summary>
+internal sealed class NcDisplace : NcVerb
+{
+    private readonly BlocksOption _blocks = new();
+    private readonly Option<string> _by = new("--by") { Description = "Moves the end points of the named motions by a vector in mm.", HelpName = "DX,DY[,DZ]" };
+    private readonly Option<string> _normal = new("--normal") { Description = "Moves the named elements by a distance in mm to the left of travel; negative: to the right.", HelpName = "D" };
+    private readonly Option<string> _along = new("--along") { Description = "Moves the named elements as points with the columns x, y, dx and dy say.", HelpName = "POINTS.csv" };
+    private readonly Option<string> _out = new("--out") { Description = "The program to write.", HelpName = "FILE", Required = true };
+
+    /// <summary>The verb.</summary>
+    public NcDisplace()
+        : base("displace", "Moves named blocks, changes the fewest words, and proves what it changed.", "errormatch nc displace samples/complex-mating/counterpart.nc --dialect delta-nc300 --blocks N130..N160 --normal 0.02 --out out/displaced.nc")
+    {
+        Options.Add(_blocks);
+        Options.Add(_by);
+        Options.Add(_normal);
+        Options.Add(_along);
+        Options.Add(_out);
+        Demand(_by, text => Numbers(text) is { Length: 2 or 3 }, "two or three numbers such as 0.1,-0.05");
+        Demand(_normal, text => Numbers(text) is { Length: 1 }, "a number such as -0.02");
+        Validators.Add(result =>
+        {
+            if (new Option[] { _by, _normal, _along }.Count(o => result.GetResult(o) is not null) != 1)
+            {
+                result.AddError("Exactly one of --by, --normal and --along says how the blocks are displaced.");
+            }
+        });
+    }
+
+    /// <inheritdoc/>
+    protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation)
+    {
+        var blocks = _blocks.Select(arguments, path.Program);
+        if (!blocks.IsUsable)
+        {
+            return FailureOf.Refused(file, blocks.Refusal);
+        }
+
+        double? misfit = null;
+        NcOutcome<DisplacementWish> wish;
+        if (arguments.GetValue(_by) is { } by)
+        {
+            var vector = Numbers(by)!;
+            wish = DisplacementWish.EndsBy(path, blocks.Value, new(vector[0], vector[1], vector.Length > 2 ? vector[2] : 0));
+        }
+        else if (arguments.GetValue(_normal) is { } normal)
+        {
+            wish = DisplacementWish.Normal(path, blocks.Value, Numbers(normal)![0]);
+        }
+        else
+        {
+            var pointwise = PointwiseWish.Of(path, blocks.Value, Points(arguments.GetRequiredValue(_along)));
+            misfit = pointwise.Value?.LargestMisfitMm;
+            wish = pointwise.IsUsable ? pointwise.Value.Wish : pointwise.Refusal;
+        }
+
+        return wish.IsUsable ? Displace(file, path, wish.Value, misfit, arguments, cancellation) : FailureOf.Refused(file, wish.Refusal);
+    }
+
+    private Outcome Displace(string file, NcPath path, DisplacementWish wish, double? misfit, ParseResult arguments, CancellationToken cancellation)
+    {
+        var rewrite = Rewriter.Apply(path, wish);
+        if (!rewrite.IsUsable)
+        {
+            return FailureOf.Refused(file, rewrite.Refusal);
+        }
+
+        var proof = Prover.Check(path, rewrite.Value.Program, wish, rewrite.Value.LeastIncrementMm);
+        if (!proof.Holds)
+        {
+            return FailureOf.Refused(file, proof.Failures);
+        }
+
+        var output = arguments.GetRequiredValue(_out);
+        string[] inputs = arguments.GetValue(_along) is { } along ? [file, along] : [file];
+        OutputFile.Write(output, rewrite.Value.Program.Bytes, inputs, cancellation);
+        return new NcDisplaceAnswer(file, output, path, rewrite.Value, proof, misfit);
+    }
+
+    private static List<DisplacedPoint> Points(string file)
+    {
+        var table = NumberTable.Read(file, "x", "y", "dx", "dy");
+        return [.. Enumerable.Range(0, table.Count).Select(i => new DisplacedPoint(new(At("x", i), At("y", i)), new(At("dx", i), At("dy", i))))];
+
+        double At(string column, int row) => double.Parse(table[column][row], NumberStyles.Float, CultureInfo.InvariantCulture);
+    }
+
+    private static double[]? Numbers(string text)
+    {
+        var parts = text.Split(',');
+        var numbers = new double[parts.Length];
+        for (var i = 0; i < parts.Length; i++)
+        {
+            const NumberStyles Plain = NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent;
+            if (!double.TryParse(parts[i], Plain, CultureInfo.InvariantCulture, out numbers[i]) || !double.IsFinite(numbers[i]))
+            {
+                return null;
+            }
+        }
+
+        return numbers;
+    }
+}

@@ -1,0 +1,108 @@
+using System.Globalization;
+using System.Security.Cryptography;
+using System.Text.Json;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Console;
+
+/// <summary>A displaced program that was written, and its proof.</summary>
+/// <param name="file">The original.</param>
+/// <param name="output">The program that was written.</param>
+/// <param name="path">The original, interpreted.</param>
+/// <param name="rewrite">What was changed.</param>
+/// <param name="proof">What was shown about it.</param>
+/// <param name="misfitMm">By how much, at most, an element misses what was asked at a point; null where no points were given.</param>
+internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, Rewrite rewrite, NcProof proof, double? misfitMm) : DocumentAnswer
+{
+    private const int BlocksShown = 20;
+
+    /// <inheritdoc/>
+    public override string Schema => "errormatch/nc-displace/1";
+
+    /// <inheritdoc/>
+    public override void WriteJson(Utf8JsonWriter json)
+    {
+        json.WriteString("file", file);
+        json.WriteString("dialect", path.Dialect.Name);
+        json.WriteString("output", output);
+        json.WriteString("sha256", Convert.ToHexStringLower(SHA256.HashData(rewrite.Program.Bytes.Span)));
+        json.WriteNumber("changedBlocks", rewrite.ChangedBlocks.Count);
+        json.WriteNumber("changedWords", rewrite.ChangedWords);
+        json.WriteStartArray("blocks");
+        foreach (var block in rewrite.ChangedBlocks)
+        {
+            json.WriteStartObject();
+            json.WriteString("block", path.Program.NumberOf(path.Program[block]));
+            json.WriteNumber("line", block + 1);
+            json.WriteString("original", path.Program.TextOf(path.Program[block]));
+            json.WriteString("modified", rewrite.Program.TextOf(rewrite.Program[block]));
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+        if (misfitMm is { } misfit)
+        {
+            json.Number("maxPointMisfitMm", misfit);
+        }
+
+        WriteProof(json);
+    }
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{output}: {rewrite.ChangedWords} words changed in {rewrite.ChangedBlocks.Count} blocks"));
+        page.Line();
+        if (rewrite.ChangedBlocks.Count > 0)
+        {
+            page.Table(["line", "before", "after"], rewrite.ChangedBlocks.Take(BlocksShown).Select(b => (IReadOnlyList<string>)
+                [(b + 1).ToString(CultureInfo.InvariantCulture), path.Program.TextOf(path.Program[b]), rewrite.Program.TextOf(rewrite.Program[b])]));
+            if (rewrite.ChangedBlocks.Count > BlocksShown)
+            {
+                page.Line(string.Create(CultureInfo.InvariantCulture, $"... and {rewrite.ChangedBlocks.Count - BlocksShown} more blocks; --json lists them all."));
+            }
+
+            page.Line();
+        }
+
+        page.Line(string.Create(
+            CultureInfo.InvariantCulture,
+            $"Proof holds: of {proof.Motions} motions {proof.MovedMotions} moved, none further than {Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."));
+        foreach (var neighbor in proof.Neighbors)
+        {
+            page.Line($"Neighbor {neighbor.Block} {Role(neighbor.Role)} by {Show.Mm(neighbor.DisplacementMm)} mm.");
+        }
+
+        if (misfitMm is > 0.0005 and var misfit)
+        {
+            page.Line($"Warning: at one of the points the element goes {Show.Mm(misfit)} mm beside what was asked, since a line cannot bend between its ends. Split the block, or ask for less.");
+        }
+    }
+
+    private static string Role(NeighborRole role) => role switch
+    {
+        NeighborRole.Slides => "slid along itself",
+        NeighborRole.Fillet => "stayed tangent to both sides and moved",
+        NeighborRole.Positioning => "positions to the new place, moved",
+        _ => "followed",
+    };
+
+    private void WriteProof(Utf8JsonWriter json)
+    {
+        json.WriteStartObject("proof");
+        json.WriteBoolean("holds", proof.Holds);
+        json.WriteNumber("motions", proof.Motions);
+        json.WriteNumber("movedMotions", proof.MovedMotions);
+        json.WriteStartArray("neighbors");
+        foreach (var neighbor in proof.Neighbors)
+        {
+            json.WriteStringValue(neighbor.Block);
+        }
+
+        json.WriteEndArray();
+        json.WriteString("marker", proof.Marker);
+        json.Number("maxDeviationFromWantedMm", Math.Round(proof.MaxDeviationFromWantedMm, 9));
+        json.WriteBoolean("untouchedBytesIdentical", proof.UntouchedBytesIdentical);
+        json.WriteEndObject();
+    }
+}

@@ -1,0 +1,52 @@
+using System.CommandLine;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Console;
+
+/// <summary>A verb that looks at one program.</summary>
+internal abstract class NcVerb : Verb
+{
+    private readonly Argument<string> _program = new("PROGRAM") { Description = "The NC program." };
+    private readonly Option<string> _dialect = DialectOption();
+
+    /// <inheritdoc/>
+    protected NcVerb(string name, string description, string example)
+        : base(name, description, example)
+    {
+        Arguments.Add(_program);
+        Options.Add(_dialect);
+    }
+
+    /// <summary>The option that names a control.</summary>
+    public static Option<string> DialectOption() => new("--dialect")
+    {
+        Description = "The control that the program is written for; errormatch nc dialects lists them.",
+        HelpName = "D",
+        DefaultValueFactory = _ => NcDialects.Generic.Name,
+    };
+
+    /// <summary>Reads and interprets a program.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="NcException">The dialect is not known, or the program is too large.</exception>
+    public static NcPath Interpret(string file, string dialect)
+    {
+        var known = NcDialects.Named(dialect);
+        return NcInterpreter.Run(NcProgram.Read(InputFile.Program(file)), known);
+    }
+
+    /// <inheritdoc/>
+    public sealed override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    {
+        var file = arguments.GetRequiredValue(_program);
+        var path = Interpret(file, arguments.GetRequiredValue(_dialect));
+        cancellation.ThrowIfCancellationRequested();
+        return Run(file, path, arguments, cancellation);
+    }
+
+    /// <summary>Does the work.</summary>
+    /// <param name="file">The program as the user named it.</param>
+    /// <param name="path">What it does.</param>
+    /// <param name="arguments">What the user typed.</param>
+    /// <param name="cancellation">Set by Ctrl+C.</param>
+    protected abstract Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation);
+}

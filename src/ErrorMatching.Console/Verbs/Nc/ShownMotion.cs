@@ -1,0 +1,85 @@
+using System.Globalization;
+using System.Text.Json;
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Console;
+
+/// <summary>A motion in the words that scripts read: absolute millimeters, rounded to the noise of binary fractions; nothing where the program does not say.</summary>
+internal sealed class ShownMotion
+{
+    private const int Decimals = 9;
+
+    private readonly NcMotion _motion;
+    private readonly Point3? _center;
+
+    /// <summary>A motion of a program.</summary>
+    public ShownMotion(NcPath path, int index)
+    {
+        _motion = path.Motions[index];
+        Index = index;
+        Block = path.Program.NumberOf(path.Program[_motion.Block]);
+        _center = _motion.IsArc ? _motion.Plane.Lift(_motion.Center, _motion.Plane.Height(_motion.Start)) : null;
+    }
+
+    /// <summary>Names of the fields in their order.</summary>
+    public static IReadOnlyList<string> Fields { get; } = ["index", "line", "block", "kind", "x", "y", "z", "cx", "cy", "cz", "plane", "turns", "feed"];
+
+    /// <summary>Position among the motions, from 0.</summary>
+    public int Index { get; }
+
+    /// <summary>The N word of its block as written, or an empty text.</summary>
+    public string Block { get; }
+
+    /// <summary>The line of its block, from 1.</summary>
+    public int Line => _motion.Block + 1;
+
+    /// <summary>rapid, line, arc-cw, arc-ccw or probe. Cycles and moves to machine positions go by rapid to what is known of their end.</summary>
+    public string Kind => KindOf(_motion.Kind);
+
+    /// <summary>Where it ends; null for a coordinate that the program does not say.</summary>
+    public (double? X, double? Y, double? Z) End => (Known(_motion.End.X, AxisSet.X), Known(_motion.End.Y, AxisSet.Y), Known(_motion.End.Z, AxisSet.Z));
+
+    /// <summary>The word for a kind of motion.</summary>
+    public static string KindOf(MotionKind kind) => kind switch
+    {
+        MotionKind.Line => "line",
+        MotionKind.ArcClockwise => "arc-cw",
+        MotionKind.ArcCounterClockwise => "arc-ccw",
+        MotionKind.Probe => "probe",
+        _ => "rapid",
+    };
+
+    /// <summary>A number without exponent, and without the noise of binary fractions.</summary>
+    public static string Text(double? value) => value is { } v ? Clean(v).ToString("0.#########", CultureInfo.InvariantCulture) : "";
+
+    /// <summary>The values of the fields as texts.</summary>
+    public IReadOnlyList<string> Cells() =>
+    [
+        Index.ToString(CultureInfo.InvariantCulture), Line.ToString(CultureInfo.InvariantCulture), Block, Kind,
+        Text(End.X), Text(End.Y), Text(End.Z), Text(_center?.X), Text(_center?.Y), Text(_center?.Z),
+        _motion.Plane.ToString(), _motion.Turns.ToString(CultureInfo.InvariantCulture), Text(_motion.Feed),
+    ];
+
+    /// <summary>Writes the fields as members of the current object; null for what is not known or has no meaning.</summary>
+    public void Write(Utf8JsonWriter json)
+    {
+        json.WriteNumber("index", Index);
+        json.WriteNumber("line", Line);
+        json.WriteString("block", Block);
+        json.WriteString("kind", Kind);
+        foreach (var (name, value) in new[] { ("x", End.X), ("y", End.Y), ("z", End.Z), ("cx", _center?.X), ("cy", _center?.Y), ("cz", _center?.Z) })
+        {
+            json.Number(name, value is { } v ? Clean(v) : double.NaN);
+        }
+
+        json.WriteString("plane", _motion.Plane.ToString());
+        json.WriteNumber("turns", _motion.Turns);
+        json.Number("feed", Clean(_motion.Feed));
+    }
+
+    private double? Known(double value, AxisSet axis) => (_motion.UnknownEnd & axis) == AxisSet.None ? value : null;
+
+    // Adding zero turns -0 into 0.
+    private static double Clean(double value) => Math.Round(value, Decimals) + 0.0;
+}

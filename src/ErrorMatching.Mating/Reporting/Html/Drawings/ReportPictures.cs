@@ -1,0 +1,46 @@
+namespace ErrorMatching.Mating;
+
+/// <summary>The section with the plot of the mating errors and the drawings of the assembly.</summary>
+internal static class ReportPictures
+{
+    /// <summary>Writes the pictures.</summary>
+    /// <param name="html">Where to.</param>
+    /// <param name="points">The key points in the order of cutting.</param>
+    /// <param name="scene">The assembly; null if there is nothing to draw.</param>
+    /// <param name="before">What is known without compensation, for legends.</param>
+    /// <param name="after">What is known with it.</param>
+    public static void Write(HtmlText html, IReadOnlyList<PlotPoint> points, AssemblyScene? scene, string before, string after)
+    {
+        if (points.Count > 0)
+        {
+            using (html.In("figure"))
+            {
+                using (Scroll(html, "Plot of the mating errors"))
+                {
+                    new ErrorPlot(points).Write(html, "plot", before, after);
+                }
+
+                html.Put("figcaption", "Mating error (counterpart - part, along the normal) at each key point: positive where the pieces overlap, negative where a gap is left."
+                    + (points.Any(p => p.Limits is not null) ? " The shaded band is the tolerance, seen as a mating error: a part that lies high in its band leaves a gap." : ""));
+            }
+        }
+
+        if (scene is not null)
+        {
+            using (html.In("figure"))
+            {
+                using (Scroll(html, "Drawings of the assembly"))
+                using (html.In("div", ("class", "pair")))
+                {
+                    new AssemblyDrawing(scene, p => p.Before).Write(html, "drawing-before", before);
+                    new AssemblyDrawing(scene, p => p.After).Write(html, "drawing-after", after);
+                }
+
+                html.Put("figcaption", (scene.Factor == 1 ? "The assembly, true to scale." : $"The assembly, with deviations exaggerated {scene.FactorText}.")
+                    + " A blank between the pieces is a gap; where the edges lie over each other the pieces would overlap. Deviations are known at the key points (dots) and drawn evenly between them.");
+            }
+        }
+    }
+
+    private static HtmlScope Scroll(HtmlText html, string label) => html.In("div", ("class", "scroll"), ("role", "region"), ("tabindex", "0"), ("aria-label", label));
+}

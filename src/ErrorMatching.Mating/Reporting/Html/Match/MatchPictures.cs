@@ -1,0 +1,21 @@
+namespace ErrorMatching.Mating;
+
+/// <summary>Plot and drawings of a match: the mating error without compensation, and the one that is predicted with it.</summary>
+internal static class MatchPictures
+{
+    public static void Write(HtmlText html, MatchReport report) =>
+        ReportPictures.Write(html, Plot(report), AssemblyScene.Of(report.Features.Select(f => Draw(report, f))), "without compensation", "as compensated (predicted)");
+
+    private static PlotPoint[] Plot(MatchReport report)
+    {
+        var limits = report.Features.ToDictionary(f => f.Name, f => Reflected(f.Tolerance.Band), StringComparer.Ordinal);
+        return [.. report.KeyPoints.Select(p => new PlotPoint(p.Point, p.Feature, -p.DecidedMm, p.PredictedMm, limits.TryGetValue(p.Feature, out var band) ? band : null))];
+    }
+
+    // The job limits part - counterpart; a mating error is counterpart - part.
+    private static ToleranceBand Reflected(ToleranceBand band) => new(-band.UpperMm, -band.LowerMm);
+
+    private static DrawnFeature? Draw(MatchReport report, ReportFeature feature) => DrawnFeature.Of(
+        feature.TheoreticalOutline,
+        [.. report.KeyPoints.Where(p => p.Feature == feature.Name).Select(p => new DrawnPoint(p.Point, p.Theoretical, p.Normal, p.NormalMm, p.NormalMm - p.DecidedMm, p.NormalMm + p.PredictedMm))]);
+}

@@ -1,0 +1,29 @@
+namespace ErrorMatching.Mating;
+
+/// <summary>The report of a match as one HTML file that needs no network and no script.</summary>
+/// <remarks>
+/// Lengths in millimetres, angles in degrees. Well-formed as XML too, UTF-8 without a byte order mark, lines end with a line feed; the same report always gives the same bytes.
+/// Tables as in figure 9, plots as in figures 13, 14, 18 and 19 of Wang 2021.
+/// </remarks>
+public static class MatchReportHtml
+{
+    /// <summary>The report as a page.</summary>
+    public static byte[] Write(MatchReport report)
+    {
+        ArgumentNullException.ThrowIfNull(report);
+        return ReportPage.Write(
+            $"{report.Job.Name}: matching the counterpart to the part",
+            report.Job.WorkOrder is { } order ? $"Work order {order}" : "No work order",
+            [
+                new("summary", "Summary", html => MatchSummary.Write(html, report)),
+                new("decisions", "Decisions", html => MatchDecisions.Write(html, report)),
+                new("pictures", "Before and after", html => MatchPictures.Write(html, report)),
+                new("key-points", "Key points", html => MatchKeyPoints.Write(html, report)),
+                new("quantities", "Lengths and angles", html => MatchQuantities.Write(html, report)),
+                new("proof", "Proof", html => MatchProof.Write(html, report)),
+                new("program", "Program", html => MatchProgram.Write(html, report)),
+                new("measuring", "Measuring", html => MatchMeasuring.Write(html, report)),
+                new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "match", ("--part", "part"), ("--counterpart", "counterpart"), ("--program", "program"))),
+            ]);
+    }
+}

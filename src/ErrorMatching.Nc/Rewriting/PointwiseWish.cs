@@ -1,0 +1,99 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// A wish made of displaced points: between the feet of two points the displacement changes linearly over the length along the run, beyond the first and the last it stays.
+/// </summary>
+/// <param name="Wish">What to displace.</param>
+/// <param name="LargestMisfitMm">By how much, at most, an element misses what was asked at a point, mm: a line cannot bend between its ends, an arc is no free curve.</param>
+/// <param name="Worst">The point where it does.</param>
+public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm, DisplacedPoint Worst)
+{
+    /// <summary>How far a point may lie from the named blocks' path, mm.</summary>
+    public const double FurthestMm = 0.5;
+
+    /// <summary>Makes the wish.</summary>
+    /// <param name="path">The program, interpreted.</param>
+    /// <param name="blocks">Positions of the named blocks. Their cutting motions make runs, each of motions that follow one another without a gap.</param>
+    /// <param name="points">At least one point, in any order. Each counts for every run that passes within <see cref="FurthestMm"/>.</param>
+    /// <returns>
+    /// The wish, or a refusal: no cutting motion, a plane other than XY, a point off every run (<see cref="NcRefusalCodes.PointOffPath"/>), a run without points
+    /// (<see cref="NcRefusalCodes.RunWithoutPoint"/>), or two wishes at one place (<see cref="NcRefusalCodes.PointsCoincide"/>).
+    /// </returns>
+    /// <exception cref="ArgumentException">There are no points.</exception>
+    public static NcOutcome<PointwiseWish> Of(NcPath path, IReadOnlyList<int> blocks, IReadOnlyList<DisplacedPoint> points)
+    {
+        if (points.Count == 0)
+        {
+            throw new ArgumentException("No points are given.", nameof(points));
+        }
+
+        // A wish for no displacement names the same motions, and is refused for the same reasons.
+        var named = DisplacementWish.Normal(path, [.. blocks.Distinct().Order()], 0);
+        if (!named.IsUsable)
+        {
+            return named.Refusal;
+        }
+
+        int[] motions = [.. named.Value.Elements.Select(e => e.Motion)];
+        foreach (var motion in motions)
+        {
+            if (path.Motions[motion].Plane != CoordinatePlane.XY)
+            {
+                return NcRefusal.At(path.Program, path.Motions[motion].Block, NcRefusalCodes.PlaneChange, "displaced points have X and Y, but this block is cut in another plane.");
+            }
+        }
+
+        var runs = RunsOf(path, motions);
+        foreach (var point in points)
+        {
+            var (distance, nearest) = runs.Select(r => r.NearestTo(point.Place)).MinBy(n => n.DistanceMm);
+            if (!(distance <= FurthestMm))
+            {
+                return NcRefusal.At(
+                    path.Program, path.Motions[nearest].Block, NcRefusalCodes.PointOffPath, string.Create(CultureInfo.InvariantCulture, $"the point {point.Place} lies {distance:0.000} mm from the path of the named blocks, more than {FurthestMm} mm. Give points on the programmed path, and name all blocks that cut it."));
+            }
+        }
+
+        return Combine(runs, points);
+    }
+
+    private static NcOutcome<PointwiseWish> Combine(List<WishedRun> runs, IReadOnlyList<DisplacedPoint> points)
+    {
+        var elements = new List<ElementWish>();
+        var (misfit, worst) = (0.0, points[0]);
+        foreach (var run in runs)
+        {
+            if (run.Take(points, FurthestMm) is { } refusal)
+            {
+                return refusal;
+            }
+
+            elements.AddRange(run.Elements());
+            foreach (var (point, distance) in run.Misfits())
+            {
+                (misfit, worst) = distance > misfit ? (distance, point) : (misfit, worst);
+            }
+        }
+
+        return new PointwiseWish(DisplacementWish.OfElements(elements), misfit, worst);
+    }
+
+    private static List<WishedRun> RunsOf(NcPath path, int[] motions)
+    {
+        var runs = new List<WishedRun>();
+        var first = 0;
+        for (var i = 1; i <= motions.Length; i++)
+        {
+            if (i == motions.Length || motions[i] != motions[i - 1] + 1)
+            {
+                runs.Add(new(path, motions[first], motions[i - 1]));
+                first = i;
+            }
+        }
+
+        return runs;
+    }
+}

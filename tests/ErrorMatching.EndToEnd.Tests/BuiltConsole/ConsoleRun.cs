@@ -1,0 +1,63 @@
+using System.Diagnostics;
+using System.Text;
+using System.Text.Json;
+
+namespace ErrorMatching.EndToEnd.Tests;
+
+/// <summary>One run of the built console as a process.</summary>
+internal sealed record ConsoleRun(int Exit, string Output, string Error)
+{
+    private static readonly UTF8Encoding Strict = new(encoderShouldEmitUTF8Identifier: false, throwOnInvalidBytes: true);
+
+    /// <summary>The executable, built in the same configuration as these tests.</summary>
+    public static string Executable { get; } = Find();
+
+    /// <summary>The one JSON document of the run.</summary>
+    public JsonElement Json
+    {
+        get
+        {
+            using var document = JsonDocument.Parse(Output);
+            return document.RootElement.Clone();
+        }
+    }
+
+    /// <summary>The only error of a document of errors.</summary>
+    public JsonElement SingleError => Assert.Single(Json.GetProperty("errors").EnumerateArray());
+
+    /// <summary>Runs a command line in a folder.</summary>
+    public static Task<ConsoleRun> Of(string folder, params IReadOnlyList<string> arguments) => Of(folder, new Dictionary<string, string?>(), arguments);
+
+    /// <summary>Runs a command line in a folder with other variables in its environment.</summary>
+    public static async Task<ConsoleRun> Of(string folder, IReadOnlyDictionary<string, string?> environment, IReadOnlyList<string> arguments)
+    {
+        var start = new ProcessStartInfo(Executable, arguments)
+        {
+            UseShellExecute = false,
+            WorkingDirectory = folder,
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+            StandardOutputEncoding = Strict,
+            StandardErrorEncoding = Strict,
+        };
+        foreach (var (name, value) in environment)
+        {
+            start.Environment[name] = value;
+        }
+
+        using var process = Process.Start(start)!;
+        process.StandardInput.Close();
+        var token = TestContext.Current.CancellationToken;
+        var (output, error) = (process.StandardOutput.ReadToEndAsync(token), process.StandardError.ReadToEndAsync(token));
+        await process.WaitForExitAsync(token);
+        return new(process.ExitCode, await output, await error);
+    }
+
+    // Tests and console are built side by side: .../bin/<project>/<configuration>/
+    private static string Find()
+    {
+        var configuration = new DirectoryInfo(AppContext.BaseDirectory.TrimEnd(Path.DirectorySeparatorChar));
+        return Path.Combine(configuration.Parent!.Parent!.FullName, "ErrorMatching.Console", configuration.Name, OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
+    }
+}

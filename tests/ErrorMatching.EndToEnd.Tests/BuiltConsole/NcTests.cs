@@ -1,0 +1,151 @@
+using System.Globalization;
+
+namespace ErrorMatching.EndToEnd.Tests;
+
+public sealed class NcTests
+{
+    private const string Program = "samples/complex-mating/counterpart.nc";
+
+    [Fact]
+    public async Task Motions_have_the_columns_that_scripts_read()
+    {
+        using var shop = new Workshop();
+        var lines = (await shop.Run($"nc motion {Program} --dialect delta-nc300")).Output.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        Assert.Equal("index,line,block,kind,x,y,z,cx,cy,cz,plane,turns,feed", lines[0]);
+
+        // N140 G3 Y48.745 I2.941 J-5.23 from Y53.975, at Z-13.5.
+        Assert.Contains("7,22,N140,arc-ccw,-48.334,48.745,-13.5,-42.334,48.745,-13.5,XY,0,500", lines);
+        Assert.Contains("0,11,N60,rapid,-45,80,,,,,XY,0,0", lines);
+    }
+
+    [Fact]
+    public async Task The_json_of_motions_says_what_the_csv_says()
+    {
+        using var shop = new Workshop();
+        var csv = (await shop.Run($"nc motion {Program}")).Output.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        var motions = (await shop.Run($"nc motion {Program} --json")).Json.GetProperty("motions");
+        Assert.Equal(csv.Length - 1, motions.GetArrayLength());
+        var names = csv[0].Split(',');
+        foreach (var (line, motion) in csv.Skip(1).Zip(motions.EnumerateArray()))
+        {
+            Assert.Equal(names, motion.EnumerateObject().Select(p => p.Name));
+            Assert.Equal(line.Split(','), motion.EnumerateObject().Select(p => p.Value.ToString()));
+        }
+    }
+
+    [Fact]
+    public async Task A_check_counts_and_copies()
+    {
+        using var shop = new Workshop();
+        File.WriteAllBytes(shop["p.nc"], "%\r\nN10 G0 X1. Y2 (\xE9)\r\nN20 G1 X5 CYCLE99(1) F100\nN30 Q=3\rN40 M30"u8.ToArray());
+        var check = (await shop.Run("nc check p.nc --json")).Json;
+        Assert.True(check.GetProperty("roundTrip").GetBoolean());
+        Assert.Equal((5, 1), (check.GetProperty("blocks").GetInt32(), check.GetProperty("unknownWords").GetArrayLength()));
+        Assert.Equal((3, "N20"), (check.GetProperty("unknownWords")[0].GetProperty("line").GetInt32(), check.GetProperty("unknownWords")[0].GetProperty("block").GetString()));
+    }
+
+    [Fact]
+    public async Task Located_blocks_have_their_text_and_motion()
+    {
+        using var shop = new Workshop();
+        var blocks = (await shop.Run(["nc", "locate", Program, "--blocks", "N120..N130", "/^N10\\b/", "--json"])).Json.GetProperty("blocks").EnumerateArray().ToArray();
+        Assert.Equal(["N10", "N120", "", "N130"], blocks.Select(b => b.GetProperty("block").GetString()));
+        Assert.Equal(["N10 G21", "N120 X-34.995 Y59.757", "(TOOTH L2 - TIP - L3)", "N130 X-45.275 Y53.975"], blocks.Select(b => b.GetProperty("text").GetString()));
+        Assert.Equal(System.Text.Json.JsonValueKind.Null, blocks[0].GetProperty("motion").ValueKind);
+        Assert.Equal(-45.275, blocks[3].GetProperty("motion").GetProperty("x").GetDouble());
+    }
+
+    [Fact]
+    public async Task Displaced_ends_are_what_the_difference_shows()
+    {
+        using var shop = new Workshop();
+        var run = await shop.Run($"nc displace {Program} --dialect delta-nc300 --blocks N170..N190 --by -0.1,0.05 --out out/d.nc --json");
+        Assert.Equal((0, ""), (run.Exit, run.Error));
+        Assert.True(run.Json.GetProperty("proof").GetProperty("holds").GetBoolean());
+        var moved = (await shop.Run($"nc diff {Program} out/d.nc --json")).Json.GetProperty("motions").EnumerateArray().ToArray();
+        Assert.Equal(["N170", "N180", "N190"], moved.Select(m => m.GetProperty("block").GetString()));
+        Assert.All(moved, m => Assert.Equal((-0.1, 0.05, 0.0), (
+            m.GetProperty("displacement").GetProperty("x").GetDouble(), m.GetProperty("displacement").GetProperty("y").GetDouble(), m.GetProperty("displacement").GetProperty("z").GetDouble())));
+    }
+
+    [Fact]
+    public async Task A_normal_offset_keeps_the_center_and_changes_the_radius()
+    {
+        // Figure 9 of Wang 2021: an offset by 0.02 to the inside of the tooth turns its arcs of radius 6 into 5.98 about the same center.
+        using var shop = new Workshop();
+        var run = await shop.Run($"nc displace {Program} --blocks N130..N160 --normal 0.02 --out d.nc --json");
+        Assert.Equal(0, run.Exit);
+        var arcs = (await shop.Run("nc motion d.nc")).Output.Split('\n').Where(l => l.Contains("arc-", StringComparison.Ordinal)).Select(l => l.Split(',')).ToArray();
+        Assert.Equal(2, arcs.Length);
+        foreach (var arc in arcs)
+        {
+            var (x, y, cx, cy) = (Number(arc[4]), Number(arc[5]), Number(arc[7]), Number(arc[8]));
+            Assert.Equal(5.98, Math.Sqrt(((x - cx) * (x - cx)) + ((y - cy) * (y - cy))), 0.0015);
+            Assert.True(Math.Abs(cx - -42.334) < 0.0015 && Math.Abs(cy - 48.745) < 0.0015);
+        }
+    }
+
+    [Fact]
+    public async Task Points_displace_along_the_path_and_far_ones_are_refused()
+    {
+        using var shop = new Workshop();
+        File.WriteAllText(shop["near.csv"], "x,y,dx,dy\n-34.995,59.757,0.05,0\n-34.939,80,0.05,0\n");
+        Assert.Equal(0, (await shop.Run($"nc displace {Program} --blocks N120 --along near.csv --out d.nc")).Exit);
+        Assert.Contains(",N120,line,-34.945,", (await shop.Run("nc motion d.nc")).Output, StringComparison.Ordinal);
+        File.WriteAllText(shop["far.csv"], "x,y,dx,dy\n-34.4,70,0.05,0\n");
+        var run = await shop.Run($"nc displace {Program} --blocks N120 --along far.csv --out e.nc --json");
+        Assert.Equal((2, "point-off-path", "N120"), (run.Exit, run.SingleError.GetProperty("code").GetString(), run.SingleError.GetProperty("block").GetString()));
+        Assert.False(File.Exists(shop["e.nc"]));
+    }
+
+    [Theory]
+    [InlineData("--by 1,x --out d.nc", "command-line")]
+    [InlineData("--normal 0.1 --by 1,1 --out d.nc", "command-line")]
+    [InlineData("--out d.nc", "command-line")]
+    [InlineData("--normal 0.1", "command-line")]
+    [InlineData("--normal 0,1 --out d.nc", "command-line")]
+    [InlineData("--normal 0.1 --out " + Program, "output-is-input")]
+    [InlineData("--along samples/fits/line.csv --out d.nc", "missing-column")]
+    [InlineData("--normal 0.1 --out d.nc --dialect heidenhain", "unknown-dialect")]
+    public async Task A_wrong_wish_is_exit_1(string options, string code)
+    {
+        using var shop = new Workshop();
+        var before = shop.State();
+        var run = await shop.Run($"nc displace {Program} --blocks N130 {options} --json");
+        Assert.Equal((1, code), (run.Exit, run.Json.GetProperty("errors")[0].GetProperty("code").GetString()));
+        Assert.Equal(before, shop.State());
+    }
+
+    [Theory]
+    [InlineData("N7", 2, "block-not-found")]
+    [InlineData("N130..N120", 2, "block-not-found")]
+    [InlineData("/nothing/", 2, "block-not-found")]
+    [InlineData("130", 1, "bad-selector")]
+    [InlineData("/(/", 1, "bad-selector")]
+    public async Task A_selector_that_names_nothing_is_refused(string selector, int exit, string code)
+    {
+        using var shop = new Workshop();
+        var run = await shop.Run(["nc", "locate", Program, "--blocks", selector, "--json"]);
+        Assert.Equal((exit, code), (run.Exit, run.SingleError.GetProperty("code").GetString()));
+    }
+
+    [Fact]
+    public async Task Figure_9_differs_in_every_block_and_lost_one()
+    {
+        using var shop = new Workshop();
+        var run = await shop.Run("nc diff samples/figure-nine/original.nc samples/figure-nine/modified.nc --json");
+        Assert.Equal(0, run.Exit);
+        Assert.Equal(["N8970"], run.Json.GetProperty("motions").EnumerateArray().Where(m => m.GetProperty("change").GetString() == "removed").Select(m => m.GetProperty("block").GetString()));
+    }
+
+    [Fact]
+    public async Task Dialects_state_facts_with_sources()
+    {
+        using var shop = new Workshop();
+        var dialects = (await shop.Run("nc dialects --json")).Json.GetProperty("dialects").EnumerateArray().ToArray();
+        Assert.Equal(["generic", "fanuc", "delta-nc300", "linuxcnc"], dialects.Select(d => d.GetProperty("name").GetString()));
+        Assert.All(dialects.SelectMany(d => d.GetProperty("facts").EnumerateArray()), f => Assert.NotEqual("", f.GetProperty("source").GetString()));
+    }
+
+    private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+}

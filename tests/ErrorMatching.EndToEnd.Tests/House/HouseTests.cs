@@ -1,0 +1,71 @@
+using System.Text;
+using System.Xml.Linq;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.EndToEnd.Tests;
+
+/// <summary>What holds of the sources as a whole.</summary>
+public sealed class HouseTests
+{
+    private const int MostLines = 400;
+
+    // What each project may refer to. Whoever adds an arrow here turns the architecture round, or says in ARCHITECTURE.md why not.
+    private static readonly Dictionary<string, string[]> Below = new(StringComparer.Ordinal)
+    {
+        ["Geometry"] = [],
+        ["Json"] = [],
+        ["Measurement"] = ["Geometry", "Json"],
+        ["Nc"] = ["Geometry", "Json"],
+        ["Mating"] = ["Geometry", "Json", "Measurement", "Nc"],
+        ["Console"] = ["Geometry", "Json", "Measurement", "Nc", "Mating"],
+    };
+
+    private static readonly string[] TextEndings = [".cs", ".csproj", ".props", ".json", ".md", ".html", ".nc", ".csv", ".yml", ".txt", ".sln", ".sh"];
+
+    [Fact]
+    public void References_point_one_way()
+    {
+        foreach (var file in Directory.EnumerateFiles(Repository.PathTo("src"), "*.csproj", SearchOption.AllDirectories))
+        {
+            var name = ShortName(file);
+            Assert.True(Below.ContainsKey(name), $"{name} has no place in the architecture.");
+            var references = XDocument.Load(file).Descendants("ProjectReference").Select(r => ShortName(r.Attribute("Include")!.Value)).ToArray();
+            Assert.All(references, r => Assert.True(Below[name].Contains(r), $"{name} must not refer to {r}."));
+        }
+    }
+
+    [Fact]
+    public void No_source_is_too_long() => Assert.All(
+        Sources().Where(f => f.EndsWith(".cs", StringComparison.Ordinal)),
+        f => Assert.True(File.ReadLines(f).Count() <= MostLines, $"{f} has more than {MostLines} lines."));
+
+    [Fact]
+    public void No_file_knows_a_place_on_somebody_s_machine()
+    {
+        // Put together here, or this file would name them itself.
+        string[] places = [.. new[] { "home", "Users", "root", "work", "mnt" }.Select(f => "/" + f + "/"), "C:" + "\\Users", "C:" + "/Users"];
+        foreach (var file in Sources())
+        {
+            var text = File.ReadAllText(file, Encoding.Latin1);
+            Assert.All(places, p => Assert.False(text.Contains(" " + p, StringComparison.Ordinal) || text.Contains("\"" + p, StringComparison.Ordinal) || text.Contains("`" + p, StringComparison.Ordinal), $"{file} names {p}"));
+        }
+    }
+
+    [Fact]
+    public void Each_project_is_in_the_solution()
+    {
+        var solution = File.ReadAllText(Repository.PathTo("ErrorMatching.sln"));
+        Assert.All(Sources().Where(f => f.EndsWith(".csproj", StringComparison.Ordinal)), f => Assert.Contains(Path.GetFileName(f), solution, StringComparison.Ordinal));
+    }
+
+    private static string ShortName(string project) => Path.GetFileNameWithoutExtension(project.Replace('\\', '/')).Replace("ErrorMatching.", "", StringComparison.Ordinal);
+
+    private static IEnumerable<string> Sources() => Folders(Repository.Root)
+        .SelectMany(Directory.EnumerateFiles)
+        .Where(f => TextEndings.Contains(Path.GetExtension(f)));
+
+    private static IEnumerable<string> Folders(string folder) => Directory.EnumerateDirectories(folder)
+        .Where(f => Path.GetFileName(f) is not ("artifacts" or "bin" or "obj" or ".git" or "out" or "TestResults"))
+        .SelectMany(Folders)
+        .Prepend(folder);
+}
