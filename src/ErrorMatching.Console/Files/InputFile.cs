@@ -1,3 +1,4 @@
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
 
@@ -9,7 +10,7 @@ internal static class InputFile
     /// <summary>The job in a file.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JobException">It cannot be used.</exception>
-    public static MatingJob Job(string path) => Open(path, MatingJob.Read);
+    public static MatingJob Job(string path) => MatingJob.Parse(Open(path, p => JsonInput.Load(p)), path);
 
     /// <summary>The bytes of a program.</summary>
     /// <exception cref="InputException">The file cannot be opened, or is larger than any program that is read.</exception>
