@@ -87,7 +87,7 @@ public sealed partial class PolynomialFit
             {
                 throw new GeometryException(
                     GeometryError.NotFinite,
-                    string.Create(CultureInfo.InvariantCulture, $"Point {i + 1} of {x.Count} has _a coordinate that is not _a finite number."));
+                    string.Create(CultureInfo.InvariantCulture, $"Point {i + 1} of {x.Count} has a coordinate that is not a finite number."));
             }
         }
     }

@@ -11,7 +11,7 @@ public sealed partial class NcInterpreter
             switch (_dialect.MeaningOf(tenths))
             {
                 case NcMeaning.Unknown:
-                    _problems.Add(new("unknown-code", _words.BlockIndex, $"G{(tenths / 10m).ToString(System.Globalization.CultureInfo.InvariantCulture)} is not known to the _dialect {_dialect.Name}."));
+                    _problems.Add(new("unknown-code", _words.BlockIndex, $"G{(tenths / 10m).ToString(System.Globalization.CultureInfo.InvariantCulture)} is not known to the dialect {_dialect.Name}."));
                     Forget();
                     break;
                 case NcMeaning.Dwell:

@@ -156,7 +156,7 @@ public sealed partial class NcInterpreter
 
     private MotionFlags Unknown(NcBlock block, string what)
     {
-        _problems.Add(new("unknown-word", block.Index, $"\"{what}\" is not known to the _dialect {_dialect.Name}."));
+        _problems.Add(new("unknown-word", block.Index, $"\"{what}\" is not known to the dialect {_dialect.Name}."));
         return MotionFlags.UnknownWord;
     }
 

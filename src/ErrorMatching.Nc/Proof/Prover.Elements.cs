@@ -106,7 +106,7 @@ public sealed partial class Prover
 
         if (Math.Abs(now.Arc.Sweep.Radians - was.Arc.Sweep.Radians) > Math.PI / 2)
         {
-            Fail(was.Block, "it turns by another angle than _before.");
+            Fail(was.Block, "it turns by another angle than before.");
         }
     }
 

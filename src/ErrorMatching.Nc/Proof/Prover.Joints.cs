@@ -135,7 +135,7 @@ public sealed partial class Prover
 
         if (!isHeld)
         {
-            Fail(_before.Motions[motion].Block, FormattableString.Invariant($"an end moved by ({moved.X:0.000}, {moved.Y:0.000}), where neither the _wish nor a neighbor puts it."));
+            Fail(_before.Motions[motion].Block, FormattableString.Invariant($"an end moved by ({moved.X:0.000}, {moved.Y:0.000}), where neither the wish nor a neighbor puts it."));
         }
     }
 

@@ -85,7 +85,7 @@ public sealed partial class Prover
             }
         }
 
-        _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The _marker comment is not in the result."));
+        _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The marker comment is not in the result."));
         return -1;
     }
 
@@ -102,7 +102,7 @@ public sealed partial class Prover
         var beside = line > 0 ? line - 1 : line + 1;
         if (!onlyComment || (beside < program.BlockCount && !LineEnd(program, line).SequenceEqual(LineEnd(program, beside))))
         {
-            _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The _marker is not a plain comment line."));
+            _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The marker is not a plain comment line."));
         }
     }
 

@@ -91,7 +91,7 @@ internal sealed class PathChange
             }
         }
 
-        return NcRefusal.At(Path.Program, arc.Block, NcRefusalCodes.ElementFlips, "this arc cannot follow its end that _moves. Name it as well, or leave out the block beside it.");
+        return NcRefusal.At(Path.Program, arc.Block, NcRefusalCodes.ElementFlips, "this arc cannot follow its end that moves. Name it as well, or leave out the block beside it.");
     }
 
     /// <summary>Positioning that only goes to the place of a moved joint goes to its new place: plunges before it, retracts behind it.</summary>

@@ -113,7 +113,7 @@ internal sealed class WordEditor
 
         if (motion.Has(MotionFlags.Inch) != _inch)
         {
-            return NcRefusal.At(_path.Program, motion.Block, NcRefusalCodes.UnknownState, "the unit changes (G20/G21) between blocks that must _change together.");
+            return NcRefusal.At(_path.Program, motion.Block, NcRefusalCodes.UnknownState, "the unit changes (G20/G21) between blocks that must change together.");
         }
 
         _patches.AddRange(edit.Patches);
