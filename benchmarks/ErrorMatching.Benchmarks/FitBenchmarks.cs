@@ -7,8 +7,8 @@ namespace ErrorMatching.Benchmarks;
 [MemoryDiagnoser]
 public class FitBenchmarks
 {
-    private double[] x = [];
-    private double[] y = [];
+    private double[] _x = [];
+    private double[] _y = [];
 
     [Params(14, 82, 1000)]
     public int Points { get; set; }
@@ -17,13 +17,13 @@ public class FitBenchmarks
     public void Setup()
     {
         var random = new Random(1);
-        x = [.. Enumerable.Range(0, Points).Select(i => 5.0 * i)];
-        y = [.. x.Select(v => Math.Sin(v / 40) + (0.002 * random.NextDouble()))];
+        _x = [.. Enumerable.Range(0, Points).Select(i => 5.0 * i)];
+        _y = [.. _x.Select(v => Math.Sin(v / 40) + (0.002 * random.NextDouble()))];
     }
 
     [Benchmark]
-    public PolynomialFit DegreeFive() => PolynomialFit.Fit(x, y, new() { Degree = 5, Ridge = 0 });
+    public PolynomialFit DegreeFive() => PolynomialFit.Fit(_x, _y, new() { Degree = 5, Ridge = 0 });
 
     [Benchmark]
-    public PolynomialFit DegreeAndRidgeChosen() => PolynomialFit.Fit(x, y, new() { Degree = null, Ridge = null });
+    public PolynomialFit DegreeAndRidgeChosen() => PolynomialFit.Fit(_x, _y, new() { Degree = null, Ridge = null });
 }

@@ -9,27 +9,27 @@ namespace ErrorMatching.Benchmarks;
 [MemoryDiagnoser]
 public class MatchBenchmarks
 {
-    private string jobFile = "";
-    private byte[] jobBytes = [];
-    private byte[] theoretical = [];
-    private byte[] part = [];
-    private byte[] program = [];
-    private MatchInput input = null!;
+    private string _jobFile = "";
+    private byte[] _jobBytes = [];
+    private byte[] _theoretical = [];
+    private byte[] _part = [];
+    private byte[] _program = [];
+    private MatchInput _input = null!;
 
     [GlobalSetup]
     public void Setup()
     {
-        jobFile = Repository.PathTo("samples", "complex-mating", "job.json");
-        jobBytes = File.ReadAllBytes(jobFile);
-        theoretical = File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "theoretical.csv"));
-        part = File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "part.csv"));
-        program = File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc"));
-        input = Read();
+        _jobFile = Repository.PathTo("samples", "complex-mating", "job.json");
+        _jobBytes = File.ReadAllBytes(_jobFile);
+        _theoretical = File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "theoretical.csv"));
+        _part = File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "part.csv"));
+        _program = File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc"));
+        _input = Read();
     }
 
     /// <summary>Map, fit, decide, displace, round, write, interpret again, prove.</summary>
     [Benchmark]
-    public MatchOutcome Match() => Matcher.Match(input);
+    public MatchOutcome Match() => Matcher.Match(_input);
 
     /// <summary>The same from the bytes of the files to the bytes of report.json.</summary>
     [Benchmark]
@@ -41,13 +41,13 @@ public class MatchBenchmarks
 
     private MatchInput Read()
     {
-        var job = MatingJob.Parse(jobBytes, jobFile);
+        var job = MatingJob.Parse(_jobBytes, _jobFile);
         return new(
             job,
-            MeasurementReader.Read(theoretical, "theoretical.csv", MeasurementFormat.Points),
-            MeasurementReader.Read(part, "part.csv", job.Gauge.Format),
+            MeasurementReader.Read(_theoretical, "theoretical.csv", MeasurementFormat.Points),
+            MeasurementReader.Read(_part, "part.csv", job.Gauge.Format),
             null,
             "counterpart.nc",
-            program);
+            _program);
     }
 }

@@ -12,10 +12,10 @@ public class ProgramBenchmarks
     private const int Blocks = 100_000;
     private const string Range = "N450000..N549990";
 
-    private NcProgram program = null!;
-    private NcPath path = null!;
-    private DisplacementWish wish = null!;
-    private Rewrite rewrite = null!;
+    private NcProgram _program = null!;
+    private NcPath _path = null!;
+    private DisplacementWish _wish = null!;
+    private Rewrite _rewrite = null!;
 
     /// <summary>A densely posted wave, 0.2 mm a block, in the spelling of a usual post-processor.</summary>
     public static byte[] Wave(int blocks)
@@ -32,10 +32,10 @@ public class ProgramBenchmarks
     [GlobalSetup]
     public void Setup()
     {
-        program = NcProgram.Read(Wave(Blocks));
-        path = Interpret();
-        wish = DisplacementWish.Normal(path, Locate(), 0.02).Value!;
-        rewrite = Displace().Value!;
+        _program = NcProgram.Read(Wave(Blocks));
+        _path = Interpret();
+        _wish = DisplacementWish.Normal(_path, Locate(), 0.02).Value!;
+        _rewrite = Displace().Value!;
         if (!Prove().Holds)
         {
             throw new InvalidOperationException("The benchmark's own displacement is not proved.");
@@ -43,14 +43,14 @@ public class ProgramBenchmarks
     }
 
     [Benchmark]
-    public NcPath Interpret() => NcInterpreter.Run(program, NcDialects.FanucMill);
+    public NcPath Interpret() => NcInterpreter.Run(_program, NcDialects.FanucMill);
 
     [Benchmark]
-    public int[] Locate() => BlockSelector.Select(program, [BlockSelector.Parse(Range)]).Value!;
+    public int[] Locate() => BlockSelector.Select(_program, [BlockSelector.Parse(Range)]).Value!;
 
     [Benchmark]
-    public NcOutcome<Rewrite> Displace() => Rewriter.Apply(path, wish);
+    public NcOutcome<Rewrite> Displace() => Rewriter.Apply(_path, _wish);
 
     [Benchmark]
-    public NcProof Prove() => Prover.Check(path, rewrite.Program, wish, rewrite.LeastIncrementMm);
+    public NcProof Prove() => Prover.Check(_path, _rewrite.Program, _wish, _rewrite.LeastIncrementMm);
 }

@@ -9,12 +9,12 @@ namespace ErrorMatching.Nc.Tests;
 /// </summary>
 internal sealed class RandomContour
 {
-    private readonly List<(bool IsArc, bool CounterClockwise, Point2 Start, Point2 End, Point2 Center)> elements = [];
-    private ulong state;
+    private readonly List<(bool IsArc, bool CounterClockwise, Point2 Start, Point2 End, Point2 Center)> _elements = [];
+    private ulong _state;
 
     public RandomContour(int seed, bool onlyLines = false, bool anyCorner = false)
     {
-        state = (ulong)seed * 0x9E3779B97F4A7C15UL;
+        _state = (ulong)seed * 0x9E3779B97F4A7C15UL;
         var (place, heading) = (new Point2(Grid(Uniform(-50, 50)), Grid(Uniform(-50, 50))), Uniform(-Math.PI, Math.PI));
         var count = 4 + (int)Uniform(0, 8);
         for (var i = 0; i < count; i++)
@@ -24,7 +24,7 @@ internal sealed class RandomContour
             if (onlyLines || Uniform(0, 1) < 0.5)
             {
                 place = Grid(start + (direction * Uniform(5, 20)));
-                elements.Add((false, false, start, place, default));
+                _elements.Add((false, false, start, place, default));
                 heading = (place - start).Direction.Radians;
             }
             else
@@ -33,24 +33,24 @@ internal sealed class RandomContour
                 var center = Grid(start + (direction.Left * (Uniform(4, 15) * (left ? 1 : -1))));
                 var arc = new Arc2(center, start.DistanceTo(center), (start - center).Direction, Angle.FromDegrees(Uniform(40, 150) * (left ? 1 : -1)));
                 place = Grid(arc.End);
-                elements.Add((true, left, start, place, center));
+                _elements.Add((true, left, start, place, center));
                 heading = arc.TangentAt(1).Direction.Radians;
             }
         }
     }
 
-    public int Count => elements.Count;
+    public int Count => _elements.Count;
 
     /// <summary>The contour's blocks N1, N2 and so on, with a plunge before and a retract behind.</summary>
     public string Spell(bool incremental = false, string plane = "G17", bool byRadius = false)
     {
         var (x, y, z, i, j) = plane switch { "G18" => ('Z', 'X', 'Y', 'K', 'I'), "G19" => ('Y', 'Z', 'X', 'J', 'K'), _ => ('X', 'Y', 'Z', 'I', 'J') };
-        var first = elements[0].Start;
+        var first = _elements[0].Start;
         var text = new StringBuilder();
         text.Append(CultureInfo.InvariantCulture, $"G21 G40 G90 {plane}\nG0 {x}{first.X:0.0##} {y}{first.Y:0.0##} {z}5.\nG1 {z}-1. F500.\n{(incremental ? "G91\n" : "")}");
-        for (var n = 0; n < elements.Count; n++)
+        for (var n = 0; n < _elements.Count; n++)
         {
-            var e = elements[n];
+            var e = _elements[n];
             var to = incremental ? e.End - e.Start : e.End - Point2.Origin;
             text.Append(CultureInfo.InvariantCulture, $"N{n + 1} {(e.IsArc ? e.CounterClockwise ? "G3" : "G2" : "G1")} {x}{to.X:0.0##} {y}{to.Y:0.0##}");
             if (e.IsArc && byRadius)
@@ -71,8 +71,8 @@ internal sealed class RandomContour
     /// <summary>A number between two others; the same on every run.</summary>
     public double Uniform(double low, double high)
     {
-        state += 0x9E3779B97F4A7C15UL;
-        var mixed = (state ^ (state >> 30)) * 0xBF58476D1CE4E5B9UL;
+        _state += 0x9E3779B97F4A7C15UL;
+        var mixed = (_state ^ (_state >> 30)) * 0xBF58476D1CE4E5B9UL;
         mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EBUL;
         return low + ((high - low) * Math.ScaleB((mixed ^ (mixed >> 31)) >> 11, -53));
     }

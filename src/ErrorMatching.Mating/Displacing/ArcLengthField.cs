@@ -5,21 +5,21 @@ namespace ErrorMatching.Mating;
 /// <summary>A quantity along a pass as a function of its length: a few coefficients through the values at the key points.</summary>
 internal sealed class ArcLengthField
 {
-    private readonly PolynomialFit fit;
-    private readonly double first;
-    private readonly double last;
-    private readonly double reach;
+    private readonly PolynomialFit _fit;
+    private readonly double _first;
+    private readonly double _last;
+    private readonly double _reach;
 
     private ArcLengthField(PolynomialFit fit, double first, double last, double reach)
     {
-        this.fit = fit;
-        this.first = first;
-        this.last = last;
-        this.reach = reach;
+        _fit = fit;
+        _first = first;
+        _last = last;
+        _reach = reach;
     }
 
     /// <summary>The fit behind the field.</summary>
-    public PolynomialFit Fit => fit;
+    public PolynomialFit Fit => _fit;
 
     /// <summary>A straight course: shift and tilt of a line. It holds beyond its points as well.</summary>
     public static ArcLengthField Straight(IReadOnlyList<double> along, IReadOnlyList<double> values, double uncertaintyMm) =>
@@ -39,15 +39,15 @@ internal sealed class ArcLengthField
     /// <summary>The value at a length.</summary>
     public double At(double along)
     {
-        if (double.IsPositiveInfinity(reach))
+        if (double.IsPositiveInfinity(_reach))
         {
-            return fit.Evaluate(along);
+            return _fit.Evaluate(along);
         }
 
-        var inside = Math.Clamp(along, first, last);
-        return fit.Evaluate(inside) + (fit.Derivative(inside) * Math.Clamp(along - inside, -reach, reach));
+        var inside = Math.Clamp(along, _first, _last);
+        return _fit.Evaluate(inside) + (_fit.Derivative(inside) * Math.Clamp(along - inside, -_reach, _reach));
     }
 
     /// <summary>Standard error of the value at a length inside the points.</summary>
-    public double StandardErrorAt(double along) => fit.StandardErrorAt(along);
+    public double StandardErrorAt(double along) => _fit.StandardErrorAt(along);
 }

@@ -17,18 +17,18 @@ internal sealed class CircleField
 
     private const int Iterations = 4;
 
-    private readonly double pathRadius;
-    private readonly Vector2 shift;
-    private readonly double growth;
-    private readonly bool outwardIsLeft;
+    private readonly double _pathRadius;
+    private readonly Vector2 _shift;
+    private readonly double _growth;
+    private readonly bool _outwardIsLeft;
 
     private CircleField(double pathRadius, Vector2 shift, double growth, bool outwardIsLeft, double leaveOneOutRms)
     {
         LeaveOneOutRms = leaveOneOutRms;
-        this.pathRadius = pathRadius;
-        this.shift = shift;
-        this.growth = growth;
-        this.outwardIsLeft = outwardIsLeft;
+        _pathRadius = pathRadius;
+        _shift = shift;
+        _growth = growth;
+        _outwardIsLeft = outwardIsLeft;
     }
 
     /// <summary>Root mean square by which the fit through the others misses each point (closed form from the hat matrix); infinite for three points.</summary>
@@ -72,8 +72,8 @@ internal sealed class CircleField
     /// <summary>The displacement where the left normal of the path is given; the length along the pass does not matter.</summary>
     public Vector2 At(double along, Vector2 left)
     {
-        var ray = outwardIsLeft ? left : -left;
-        return ray * Outward(ray, pathRadius, shift, growth);
+        var ray = _outwardIsLeft ? left : -left;
+        return ray * Outward(ray, _pathRadius, _shift, _growth);
     }
 
     private static double Outward(Vector2 ray, double radius, Vector2 shift, double growth)

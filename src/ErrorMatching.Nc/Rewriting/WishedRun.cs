@@ -6,10 +6,10 @@ namespace ErrorMatching.Nc;
 /// <summary>Cutting motions that follow one another, measured by length, with the displacements wished at places along them.</summary>
 internal sealed class WishedRun
 {
-    private readonly NcPath path;
-    private readonly int first;
-    private readonly double[] starts;
-    private readonly List<(double Along, int Motion, double Fraction, DisplacedPoint Point)> feet = [];
+    private readonly NcPath _path;
+    private readonly int _first;
+    private readonly double[] _starts;
+    private readonly List<(double Along, int Motion, double Fraction, DisplacedPoint Point)> _feet = [];
 
     /// <summary>A run.</summary>
     /// <param name="path">The program, interpreted.</param>
@@ -17,11 +17,11 @@ internal sealed class WishedRun
     /// <param name="last">Its last motion.</param>
     public WishedRun(NcPath path, int first, int last)
     {
-        (this.path, this.first) = (path, first);
-        starts = new double[last - first + 2];
-        for (var i = 1; i < starts.Length; i++)
+        (_path, _first) = (path, first);
+        _starts = new double[last - first + 2];
+        for (var i = 1; i < _starts.Length; i++)
         {
-            starts[i] = starts[i - 1] + path.Motions[first + i - 1].PlaneLength;
+            _starts[i] = _starts[i - 1] + path.Motions[first + i - 1].PlaneLength;
         }
     }
 
@@ -37,38 +37,38 @@ internal sealed class WishedRun
             var (distance, motion, fraction) = Foot(point.Place);
             if (distance <= furthestMm)
             {
-                feet.Add((starts[motion - first] + (fraction * path.Motions[motion].PlaneLength), motion, fraction, point));
+                _feet.Add((_starts[motion - _first] + (fraction * _path.Motions[motion].PlaneLength), motion, fraction, point));
             }
         }
 
-        feet.Sort((a, b) => a.Along.CompareTo(b.Along));
-        for (var i = 1; i < feet.Count; i++)
+        _feet.Sort((a, b) => a.Along.CompareTo(b.Along));
+        for (var i = 1; i < _feet.Count; i++)
         {
-            if (feet[i].Along - feet[i - 1].Along < 1e-6 && feet[i].Point.By != feet[i - 1].Point.By)
+            if (_feet[i].Along - _feet[i - 1].Along < 1e-6 && _feet[i].Point.By != _feet[i - 1].Point.By)
             {
-                return Refuse(feet[i].Motion, NcRefusalCodes.PointsCoincide, string.Create(CultureInfo.InvariantCulture, $"the points {feet[i - 1].Point.Place} and {feet[i].Point.Place} have one foot on the path and different displacements. Leave one out."));
+                return Refuse(_feet[i].Motion, NcRefusalCodes.PointsCoincide, string.Create(CultureInfo.InvariantCulture, $"the points {_feet[i - 1].Point.Place} and {_feet[i].Point.Place} have one foot on the path and different displacements. Leave one out."));
             }
         }
 
-        return feet.Count > 0 ? null : Refuse(first, NcRefusalCodes.RunWithoutPoint, "the named blocks from here on, up to the next gap between them, have no point. Give one, or leave the blocks out.");
+        return _feet.Count > 0 ? null : Refuse(_first, NcRefusalCodes.RunWithoutPoint, "the named blocks from here on, up to the next gap between them, have no point. Give one, or leave the blocks out.");
     }
 
     /// <summary>What is asked of each motion.</summary>
     public IEnumerable<ElementWish> Elements()
     {
-        for (var i = 0; i + 1 < starts.Length; i++)
+        for (var i = 0; i + 1 < _starts.Length; i++)
         {
-            yield return new(first + i, At(starts[i]), At((starts[i] + starts[i + 1]) / 2), At(starts[i + 1]));
+            yield return new(_first + i, At(_starts[i]), At((_starts[i] + _starts[i + 1]) / 2), At(_starts[i + 1]));
         }
     }
 
     /// <summary>By how much each point's motion, displaced as asked at its start, middle and end, misses what was asked at the point itself.</summary>
     public IEnumerable<(DisplacedPoint Point, double Millimeters)> Misfits()
     {
-        foreach (var (_, motion, f, point) in feet)
+        foreach (var (_, motion, f, point) in _feet)
         {
-            var (start, middle, end) = (At(starts[motion - first]), At((starts[motion - first] + starts[motion - first + 1]) / 2), At(starts[motion - first + 1]));
-            var moved = path.Motions[motion].IsArc
+            var (start, middle, end) = (At(_starts[motion - _first]), At((_starts[motion - _first] + _starts[motion - _first + 1]) / 2), At(_starts[motion - _first + 1]));
+            var moved = _path.Motions[motion].IsArc
                 ? (start * ((1 - f) * (1 - (2 * f)))) + (middle * (4 * f * (1 - f))) + (end * (f * ((2 * f) - 1)))
                 : start + ((end - start) * f);
             yield return (point, (moved - point.By).Length);
@@ -77,15 +77,15 @@ internal sealed class WishedRun
 
     private (double DistanceMm, int Motion, double Fraction) Foot(Point2 place)
     {
-        var best = (DistanceMm: double.PositiveInfinity, Motion: first, Fraction: 0.0);
-        for (var i = 0; i + 1 < starts.Length; i++)
+        var best = (DistanceMm: double.PositiveInfinity, Motion: _first, Fraction: 0.0);
+        for (var i = 0; i + 1 < _starts.Length; i++)
         {
-            var motion = path.Motions[first + i];
+            var motion = _path.Motions[_first + i];
             var fraction = motion.IsArc ? motion.Arc.NearestFraction(place) : motion.Segment.NearestFraction(place);
             var distance = motion.PlaneAt(fraction).DistanceTo(place);
             if (distance < best.DistanceMm)
             {
-                best = (distance, first + i, fraction);
+                best = (distance, _first + i, fraction);
             }
         }
 
@@ -94,20 +94,20 @@ internal sealed class WishedRun
 
     private Vector2 At(double along)
     {
-        var next = feet.FindIndex(f => f.Along >= along);
+        var next = _feet.FindIndex(f => f.Along >= along);
         if (next < 0)
         {
-            return feet[^1].Point.By;
+            return _feet[^1].Point.By;
         }
 
         if (next == 0)
         {
-            return feet[0].Point.By;
+            return _feet[0].Point.By;
         }
 
-        var (from, to) = (feet[next - 1], feet[next]);
+        var (from, to) = (_feet[next - 1], _feet[next]);
         return from.Point.By + ((to.Point.By - from.Point.By) * ((along - from.Along) / (to.Along - from.Along)));
     }
 
-    private NcRefusal Refuse(int motion, string code, string message) => NcRefusal.At(path.Program, path.Motions[motion].Block, code, message);
+    private NcRefusal Refuse(int motion, string code, string message) => NcRefusal.At(_path.Program, _path.Motions[motion].Block, code, message);
 }

@@ -16,12 +16,12 @@ internal sealed class AssemblyScene
 
     private const double MostWidth = 420, MostHeight = 460;
 
-    private readonly IReadOnlyList<IReadOnlyList<DrawnFeature>> chains;
+    private readonly IReadOnlyList<IReadOnlyList<DrawnFeature>> _chains;
 
     private AssemblyScene(IReadOnlyList<DrawnFeature> features, double diagonal)
     {
         Features = features;
-        chains = DisplacedBoundary.Chains(features, CornerShare * diagonal);
+        _chains = DisplacedBoundary.Chains(features, CornerShare * diagonal);
         LargestMm = features.SelectMany(f => f.Points).Max(p => Math.Max(Math.Abs(p.Part), Math.Max(Math.Abs(p.Before), Math.Abs(p.After))));
         Factor = LargestMm > 0 ? Math.Max(1, RoundNumber.AtMost(diagonal * LargestShare / LargestMm)) : 1;
         Point2[] all = [.. new Func<DrawnPoint, double>[] { p => p.Part, p => p.Before, p => p.After }.SelectMany(d => Displaced(d)).SelectMany(l => l)];
@@ -68,6 +68,6 @@ internal sealed class AssemblyScene
     public IReadOnlyList<IReadOnlyList<Point2>> Displaced(Func<DrawnPoint, double> deviation, double asidePixels = 0)
     {
         var aside = asidePixels == 0 ? 0 : asidePixels / PixelsPerMm;
-        return DisplacedBoundary.Of(chains, (f, vertex) => (Factor * f.At(vertex, deviation)) + aside);
+        return DisplacedBoundary.Of(_chains, (f, vertex) => (Factor * f.At(vertex, deviation)) + aside);
     }
 }

@@ -11,21 +11,21 @@ internal sealed class DrawnOutline
     // The offset of a path turns back for a moment where the path bends inward: steps back up to this share of the size are such an artifact, not a shape.
     private const double LongestStepBack = 0.02;
 
-    private readonly Point2[] vertices;
-    private readonly double[] stations;
+    private readonly Point2[] _vertices;
+    private readonly double[] _stations;
 
     private DrawnOutline(Point2[] vertices)
     {
-        this.vertices = vertices;
-        stations = new double[vertices.Length];
+        _vertices = vertices;
+        _stations = new double[vertices.Length];
         for (var i = 0; i < Segments; i++)
         {
-            stations[i + 1] = stations[i] + vertices[i].DistanceTo(vertices[i + 1]);
+            _stations[i + 1] = _stations[i] + vertices[i].DistanceTo(vertices[i + 1]);
         }
     }
 
     /// <summary>Number of straight pieces.</summary>
-    public int Segments => vertices.Length - 1;
+    public int Segments => _vertices.Length - 1;
 
     /// <summary>An outline, or null if its places fall together.</summary>
     public static DrawnOutline? Of(IReadOnlyList<Point2> places)
@@ -48,22 +48,22 @@ internal sealed class DrawnOutline
     }
 
     /// <summary>A vertex.</summary>
-    public Point2 Vertex(int index) => vertices[index];
+    public Point2 Vertex(int index) => _vertices[index];
 
     /// <summary>Length along the outline to a vertex, mm.</summary>
-    public double StationOf(int vertex) => stations[vertex];
+    public double StationOf(int vertex) => _stations[vertex];
 
     /// <summary>Unit normal of a piece, to its left.</summary>
-    public Vector2 Left(int segment) => (vertices[segment + 1] - vertices[segment]).Normalize().Left;
+    public Vector2 Left(int segment) => (_vertices[segment + 1] - _vertices[segment]).Normalize().Left;
 
     /// <summary>The piece at a length along the outline.</summary>
-    public int SegmentAt(double station) => Math.Clamp(Array.FindLastIndex(stations, s => s <= station), 0, Segments - 1);
+    public int SegmentAt(double station) => Math.Clamp(Array.FindLastIndex(_stations, s => s <= station), 0, Segments - 1);
 
     /// <summary>The place at a length along the outline.</summary>
     public Point2 At(double station)
     {
         var i = SegmentAt(station);
-        return vertices[i].Lerp(vertices[i + 1], (station - stations[i]) / (stations[i + 1] - stations[i]));
+        return _vertices[i].Lerp(_vertices[i + 1], (station - _stations[i]) / (_stations[i + 1] - _stations[i]));
     }
 
     /// <summary>Length along the outline to the place nearest to a point.</summary>
@@ -72,11 +72,11 @@ internal sealed class DrawnOutline
         var (best, distance) = (0.0, double.PositiveInfinity);
         for (var i = 0; i < Segments; i++)
         {
-            var piece = new Segment2(vertices[i], vertices[i + 1]);
+            var piece = new Segment2(_vertices[i], _vertices[i + 1]);
             var fraction = piece.NearestFraction(point);
             if (point.DistanceTo(piece.At(fraction)) is var found && found < distance)
             {
-                (best, distance) = (stations[i] + (fraction * (stations[i + 1] - stations[i])), found);
+                (best, distance) = (_stations[i] + (fraction * (_stations[i + 1] - _stations[i])), found);
             }
         }
 
@@ -86,8 +86,8 @@ internal sealed class DrawnOutline
     /// <summary>The same outline with vertices at some lengths along it.</summary>
     public DrawnOutline WithVertices(IEnumerable<double> at)
     {
-        var near = stations[^1] * 1e-6;
-        var all = stations.ToList();
+        var near = _stations[^1] * 1e-6;
+        var all = _stations.ToList();
         foreach (var station in at)
         {
             if (all.TrueForAll(s => Math.Abs(s - station) > near))

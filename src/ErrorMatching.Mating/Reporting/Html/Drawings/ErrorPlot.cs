@@ -9,14 +9,14 @@ internal sealed class ErrorPlot
     // More labels than this would overlap.
     private const int MostLabels = 30;
 
-    private readonly IReadOnlyList<PlotPoint> points;
-    private readonly PlotAxis axis;
+    private readonly IReadOnlyList<PlotPoint> _points;
+    private readonly PlotAxis _axis;
 
     /// <summary>A plot of some points, at least one.</summary>
     public ErrorPlot(IReadOnlyList<PlotPoint> points)
     {
-        this.points = points;
-        axis = PlotAxis.Around(points.SelectMany(p => p.Limits is { } l ? [p.Before, p.After, l.LowerMm, l.UpperMm] : new[] { p.Before, p.After }));
+        _points = points;
+        _axis = PlotAxis.Around(points.SelectMany(p => p.Limits is { } l ? [p.Before, p.After, l.LowerMm, l.UpperMm] : new[] { p.Before, p.After }));
     }
 
     /// <summary>Writes the drawing.</summary>
@@ -40,10 +40,10 @@ internal sealed class ErrorPlot
     }
 
     /// <summary>Horizontal place of a point.</summary>
-    internal double X(double index) => Left + ((index + 0.5) * (Right - Left) / points.Count);
+    internal double X(double index) => Left + ((index + 0.5) * (Right - Left) / _points.Count);
 
     /// <summary>Vertical place of a value.</summary>
-    internal double Y(double value) => Bottom - ((value - axis.Lowest) / (axis.Highest - axis.Lowest) * (Bottom - Top));
+    internal double Y(double value) => Bottom - ((value - _axis.Lowest) / (_axis.Highest - _axis.Lowest) * (Bottom - Top));
 
     private string Describe(string before, string after)
     {
@@ -51,7 +51,7 @@ internal sealed class ErrorPlot
 
         string Largest(Func<PlotPoint, double> value)
         {
-            var point = points.MaxBy(p => Math.Abs(value(p)))!;
+            var point = _points.MaxBy(p => Math.Abs(value(p)))!;
             return $"{ReportNumber.SignedMm(value(point))} at point {point.Label}";
         }
     }
@@ -60,7 +60,7 @@ internal sealed class ErrorPlot
     {
         foreach (var (first, last) in Runs(p => p.Limits))
         {
-            if (points[first].Limits is { } limits)
+            if (_points[first].Limits is { } limits)
             {
                 var (x1, x2) = (X(first - 0.5), X(last + 0.5));
                 html.Empty("rect", ("class", "band"), ("x", SvgNumber.Of(x1)), ("y", SvgNumber.Of(Y(limits.UpperMm))), ("width", SvgNumber.Of(x2 - x1)), ("height", SvgNumber.Of(Y(limits.LowerMm) - Y(limits.UpperMm))));
@@ -70,11 +70,11 @@ internal sealed class ErrorPlot
 
     private void WriteLimits(HtmlText html)
     {
-        var bands = points.Select(p => p.Limits).OfType<ToleranceBand>().Distinct().Count();
+        var bands = _points.Select(p => p.Limits).OfType<ToleranceBand>().Distinct().Count();
         ToleranceBand? labelled = null;
         foreach (var (first, last) in Runs(p => p.Limits))
         {
-            if (points[first].Limits is not { } limits)
+            if (_points[first].Limits is not { } limits)
             {
                 continue;
             }
@@ -95,11 +95,11 @@ internal sealed class ErrorPlot
 
     private void WriteAxes(HtmlText html)
     {
-        for (var tick = axis.First; tick <= axis.Last; tick++)
+        for (var tick = _axis.First; tick <= _axis.Last; tick++)
         {
-            var y = Y(tick * axis.Step);
+            var y = Y(tick * _axis.Step);
             Line(html, tick == 0 ? "zero" : "grid", Left, y, Right, y);
-            Text(html, "tick", Left - 8, y + 4, "end", ReportNumber.Signed(tick * axis.Step));
+            Text(html, "tick", Left - 8, y + 4, "end", ReportNumber.Signed(tick * _axis.Step));
         }
 
         foreach (var (first, last) in Runs(p => p.Feature))
@@ -109,13 +109,13 @@ internal sealed class ErrorPlot
                 Line(html, "border", X(first - 0.5), Top, X(first - 0.5), Bottom);
             }
 
-            Text(html, "tick", (X(first) + X(last)) / 2, Top - 6, "middle", SvgNumber.Label(points[first].Feature, 2 + ((int)(X(last + 0.5) - X(first - 0.5)) / 8)));
+            Text(html, "tick", (X(first) + X(last)) / 2, Top - 6, "middle", SvgNumber.Label(_points[first].Feature, 2 + ((int)(X(last + 0.5) - X(first - 0.5)) / 8)));
         }
 
-        var every = (points.Count + MostLabels - 1) / MostLabels;
-        for (var i = 0; i < points.Count; i += every)
+        var every = (_points.Count + MostLabels - 1) / MostLabels;
+        for (var i = 0; i < _points.Count; i += every)
         {
-            Text(html, "tick", X(i), Bottom + 18, "middle", SvgNumber.Label(points[i].Label, 6));
+            Text(html, "tick", X(i), Bottom + 18, "middle", SvgNumber.Label(_points[i].Label, 6));
         }
 
         Line(html, "axis", Left, Top, Left, Bottom);
@@ -128,10 +128,10 @@ internal sealed class ErrorPlot
 
     private void WriteLine(HtmlText html, string cssClass, Func<PlotPoint, double> value, string name, Action<HtmlText, string, double, double, string> marker)
     {
-        html.Empty("polyline", ("class", cssClass + " line"), ("points", SvgNumber.Points(points.Select((p, i) => (X(i), Y(value(p)))))));
-        for (var i = 0; i < points.Count; i++)
+        html.Empty("polyline", ("class", cssClass + " line"), ("points", SvgNumber.Points(_points.Select((p, i) => (X(i), Y(value(p)))))));
+        for (var i = 0; i < _points.Count; i++)
         {
-            marker(html, cssClass + " marker", X(i), Y(value(points[i])), $"Point {points[i].Label}, {name}: {ReportNumber.SignedMm(value(points[i]))}");
+            marker(html, cssClass + " marker", X(i), Y(value(_points[i])), $"Point {_points[i].Label}, {name}: {ReportNumber.SignedMm(value(_points[i]))}");
         }
     }
 
@@ -151,9 +151,9 @@ internal sealed class ErrorPlot
     private IEnumerable<(int First, int Last)> Runs<T>(Func<PlotPoint, T> common)
     {
         var first = 0;
-        for (var i = 1; i <= points.Count; i++)
+        for (var i = 1; i <= _points.Count; i++)
         {
-            if (i == points.Count || !EqualityComparer<T>.Default.Equals(common(points[i]), common(points[first])))
+            if (i == _points.Count || !EqualityComparer<T>.Default.Equals(common(_points[i]), common(_points[first])))
             {
                 yield return (first, i - 1);
                 first = i;

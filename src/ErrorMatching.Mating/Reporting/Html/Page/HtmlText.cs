@@ -5,13 +5,13 @@ namespace ErrorMatching.Mating;
 /// <summary>Writes markup that is HTML and well-formed XML at once. Whatever is written as text or as an attribute is escaped.</summary>
 internal sealed class HtmlText
 {
-    private readonly StringBuilder text = new("<!DOCTYPE html>\n");
+    private readonly StringBuilder _text = new("<!DOCTYPE html>\n");
 
     /// <summary>Opens an element; disposing of the result closes it. Attributes without a value are left out.</summary>
     public HtmlScope In(string element, params ReadOnlySpan<(string Name, string? Value)> attributes)
     {
         Start(element, attributes);
-        text.Append('>');
+        _text.Append('>');
         return new(this, element);
     }
 
@@ -28,35 +28,35 @@ internal sealed class HtmlText
     public void Empty(string element, params ReadOnlySpan<(string Name, string? Value)> attributes)
     {
         Start(element, attributes);
-        text.Append(" />");
+        _text.Append(" />");
         EndLineAfter(element);
     }
 
     /// <summary>Text.</summary>
-    public void Text(ReadOnlySpan<char> content) => HtmlEscape.Append(text, content);
+    public void Text(ReadOnlySpan<char> content) => HtmlEscape.Append(_text, content);
 
     /// <summary>The style sheet, which is ours and free of markup characters.</summary>
-    public void Style(string css) => text.Append("<style>\n").Append(css).Append("</style>\n");
+    public void Style(string css) => _text.Append("<style>\n").Append(css).Append("</style>\n");
 
     /// <summary>UTF-8 without a byte order mark.</summary>
-    public byte[] ToBytes() => Encoding.UTF8.GetBytes(text.ToString());
+    public byte[] ToBytes() => Encoding.UTF8.GetBytes(_text.ToString());
 
     internal void End(string element)
     {
-        text.Append("</").Append(element).Append('>');
+        _text.Append("</").Append(element).Append('>');
         EndLineAfter(element);
     }
 
     private void Start(string element, ReadOnlySpan<(string Name, string? Value)> attributes)
     {
-        text.Append('<').Append(element);
+        _text.Append('<').Append(element);
         foreach (var (name, value) in attributes)
         {
             if (value is not null)
             {
-                text.Append(' ').Append(name).Append("=\"");
-                HtmlEscape.Append(text, value);
-                text.Append('"');
+                _text.Append(' ').Append(name).Append("=\"");
+                HtmlEscape.Append(_text, value);
+                _text.Append('"');
             }
         }
     }
@@ -66,7 +66,7 @@ internal sealed class HtmlText
     {
         if (element is not ("a" or "code" or "del" or "em" or "ins" or "span" or "strong" or "title" or "tspan"))
         {
-            text.Append('\n');
+            _text.Append('\n');
         }
     }
 }
