@@ -143,7 +143,7 @@ public sealed partial class Prover
     private IEnumerable<(int Motion, bool AtStart)> MotionsAt(int joint)
     {
         var behind = joint;
-        while (behind >= 0 && behind < _before.Motions.Length && IsShrunk(behind))
+        while (behind >= 0 && behind < _before.Motions.Length && (IsShrunk(behind) || PathWithoutPoints.IsPoint(_before.Motions[behind])))
         {
             behind++;
         }
@@ -154,7 +154,7 @@ public sealed partial class Prover
         }
 
         var ahead = joint - 1;
-        while (ahead >= 0 && IsShrunk(ahead))
+        while (ahead >= 0 && (IsShrunk(ahead) || PathWithoutPoints.IsPoint(_before.Motions[ahead])))
         {
             ahead--;
         }

@@ -19,7 +19,9 @@ public static class Rewriter
             return Rewrite.None(path);
         }
 
-        var change = wish.Elements.Count > 0 ? ElementDisplacer.Run(path, wish) : EndPointDisplacer.Run(path, wish);
+        var change = wish.Elements.Count == 0 ? EndPointDisplacer.Run(path, wish)
+            : PathWithoutPoints.Of(path) is { } reduced ? reduced.Displace(wish)
+            : ElementDisplacer.Run(path, wish);
         if (!change.IsUsable)
         {
             return change.Refusal;

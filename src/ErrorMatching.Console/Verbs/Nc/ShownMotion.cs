@@ -5,7 +5,10 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A motion in the words that scripts read: absolute millimeters, rounded to the noise of binary fractions; nothing where the program does not say.</summary>
+/// <summary>
+/// A motion in the words that scripts read: absolute millimeters, rounded to the noise of binary fractions. A coordinate that the program has not said yet reads as 0, as it does on
+/// an interpreter that starts at the origin; one that only the machine knows reads as it was last said. Both are named in <c>unknown</c>.
+/// </summary>
 internal sealed class ShownMotion
 {
     private const int Decimals = 9;
@@ -37,8 +40,11 @@ internal sealed class ShownMotion
     /// <summary>rapid, line, arc-cw, arc-ccw or probe. Cycles and moves to machine positions go by rapid to what is known of their end.</summary>
     public string Kind => KindOf(_motion.Kind);
 
-    /// <summary>Where it ends; null for a coordinate that the program does not say.</summary>
-    public (double? X, double? Y, double? Z) End => (Known(_motion.End.X, AxisSet.X), Known(_motion.End.Y, AxisSet.Y), Known(_motion.End.Z, AxisSet.Z));
+    /// <summary>Where it ends.</summary>
+    public Point3 End => _motion.End;
+
+    /// <summary>Axes whose end the program does not say: x, y, z.</summary>
+    public IEnumerable<string> Unknown => new[] { (AxisSet.X, "x"), (AxisSet.Y, "y"), (AxisSet.Z, "z") }.Where(a => (_motion.UnknownEnd & a.Item1) != AxisSet.None).Select(a => a.Item2);
 
     /// <summary>The word for a kind of motion.</summary>
     public static string KindOf(MotionKind kind) => kind switch
@@ -68,7 +74,7 @@ internal sealed class ShownMotion
         json.WriteNumber("line", Line);
         json.WriteString("block", Block);
         json.WriteString("kind", Kind);
-        foreach (var (name, value) in new[] { ("x", End.X), ("y", End.Y), ("z", End.Z), ("cx", _center?.X), ("cy", _center?.Y), ("cz", _center?.Z) })
+        foreach (var (name, value) in new (string, double?)[] { ("x", End.X), ("y", End.Y), ("z", End.Z), ("cx", _center?.X), ("cy", _center?.Y), ("cz", _center?.Z) })
         {
             json.Number(name, value is { } v ? Clean(v) : double.NaN);
         }
@@ -76,9 +82,14 @@ internal sealed class ShownMotion
         json.WriteString("plane", _motion.Plane.ToString());
         json.WriteNumber("turns", _motion.Turns);
         json.Number("feed", Clean(_motion.Feed));
-    }
+        json.WriteStartArray("unknown");
+        foreach (var axis in Unknown)
+        {
+            json.WriteStringValue(axis);
+        }
 
-    private double? Known(double value, AxisSet axis) => (_motion.UnknownEnd & axis) == AxisSet.None ? value : null;
+        json.WriteEndArray();
+    }
 
     // Adding zero turns -0 into 0.
     private static double Clean(double value) => Math.Round(value, Decimals) + 0.0;

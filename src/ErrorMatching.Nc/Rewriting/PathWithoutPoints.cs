@@ -1,0 +1,88 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// A path without its straight cuts of no length. A corner that cut off a short piece leaves one behind; elements on both sides of it are neighbors all the same,
+/// so they are displaced on this path and the result is taken back to the program's own.
+/// </summary>
+internal sealed class PathWithoutPoints
+{
+    private readonly NcPath _original;
+    private readonly NcPath _reduced;
+    private readonly int[] _kept;
+
+    private PathWithoutPoints(NcPath original, NcPath reduced, int[] kept)
+    {
+        _original = original;
+        _reduced = reduced;
+        _kept = kept;
+    }
+
+    /// <summary>True for a straight cut that ends where it begins.</summary>
+    public static bool IsPoint(in NcMotion motion) => motion.Kind == MotionKind.Line && motion.Start == motion.End;
+
+    /// <summary>The path without points, or null where it has none.</summary>
+    public static PathWithoutPoints? Of(NcPath path)
+    {
+        var kept = new List<int>(path.Motions.Length);
+        for (var i = 0; i < path.Motions.Length; i++)
+        {
+            if (!IsPoint(path.Motions[i]))
+            {
+                kept.Add(i);
+            }
+        }
+
+        if (kept.Count == path.Motions.Length)
+        {
+            return null;
+        }
+
+        var motions = new NcMotion[kept.Count];
+        for (var i = 0; i < motions.Length; i++)
+        {
+            motions[i] = path.Motions[kept[i]];
+        }
+
+        return new(path, new(path.Program, path.Dialect, motions, motions.Length, path.Problems, path.PlaceDependents, path.FlowBlock), [.. kept]);
+    }
+
+    /// <summary>Displaces elements. A wish for a point is a wish for nothing and is left out.</summary>
+    public NcOutcome<PathChange> Displace(DisplacementWish wish)
+    {
+        var places = new Dictionary<int, int>(_kept.Length);
+        for (var i = 0; i < _kept.Length; i++)
+        {
+            places.Add(_kept[i], i);
+        }
+
+        var elements = wish.Elements.Where(e => places.ContainsKey(e.Motion)).Select(e => e with { Motion = places[e.Motion] });
+        var change = ElementDisplacer.Run(_reduced, DisplacementWish.OfElements([.. elements]));
+        return change.IsUsable ? Restore(change.Value) : change;
+    }
+
+    private PathChange Restore(PathChange reduced)
+    {
+        var change = new PathChange(_original);
+        var next = 0;
+        for (var joint = 0; joint <= _original.Motions.Length; joint++)
+        {
+            // The joints on both sides of a point are one place.
+            if (reduced.IsSet(next))
+            {
+                change.Move(joint, reduced.MoveOf(next));
+            }
+
+            if (next < _kept.Length && _kept[next] == joint)
+            {
+                next++;
+            }
+        }
+
+        foreach (var (motion, center) in reduced.Centers)
+        {
+            change.SetCenter(_kept[motion], center);
+        }
+
+        return change;
+    }
+}
