@@ -1,9 +1,9 @@
 using BenchmarkDotNet.Running;
 using ErrorMatching.Benchmarks;
 
-if (args is ["whole-process", ..])
+if (args is ["whole-process", .. var rest])
 {
-    return WholeProcess.Run();
+    return WholeProcess.Run(rest.FirstOrDefault());
 }
 
 BenchmarkSwitcher.FromAssembly(typeof(MatchBenchmarks).Assembly).Run(args);

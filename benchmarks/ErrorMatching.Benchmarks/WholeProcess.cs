@@ -9,9 +9,11 @@ internal static class WholeProcess
 {
     private const int Runs = 21;
 
-    public static int Run()
+    /// <summary>Runs the figures.</summary>
+    /// <param name="executable">The console to time; null for the one that the build made.</param>
+    public static int Run(string? executable)
     {
-        var console = Repository.PathTo("artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
+        var console = executable ?? Repository.PathTo("artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
         var sample = Repository.PathTo("samples", "complex-mating", "job.json");
         var folder = Directory.CreateTempSubdirectory("errormatch-").FullName;
         try

@@ -1,3 +1,4 @@
+using System.Text.Json;
 using System.Globalization;
 
 namespace ErrorMatching.EndToEnd.Tests;
@@ -15,7 +16,7 @@ public sealed class NcTests
 
         // N140 G3 Y48.745 I2.941 J-5.23 from Y53.975, at Z-13.5.
         Assert.Contains("7,22,N140,arc-ccw,-48.334,48.745,-13.5,-42.334,48.745,-13.5,XY,0,500", lines);
-        Assert.Contains("0,11,N60,rapid,-45,80,,,,,XY,0,0", lines);
+        Assert.Contains("0,11,N60,rapid,-45,80,0,,,,XY,0,0", lines);
     }
 
     [Fact]
@@ -28,9 +29,16 @@ public sealed class NcTests
         var names = csv[0].Split(',');
         foreach (var (line, motion) in csv.Skip(1).Zip(motions.EnumerateArray()))
         {
-            Assert.Equal(names, motion.EnumerateObject().Select(p => p.Name));
-            Assert.Equal(line.Split(','), motion.EnumerateObject().Select(p => p.Value.ToString()));
+            Assert.Equal([.. names, "unknown"], motion.EnumerateObject().Select(p => p.Name));
+            Assert.Equal(line.Split(','), motion.EnumerateObject().SkipLast(1).Select(p => p.Value.ToString()));
         }
+
+        // N60 comes before any Z; G91 G28 Z0 ends where only the machine knows.
+        Assert.Equal(["z"], Unknown(motions[0]));
+        Assert.Empty(Unknown(motions[3]));
+        Assert.Equal(["z"], Unknown(motions[motions.GetArrayLength() - 1]));
+
+        static IEnumerable<string?> Unknown(JsonElement motion) => motion.GetProperty("unknown").EnumerateArray().Select(a => a.GetString());
     }
 
     [Fact]
