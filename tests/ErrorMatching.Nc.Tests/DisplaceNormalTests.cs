@@ -117,6 +117,13 @@ public sealed class DisplaceNormalTests
         Assert.Equal("G90 G17\n" + expected, Bench.Normal("G90 G17\n" + Contour, 0.1, named));
     }
 
+    // The contour is all there is: its corner is the end of the last motion and the start of the first in the plane.
+    [Fact]
+    public void Last_element_of_a_program_slides_to_the_first_of_its_contour() =>
+        Assert.Equal(
+            "G90 G17\nG0 X0.1 Y0.\nN10 G1 X10. Y0. F100\nN20 X10. Y10.\nN30 X0.1 Y10.\nN40 X0.1 Y0.",
+            Bench.Normal("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 X10. Y10.\nN30 X0. Y10.\nN40 X0. Y0.", 0.1, "N40"));
+
     [Fact]
     public void Contour_that_closes_tangentially_stays_closed_if_only_its_first_half_is_named()
     {

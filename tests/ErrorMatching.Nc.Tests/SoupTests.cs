@@ -23,7 +23,7 @@ public sealed class SoupTests
 
     [Fact]
     public void Nothing_throws_and_what_is_rewritten_reads_as_the_same_blocks() =>
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(4000).WithEndSize(40), Prop.ForAll(Program.Zip(Gen.Choose(0, 3).Zip(Gen.Choose(-30, 30))).ToArbitrary(), p =>
+        Check.One(Config.QuickThrowOnFailure.WithMaxTest(20000).WithEndSize(40), Prop.ForAll(Program.Zip(Gen.Choose(0, 3).Zip(Gen.Choose(-30, 30))).ToArbitrary(), p =>
         {
             var path = Bench.Read(p.Item1, NcDialects.All[p.Item2.Item1]);
             var blocks = Enumerable.Range(1, path.Program.BlockCount - 1).Where(b => b % 3 != p.Item2.Item1).ToArray();
@@ -42,7 +42,7 @@ public sealed class SoupTests
 
     [Fact]
     public void Any_bytes_are_interpreted_in_every_dialect() =>
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(2000), Prop.ForAll(Gen.Choose(0, 255).Select(n => (byte)n).ArrayOf().ToArbitrary(), bytes =>
+        Check.One(Config.QuickThrowOnFailure.WithMaxTest(5000), Prop.ForAll(Gen.Choose(0, 255).Select(n => (byte)n).ArrayOf().ToArbitrary(), bytes =>
         {
             foreach (var dialect in NcDialects.All)
             {

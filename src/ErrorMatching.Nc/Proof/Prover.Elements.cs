@@ -130,6 +130,12 @@ public sealed partial class Prover
             return;
         }
 
+        if (was.IsArc && (!was.IsKnownInPlane || was.Has(MotionFlags.BadArc)))
+        {
+            Fail(was.Block, "an end of it moved, but its words do not say which arc it is.");
+            return;
+        }
+
         CheckArc(was, now);
         if (SlidAlong(was, now))
         {
@@ -201,6 +207,12 @@ public sealed partial class Prover
         if (was.IsArc)
         {
             return now.Center.DistanceTo(was.Center) <= 3 * _increment && EndsOnCircle(was, now);
+        }
+
+        if (was.PlaneStart == was.PlaneEnd)
+        {
+            // It begins or ends where the program does not say, so nothing shows along which line.
+            return false;
         }
 
         var line = was.Segment.Line;

@@ -286,9 +286,10 @@ internal sealed partial class ElementDisplacer
     // All joints from one to another go to one point; the lines between them have no length any more.
     private void Shrink(int firstJoint, int lastJoint, Point2 point)
     {
+        var plane = _path.Motions[Math.Min(firstJoint, _path.Motions.Length - 1)].Plane;
         for (var joint = firstJoint; joint <= lastJoint; joint++)
         {
-            _change.Move(joint, _path.Motions[firstJoint].Plane, point - _path.Motions[joint].PlaneStart);
+            _change.Move(joint, plane, point - (joint < _path.Motions.Length ? _path.Motions[joint].PlaneStart : _path.Motions[joint - 1].PlaneEnd));
         }
 
         for (var motion = firstJoint; motion < lastJoint; motion++)

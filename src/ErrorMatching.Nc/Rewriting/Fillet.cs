@@ -38,7 +38,7 @@ internal static class Fillet
     private static bool Joins(in NcMotion before, in NcMotion behind)
     {
         var line = before.IsArc ? behind : before;
-        if (line.Kind != MotionKind.Line || !line.MovesInPlane || before.Plane != behind.Plane)
+        if (line.Kind != MotionKind.Line || line.PlaneStart == line.PlaneEnd || before.Plane != behind.Plane)
         {
             return false;
         }
