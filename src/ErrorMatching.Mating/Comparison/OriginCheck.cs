@@ -1,5 +1,4 @@
 using System.Globalization;
-using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Mating;
@@ -25,10 +24,13 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
     /// <param name="check">What the job asks for.</param>
     /// <param name="theoretical">Where the origin is designed.</param>
     /// <param name="measured">Where it was measured.</param>
-    public static OriginCheck Of(JobOriginCheck check, Point3 theoretical, Point3 measured)
+    public static OriginCheck Of(JobOriginCheck check, LabelledPoint theoretical, LabelledPoint measured)
     {
         ArgumentNullException.ThrowIfNull(check);
-        return new(check.Point, (measured - theoretical).Length, check.LimitMm);
+
+        // A height that one of the files does not have is not a difference of 0 less the other's.
+        var off = measured.Position - theoretical.Position;
+        return new(check.Point, (measured.HasZ && theoretical.HasZ ? off : off with { Z = 0 }).Length, check.LimitMm);
     }
 
     /// <summary>The refusal of the first measurement whose origin is off, or null; without a check in the job, null.</summary>
@@ -36,7 +38,7 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
     {
         foreach (var file in measurements)
         {
-            if (job.OriginCheck is { } check && file is not null && Of(check, theoretical[check.Point].Position, file[check.Point].Position).Refusal is { } refusal)
+            if (job.OriginCheck is { } check && file is not null && Of(check, theoretical[check.Point], file[check.Point]).Refusal is { } refusal)
             {
                 return refusal with { Message = $"{file.File}: {refusal.Message}" };
             }

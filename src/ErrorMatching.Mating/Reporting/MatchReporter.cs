@@ -23,7 +23,7 @@ public static class MatchReporter
             Job = ReportJob.Of(job),
             Inputs = Inputs(input),
             Alignments = [.. new[] { ("part", result.Part), ("counterpart", result.Counterpart) }.Where(p => p.Item2 is not null).Select(p => Alignment(job, p.Item1, p.Item2!))],
-            OriginCheck = job.OriginCheck is { } check ? OriginCheck.Of(check, input.Theoretical[check.Point].Position, input.Compensated[check.Point].Position) : null,
+            OriginCheck = job.OriginCheck is { } check ? OriginCheck.Of(check, input.Theoretical[check.Point], input.Compensated[check.Point]) : null,
             Compensation = job.Compensation,
             Uncertainty = job.Gauge.Uncertainty,
             Chain = job.Chain,

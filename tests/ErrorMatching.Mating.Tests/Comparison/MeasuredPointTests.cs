@@ -5,6 +5,11 @@ namespace ErrorMatching.Mating.Tests;
 
 public sealed class MeasuredPointTests
 {
+    // The drawing is flat, the gauge reports heights: an origin 7 mm high is where it belongs.
+    [Fact]
+    public void An_origin_is_not_off_by_a_height_that_one_file_does_not_have() =>
+        Assert.Equal(0.005, OriginCheck.Of(new("O", 0.013), new("O", new(0, 0, 0), HasZ: false, 1), At(0.003, 0.004, 7)).DistanceMm, 12);
+
     [Fact]
     public void The_ball_lies_in_the_air_of_the_piece_that_it_measures()
     {
@@ -21,7 +26,7 @@ public sealed class MeasuredPointTests
     [Fact]
     public void An_origin_within_its_limit_holds()
     {
-        var check = OriginCheck.Of(new("O", 0.013), new(0, 0, 0), new(0.003, 0.004, 0.012));
+        var check = OriginCheck.Of(new("O", 0.013), At(0, 0, 0), At(0.003, 0.004, 0.012));
 
         Assert.Equal(0.013, check.DistanceMm, 12);
         Assert.Null((check with { DistanceMm = 0.013 }).Refusal);
@@ -30,7 +35,7 @@ public sealed class MeasuredPointTests
     [Fact]
     public void An_origin_that_is_off_refuses_the_job()
     {
-        var check = OriginCheck.Of(new("O", 0.01), new(1, 1, 0), new(1, 1.02, 0));
+        var check = OriginCheck.Of(new("O", 0.01), At(1, 1, 0), At(1, 1.02, 0));
 
         Assert.False(check.Holds);
         Assert.Equal(("origin-off", "O"), (check.Refusal!.Code, check.Refusal.Point));
@@ -59,4 +64,6 @@ public sealed class MeasuredPointTests
         var e = Assert.Throws<MeasurementException>(() => ProjectedPoint.Of(flat, CoordinatePlane.ZX, "part.csv"));
         Assert.Equal(("missing-coordinate", "part.csv", 7), (e.Code, e.File, e.Line));
     }
+
+    private static LabelledPoint At(double x, double y, double z) => new("O", new(x, y, z), HasZ: true, 1);
 }
