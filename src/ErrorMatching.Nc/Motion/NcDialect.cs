@@ -14,6 +14,12 @@ public sealed class NcDialect
     /// <summary>What it is for, in a sentence.</summary>
     public string Description { get; }
 
+    /// <summary>How its programs are spelled.</summary>
+    public NcSyntax Syntax { get; internal init; }
+
+    /// <summary>True if a coordinate without a point counts least increments (<c>X100</c> is 0.1 mm), false if it counts millimetres or inches.</summary>
+    public bool IntegersAreIncrements { get; internal init; }
+
     /// <summary>Decimals of the least increment in millimetres.</summary>
     public int MetricDecimals { get; internal init; } = 3;
 
@@ -37,9 +43,6 @@ public sealed class NcDialect
 
     /// <summary>Letter that gives the number of turns of an arc, the first included; 0 where the control has none.</summary>
     public byte TurnsLetter { get; internal init; }
-
-    /// <summary>Codes that begin a rotation, scaling, mirroring or polar mode, each with the code that ends it (times ten).</summary>
-    public IReadOnlyList<(int On, int Off)> Transforms { get; internal init; } = [];
 
     /// <summary>What a G code means.</summary>
     /// <param name="tenths">The code times ten: 1 is 10, 54.1 is 541.</param>

@@ -12,9 +12,6 @@ public static class NcDialects
     private static readonly HashSet<string> MacroFlow = new(["IF", "GOTO", "WHILE", "DO", "END", "THEN"], StringComparer.Ordinal);
     private static readonly HashSet<string> OWordFlow = new(["SUB", "ENDSUB", "IF", "ELSEIF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "DO", "REPEAT", "ENDREPEAT", "CALL", "BREAK", "CONTINUE", "RETURN"], StringComparer.Ordinal);
 
-    private static readonly (int On, int Off)[] Transforms = [(680, 690), (682, 690), (510, 500), (511, 501), (160, 150)];
-    private static readonly (int On, int Off)[] FanucTransforms = [.. Transforms, (121, 131), (434, 490), (435, 490), (71, -1)];
-
     private static readonly DialectFact[] CommonFacts =
     [
         new("G0 G1 G2 G3", "Positioning, straight cut, clockwise and counter-clockwise arc; modal.", Iso),
@@ -31,7 +28,6 @@ public static class NcDialects
     {
         FlowKeywords = MacroFlow,
         CallFunctions = new HashSet<int> { 97, 98 },
-        Transforms = Transforms,
         Facts = [.. CommonFacts, new("G68 G51 G51.1 G16", "Rotation, scaling, mirror, polar coordinates: nothing is changed while one is active.", Assumed), new("least increment", "0.001 mm, 0.0001 in.", Assumed), new("arc tolerance", "Both radii agree within 0.02 mm; what is written agrees within 0.001 mm.", Assumed)],
     });
 
@@ -40,7 +36,6 @@ public static class NcDialects
     {
         FlowKeywords = MacroFlow,
         CallFunctions = new HashSet<int> { 97, 98 },
-        Transforms = FanucTransforms,
         Facts =
         [
             .. CommonFacts,
@@ -57,7 +52,6 @@ public static class NcDialects
     {
         FlowKeywords = MacroFlow,
         CallFunctions = new HashSet<int> { 97, 98 },
-        Transforms = FanucTransforms,
         Facts =
         [
             .. CommonFacts,
@@ -77,7 +71,6 @@ public static class NcDialects
         ArcMismatchOfRadius = 0.001,
         TurnsLetter = (byte)'P',
         FlowKeywords = OWordFlow,
-        Transforms = Transforms,
         Facts =
         [
             .. CommonFacts,
@@ -89,9 +82,9 @@ public static class NcDialects
     })
         .Code(NcMeaning.AbsoluteCenters, 90.1).Code(NcMeaning.IncrementalCenters, 91.1)
         .Code(NcMeaning.Probe, 38.2, 38.3, 38.4, 38.5)
-        .Code(NcMeaning.SetOrigin, 92.1, 92.2, 92.3)
-        .Code(NcMeaning.Harmless, 43.1, 43.2, 28.1, 30.1, 93, 97, 96, 99, 98)
-        .Code(NcMeaning.Cycle, 33, 33.1)
+        .Code(NcMeaning.ClearPosition, 92.1, 92.2).Code(NcMeaning.RestorePosition, 92.3)
+        .Code(NcMeaning.LengthOffset, 43.1, 43.2).Code(NcMeaning.InverseTimeFeed, 93).Code(NcMeaning.Harmless, 28.1, 30.1, 97, 96)
+        .Code(NcMeaning.OpaqueCycle, 33, 33.1).Code(NcMeaning.Spline, 5, 5.1, 5.2)
         .Code(NcMeaning.CompensationLeft, 41.1).Code(NcMeaning.CompensationRight, 42.1);
 
     /// <summary>All built-in dialects, in the order in which they are listed.</summary>
@@ -107,19 +100,22 @@ public static class NcDialects
         .Letters(LetterRole.G, "G").Letters(LetterRole.M, "M").Letters(LetterRole.Number, "N").Letters(LetterRole.Program, "O")
         .Letters(LetterRole.Harmless, "DHLPQST").Letters(LetterRole.OtherAxis, "ABCUVW")
         .Code(NcMeaning.Rapid, 0).Code(NcMeaning.Line, 1).Code(NcMeaning.ArcClockwise, 2).Code(NcMeaning.ArcCounterClockwise, 3)
-        .Code(NcMeaning.Dwell, 4).Code(NcMeaning.SetOrigin, 10, 52, 92)
+        .Code(NcMeaning.Dwell, 4).Code(NcMeaning.SetOffset, 10).Code(NcMeaning.LocalShift, 52).Code(NcMeaning.SetPosition, 92)
         .Code(NcMeaning.PlaneXY, 17).Code(NcMeaning.PlaneZX, 18).Code(NcMeaning.PlaneYZ, 19)
         .Code(NcMeaning.Inch, 20).Code(NcMeaning.Metric, 21).Code(NcMeaning.ReferenceReturn, 28, 30)
         .Code(NcMeaning.CompensationOff, 40).Code(NcMeaning.CompensationLeft, 41).Code(NcMeaning.CompensationRight, 42)
-        .Code(NcMeaning.Harmless, 43, 44, 49, 9, 61, 61.1, 64, 94, 95, 98, 99)
+        .Code(NcMeaning.LengthOffset, 43, 44).Code(NcMeaning.LengthOffsetOff, 49).Code(NcMeaning.Harmless, 9, 61, 61.1, 64)
+        .Code(NcMeaning.FeedPerMinute, 94).Code(NcMeaning.FeedPerRevolution, 95).Code(NcMeaning.RetractToInitial, 98).Code(NcMeaning.RetractToR, 99)
         .Code(NcMeaning.MachineCoordinates, 53).Codes(NcMeaning.WorkOffset, 54, 59).Code(NcMeaning.WorkOffset, 54.1, 59.1, 59.2, 59.3)
-        .Code(NcMeaning.CycleOff, 80).Code(NcMeaning.Cycle, 73, 74, 76).Codes(NcMeaning.Cycle, 81, 89)
-        .Code(NcMeaning.TransformOn, 68, 68.2, 51, 51.1, 16).Code(NcMeaning.TransformOff, 69, 50, 50.1, 15)
+        .Code(NcMeaning.CycleOff, 80).Code(NcMeaning.DrillCycle, 81).Code(NcMeaning.DwellDrillCycle, 82).Code(NcMeaning.PeckCycle, 83).Code(NcMeaning.ChipBreakCycle, 73)
+        .Code(NcMeaning.FeedOutCycle, 74, 84, 85, 89).Code(NcMeaning.StopOutCycle, 86).Code(NcMeaning.OpaqueCycle, 76, 87, 88)
+        .Code(NcMeaning.Rotation, 68).Code(NcMeaning.RotationOff, 69).Code(NcMeaning.Scaling, 51).Code(NcMeaning.ScalingOff, 50)
+        .Code(NcMeaning.Mirroring, 51.1).Code(NcMeaning.MirroringOff, 50.1).Code(NcMeaning.Polar, 16).Code(NcMeaning.PolarOff, 15).Code(NcMeaning.OpaqueTransform, 68.2)
         .Code(NcMeaning.Absolute, 90).Code(NcMeaning.Incremental, 91);
 
     private static NcDialect FanucCodes(NcDialect dialect) => dialect
-        .Code(NcMeaning.Harmless, 5, 5.1, 8, 11, 15.1, 23, 25, 26, 43.1, 60, 62, 63, 93, 96, 97)
-        .Code(NcMeaning.Dwell, 22).Code(NcMeaning.Cycle, 33).Code(NcMeaning.ReferenceReturn, 27, 29)
-        .Code(NcMeaning.Probe, 31).Code(NcMeaning.Call, 65, 66, 67)
-        .Code(NcMeaning.TransformOn, 7.1, 12.1, 43.4, 43.5).Code(NcMeaning.TransformOff, 13.1, 49);
+        .Code(NcMeaning.Harmless, 5, 5.1, 8, 11, 15.1, 23, 25, 26, 60, 62, 63, 96, 97).Code(NcMeaning.LengthOffset, 43.1).Code(NcMeaning.InverseTimeFeed, 93)
+        .Code(NcMeaning.Dwell, 22).Code(NcMeaning.OpaqueCycle, 33).Code(NcMeaning.ReferenceReturn, 27, 29)
+        .Code(NcMeaning.Probe, 31).Code(NcMeaning.Call, 65).Code(NcMeaning.ModalCall, 66).Code(NcMeaning.ModalCallOff, 67)
+        .Code(NcMeaning.OpaqueTransform, 7.1, 12.1, 43.4, 43.5).Code(NcMeaning.OpaqueTransformOff, 13.1);
 }

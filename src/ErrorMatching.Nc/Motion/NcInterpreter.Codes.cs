@@ -17,7 +17,7 @@ public sealed partial class NcInterpreter
                 case NcMeaning.Dwell:
                     use = AxisUse.Nothing;
                     break;
-                case NcMeaning.SetOrigin:
+                case NcMeaning.SetPosition or NcMeaning.ClearPosition or NcMeaning.RestorePosition or NcMeaning.LocalShift or NcMeaning.SetOffset:
                     (use, code) = (AxisUse.SetOrigin, tenths);
                     break;
                 case NcMeaning.ReferenceReturn:
@@ -26,15 +26,15 @@ public sealed partial class NcInterpreter
                 case NcMeaning.MachineCoordinates:
                     use = AxisUse.MachineCoordinates;
                     break;
-                case NcMeaning.Call:
+                case NcMeaning.Call or NcMeaning.ModalCall:
                     (use, code) = (AxisUse.Nothing, CallCode);
                     break;
-                case NcMeaning.TransformOn:
+                case NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.Mirroring or NcMeaning.Polar or NcMeaning.OpaqueTransform:
                     use = AxisUse.Nothing;
-                    SwitchTransforms(tenths);
+                    BeginTransform(_dialect.MeaningOf(tenths));
                     break;
-                case NcMeaning.TransformOff:
-                    SwitchTransforms(tenths);
+                case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.MirroringOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff or NcMeaning.LengthOffsetOff:
+                    EndTransform(_dialect.MeaningOf(tenths));
                     break;
                 case NcMeaning.WorkOffset when tenths != _state.WorkOffset || _words.Has('P'):
                     _state.WorkOffset = tenths;
@@ -50,22 +50,27 @@ public sealed partial class NcInterpreter
         return (use, code);
     }
 
-    private void SwitchTransforms(int tenths)
+    private void BeginTransform(NcMeaning meaning)
     {
-        for (var i = 0; i < _dialect.Transforms.Count; i++)
+        _state.Transforms |= 1ul << (int)meaning;
+        _state.Frame++;
+    }
+
+    private void EndTransform(NcMeaning meaning)
+    {
+        var ended = 1ul << (int)(meaning switch
         {
-            var (on, off) = _dialect.Transforms[i];
-            if (tenths == on)
-            {
-                _state.Transforms |= 1ul << i;
-                _state.Frame++;
-            }
-            else if (tenths == off && (_state.Transforms & (1ul << i)) != 0)
-            {
-                _state.Transforms &= ~(1ul << i);
-                _state.Frame++;
-                _state.Unknown = AxisSet.All;
-            }
+            NcMeaning.RotationOff => NcMeaning.Rotation,
+            NcMeaning.ScalingOff => NcMeaning.Scaling,
+            NcMeaning.MirroringOff => NcMeaning.Mirroring,
+            NcMeaning.PolarOff => NcMeaning.Polar,
+            _ => NcMeaning.OpaqueTransform,
+        });
+        if ((_state.Transforms & ended) != 0)
+        {
+            _state.Transforms &= ~ended;
+            _state.Frame++;
+            _state.Unknown = AxisSet.All;
         }
     }
 
@@ -78,7 +83,7 @@ public sealed partial class NcInterpreter
             case NcMeaning.ArcClockwise: Mode(MotionKind.ArcClockwise); break;
             case NcMeaning.ArcCounterClockwise: Mode(MotionKind.ArcCounterClockwise); break;
             case NcMeaning.Probe: Mode(MotionKind.Probe); break;
-            case NcMeaning.Cycle: _state.CycleActive = true; break;
+            case NcMeaning.DrillCycle or NcMeaning.DwellDrillCycle or NcMeaning.PeckCycle or NcMeaning.ChipBreakCycle or NcMeaning.FeedOutCycle or NcMeaning.StopOutCycle or NcMeaning.OpaqueCycle: _state.CycleActive = true; break;
             case NcMeaning.CycleOff: _state.CycleActive = false; break;
             case NcMeaning.PlaneXY: Plane(Geometry.CoordinatePlane.XY); break;
             case NcMeaning.PlaneZX: Plane(Geometry.CoordinatePlane.ZX); break;

@@ -66,8 +66,20 @@ public enum NcMeaning : byte
     /// <summary>Chooses a work offset.</summary>
     WorkOffset,
 
-    /// <summary>Shifts the origin or writes offsets; its axis words are not a motion.</summary>
-    SetOrigin,
+    /// <summary>Says which coordinates the tool has where it stands (G92); its axis words are not a motion.</summary>
+    SetPosition,
+
+    /// <summary>Takes such a shift back (G92.1, G92.2).</summary>
+    ClearPosition,
+
+    /// <summary>Brings such a shift back (G92.3).</summary>
+    RestorePosition,
+
+    /// <summary>Shifts the origin of the work offsets (G52).</summary>
+    LocalShift,
+
+    /// <summary>Writes offsets (G10); its axis words are not a motion.</summary>
+    SetOffset,
 
     /// <summary>Return to or over a reference point.</summary>
     ReferenceReturn,
@@ -75,18 +87,132 @@ public enum NcMeaning : byte
     /// <summary>The block's coordinates are the machine's.</summary>
     MachineCoordinates,
 
-    /// <summary>Begins a rotation, scaling, mirroring or polar mode; its axis words are not a motion.</summary>
-    TransformOn,
+    /// <summary>Leaves out all offsets and frames in its block (G153, SUPA).</summary>
+    SuppressFrames,
 
-    /// <summary>Ends such a mode.</summary>
-    TransformOff,
+    /// <summary>Takes tool length into account.</summary>
+    LengthOffset,
 
-    /// <summary>A canned cycle.</summary>
-    Cycle,
+    /// <summary>Leaves tool length out of account.</summary>
+    LengthOffsetOff,
+
+    /// <summary>Rotates the coordinates about a point in the plane (G68).</summary>
+    Rotation,
+
+    /// <summary>Ends the rotation.</summary>
+    RotationOff,
+
+    /// <summary>Scales the coordinates about a point (G51).</summary>
+    Scaling,
+
+    /// <summary>Ends the scaling.</summary>
+    ScalingOff,
+
+    /// <summary>Mirrors the coordinates at points of named axes (G51.1).</summary>
+    Mirroring,
+
+    /// <summary>Ends the mirroring of named axes.</summary>
+    MirroringOff,
+
+    /// <summary>Coordinates of the plane are a radius and an angle (G16).</summary>
+    Polar,
+
+    /// <summary>Ends polar coordinates.</summary>
+    PolarOff,
+
+    /// <summary>A transformation that is not followed (cylinder, polar interpolation, tilted plane, tool center point): nothing is known of the path, and nothing is changed.</summary>
+    OpaqueTransform,
+
+    /// <summary>Ends all such transformations.</summary>
+    OpaqueTransformOff,
+
+    /// <summary>Sets the programmable frame to a shift (TRANS); without axes it clears the frame.</summary>
+    FrameShift,
+
+    /// <summary>Adds a shift to the frame (ATRANS).</summary>
+    FrameShiftMore,
+
+    /// <summary>Sets the frame to a rotation (ROT).</summary>
+    FrameRotation,
+
+    /// <summary>Adds a rotation to the frame (AROT).</summary>
+    FrameRotationMore,
+
+    /// <summary>Sets the frame to a scale (SCALE).</summary>
+    FrameScale,
+
+    /// <summary>Adds a scale to the frame (ASCALE).</summary>
+    FrameScaleMore,
+
+    /// <summary>Sets the frame to a mirroring (MIRROR).</summary>
+    FrameMirror,
+
+    /// <summary>Adds a mirroring to the frame (AMIRROR).</summary>
+    FrameMirrorMore,
+
+    /// <summary>Canned cycle: feed to depth, rapid out (G81).</summary>
+    DrillCycle,
+
+    /// <summary>Canned cycle: feed to depth, wait, rapid out (G82).</summary>
+    DwellDrillCycle,
+
+    /// <summary>Canned cycle: depth in steps, full retract (G83).</summary>
+    PeckCycle,
+
+    /// <summary>Canned cycle: depth in steps, short retract (G73).</summary>
+    ChipBreakCycle,
+
+    /// <summary>Canned cycle: feed to depth and out (G84, G74, G85, G89).</summary>
+    FeedOutCycle,
+
+    /// <summary>Canned cycle: feed to depth, spindle stop, rapid out (G86).</summary>
+    StopOutCycle,
+
+    /// <summary>A canned cycle whose motions are not followed; it ends over its position (G76, G87, G88).</summary>
+    OpaqueCycle,
 
     /// <summary>Ends canned cycles.</summary>
     CycleOff,
 
-    /// <summary>Calls a program or macro.</summary>
+    /// <summary>Cycles retract to where the tool stood before (G98).</summary>
+    RetractToInitial,
+
+    /// <summary>Cycles retract to their R plane (G99).</summary>
+    RetractToR,
+
+    /// <summary>Calls a macro once (G65).</summary>
     Call,
+
+    /// <summary>Calls a macro behind every motion from here on (G66).</summary>
+    ModalCall,
+
+    /// <summary>Ends such calls.</summary>
+    ModalCallOff,
+
+    /// <summary>An arc through an intermediate point (CIP).</summary>
+    ArcThrough,
+
+    /// <summary>An arc that continues the path tangentially (CT).</summary>
+    TangentArc,
+
+    /// <summary>A spline (G5, G5.1, G5.2): its end is known, its way is not followed.</summary>
+    Spline,
+
+    /// <summary>Feed is one over the time of a block (G93).</summary>
+    InverseTimeFeed,
+
+    /// <summary>Feed is in length per minute.</summary>
+    FeedPerMinute,
+
+    /// <summary>Feed is in length per revolution.</summary>
+    FeedPerRevolution,
+
+    /// <summary>The control smooths the path (G641, COMPCAD): it is as programmed only within the control's tolerance. Worth a warning.</summary>
+    Smoothing,
+
+    /// <summary>Calls a cycle or subprogram behind every motion from here on (MCALL); alone, ends that.</summary>
+    ModalCycle,
+
+    /// <summary>A machining or measuring cycle with its arguments in parentheses (CYCLE81).</summary>
+    CycleCall,
 }
