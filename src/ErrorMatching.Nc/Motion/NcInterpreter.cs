@@ -49,14 +49,14 @@ public sealed partial class NcInterpreter
     }
 
     /// <summary>Interprets a program.</summary>
-    /// <param name="program">The program, read in the dialect's syntax.</param>
+    /// <param name="program">The program; it is read in the dialect's syntax.</param>
     /// <param name="dialect">The control that it is for.</param>
     public static NcPath Run(NcProgram program, NcDialect dialect) => Run(program, dialect, null);
 
     /// <summary>Interprets a program that is much like another: motions that are the same take no memory of their own.</summary>
     internal static NcPath Run(NcProgram program, NcDialect dialect, NcPath? like)
     {
-        var interpreter = new NcInterpreter(program, dialect, like?.Motions);
+        var interpreter = new NcInterpreter(program.In(dialect.Syntax), dialect, like?.Motions);
         return interpreter.Run();
     }
 

@@ -9,7 +9,7 @@ public sealed class MarkerTests
 {
     private const string Body = "N20 G0 X0. Y-20.\nN40 G1 X0. Y-3. F300\nN50 X50.\nN60 Y-20.\nN70 M30";
 
-    private static readonly string Text = new Marker(new('A', 64), new('b', 64)).Text;
+    private static readonly string Text = new Marker(new('A', 64), new('b', 64)).TextIn(NcSyntax.Iso);
 
     [Fact]
     public void It_carries_the_hashes_of_the_measurement_and_of_the_base_program()
@@ -85,7 +85,7 @@ public sealed class MarkerTests
     {
         var match = new MatchCase(Programs.ToolBelow) { Counterpart = "1 10 -0.04; 2 40 -0.04", Compensation = """{ "from": "counterpart" }""" };
         var marker = match.Match().Marker!;
-        var lower = Encoding.ASCII.GetString(match.Match().Program.Span).Replace(marker.Text, marker.Text.ToLowerInvariant(), StringComparison.Ordinal);
+        var lower = Encoding.ASCII.GetString(match.Match().Program.Span).Replace(marker.TextIn(NcSyntax.Iso), marker.TextIn(NcSyntax.Iso).ToLowerInvariant(), StringComparison.Ordinal);
 
         Assert.Equal([(2, marker)], Marker.Find(NcProgram.FromText(lower)));
     }
