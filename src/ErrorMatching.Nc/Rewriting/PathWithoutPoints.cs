@@ -23,6 +23,11 @@ internal sealed class PathWithoutPoints
     /// <summary>The path without points, or null where it has none.</summary>
     public static PathWithoutPoints? Of(NcPath path)
     {
+        if (!path.Motions.HasPoints)
+        {
+            return null;
+        }
+
         var kept = new List<int>(path.Motions.Length);
         for (var i = 0; i < path.Motions.Length; i++)
         {
@@ -32,18 +37,14 @@ internal sealed class PathWithoutPoints
             }
         }
 
-        if (kept.Count == path.Motions.Length)
+        var motions = new NcMotions();
+        foreach (var i in kept)
         {
-            return null;
+            motions.Add(path.Motions[i]);
         }
 
-        var motions = new NcMotion[kept.Count];
-        for (var i = 0; i < motions.Length; i++)
-        {
-            motions[i] = path.Motions[kept[i]];
-        }
-
-        return new(path, new(path.Program, path.Dialect, motions, motions.Length, path.Problems, path.PlaceDependents, path.FlowBlock), [.. kept]);
+        var dependents = path.PlaceDependents.Select(d => (d.Block, kept.BinarySearch(d.Joint) is var at && at < 0 ? ~at : at)).ToArray();
+        return new(path, new(path.Program, path.Dialect, motions, path.Problems, dependents, path.FlowBlock, path.Frames), [.. kept]);
     }
 
     /// <summary>Displaces elements. A wish for a point is a wish for nothing and is left out.</summary>

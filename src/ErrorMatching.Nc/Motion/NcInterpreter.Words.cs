@@ -1,0 +1,47 @@
+namespace ErrorMatching.Nc;
+
+/// <content>Words that stand in the way of knowing, or of changing, what a block does.</content>
+public sealed partial class NcInterpreter
+{
+    private MotionFlags ReadObstacles()
+    {
+        var flags = MotionFlags.None;
+        if (_words.Statements.Count > 0)
+        {
+            flags |= ReadStatements();
+        }
+
+        if (_words.Invalid.Length > 0)
+        {
+            flags |= UnknownWord(TextOf(_words.Invalid));
+            _state.Unsure = Unsure.All;
+        }
+
+        var given = _words.Present | _words.Computed;
+        if ((given & _unknownLetters) != 0)
+        {
+            for (var letter = 'A'; letter <= 'Z'; letter++)
+            {
+                flags |= (given & _unknownLetters & BlockWords.Bit(letter)) != 0 ? UnknownWord(letter.ToString()) : MotionFlags.None;
+            }
+        }
+
+        if ((_words.Computed & (BlockWords.Bit('G') | BlockWords.Bit('M'))) != 0)
+        {
+            Forget();
+        }
+
+        if ((_words.Repeated & GeometryWords) != 0)
+        {
+            flags |= Problem("repeated-word", "A coordinate stands twice in the block; which one counts depends on the control.", MotionFlags.UnknownWord);
+        }
+
+        flags |= (_words.Computed & GeometryWords) != 0 ? MotionFlags.Expression : MotionFlags.None;
+        flags |= _words.Corner != 0 ? MotionFlags.CornerWord : MotionFlags.None;
+        return flags | ((given & _otherAxes) != 0 ? MotionFlags.OtherAxis : MotionFlags.None);
+    }
+
+    private MotionFlags UnknownWord(string what) => Problem("unknown-word", $"\"{what}\" is not known to the dialect {_dialect.Name}.", MotionFlags.UnknownWord);
+
+    private string TextOf(NcToken token) => NcText.Decode(_program.Bytes.Span.Slice(token.Start, token.Length));
+}
