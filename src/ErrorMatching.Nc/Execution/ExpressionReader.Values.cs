@@ -133,21 +133,15 @@ internal ref partial struct ExpressionReader
             return VariablePlace.Numbered(number);
         }
 
-        var name = machine ? "" : _variables.Names.Of(spelling);
-        if (name is null)
-        {
-            FailAt(start, "the name of a variable is too long");
-            return VariablePlace.Machine;
-        }
-
-        var known = machine ? null : _variables.Find(name);
+        var name = machine ? null : _variables.Names.Known(spelling);
+        var known = name is null ? null : _variables.Find(name);
         var isParameter = known is null && spelling.Length == 1 && (spelling[0] | 0x20) == 'r';
         if (Peek() == '[' && (known is not null || isParameter))
         {
-            return Indexed(name, isParameter ? null : known);
+            return Indexed(name, known);
         }
 
-        return machine || known is null ? BehindMachineVariable() : VariablePlace.Named(name);
+        return known is null ? BehindMachineVariable() : VariablePlace.Named(name!);
     }
 
     // What stands in the brackets of the machine's own variables (axes, keywords) is not computed.
@@ -172,7 +166,7 @@ internal ref partial struct ExpressionReader
         return VariablePlace.Machine;
     }
 
-    private VariablePlace Indexed(string name, VariableArray? array)
+    private VariablePlace Indexed(string? name, VariableArray? array)
     {
         var start = ++_at;
         if (!Deeper())
@@ -205,7 +199,7 @@ internal ref partial struct ExpressionReader
             return VariablePlace.Machine;
         }
 
-        return VariablePlace.Element(name, (int)position);
+        return VariablePlace.Element(name!, (int)position);
     }
 
     // NOT x, B_NOT x, TRUE, FALSE: words that stand where an operand stands.

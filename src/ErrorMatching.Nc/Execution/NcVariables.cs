@@ -119,6 +119,7 @@ internal sealed class NcVariables
     public VariableArray Define(string name, VariableType type, int rows, int columns)
     {
         Version++;
+        Names.Add(name);
         return _levels.Peek().Named[name] = new(type, rows, columns);
     }
 
@@ -201,6 +202,11 @@ internal sealed class NcVariables
             if (_syntax == NcSyntax.Siemens)
             {
                 return null;
+            }
+
+            if (LinuxCncNames.IsOfMachine(place.Name!))
+            {
+                return $"#<{place.Name!.ToLowerInvariant()}> is the machine's own and cannot be assigned";
             }
 
             variable = new(VariableType.Real, 1, 1);

@@ -12,7 +12,15 @@ internal sealed class VariableNames
     public VariableNames() => _lookup = _known.GetAlternateLookup<ReadOnlySpan<char>>();
 
     /// <summary>The name in upper case without spaces; null where it is too long.</summary>
-    public string? Of(ReadOnlySpan<byte> spelling)
+    public string? Of(ReadOnlySpan<byte> spelling) => Find(spelling, adds: true);
+
+    /// <summary>The same for a name that was kept before; null for any other.</summary>
+    public string? Known(ReadOnlySpan<byte> spelling) => Find(spelling, adds: false);
+
+    /// <summary>Keeps a name.</summary>
+    public void Add(string name) => _known.Add(name);
+
+    private string? Find(ReadOnlySpan<byte> spelling, bool adds)
     {
         Span<char> name = stackalloc char[MaxLength];
         var length = 0;
@@ -31,7 +39,7 @@ internal sealed class VariableNames
             name[length++] = char.ToUpperInvariant((char)c);
         }
 
-        if (_lookup.TryGetValue(name[..length], out var known))
+        if (_lookup.TryGetValue(name[..length], out var known) || !adds)
         {
             return known;
         }
