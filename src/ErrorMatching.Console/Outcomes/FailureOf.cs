@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
@@ -20,14 +21,18 @@ internal static class FailureOf
     });
 
     /// <summary>A job that cannot be used: everything that is wrong in it.</summary>
-    public static Failure Job(JobException e) => new(ExitCode.WrongInput, [.. e.Problems.Select(p => new ErrorItem(p.Code, string.Create(CultureInfo.InvariantCulture, $"{e.File}, line {p.Line}, column {p.Column}, {p.Path}: {Sentence(p.Message)}"))
+    public static Failure Job(JobException e) => Document(e.File, e.Problems);
+
+    /// <summary>A JSON document other than a job that cannot be used: everything that is wrong in it.</summary>
+    public static Failure Json(JsonDocumentException e) => Document(e.File, e.Problems);
+
+    /// <summary>A wish that was written for another program.</summary>
+    public static Failure OtherProgram(string wish, string before, string expected) => new(ExitCode.WrongInput, new ErrorItem(
+        "wish-of-other-program", $"{wish} was not written for {before}: it names a program with the SHA-256 {expected}. Name the program that was displaced.")
     {
-        File = e.File,
-        Line = p.Line,
-        Column = p.Column,
-        Path = p.Path,
-        Problem = Sentence(p.Message),
-    })]);
+        File = wish,
+        Path = "$.beforeSha256",
+    });
 
     /// <summary>Points of a file without a usable answer.</summary>
     public static Failure Geometry(GeometryException e, string file) => new(ExitCode.WrongInput, new ErrorItem(CodeOf(e.Error), $"{file}: {e.Message}") { File = file, Problem = e.Message });
@@ -42,6 +47,15 @@ internal static class FailureOf
         Line = r.Line > 0 ? r.Line : null,
         Block = r.Block.Length > 0 ? r.Block : null,
         Problem = r.Message,
+    })]);
+
+    /// <summary>A result that is not what was asked. Blocks and lines are those of the original.</summary>
+    public static Failure NotProved(string before, string after, NcProof proof) => new(ExitCode.Refused, [.. proof.Failures.Distinct().Select(r => new ErrorItem(r.Code, $"{after}: {r.Message}")
+    {
+        File = r.Line > 0 ? before : after,
+        Line = r.Line > 0 ? r.Line : null,
+        Block = r.Block.Length > 0 ? r.Block : null,
+        Problem = $"{after}: {r.Message}",
     })]);
 
     /// <summary>A match that must not lead to a program.</summary>
@@ -68,6 +82,15 @@ internal static class FailureOf
 
     /// <summary>A defect of the program, which its user can only report.</summary>
     public static Failure Defect(Exception e) => new(ExitCode.Outside, new ErrorItem("internal-error", $"This is a defect of errormatch: please report it with the input that shows it. {e}"));
+
+    private static Failure Document(string file, IReadOnlyList<JsonProblem> problems) => new(ExitCode.WrongInput, [.. problems.Select(p => new ErrorItem(p.Code, string.Create(CultureInfo.InvariantCulture, $"{file}, line {p.Line}, column {p.Column}, {p.Path}: {Sentence(p.Message)}"))
+    {
+        File = file,
+        Line = p.Line,
+        Column = p.Column,
+        Path = p.Path,
+        Problem = Sentence(p.Message),
+    })]);
 
     private static string Sentence(string problem) => problem.TrimEnd('.') + ".";
 
