@@ -7,6 +7,19 @@ namespace ErrorMatching.Console;
 /// <summary>How far a motion went, in the words that scripts and people read.</summary>
 internal static class ShownDifference
 {
+    /// <summary>The word for a change.</summary>
+    public static string Word(MotionChange change) => change switch
+    {
+        MotionChange.Moved => "moved",
+        MotionChange.Replaced => "replaced",
+        MotionChange.Feed => "feed",
+        MotionChange.Inserted => "inserted",
+        MotionChange.Removed => "removed",
+        MotionChange.Tool => "tool",
+        MotionChange.Spindle => "spindle",
+        _ => "words",
+    };
+
     /// <summary>How far an arc's center went; null where there are not two arcs.</summary>
     public static Vector3? Center(MotionComparison comparison, MotionDifference difference)
     {
