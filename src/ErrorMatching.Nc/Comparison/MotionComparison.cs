@@ -47,8 +47,8 @@ public sealed class MotionComparison
     /// <summary>True if no motion differs and no word behind the last one.</summary>
     public bool IsSame => _differences.Count == 0 && AtEnd is null;
 
-    /// <summary>The motion that went furthest, by its end or its center; null where none moved.</summary>
-    public MotionDifference? Furthest => _differences.Where(d => d.Change == MotionChange.Moved).MaxBy(DistanceMm);
+    /// <summary>The motion that went furthest, by its end or its center, the first of several; null where none moved.</summary>
+    public MotionDifference? Furthest => _differences.Where(d => d.Change == MotionChange.Moved).MaxBy(d => Math.Round(DistanceMm(d), 9));
 
     /// <summary>Pairs of motions that are taken for one another, ascending in both programs.</summary>
     internal IReadOnlyList<(int Before, int After)> Pairs => _pairs;

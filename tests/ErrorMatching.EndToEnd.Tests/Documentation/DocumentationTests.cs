@@ -47,7 +47,7 @@ public sealed partial class DocumentationTests
 
     [Fact]
     public void The_pages_for_users_have_commands() => Assert.All(
-        new[] { "README.md", "docs/first-match.md", "docs/write-a-job.md", "docs/read-the-report.md", "docs/feedback-from-a-counterpart.md", "docs/displace-blocks-by-hand.md", "docs/refusals.md" },
+        new[] { "README.md", "docs/first-match.md", "docs/write-a-job.md", "docs/read-the-report.md", "docs/feedback-from-a-counterpart.md", "docs/displace-blocks-by-hand.md", "docs/prove-a-program.md", "docs/refusals.md" },
         p => Assert.NotEmpty(DocumentedCommand.Of(File.ReadAllText(Repository.PathTo(p)))));
 
     [Theory]
