@@ -69,11 +69,12 @@ public sealed class RefusalTests
         Assert.Throws<ArgumentException>(() => DisplacementWish.OfElements([new(1, default, default, default), new(1, default, default, default)]));
 
     [Fact]
-    public void Every_code_has_a_test_here_or_with_selectors_points_or_the_proof()
+    public void Every_code_has_a_test_here_or_with_selectors_points_flow_or_the_proof()
     {
         string[] elsewhere =
         [
             NcRefusalCodes.BlockNotFound, NcRefusalCodes.BlockAmbiguous, NcRefusalCodes.PointOffPath, NcRefusalCodes.RunWithoutPoint, NcRefusalCodes.PointsCoincide, NcRefusalCodes.ProofFailed,
+            NcRefusalCodes.EndlessLoop, NcRefusalCodes.MissingProgram, NcRefusalCodes.MissingLabel, NcRefusalCodes.UnknownCondition, NcRefusalCodes.BadExpression, NcRefusalCodes.CallTooDeep,
         ];
         var codes = typeof(NcRefusalCodes).GetFields(BindingFlags.Public | BindingFlags.Static).Select(f => (string)f.GetRawConstantValue()!);
         Assert.Equal(codes.Order(StringComparer.Ordinal), Normals.Select(r => r.Data.Item1).Concat(EndPoints.Select(r => r.Data.Item1)).Concat(elsewhere).Distinct().Order(StringComparer.Ordinal));
