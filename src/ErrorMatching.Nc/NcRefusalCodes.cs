@@ -30,9 +30,6 @@ public static class NcRefusalCodes
     /// <summary>The position or a mode of the control is not known where a block must change.</summary>
     public const string UnknownState = "unknown-state";
 
-    /// <summary>The program branches, loops or calls, so a block may run several times or not at all.</summary>
-    public const string ControlFlow = "control-flow";
-
     /// <summary>A block that runs several times would have to change differently at each run.</summary>
     public const string RunsDiffer = "runs-differ";
 
