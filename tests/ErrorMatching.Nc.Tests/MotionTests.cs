@@ -114,10 +114,13 @@ public sealed class MotionTests
     [Fact]
     public void Canned_cycles_last_until_they_are_canceled()
     {
-        var path = Bench.Read("G90 G0 X0 Y0 Z5\nG98 G81 X1 Y1 Z-5 R2 F100\nX2\nG80\nG0 Z5\nX3\n");
-        Assert.Equal([MotionKind.Rapid, MotionKind.Cycle, MotionKind.Cycle, MotionKind.Rapid, MotionKind.Rapid], Kinds(path));
-        Assert.Equal(AxisSet.Z, path.Motions[2].UnknownEnd);
-        Assert.Equal(new Point3(3, 1, 5), path.Motions[4].End);
+        var path = Bench.Read("G90 G0 X0 Y0 Z5\nG98 G81 X1 Y1 Z-5 R2 F100\nX2\nG80\nG0 Z6\nX3\n");
+        Assert.Equal(
+            [new(0, 0, 5), new(1, 1, 5), new(1, 1, 2), new(1, 1, -5), new(1, 1, 5), new(2, 1, 5), new(2, 1, 2), new(2, 1, -5), new(2, 1, 5), new(2, 1, 6), new(3, 1, 6)],
+            Ends(path));
+        Assert.Equal([MotionKind.Rapid, MotionKind.Rapid, MotionKind.Line, MotionKind.Rapid], Kinds(path)[1..5]);
+        Assert.Equal([1, 1, 1, 1, 2, 2, 2, 2], path.Motions.Where(m => m.Has(MotionFlags.Cycle)).Select(m => m.Block));
+        Assert.Equal([5, 6, 7, 8], path.MotionsOf(2).ToArray());
     }
 
     [Theory]

@@ -1,117 +1,120 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>The words of one block, sorted by letter: reused from block to block so that interpreting allocates nothing.</summary>
-internal sealed class BlockWords
+internal sealed partial class BlockWords
 {
-    private readonly NcNumber[] _numbers = new NcNumber[26];
+    private readonly double[] _values = new double[32];
     private readonly int[] _codes = new int[16];
     private readonly int[] _functions = new int[16];
-    private readonly List<NcToken> _keywords = [];
+    private readonly List<NcToken> _statements = [];
+    private int _codeCount;
+    private int _functionCount;
 
-    /// <summary>Letters with a plain number, one bit each, A first.</summary>
+    /// <summary>Letters with a known value, one bit each, A first; behind Z the addresses of <see cref="NcAddress"/>.</summary>
     public uint Present { get; private set; }
 
-    /// <summary>Letters with a computed value.</summary>
+    /// <summary>Letters whose value the control computes, known or not.</summary>
     public uint Computed { get; private set; }
+
+    /// <summary>Letters whose value only the machine knows.</summary>
+    public uint Unknown { get; private set; }
 
     /// <summary>Letters that stand twice in the block (G and M aside).</summary>
     public uint Repeated { get; private set; }
 
-    public bool HasCornerWord { get; private set; }
+    /// <summary>Letters whose number has no point.</summary>
+    public uint Integers { get; private set; }
 
-    public int CodeCount { get; private set; }
+    /// <summary>Letters that say themselves that they are positions.</summary>
+    public uint Absolute { get; private set; }
 
-    public int FunctionCount { get; private set; }
+    /// <summary>Letters that say themselves that they are increments.</summary>
+    public uint Incremental { get; private set; }
 
-    /// <summary>True if a variable is assigned by which a control keeps its offsets.</summary>
-    public bool AssignsSystemVariable { get; private set; }
+    /// <summary>Letter of the corner word (R rounding, C chamfer by its legs, F by its width, M modal rounding), 0 where the block has none.</summary>
+    public byte Corner { get; private set; }
 
+    /// <summary>Value of the corner word; NaN where it is computed.</summary>
+    public double CornerValue { get; private set; }
+
+    /// <summary>Angle of a rotation in the plane (RPL=), degrees; NaN where only the machine knows it, null where the block has none.</summary>
+    public double? PlaneAngle { get; set; }
+
+    /// <summary>Assignments, words of several letters, strings and expressions that stand alone, in their order.</summary>
+    public IReadOnlyList<NcToken> Statements => _statements;
+
+    /// <summary>The first bytes that no rule explains; of length 0 where there are none.</summary>
     public NcToken Invalid { get; private set; }
 
-    public IReadOnlyList<NcToken> Keywords => _keywords;
+    /// <summary>True if the block begins with a slash.</summary>
+    public bool IsSkipped { get; private set; }
 
-    public ReadOnlySpan<int> Codes => _codes.AsSpan(0, CodeCount);
+    public ReadOnlySpan<int> Codes => _codes.AsSpan(0, _codeCount);
 
-    public ReadOnlySpan<int> Functions => _functions.AsSpan(0, FunctionCount);
+    public ReadOnlySpan<int> Functions => _functions.AsSpan(0, _functionCount);
 
     public static uint Bit(char letter) => 1u << (letter - 'A');
 
+    public static uint Bit(byte letter) => 1u << (letter - 'A');
+
     public bool Has(char letter) => (Present & Bit(letter)) != 0;
 
-    public double Value(char letter) => _numbers[letter - 'A'].Value;
+    public bool Has(byte letter) => (Present & Bit(letter)) != 0;
 
-    public NcNumber Number(char letter) => _numbers[letter - 'A'];
+    public double Value(char letter) => _values[letter - 'A'];
 
-    /// <summary>Position of the block in its program.</summary>
-    public int BlockIndex { get; private set; }
+    public double Value(byte letter) => _values[letter - 'A'];
 
-    public void Read(NcProgram program, NcBlock block)
+    /// <summary>Takes a value for a letter that the block does not have: the arguments of a modal call.</summary>
+    public void Supply(char letter, double value)
     {
-        BlockIndex = block.Index;
-        (Present, Computed, Repeated, HasCornerWord, AssignsSystemVariable, CodeCount, FunctionCount, Invalid) = (0, 0, 0, false, false, 0, 0, default);
-        _keywords.Clear();
-        foreach (var token in program.Tokens(block))
+        Present |= Bit(letter);
+        _values[letter - 'A'] = value;
+    }
+
+    private void Clear()
+    {
+        (Present, Computed, Unknown, Repeated, Integers, Absolute, Incremental) = (0, 0, 0, 0, 0, 0, 0);
+        (_codeCount, _functionCount, Corner, CornerValue, Invalid, IsSkipped) = (0, 0, 0, 0, default, false);
+        PlaneAngle = null;
+        _statements.Clear();
+    }
+
+    // G codes have at most one decimal; anything finer is no code at all.
+    private void AddCode(long digits, int decimals)
+    {
+        while (decimals > 1 && digits % 10 == 0)
         {
-            switch (token.Kind)
-            {
-                case NcTokenKind.Word when token.Letter == 'G' && CodeCount < _codes.Length:
-                    _codes[CodeCount++] = Tenths(token.Number);
-                    break;
-                case NcTokenKind.Word when token.Letter == 'M' && FunctionCount < _functions.Length:
-                    _functions[FunctionCount++] = Function(token.Number);
-                    break;
-                case NcTokenKind.Word:
-                    var bit = 1u << (token.Letter - 'A');
-                    Repeated |= (Present | Computed) & bit;
-                    Present |= bit;
-                    _numbers[token.Letter - 'A'] = token.Number;
-                    break;
-                case NcTokenKind.ExpressionWord:
-                    var computed = 1u << (token.Letter - 'A');
-                    Repeated |= (Present | Computed) & computed;
-                    Computed |= computed;
-                    break;
-                case NcTokenKind.CommaWord:
-                    HasCornerWord = true;
-                    break;
-                case NcTokenKind.Keyword:
-                    _keywords.Add(token);
-                    break;
-                case NcTokenKind.Assignment:
-                    AssignsSystemVariable |= IsSystemVariable(program.Bytes.Span.Slice(token.Start, token.Length));
-                    break;
-                case NcTokenKind.Invalid when Invalid.Length == 0:
-                    Invalid = token;
-                    break;
-            }
+            (digits, decimals) = (digits / 10, decimals - 1);
+        }
+
+        var tenths = decimals == 0 ? digits * 10 : digits;
+        if (_codeCount < _codes.Length)
+        {
+            _codes[_codeCount++] = decimals <= 1 && tenths is >= 0 and < 10_000 ? (int)tenths : -1;
         }
     }
 
     // Functions are whole numbers; M30. and M030 are M30.
-    private static int Function(NcNumber number) => number.Trim() is { Decimals: 0, Digits: >= 0 and < int.MaxValue } whole ? (int)whole.Digits : -1;
-
-    // #1 to #999 and names are the program's own; higher numbers, and numbers that are computed, can be offsets and positions of the control.
-    private static bool IsSystemVariable(ReadOnlySpan<byte> assignment)
+    private void AddFunction(long digits, int decimals)
     {
-        var name = assignment[1..];
-        var digits = name.IndexOfAnyExceptInRange((byte)'0', (byte)'9');
-        return digits switch
+        while (decimals > 0 && digits % 10 == 0)
         {
-            0 => name[0] != '<',
-            < 0 => false,
-            _ => name[..digits].TrimStart((byte)'0').Length > 3,
-        };
+            (digits, decimals) = (digits / 10, decimals - 1);
+        }
+
+        if (_functionCount < _functions.Length)
+        {
+            _functions[_functionCount++] = decimals == 0 && digits is >= 0 and < int.MaxValue ? (int)digits : -1;
+        }
     }
 
-    // G codes have at most one decimal; anything finer is no code at all.
-    private static int Tenths(NcNumber number)
+    private void AddNumber(int letter, double value, bool isInteger)
     {
-        var trimmed = number.Trim();
-        return trimmed switch
-        {
-            { Decimals: 0, Digits: >= 0 and < 1000 } => (int)trimmed.Digits * 10,
-            { Decimals: 1, Digits: >= 0 and < 10_000 } => (int)trimmed.Digits,
-            _ => -1,
-        };
+        var bit = 1u << letter;
+        Repeated |= (Present | Computed) & bit;
+        Present |= bit;
+        Integers |= isInteger ? bit : 0;
+        _values[letter] = value;
     }
 }

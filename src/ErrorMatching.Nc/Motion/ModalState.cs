@@ -6,21 +6,30 @@ namespace ErrorMatching.Nc;
 internal struct ModalState
 {
     public MotionKind Mode;
+
+    /// <summary>A spline, an arc through a point, or a tangential arc, where the mode is one of these; else unknown.</summary>
+    public NcMeaning Form;
+
     public CoordinatePlane Plane;
     public bool Inch;
     public bool Incremental;
     public bool AbsoluteCenters;
     public MotionFlags Compensation;
     public bool CompensationSwitched;
-    public bool CycleActive;
-    public ulong Transforms;
-    public int WorkOffset;
+    public NcMeaning Cycle;
+    public bool RetractsToR;
+    public bool InverseTime;
+    public bool LengthOffset;
     public int Frame;
     public double Feed;
+    public double ModalRounding;
+
+    /// <summary>Where the tool is, in coordinates as programmed, and which of them are not known.</summary>
     public Point3 Position;
     public AxisSet Unknown;
+
     public Unsure Unsure;
 
     /// <summary>The state a program starts in, as far as it does not say otherwise; each dialect states these assumptions.</summary>
-    public static ModalState Initial => new() { Mode = MotionKind.Line, WorkOffset = 540, Unknown = AxisSet.All };
+    public static ModalState Initial => new() { Mode = MotionKind.Line, Unknown = AxisSet.All };
 }

@@ -48,4 +48,16 @@ public enum MotionFlags
 
     /// <summary>The arc's words do not describe a circle within the control's tolerance.</summary>
     BadArc = 1 << 13,
+
+    /// <summary>The motion is one of those that a canned cycle is made of.</summary>
+    Cycle = 1 << 14,
+
+    /// <summary>The motion goes by machine coordinates or a reference point, wherever the work is.</summary>
+    MachineMove = 1 << 15,
+
+    /// <summary>The motion belongs to a program in another file, called in this block.</summary>
+    Called = 1 << 16,
+
+    /// <summary>It begins elsewhere than the motion before it ended: an origin changed in between.</summary>
+    StartsElsewhere = 1 << 17,
 }

@@ -18,9 +18,12 @@ public enum MotionKind : byte
     /// <summary>A probing move: it may end before its programmed end.</summary>
     Probe,
 
-    /// <summary>A canned cycle at a position; what it does there is the control's affair.</summary>
+    /// <summary>A canned cycle that is not followed, at a position; what it does there is the control's affair.</summary>
     Cycle,
 
     /// <summary>A move whose end is known to the machine only: reference return or machine coordinates.</summary>
     Reference,
+
+    /// <summary>A spline: its end is known, its way is not followed.</summary>
+    Spline,
 }

@@ -1,47 +1,54 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Nc;
 
 /// <content>What the G codes of a block do to the modes.</content>
 public sealed partial class NcInterpreter
 {
-    private (AxisUse Use, int Code) ReadCodes()
+    private bool _calls;
+
+    private (AxisUse Use, NcMeaning Code) ReadCodes()
     {
-        var (use, code) = (AxisUse.Motion, 0);
+        var (use, code) = (AxisUse.Motion, NcMeaning.Unknown);
         foreach (var tenths in _words.Codes)
         {
-            switch (_dialect.MeaningOf(tenths))
+            var meaning = _dialect.MeaningOf(tenths);
+            switch (meaning)
             {
                 case NcMeaning.Unknown:
-                    _problems.Add(new("unknown-code", _words.BlockIndex, $"G{(tenths / 10m).ToString(System.Globalization.CultureInfo.InvariantCulture)} is not known to the dialect {_dialect.Name}."));
+                    Problem("unknown-code", $"G{(tenths / 10m).ToString(System.Globalization.CultureInfo.InvariantCulture)} is not known to the dialect {_dialect.Name}.", MotionFlags.UnknownWord);
                     Forget();
                     break;
                 case NcMeaning.Dwell:
                     use = AxisUse.Nothing;
                     break;
-                case NcMeaning.SetPosition or NcMeaning.ClearPosition or NcMeaning.RestorePosition or NcMeaning.LocalShift or NcMeaning.SetOffset:
-                    (use, code) = (AxisUse.SetOrigin, tenths);
-                    break;
                 case NcMeaning.ReferenceReturn:
                     use = AxisUse.Reference;
                     break;
-                case NcMeaning.MachineCoordinates:
+                case NcMeaning.MachineCoordinates or NcMeaning.SuppressFrames:
                     use = AxisUse.MachineCoordinates;
                     break;
                 case NcMeaning.Call or NcMeaning.ModalCall:
-                    (use, code) = (AxisUse.Nothing, CallCode);
-                    break;
-                case NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.Mirroring or NcMeaning.Polar or NcMeaning.OpaqueTransform:
                     use = AxisUse.Nothing;
-                    BeginTransform(_dialect.MeaningOf(tenths));
+                    _calls = true;
                     break;
-                case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.MirroringOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff or NcMeaning.LengthOffsetOff:
-                    EndTransform(_dialect.MeaningOf(tenths));
+                case NcMeaning.WorkOffset:
+                    ChooseWorkOffset(tenths);
                     break;
-                case NcMeaning.WorkOffset when tenths != _state.WorkOffset || _words.Has('P'):
-                    _state.WorkOffset = tenths;
-                    _state.Frame++;
-                    _state.Unknown = AxisSet.All;
+                case NcMeaning.LengthOffset:
+                    _state.LengthOffset = true;
                     break;
-                case var meaning:
+                case NcMeaning.LengthOffsetOff:
+                    _state.LengthOffset = false;
+                    EndTransform(NcMeaning.OpaqueTransformOff);
+                    break;
+                case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.MirroringOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff:
+                    EndTransform(meaning);
+                    break;
+                case var _ when SetsOrigin(meaning):
+                    (use, code) = (AxisUse.Origin, meaning);
+                    break;
+                default:
                     SwitchMode(meaning);
                     break;
             }
@@ -50,29 +57,10 @@ public sealed partial class NcInterpreter
         return (use, code);
     }
 
-    private void BeginTransform(NcMeaning meaning)
-    {
-        _state.Transforms |= 1ul << (int)meaning;
-        _state.Frame++;
-    }
-
-    private void EndTransform(NcMeaning meaning)
-    {
-        var ended = 1ul << (int)(meaning switch
-        {
-            NcMeaning.RotationOff => NcMeaning.Rotation,
-            NcMeaning.ScalingOff => NcMeaning.Scaling,
-            NcMeaning.MirroringOff => NcMeaning.Mirroring,
-            NcMeaning.PolarOff => NcMeaning.Polar,
-            _ => NcMeaning.OpaqueTransform,
-        });
-        if ((_state.Transforms & ended) != 0)
-        {
-            _state.Transforms &= ~ended;
-            _state.Frame++;
-            _state.Unknown = AxisSet.All;
-        }
-    }
+    private static bool SetsOrigin(NcMeaning meaning) => meaning
+        is NcMeaning.SetPosition or NcMeaning.ClearPosition or NcMeaning.RestorePosition or NcMeaning.LocalShift or NcMeaning.SetOffset
+        or NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.Mirroring or NcMeaning.Polar or NcMeaning.OpaqueTransform
+        or (>= NcMeaning.FrameShift and <= NcMeaning.FrameMirrorMore);
 
     private void SwitchMode(NcMeaning meaning)
     {
@@ -83,11 +71,20 @@ public sealed partial class NcInterpreter
             case NcMeaning.ArcClockwise: Mode(MotionKind.ArcClockwise); break;
             case NcMeaning.ArcCounterClockwise: Mode(MotionKind.ArcCounterClockwise); break;
             case NcMeaning.Probe: Mode(MotionKind.Probe); break;
-            case NcMeaning.DrillCycle or NcMeaning.DwellDrillCycle or NcMeaning.PeckCycle or NcMeaning.ChipBreakCycle or NcMeaning.FeedOutCycle or NcMeaning.StopOutCycle or NcMeaning.OpaqueCycle: _state.CycleActive = true; break;
-            case NcMeaning.CycleOff: _state.CycleActive = false; break;
-            case NcMeaning.PlaneXY: Plane(Geometry.CoordinatePlane.XY); break;
-            case NcMeaning.PlaneZX: Plane(Geometry.CoordinatePlane.ZX); break;
-            case NcMeaning.PlaneYZ: Plane(Geometry.CoordinatePlane.YZ); break;
+            case NcMeaning.Spline or NcMeaning.ArcThrough or NcMeaning.TangentArc:
+                Mode(meaning == NcMeaning.Spline ? MotionKind.Spline : MotionKind.ArcClockwise);
+                _state.Form = meaning;
+                break;
+            case >= NcMeaning.DrillCycle and <= NcMeaning.OpaqueCycle: BeginCycle(meaning); break;
+            case NcMeaning.CycleOff:
+                _state.Cycle = NcMeaning.Unknown;
+                _state.Unsure &= ~Unsure.Mode;
+                break;
+            case NcMeaning.RetractToInitial: _state.RetractsToR = false; break;
+            case NcMeaning.RetractToR: _state.RetractsToR = true; break;
+            case NcMeaning.PlaneXY: Plane(CoordinatePlane.XY); break;
+            case NcMeaning.PlaneZX: Plane(CoordinatePlane.ZX); break;
+            case NcMeaning.PlaneYZ: Plane(CoordinatePlane.YZ); break;
             case NcMeaning.Inch: _state.Inch = true; break;
             case NcMeaning.Metric: _state.Inch = false; break;
             case NcMeaning.Absolute: Distance(incremental: false); break;
@@ -97,17 +94,20 @@ public sealed partial class NcInterpreter
             case NcMeaning.CompensationOff: Compensate(MotionFlags.None); break;
             case NcMeaning.CompensationLeft: Compensate(MotionFlags.CompensationLeft); break;
             case NcMeaning.CompensationRight: Compensate(MotionFlags.CompensationRight); break;
+            case NcMeaning.InverseTimeFeed: _state.InverseTime = true; break;
+            case NcMeaning.FeedPerMinute or NcMeaning.FeedPerRevolution: _state.InverseTime = false; break;
         }
     }
 
     private void Mode(MotionKind kind)
     {
         _state.Mode = kind;
-        _state.CycleActive = false;
+        _state.Form = NcMeaning.Unknown;
+        _state.Cycle = NcMeaning.Unknown;
         _state.Unsure &= ~Unsure.Mode;
     }
 
-    private void Plane(Geometry.CoordinatePlane plane)
+    private void Plane(CoordinatePlane plane)
     {
         _state.Plane = plane;
         _state.Unsure &= ~Unsure.Plane;

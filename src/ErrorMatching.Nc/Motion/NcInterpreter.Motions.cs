@@ -2,95 +2,119 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <content>How a block's words become a motion.</content>
+/// <content>How a block's words become motions.</content>
 public sealed partial class NcInterpreter
 {
-    private void AddMotion(NcBlock block, MotionFlags flags, bool machineCoordinates)
+    private void Move(MotionFlags flags, bool machineCoordinates)
     {
-        var kind = machineCoordinates ? MotionKind.Reference : _state.CycleActive ? MotionKind.Cycle : _state.Mode;
-        var start = _state.Position;
-        var (x, unknownX) = Coordinate('X', start.X, AxisSet.X, machineCoordinates);
-        var (y, unknownY) = Coordinate('Y', start.Y, AxisSet.Y, machineCoordinates);
-        var (z, unknownZ) = Coordinate('Z', start.Z, AxisSet.Z, machineCoordinates);
-        var end = new Point3(x, y, z);
-        var unknown = unknownX | unknownY | unknownZ | (kind == MotionKind.Cycle ? AxisSet.Z : AxisSet.None);
-        flags |= ModeFlags();
-        var (center, turns) = (default(Point2), 0);
+        if (_state.Cycle != NcMeaning.Unknown && !machineCoordinates)
+        {
+            Drill(flags);
+            return;
+        }
+
+        var kind = machineCoordinates ? MotionKind.Reference : _state.Mode;
+        var (end, unknown) = machineCoordinates ? MachineTarget() : Target();
         if (kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
         {
-            (center, turns, var arcFlags) = Arc(block, kind, _state.Plane.Project(start), _state.Plane.Project(end));
-            flags |= arcFlags;
+            Turn(kind, flags, end, unknown);
         }
-
-        if (_state.CompensationSwitched && _state.Plane.Project(start) != _state.Plane.Project(end))
+        else
         {
-            flags |= MotionFlags.CompensationSwitches;
-            _state.CompensationSwitched = false;
+            flags |= machineCoordinates ? MotionFlags.MachineMove : MotionFlags.None;
+            flags |= SwitchCompensation(_state.Plane.Project(_state.Position) != _state.Plane.Project(end));
+            Corner(kind, flags, end, unknown, null);
+            Append(kind, flags, end, unknown);
         }
 
-        Append(new(block.Index, kind, _state.Plane, flags, start, end, center, turns, _state.Feed, _state.Frame, _state.Unknown, unknown));
+        KeepCorner(kind);
         if (kind == MotionKind.Probe)
         {
             _state.Unknown |= GivenAxes();
         }
     }
 
-    private (double Value, AxisSet Unknown) Coordinate(char letter, double start, AxisSet axis, bool machineCoordinates)
+    // The first motion in the plane behind G41, G42 or G40 is the entry or the exit.
+    private MotionFlags SwitchCompensation(bool movesInPlane)
     {
-        if ((_words.Computed & BlockWords.Bit(letter)) != 0 || (machineCoordinates && _words.Has(letter)))
+        if (!_state.CompensationSwitched || !movesInPlane)
         {
-            return (start, axis);
+            return MotionFlags.None;
         }
 
-        if (!_words.Has(letter))
-        {
-            return (start, _state.Unknown & axis);
-        }
-
-        return _state.Incremental ? (Sum(start, Scaled(letter)), _state.Unknown & axis) : (Scaled(letter), AxisSet.None);
+        _state.CompensationSwitched = false;
+        return MotionFlags.CompensationSwitches;
     }
 
-    private MotionFlags ModeFlags()
+    private (Point3 End, AxisSet Unknown) Target()
     {
-        return (_state.Inch ? MotionFlags.Inch : MotionFlags.None)
-            | (_state.Incremental ? MotionFlags.Incremental : MotionFlags.None)
-            | (_state.AbsoluteCenters ? MotionFlags.AbsoluteCenter : MotionFlags.None)
-            | _state.Compensation
-            | (_state.Transforms != 0 ? MotionFlags.Transformed : MotionFlags.None)
-            | (_state.Unsure != Unsure.None ? MotionFlags.UnsureMode : MotionFlags.None);
-    }
-
-    private (Point2 Center, int Turns, MotionFlags Flags) Arc(NcBlock block, MotionKind kind, Point2 start, Point2 end)
-    {
-        var turns = _dialect.TurnsLetter != 0 && _words.Has((char)_dialect.TurnsLetter) ? (int)Math.Clamp(_words.Number((char)_dialect.TurnsLetter).Value - 1, 0, 100_000) : 0;
-        var (first, second) = _state.Plane switch { CoordinatePlane.ZX => ('K', 'I'), CoordinatePlane.YZ => ('J', 'K'), _ => ('I', 'J') };
-        var known = (_state.Unknown & _state.Plane.Axes()) == AxisSet.None;
-        if (_words.Has('R'))
+        if ((_transforms & Transforms.Polar) != Transforms.None)
         {
-            var counterClockwise = kind == MotionKind.ArcCounterClockwise;
-            return ArcCenter.ByRadius(start, end, Scaled('R'), counterClockwise, _dialect.ArcMismatchMm) is { } center
-                ? (center, turns, MotionFlags.ByRadius)
-                : (start.Lerp(end, 0.5), turns, MotionFlags.ByRadius | (!known ? MotionFlags.None : BadArc(block, "no circle of this radius reaches from the start to the end")));
+            return PolarTarget();
         }
 
-        if (!_words.Has(first) && !_words.Has(second))
-        {
-            var computed = (_words.Computed & (BlockWords.Bit(first) | BlockWords.Bit(second) | BlockWords.Bit('R'))) != 0;
-            return (start.Lerp(end, 0.5), turns, computed ? MotionFlags.BadArc : BadArc(block, $"the arc has neither R nor {first} and {second}"));
-        }
-
-        var toCenter = new Vector2(_words.Has(first) ? Scaled(first) : 0, _words.Has(second) ? Scaled(second) : 0);
-        var middle = _state.AbsoluteCenters ? Point2.Origin + toCenter : start + toCenter;
-        var radius = start.DistanceTo(middle);
-        var tolerance = Math.Max(_dialect.ArcMismatchMm, _dialect.ArcMismatchOfRadius * radius);
-        var mismatch = ArcCenter.Mismatch(start, end, middle);
-        var bad = known && !(mismatch <= tolerance && radius > 0);
-        return (middle, turns, bad ? BadArc(block, System.FormattableString.Invariant($"the radii at start and end differ by {mismatch:0.####} mm")) : MotionFlags.None);
+        var at = _state.Position;
+        var (given, unknown) = (_words.Present, _state.Unknown);
+        var incremental = ((_state.Incremental ? LinearAxes : 0) & ~_words.Absolute) | _words.Incremental;
+        var end = (given & LinearAxes) == 0 ? at : new(Axis('X', at.X, given, incremental), Axis('Y', at.Y, given, incremental), Axis('Z', at.Z, given, incremental));
+        unknown &= ~AxesOf(given & ~incremental);
+        return (end, unknown | UnknownWords());
     }
 
-    private MotionFlags BadArc(NcBlock block, string why)
+    private double Axis(char letter, double at, uint given, uint incremental)
     {
-        _problems.Add(new("bad-arc", block.Index, $"Not an arc: {why}."));
-        return MotionFlags.BadArc;
+        var bit = BlockWords.Bit(letter);
+        return (given & bit) == 0 ? at : (incremental & bit) != 0 ? Sum(at, Length(letter)) : Length(letter);
+    }
+
+    // The first axis of the plane is a radius about the origin, the second an angle.
+    private (Point3 End, AxisSet Unknown) PolarTarget()
+    {
+        var plane = _state.Plane;
+        var (first, second, third) = plane switch { CoordinatePlane.ZX => ('Z', 'X', 'Y'), CoordinatePlane.YZ => ('Y', 'Z', 'X'), _ => ('X', 'Y', 'Z') };
+        var (at, height) = (plane.Project(_state.Position), plane.Height(_state.Position));
+        var inPlane = _words.Has(first) || _words.Has(second);
+        var radius = _words.Has(first) ? Length(first) : at.DistanceTo(Point2.Origin);
+        var angle = _words.Has(second) ? Angle.FromDegrees(_words.Value(second)) : (at - Point2.Origin).Direction;
+        var end = inPlane ? Point2.Origin + (Vector2.FromDirection(angle) * radius) : at;
+        var newHeight = _words.Has(third) ? (_state.Incremental ? Sum(height, Length(third)) : Length(third)) : height;
+        var missing = inPlane && !(_words.Has(first) && _words.Has(second)) ? _state.Unknown & plane.Axes() : AxisSet.None;
+        var unknown = (inPlane ? (missing != AxisSet.None || _state.Incremental ? plane.Axes() : AxisSet.None) : _state.Unknown & plane.Axes())
+            | (_words.Has(third) && !_state.Incremental ? AxisSet.None : _state.Unknown & ~plane.Axes());
+        return (plane.Lift(end, newHeight), unknown | UnknownWords());
+    }
+
+    // Machine coordinates say a place of the work only as far as the program itself has set the work offset.
+    private (Point3 End, AxisSet Unknown) MachineTarget()
+    {
+        var (origin, unknownOrigin) = OriginOf(_workOffset);
+        var (work, unknown) = Work(_state.Position, _state.Unknown);
+        var given = GivenAxes();
+        var machine = Given(work + origin + _shift, incremental: false);
+        var target = work + Only(given, machine - (work + origin + _shift));
+        var targetUnknown = (unknown & ~given) | ((unknownOrigin | _unknownShift) & given) | UnknownWords();
+        var end = _inverse?.Apply(target) ?? target;
+        return (Known(end, targetUnknown), targetUnknown);
+    }
+
+    // Coordinates that are not known keep what was last said.
+    private Point3 Known(Point3 end, AxisSet unknown)
+    {
+        var at = _state.Position;
+        return new((unknown & AxisSet.X) == AxisSet.None ? end.X : at.X, (unknown & AxisSet.Y) == AxisSet.None ? end.Y : at.Y, (unknown & AxisSet.Z) == AxisSet.None ? end.Z : at.Z);
+    }
+
+    // Over the point that the block names to a place that only the machine knows.
+    private void ReturnToReference(MotionFlags flags)
+    {
+        var named = GivenAxes();
+        var (over, unknown) = Target();
+        flags |= MotionFlags.MachineMove;
+        if (named != AxisSet.None && (over != _state.Position || unknown != _state.Unknown))
+        {
+            Append(MotionKind.Rapid, flags, over, unknown);
+        }
+
+        Append(MotionKind.Reference, flags, _state.Position, _state.Unknown | (named == AxisSet.None ? AxisSet.All : named));
     }
 }

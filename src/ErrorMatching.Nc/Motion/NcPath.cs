@@ -3,15 +3,14 @@ namespace ErrorMatching.Nc;
 /// <summary>What a program does: its motions in order, and what stands in the way of trusting them.</summary>
 public sealed class NcPath
 {
-    private readonly NcMotion[] _motions;
-    private readonly int _count;
+    private int[]? _byBlock;
 
-    internal NcPath(NcProgram program, NcDialect dialect, NcMotion[] motions, int count, IReadOnlyList<NcProblem> problems, IReadOnlyList<int> placeDependents, int flowBlock)
+    internal NcPath(NcProgram program, NcDialect dialect, NcMotions motions, IReadOnlyList<NcProblem> problems, IReadOnlyList<(int Block, int Joint)> placeDependents, int flowBlock, IReadOnlyList<NcFrame> frames)
     {
         Program = program;
         Dialect = dialect;
-        _motions = motions;
-        _count = count;
+        Motions = motions;
+        Frames = frames;
         Problems = problems;
         PlaceDependents = placeDependents;
         FlowBlock = flowBlock;
@@ -23,8 +22,11 @@ public sealed class NcPath
     /// <summary>The dialect it was read in.</summary>
     public NcDialect Dialect { get; }
 
-    /// <summary>All motions, in the order of their blocks.</summary>
-    public ReadOnlySpan<NcMotion> Motions => _motions.AsSpan(0, _count);
+    /// <summary>All motions, in the order in which they are executed.</summary>
+    public NcMotions Motions { get; }
+
+    /// <summary>The layers of offsets and transforms, in the order in which they came; <see cref="NcMotion.Frame"/> is an index into them.</summary>
+    public IReadOnlyList<NcFrame> Frames { get; }
 
     /// <summary>Unknown words, arcs that do not close, unterminated comments and the like, in the order of the blocks.</summary>
     public IReadOnlyList<NcProblem> Problems { get; }
@@ -32,17 +34,62 @@ public sealed class NcPath
     /// <summary>The first block that branches, loops or defines a subprogram; -1 where the program runs straight through. Behind it blocks may run several times or not at all.</summary>
     public int FlowBlock { get; }
 
-    /// <summary>Blocks whose effect can depend on where the tool stands although they move nothing themselves: program calls, and what sets an origin.</summary>
-    internal IReadOnlyList<int> PlaceDependents { get; }
+    /// <summary>
+    /// Blocks whose effect can depend on where the tool stands although they move nothing themselves (what sets an origin, calls a program that is not known),
+    /// each with the joint of the path at which the tool stands.
+    /// </summary>
+    internal IReadOnlyList<(int Block, int Joint)> PlaceDependents { get; }
 
-    /// <summary>Position of the first motion of a block or a later one: <see cref="Motions"/> is sorted by block.</summary>
-    public int FirstMotionFrom(int block)
+    /// <summary>All motions of a block, in the order in which they are executed: several where it runs several times, or is a canned cycle.</summary>
+    public ReadOnlySpan<int> MotionsOf(int block)
     {
-        var (low, high) = (0, _count);
+        if (Motions.FollowBlocks)
+        {
+            var first = FirstFrom(i => Motions.BlockOf(i), block);
+            var behind = first;
+            while (behind < Motions.Length && Motions.BlockOf(behind) == block)
+            {
+                behind++;
+            }
+
+            return behind - first == 1 ? new int[] { first } : Enumerable.Range(first, behind - first).ToArray();
+        }
+
+        var order = _byBlock ??= OrderByBlock();
+        var from = FirstFrom(i => Motions.BlockOf(order[i]), block);
+        var to = from;
+        while (to < order.Length && Motions.BlockOf(order[to]) == block)
+        {
+            to++;
+        }
+
+        return order.AsSpan(from, to - from);
+    }
+
+    /// <summary>Position of a block's first motion, or -1 where it has none.</summary>
+    public int MotionOf(int block) => MotionsOf(block) is { Length: > 0 } motions ? motions[0] : -1;
+
+    private int[] OrderByBlock()
+    {
+        var blocks = new int[Motions.Length];
+        var order = new int[Motions.Length];
+        for (var i = 0; i < order.Length; i++)
+        {
+            (blocks[i], order[i]) = (Motions.BlockOf(i), i);
+        }
+
+        // Motions of one block stay in their order: the index decides between equal blocks.
+        Array.Sort(order, (a, b) => blocks[a] != blocks[b] ? blocks[a].CompareTo(blocks[b]) : a.CompareTo(b));
+        return order;
+    }
+
+    private int FirstFrom(Func<int, int> blockAt, int block)
+    {
+        var (low, high) = (0, Motions.Length);
         while (low < high)
         {
             var middle = (low + high) / 2;
-            if (_motions[middle].Block < block)
+            if (blockAt(middle) < block)
             {
                 low = middle + 1;
             }
@@ -53,12 +100,5 @@ public sealed class NcPath
         }
 
         return low;
-    }
-
-    /// <summary>Position of a block's motion, or -1 where it has none.</summary>
-    public int MotionOf(int block)
-    {
-        var at = FirstMotionFrom(block);
-        return at < _count && _motions[at].Block == block ? at : -1;
     }
 }

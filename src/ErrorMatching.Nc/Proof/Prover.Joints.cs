@@ -91,10 +91,10 @@ public sealed partial class Prover
     // What is set or called where the tool stands must find it where it was.
     private void CheckPlaceDependents()
     {
-        foreach (var block in _before.PlaceDependents)
+        foreach (var (block, joint) in _before.PlaceDependents)
         {
             // What follows may count from a new origin, so the end before it is compared.
-            var motion = _before.FirstMotionFrom(block + 1) - 1;
+            var motion = joint - 1;
             if (motion >= 0 && !Same(_before.Motions[motion].End, _after.Motions[motion].End))
             {
                 Fail(block, "an origin is set or a program is called here at a place that moved.");

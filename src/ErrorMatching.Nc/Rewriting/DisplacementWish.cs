@@ -43,9 +43,15 @@ public sealed class DisplacementWish
         var elements = new List<ElementWish>();
         foreach (var block in blocks.Distinct())
         {
-            if (path.MotionOf(block) is >= 0 and var motion && path.Motions[motion] is { IsCut: true, MovesInPlane: true })
+            foreach (var motion in path.MotionsOf(block))
             {
-                if (!path.Motions[motion].IsKnownInPlane)
+                var m = path.Motions[motion];
+                if (m is not { IsCut: true, MovesInPlane: true })
+                {
+                    continue;
+                }
+
+                if (!m.IsKnownInPlane)
                 {
                     return Obstacles.Of(path, motion) ?? Obstacles.UnknownPlace(path, motion);
                 }
@@ -61,7 +67,7 @@ public sealed class DisplacementWish
     /// <returns>The wish, or a refusal where the blocks hold no motion.</returns>
     public static NcOutcome<DisplacementWish> EndsBy(NcPath path, IReadOnlyList<int> blocks, Vector3 by)
     {
-        var motions = blocks.Select(path.MotionOf).Where(m => m >= 0).ToArray();
+        var motions = blocks.SelectMany(b => path.MotionsOf(b).ToArray()).ToArray();
         return motions.Length > 0 ? OfEndPoints(motions, by) : NoMotion(path, blocks);
     }
 

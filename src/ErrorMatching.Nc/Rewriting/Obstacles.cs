@@ -24,9 +24,9 @@ internal static class Obstacles
     public static NcRefusal? Of(PathChange change)
     {
         var path = change.Path;
-        foreach (var block in path.PlaceDependents)
+        foreach (var (block, joint) in path.PlaceDependents)
         {
-            if (change.MoveOf(path.FirstMotionFrom(block + 1)) != default)
+            if (change.MoveOf(joint) != default)
             {
                 return NcRefusal.At(path.Program, block, NcRefusalCodes.FrameChange, "an origin is set or a program is called here while the tool stands at a place that would move; what follows could move along. Move the tool away from the contour before it.");
             }
@@ -37,13 +37,14 @@ internal static class Obstacles
 
     private static (string? Code, string? Why) Reason(in NcMotion m)
     {
-        if (m.Kind is MotionKind.Cycle or MotionKind.Reference or MotionKind.Probe)
+        if (m.Kind is MotionKind.Cycle or MotionKind.Reference or MotionKind.Probe or MotionKind.Spline || m.Has(MotionFlags.Cycle) || m.Has(MotionFlags.MachineMove))
         {
-            return (NcRefusalCodes.NotASimpleMove, "a canned cycle, probing, reference or machine-coordinate move cannot be displaced. Leave this block out.");
+            return (NcRefusalCodes.NotASimpleMove, "a canned cycle, spline, probing, reference or machine-coordinate move cannot be displaced. Leave this block out.");
         }
 
         var why = m.Flags switch
         {
+            _ when m.Has(MotionFlags.Called) => (NcRefusalCodes.NotASimpleMove, "it is part of a program in another file that is called here. Displace that program."),
             _ when m.Has(MotionFlags.Expression) => (NcRefusalCodes.Expression, "a coordinate is computed by the control (variable or expression). Post plain numbers for the blocks to change."),
             _ when m.Has(MotionFlags.UnknownWord) => (NcRefusalCodes.UnknownWord, "it has a word that the dialect does not know and that could move an axis. Choose the control's dialect, or leave this block out."),
             _ when m.Has(MotionFlags.Transformed) => (NcRefusalCodes.ActiveTransform, "rotation, scaling, mirroring or polar coordinates are active. Post the program without them."),

@@ -37,13 +37,14 @@ internal sealed class PathWithoutPoints
             return null;
         }
 
-        var motions = new NcMotion[kept.Count];
-        for (var i = 0; i < motions.Length; i++)
+        var motions = new NcMotions();
+        foreach (var i in kept)
         {
-            motions[i] = path.Motions[kept[i]];
+            motions.Add(path.Motions[i]);
         }
 
-        return new(path, new(path.Program, path.Dialect, motions, motions.Length, path.Problems, path.PlaceDependents, path.FlowBlock), [.. kept]);
+        var dependents = path.PlaceDependents.Select(d => (d.Block, kept.BinarySearch(d.Joint) is var at && at < 0 ? ~at : at)).ToArray();
+        return new(path, new(path.Program, path.Dialect, motions, path.Problems, dependents, path.FlowBlock, path.Frames), [.. kept]);
     }
 
     /// <summary>Displaces elements. A wish for a point is a wish for nothing and is left out.</summary>

@@ -81,7 +81,7 @@ public sealed class BlockSelector
     {
         var token = default(NcToken);
         var bytes = Encoding.UTF8.GetBytes(part);
-        var tokens = new NcTokenizer(bytes, 0, bytes.Length);
+        var tokens = new NcTokenizer(bytes, 0, bytes.Length, NcSyntax.Iso);
         var valid = tokens.MoveNext() && (token = tokens.Current) is { Kind: NcTokenKind.Word, Letter: (byte)'N' } && !tokens.MoveNext();
         return valid
             ? token.Number.Trim()

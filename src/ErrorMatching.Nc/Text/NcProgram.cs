@@ -14,15 +14,19 @@ public sealed class NcProgram
     private readonly int[] _starts;
     private readonly int _count;
 
-    private NcProgram(ReadOnlyMemory<byte> bytes, int[] starts, int count)
+    private NcProgram(ReadOnlyMemory<byte> bytes, int[] starts, int count, NcSyntax syntax)
     {
         Bytes = bytes;
+        Syntax = syntax;
         _starts = starts;
         _count = count;
     }
 
     /// <summary>The program's bytes.</summary>
     public ReadOnlyMemory<byte> Bytes { get; }
+
+    /// <summary>How it is spelled.</summary>
+    public NcSyntax Syntax { get; }
 
     /// <summary>Number of blocks (lines). A line end at the very end of the file does not begin another block.</summary>
     public int BlockCount => _count;
@@ -52,8 +56,10 @@ public sealed class NcProgram
     }
 
     /// <summary>Finds the blocks of a program. The bytes are kept, not copied: do not change them afterwards.</summary>
+    /// <param name="bytes">The program's bytes.</param>
+    /// <param name="syntax">How it is spelled; <see cref="NcDialect.Syntax"/> of its dialect.</param>
     /// <exception cref="NcException">The program is larger than <see cref="MaxBytes"/>.</exception>
-    public static NcProgram Read(ReadOnlyMemory<byte> bytes)
+    public static NcProgram Read(ReadOnlyMemory<byte> bytes, NcSyntax syntax = NcSyntax.Iso)
     {
         if (bytes.Length > MaxBytes)
         {
@@ -62,15 +68,15 @@ public sealed class NcProgram
 
         var span = bytes.Span;
         var begins = new int[Math.Max(16, (span.Length / 24) + 1)];
-        var (_count, position) = (0, 0);
+        var (count, position) = (0, 0);
         while (position < span.Length)
         {
-            if (_count == begins.Length)
+            if (count == begins.Length)
             {
                 Array.Resize(ref begins, begins.Length * 2);
             }
 
-            begins[_count++] = position;
+            begins[count++] = position;
             var length = span[position..].IndexOfAny((byte)'\n', (byte)'\r');
             if (length < 0)
             {
@@ -81,11 +87,11 @@ public sealed class NcProgram
             position += span[position] == (byte)'\r' && position + 1 < span.Length && span[position + 1] == (byte)'\n' ? 2 : 1;
         }
 
-        return new(bytes, begins, _count);
+        return new(bytes, begins, count, syntax);
     }
 
     /// <summary>A program from text; for tests and examples. The text is written as UTF-8 without a mark.</summary>
-    public static NcProgram FromText(string text) => Read(Encoding.UTF8.GetBytes(text));
+    public static NcProgram FromText(string text, NcSyntax syntax = NcSyntax.Iso) => Read(Encoding.UTF8.GetBytes(text), syntax);
 
     /// <summary>The block's bytes without its line end.</summary>
     public ReadOnlySpan<byte> BytesOf(NcBlock block) => Bytes.Span.Slice(block.Start, block.Length);
@@ -94,7 +100,7 @@ public sealed class NcProgram
     public string TextOf(NcBlock block) => NcText.Decode(BytesOf(block));
 
     /// <summary>The tokens of a block, in order, without gap.</summary>
-    public NcTokenizer Tokens(NcBlock block) => new(Bytes.Span, block.Start, block.End);
+    public NcTokenizer Tokens(NcBlock block) => new(Bytes.Span, block.Start, block.End, Syntax);
 
     /// <summary>The N word of a block as written (<c>N110</c>), or an empty text where it has none.</summary>
     public string NumberOf(NcBlock block) => TryNumber(block, out var token) ? NcText.Decode(Bytes.Span.Slice(token.Start, token.Length)) : "";

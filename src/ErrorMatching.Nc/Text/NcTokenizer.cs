@@ -4,17 +4,19 @@ namespace ErrorMatching.Nc;
 /// Walks over a block's tokens without allocating. Spelling only: every byte belongs to exactly one token, and what no rule explains is
 /// <see cref="NcTokenKind.Invalid"/>, never dropped.
 /// </summary>
-public ref struct NcTokenizer
+public ref partial struct NcTokenizer
 {
     private readonly ReadOnlySpan<byte> _bytes;
     private readonly int _end;
+    private readonly NcSyntax _syntax;
     private int _position;
     private bool _atStart;
 
-    internal NcTokenizer(ReadOnlySpan<byte> bytes, int start, int end)
+    internal NcTokenizer(ReadOnlySpan<byte> bytes, int start, int end, NcSyntax syntax)
     {
         _bytes = bytes;
         _end = end;
+        _syntax = syntax;
         _position = start;
         _atStart = true;
         Current = default;
@@ -35,17 +37,36 @@ public ref struct NcTokenizer
         }
 
         var c = _bytes[_position];
-        if ((uint)((c | 0x20) - 'a') < 26)
+        if (SyntaxBytes.IsLetter(c))
         {
-            ReadLetter((byte)(c & ~0x20));
+            var letter = (byte)(c & ~0x20);
+            if (_syntax == NcSyntax.Siemens)
+            {
+                ReadName(letter);
+            }
+            else
+            {
+                ReadLetter(letter);
+            }
+
             _atStart &= Current is { Kind: NcTokenKind.Word, Letter: (byte)'N' };
             return true;
         }
 
+        ReadSign(c);
+        _atStart &= Current.Kind is NcTokenKind.Space or NcTokenKind.BlockSkip;
+        return true;
+    }
+
+    private void ReadSign(byte c)
+    {
         switch (c)
         {
             case (byte)' ' or (byte)'\t':
                 Plain(NcTokenKind.Space, SkipSpaces(_position + 1));
+                break;
+            case (byte)'(' when _syntax == NcSyntax.Siemens:
+                Plain(NcTokenKind.Expression, SyntaxBytes.BehindBracket(_bytes, _position, _end));
                 break;
             case (byte)'(':
                 ReadComment();
@@ -58,49 +79,46 @@ public ref struct NcTokenizer
                 break;
             // A slash stands at the beginning of a block or behind its number (N10 /1 G0); elsewhere it divides.
             case (byte)'/' when _atStart:
-                Plain(NcTokenKind.BlockSkip, _position + 1 < _end && IsDigit(_bytes[_position + 1]) ? _position + 2 : _position + 1);
+                Plain(NcTokenKind.BlockSkip, _position + 1 < _end && SyntaxBytes.IsDigit(_bytes[_position + 1]) ? _position + 2 : _position + 1);
+                break;
+            // A program number may begin with a colon.
+            case (byte)':' when _atStart && _syntax == NcSyntax.Iso && ReadNumber(_position + 1, out var behind, out var program):
+                Word((byte)'O', _position + 1, behind, program);
                 break;
             case (byte)',':
                 ReadCommaWord();
                 break;
             case (byte)'#':
-                Plain(NcTokenKind.Assignment, ToCommentOrEnd(_position + 1));
+                Plain(NcTokenKind.Assignment, _syntax == NcSyntax.LinuxCnc ? AssignmentEnd(_position) : ToCommentOrEnd(_position + 1));
+                break;
+            case (byte)'$' or (byte)'_' when _syntax == NcSyntax.Siemens:
+                ReadName(0);
                 break;
             case (byte)'[':
-                Plain(NcTokenKind.Expression, BehindBracket(_position));
+                Plain(NcTokenKind.Expression, SyntaxBytes.BehindBracket(_bytes, _position, _end));
                 break;
             case (byte)'"':
-                var close = _bytes[(_position + 1).._end].IndexOf((byte)'"');
-                Plain(NcTokenKind.Invalid, close < 0 ? _end : _position + close + 2);
+                Plain(_syntax == NcSyntax.Siemens ? NcTokenKind.Expression : NcTokenKind.Invalid, SyntaxBytes.BehindString(_bytes, _position, _end));
                 break;
             default:
                 Plain(NcTokenKind.Invalid, _position + 1);
                 break;
         }
-
-        _atStart &= Current.Kind is NcTokenKind.Space or NcTokenKind.BlockSkip;
-        return true;
     }
-
-    private static bool IsDigit(byte c) => (uint)(c - '0') < 10;
-
-    private static bool IsLetter(byte c) => (uint)((c | 0x20) - 'a') < 26;
 
     private void Plain(NcTokenKind kind, int next, byte letter = 0)
     {
-        Current = new(kind, letter, _position, next - _position, _position, default);
+        Current = new(kind, letter, _position, next - _position, _position, next - _position, default, WordDistance.Modal);
         _position = next;
     }
 
-    private readonly int SkipSpaces(int at)
+    private void Word(byte letter, int valueAt, int next, NcNumber number)
     {
-        while (at < _end && _bytes[at] is (byte)' ' or (byte)'\t')
-        {
-            at++;
-        }
-
-        return at;
+        Current = new(NcTokenKind.Word, letter, _position, next - _position, valueAt, next - valueAt, number, WordDistance.Modal);
+        _position = next;
     }
+
+    private readonly int SkipSpaces(int at) => SyntaxBytes.SkipSpaces(_bytes, at, _end);
 
     private void ReadComment()
     {
@@ -126,11 +144,15 @@ public ref struct NcTokenizer
     private void ReadCommaWord()
     {
         var letterAt = SkipSpaces(_position + 1);
-        if (letterAt < _end && IsLetter(_bytes[letterAt]) && ReadNumber(SkipSpaces(letterAt + 1), out var next, out var number))
+        if (letterAt < _end && SyntaxBytes.IsLetter(_bytes[letterAt]))
         {
-            Current = new(NcTokenKind.CommaWord, (byte)(_bytes[letterAt] & ~0x20), _position, next - _position, SkipSpaces(letterAt + 1), number);
-            _position = next;
-            return;
+            var valueAt = SkipSpaces(letterAt + 1);
+            if (ReadNumber(valueAt, out var next, out var number))
+            {
+                Current = new(NcTokenKind.CommaWord, (byte)(_bytes[letterAt] & ~0x20), _position, next - _position, valueAt, next - valueAt, number, WordDistance.Modal);
+                _position = next;
+                return;
+            }
         }
 
         Plain(NcTokenKind.Invalid, _position + 1);
@@ -141,18 +163,18 @@ public ref struct NcTokenizer
         var valueAt = SkipSpaces(_position + 1);
         if (ReadNumber(valueAt, out var next, out var number))
         {
-            Current = new(NcTokenKind.Word, letter, _position, next - _position, valueAt, number);
-            _position = next;
+            Word(letter, valueAt, next, number);
         }
         else if (letter == 'O' && valueAt < _end && _bytes[valueAt] == '<')
         {
             Plain(NcTokenKind.ExpressionWord, BehindName(valueAt), letter);
         }
-        else if (valueAt < _end && ExpressionEnd(valueAt) is > 0 and var behind)
+        else if (valueAt < _end && ComputedEnd(valueAt) is > 0 and var behind)
         {
-            Plain(NcTokenKind.ExpressionWord, behind, letter);
+            Current = new(NcTokenKind.ExpressionWord, letter, _position, behind - _position, valueAt, behind - valueAt, default, WordDistance.Modal);
+            _position = behind;
         }
-        else if (_position + 1 < _end && IsLetter(_bytes[_position + 1]))
+        else if (_position + 1 < _end && SyntaxBytes.IsLetter(_bytes[_position + 1]))
         {
             Plain(NcTokenKind.Keyword, KeywordEnd());
         }
@@ -175,25 +197,29 @@ public ref struct NcTokenizer
         var negative = _bytes[at] == '-';
         if (negative || _bytes[at] == '+')
         {
-            at++;
+            at = Inside(at + 1);
         }
 
         long digits = 0;
-        var (first, significant, decimals) = (at, 0, 0);
-        for (; at < _end && IsDigit(_bytes[at]) && significant <= NcNumber.MaxDigits; at++)
+        var (whole, significant, decimals) = (0, 0, 0);
+        var end = at;
+        for (; at < _end && SyntaxBytes.IsDigit(_bytes[at]) && significant <= NcNumber.MaxDigits; at = Inside(end))
         {
             digits = (digits * 10) + (_bytes[at] - '0');
             significant += digits == 0 ? 0 : 1;
+            whole++;
+            end = at + 1;
         }
 
-        var whole = at - first;
         if (at < _end && _bytes[at] == '.')
         {
-            for (at++; at < _end && IsDigit(_bytes[at]) && significant <= NcNumber.MaxDigits && decimals <= NcNumber.MaxDigits; at++)
+            end = at + 1;
+            for (at = Inside(end); at < _end && SyntaxBytes.IsDigit(_bytes[at]) && significant <= NcNumber.MaxDigits && decimals <= NcNumber.MaxDigits; at = Inside(end))
             {
                 digits = (digits * 10) + (_bytes[at] - '0');
                 significant += digits == 0 ? 0 : 1;
                 decimals++;
+                end = at + 1;
             }
         }
 
@@ -202,114 +228,11 @@ public ref struct NcTokenizer
             return false;
         }
 
-        next = at;
+        next = end;
         number = new(negative ? -digits : digits, decimals);
         return true;
     }
 
-    // The end of a computed value (#100, -#[1], [#1+2], =R1+5), or 0 where none begins.
-    private readonly int ExpressionEnd(int at)
-    {
-        if (_bytes[at] == '=')
-        {
-            var depth = 0;
-            for (; at < _end; at++)
-            {
-                depth += _bytes[at] is (byte)'(' or (byte)'[' ? 1 : _bytes[at] is (byte)')' or (byte)']' ? -1 : 0;
-                if (depth <= 0 && _bytes[at] is (byte)' ' or (byte)'\t' or (byte)';')
-                {
-                    break;
-                }
-            }
-
-            return at;
-        }
-
-        if (_bytes[at] is (byte)'-' or (byte)'+')
-        {
-            at++;
-        }
-
-        var hashes = at;
-        while (at < _end && _bytes[at] == '#')
-        {
-            at++;
-        }
-
-        if (at < _end && _bytes[at] == '[')
-        {
-            return BehindBracket(at);
-        }
-
-        if (at == hashes)
-        {
-            return 0;
-        }
-
-        if (at < _end && _bytes[at] == '<')
-        {
-            return BehindName(at);
-        }
-
-        while (at < _end && IsDigit(_bytes[at]))
-        {
-            at++;
-        }
-
-        return at;
-    }
-
-    // Named variables and O words: #<depth>, o<pocket>.
-    private readonly int BehindName(int at)
-    {
-        var close = _bytes[at.._end].IndexOf((byte)'>');
-        return close < 0 ? _end : at + close + 1;
-    }
-
-    private readonly int KeywordEnd()
-    {
-        var at = _position;
-        while (at < _end && (IsLetter(_bytes[at]) || IsDigit(_bytes[at]) || _bytes[at] is (byte)'_' or (byte)'$'))
-        {
-            at++;
-        }
-
-        if (at < _end && _bytes[at] == '(')
-        {
-            var depth = 0;
-            for (; at < _end; at++)
-            {
-                depth += _bytes[at] == '(' ? 1 : _bytes[at] == ')' ? -1 : 0;
-                if (depth == 0)
-                {
-                    return at + 1;
-                }
-            }
-
-            return _end;
-        }
-
-        return at < _end && _bytes[at] == '=' ? ExpressionEnd(at) : at;
-    }
-
-    private readonly int BehindBracket(int at)
-    {
-        var depth = 0;
-        for (; at < _end; at++)
-        {
-            depth += _bytes[at] == '[' ? 1 : _bytes[at] == ']' ? -1 : 0;
-            if (depth == 0)
-            {
-                return at + 1;
-            }
-        }
-
-        return _end;
-    }
-
-    private readonly int ToCommentOrEnd(int at)
-    {
-        var length = _bytes[at.._end].IndexOfAny((byte)'(', (byte)';');
-        return length < 0 ? _end : at + length;
-    }
+    // LinuxCNC reads spaces inside numbers as if they were not there.
+    private readonly int Inside(int at) => _syntax == NcSyntax.LinuxCnc ? SkipSpaces(at) : at;
 }

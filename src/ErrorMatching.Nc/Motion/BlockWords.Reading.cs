@@ -1,0 +1,184 @@
+namespace ErrorMatching.Nc;
+
+/// <content>
+/// Reading a block: in one pass over its bytes where it has plain words only, as nearly all blocks do, else by its tokens. Both give the same words; a test holds that.
+/// </content>
+internal sealed partial class BlockWords
+{
+    private static readonly System.Buffers.SearchValues<byte> ZeroBytes = System.Buffers.SearchValues.Create("+-0. \t"u8);
+
+    /// <summary>As many digits as a double holds exactly.</summary>
+    private const int ExactDigits = 15;
+
+    private static readonly double[] Powers = [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
+
+    /// <summary>Reads a block.</summary>
+    /// <param name="bytes">The program's bytes.</param>
+    /// <param name="block">Where the block is.</param>
+    /// <param name="syntax">How it is spelled.</param>
+    /// <param name="compute">The value of a computed word: NaN where only the machine knows it, null where it is a variable that was never set.</param>
+    public void Read(ReadOnlySpan<byte> bytes, NcBlock block, NcSyntax syntax, Func<NcToken, double?> compute)
+    {
+        Clear();
+        if (!ReadPlain(bytes.Slice(block.Start, block.Length), syntax == NcSyntax.LinuxCnc))
+        {
+            Clear();
+            ReadTokens(bytes, block, syntax, compute);
+        }
+    }
+
+    /// <summary>Reads letters with numbers, and spaces between them. False at anything else.</summary>
+    internal bool ReadPlain(ReadOnlySpan<byte> text, bool spacesInNumbers)
+    {
+        var at = 0;
+        while (true)
+        {
+            while (at < text.Length && text[at] == ' ')
+            {
+                at++;
+            }
+
+            if (at >= text.Length)
+            {
+                return true;
+            }
+
+            var letter = (text[at++] | 0x20) - 'a';
+            if ((uint)letter >= 26 || at >= text.Length)
+            {
+                return false;
+            }
+
+            var negative = text[at] == '-';
+            at += negative || text[at] == '+' ? 1 : 0;
+            var first = at;
+            long digits = 0;
+            uint digit;
+            while (at < text.Length && (digit = (uint)text[at] - '0') < 10)
+            {
+                digits = (digits * 10) + digit;
+                at++;
+            }
+
+            var (count, decimals) = (at - first, -1);
+            if (at < text.Length && text[at] == '.')
+            {
+                first = ++at;
+                while (at < text.Length && (digit = (uint)text[at] - '0') < 10)
+                {
+                    digits = (digits * 10) + digit;
+                    at++;
+                }
+
+                decimals = at - first;
+                count += decimals;
+            }
+
+            if ((uint)(count - 1) >= ExactDigits || (spacesInNumbers && at < text.Length && text[at] == ' ' && GoesOn(text[at..])))
+            {
+                return false;
+            }
+
+            digits = negative ? -digits : digits;
+            switch (letter)
+            {
+                case 'G' - 'A':
+                    AddCode(digits, Math.Max(0, decimals));
+                    break;
+                case 'M' - 'A':
+                    AddFunction(digits, Math.Max(0, decimals));
+                    break;
+                default:
+                    AddNumber(letter, decimals > 0 ? digits / Powers[decimals] : digits, decimals < 0);
+                    break;
+            }
+        }
+    }
+
+    private static bool GoesOn(ReadOnlySpan<byte> text) => text.TrimStart((byte)' ') is { Length: > 0 } rest && (rest[0] == '.' || SyntaxBytes.IsDigit(rest[0]));
+
+    private void ReadTokens(ReadOnlySpan<byte> bytes, NcBlock block, NcSyntax syntax, Func<NcToken, double?> compute)
+    {
+        foreach (var token in new NcTokenizer(bytes, block.Start, block.End, syntax))
+        {
+            switch (token.Kind)
+            {
+                case NcTokenKind.Word when token.Letter == 'G':
+                    AddCode(token.Number.Digits, token.Number.Decimals);
+                    break;
+                case NcTokenKind.Word when token.Letter == 'M':
+                    AddFunction(token.Number.Digits, token.Number.Decimals);
+                    break;
+                case NcTokenKind.Word:
+                    AddNumber(token.Letter - 'A', token.Number.Value, !bytes.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.'));
+                    AddDistance(token);
+                    break;
+                case NcTokenKind.ExpressionWord:
+                    AddComputed(token, compute(token));
+                    AddDistance(token);
+                    break;
+                case NcTokenKind.CommaWord:
+                    Corner = token.Letter;
+                    CornerValue = token.Number == default && !IsZero(bytes, token) ? compute(token) ?? double.NaN : token.Number.Value;
+                    break;
+                case NcTokenKind.Keyword or NcTokenKind.Assignment or NcTokenKind.Expression:
+                    _statements.Add(token);
+                    break;
+                case NcTokenKind.BlockSkip:
+                    IsSkipped = true;
+                    break;
+                case NcTokenKind.Invalid when Invalid.Length == 0:
+                    Invalid = token;
+                    break;
+            }
+        }
+    }
+
+    // A corner word of a plain zero; a computed one has no number either.
+    private static bool IsZero(ReadOnlySpan<byte> bytes, NcToken token) => !bytes.Slice(token.ValueStart, token.ValueLength).ContainsAnyExcept(ZeroBytes);
+
+    private void AddDistance(NcToken token)
+    {
+        Absolute |= token.Distance == WordDistance.Absolute ? Bit(token.Letter) : 0;
+        Incremental |= token.Distance == WordDistance.Incremental ? Bit(token.Letter) : 0;
+    }
+
+    // NaN is a value that only the machine knows; null one that was never set, and a word as if not written.
+    private void AddComputed(NcToken token, double? value)
+    {
+        if (value is not { } number)
+        {
+            return;
+        }
+
+        if (token.Letter is (byte)'G' or (byte)'M')
+        {
+            var tenths = Math.Round(number * 10);
+            if (token.Letter == 'G' && tenths is >= 0 and < 10_000)
+            {
+                AddCode((long)tenths, 1);
+            }
+            else if (token.Letter == 'M' && tenths is >= 0 and < 1e7)
+            {
+                AddFunction((long)tenths, 1);
+            }
+
+            Computed |= Bit(token.Letter);
+            Unknown |= double.IsNaN(number) ? Bit(token.Letter) : 0;
+            return;
+        }
+
+        var bit = Bit(token.Letter);
+        Repeated |= (Present | Computed) & bit;
+        Computed |= bit;
+        if (double.IsNaN(number))
+        {
+            Unknown |= bit;
+        }
+        else
+        {
+            Present |= bit;
+            _values[token.Letter - 'A'] = number;
+        }
+    }
+}

@@ -1,0 +1,166 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <content>Centers of arcs from what a block says: center words, a radius, an opening angle, a point on the way, or the direction of the motion before.</content>
+public sealed partial class NcInterpreter
+{
+    private readonly record struct FoundArc(MotionKind Kind, Point2 Center, MotionFlags Flags, Point2? End = null);
+
+    private void Turn(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd)
+    {
+        var plane = _state.Plane;
+        var (start, to) = (plane.Project(_state.Position), plane.Project(end));
+        var isKnown = ((_state.Unknown | unknownEnd) & plane.Axes()) == AxisSet.None;
+        var arc = FindArc(kind, start, to, isKnown);
+        if (arc.End is { } found)
+        {
+            end = plane.Lift(found, plane.Height(end));
+        }
+
+        flags |= arc.Flags | SwitchCompensation(movesInPlane: true);
+        var (center, turned) = (arc.Center, arc.Kind);
+        if (_frame is not null)
+        {
+            var (stays, turnsOver) = _frame.OnCircles(plane);
+            flags |= stays ? MotionFlags.None : BadArc("the frame that is active makes it an ellipse or tilts it out of its plane");
+            center = plane.Project(_frame.Apply(plane.Lift(center, plane.Height(end))));
+            turned = turnsOver ? Opposite(turned) : turned;
+        }
+
+        if (_frame is null)
+        {
+            Corner(turned, flags, end, unknownEnd, center);
+        }
+
+        Append(turned, flags, end, unknownEnd, center, Turns());
+    }
+
+    private static MotionKind Opposite(MotionKind kind) => kind == MotionKind.ArcClockwise ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise;
+
+    private int Turns() =>
+        _words.Has(NcAddress.Turn) ? (int)Math.Clamp(_words.Value(NcAddress.Turn), 0, 100_000)
+        : _dialect.TurnsLetter != 0 && _words.Has(_dialect.TurnsLetter) ? (int)Math.Clamp(_words.Value(_dialect.TurnsLetter) - 1, 0, 100_000)
+        : 0;
+
+    private FoundArc FindArc(MotionKind kind, Point2 start, Point2 end, bool isKnown)
+    {
+        if (_state.Form == NcMeaning.ArcThrough)
+        {
+            return Through(start, end, isKnown);
+        }
+
+        if (_state.Form == NcMeaning.TangentArc)
+        {
+            return Tangent(start, end, isKnown);
+        }
+
+        if (_words.Has('R') && _dialect.RoleOf((byte)'R') == LetterRole.Radius)
+        {
+            return ByRadius(kind, start, end, Length('R'), isKnown);
+        }
+
+        if (_words.Has(NcAddress.CircleRadius))
+        {
+            return ByRadius(kind, start, end, Length(NcAddress.CircleRadius), isKnown);
+        }
+
+        var (first, second) = _state.Plane switch { CoordinatePlane.ZX => ('K', 'I'), CoordinatePlane.YZ => ('J', 'K'), _ => ('I', 'J') };
+        var hasCenter = _words.Has(first) || _words.Has(second);
+        if (_words.Has(NcAddress.OpeningAngle))
+        {
+            return ByAngle(kind, start, end, _words.Value(NcAddress.OpeningAngle), hasCenter ? Center(start, first, second) : null, isKnown);
+        }
+
+        if (!hasCenter)
+        {
+            var computed = (_words.Computed & GeometryWords & ~LinearAxes) != 0;
+            return new(kind, start.Lerp(end, 0.5), computed ? MotionFlags.BadArc : BadArc($"the arc has neither a radius nor {first} and {second}"));
+        }
+
+        var center = Center(start, first, second);
+        var radius = start.DistanceTo(center);
+        var tolerance = Math.Max(_dialect.ArcMismatchMm, _dialect.ArcMismatchOfRadius * radius);
+        var mismatch = ArcCenter.Mismatch(start, end, center);
+        var bad = isKnown && !(mismatch <= tolerance && radius > 0);
+        return new(kind, center, bad ? BadArc(FormattableString.Invariant($"the radii at start and end differ by {mismatch:0.####} mm")) : MotionFlags.None);
+    }
+
+    private Point2 Center(Point2 start, char first, char second) => new(CenterWord(start.X, first), CenterWord(start.Y, second));
+
+    // A missing center word is the start's own coordinate, or zero where centers are positions.
+    private double CenterWord(double start, char letter)
+    {
+        var bit = BlockWords.Bit(letter);
+        var absolute = (_state.AbsoluteCenters && (_words.Incremental & bit) == 0) || (_words.Absolute & bit) != 0;
+        return (absolute ? 0 : start) + (_words.Has(letter) ? Length(letter) : 0);
+    }
+
+    private FoundArc ByRadius(MotionKind kind, Point2 start, Point2 end, double radius, bool isKnown) =>
+        ArcCenter.ByRadius(start, end, radius, kind == MotionKind.ArcCounterClockwise, _dialect.ArcMismatchMm) is { } center
+            ? new(kind, center, MotionFlags.ByRadius)
+            : new(kind, start.Lerp(end, 0.5), MotionFlags.ByRadius | (isKnown ? BadArc("no circle of this radius reaches from the start to the end") : MotionFlags.None));
+
+    // An opening angle with a center gives the end; with an end it gives the center.
+    private FoundArc ByAngle(MotionKind kind, Point2 start, Point2 end, double degrees, Point2? center, bool isKnown)
+    {
+        var counterClockwise = kind == MotionKind.ArcCounterClockwise;
+        if (!(degrees is > 0 and < 360))
+        {
+            return new(kind, start.Lerp(end, 0.5), isKnown ? BadArc("the opening angle must lie between 0 and 360 degrees") : MotionFlags.BadArc);
+        }
+
+        if (center is { } c)
+        {
+            var from = start - c;
+            var (sin, cos) = Math.SinCos((counterClockwise ? degrees : -degrees) * Math.PI / 180);
+            return new(kind, c, MotionFlags.Expression, c + new Vector2((from.X * cos) - (from.Y * sin), (from.X * sin) + (from.Y * cos)));
+        }
+
+        var chord = end - start;
+        var height = chord.Length / 2 / Math.Tan(degrees * Math.PI / 360);
+        return chord.Length > 0
+            ? new(kind, start.Lerp(end, 0.5) + (chord.Left / chord.Length * (counterClockwise ? height : -height)), MotionFlags.Expression)
+            : new(kind, start, isKnown ? BadArc("start and end are one place") : MotionFlags.BadArc);
+    }
+
+    private FoundArc Through(Point2 start, Point2 end, bool isKnown)
+    {
+        var at = _state.Position;
+        var incremental = _state.Incremental;
+        var way = new Point3(
+            Way(NcAddress.ThroughX, at.X, incremental), Way(NcAddress.ThroughY, at.Y, incremental), Way(NcAddress.ThroughZ, at.Z, incremental));
+        var through = _state.Plane.Project(way);
+        var side = (through - start).Cross(end - through);
+        var kind = side < 0 ? MotionKind.ArcClockwise : MotionKind.ArcCounterClockwise;
+        try
+        {
+            return new(kind, Circle2.Through(start, through, end).Center, MotionFlags.Expression);
+        }
+        catch (GeometryException)
+        {
+            return new(kind, start.Lerp(end, 0.5), isKnown ? BadArc("start, intermediate point and end lie on one line") : MotionFlags.BadArc);
+        }
+    }
+
+    private double Way(byte letter, double at, bool incremental) => _words.Has(letter) ? (incremental ? at : 0) + Length(letter) : at;
+
+    private FoundArc Tangent(Point2 start, Point2 end, bool isKnown)
+    {
+        if (_motions.Length > 0 && _motions[_motions.Length - 1] is { IsCut: true, MovesInPlane: true } before && _frame is null)
+        {
+            var tangent = before.TangentAt(1);
+            var chord = end - start;
+            var side = tangent.Cross(chord);
+            if (Math.Abs(side) > 1e-9 * chord.Length)
+            {
+                var radius = chord.Dot(chord) / (2 * side);
+                return new(side > 0 ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise, start + (tangent.Left * radius), MotionFlags.Expression);
+            }
+        }
+
+        return new(MotionKind.ArcClockwise, start.Lerp(end, 0.5), isKnown ? BadArc("no motion before it gives a direction to continue, or its end lies straight ahead") : MotionFlags.BadArc);
+    }
+
+    private MotionFlags BadArc(string why) => Problem("bad-arc", $"Not an arc: {why}.", MotionFlags.BadArc);
+}

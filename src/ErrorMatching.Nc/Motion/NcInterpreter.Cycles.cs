@@ -1,0 +1,135 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <content>Canned cycles as the motions that they are made of.</content>
+public sealed partial class NcInterpreter
+{
+    /// <summary>How far above the last depth a rapid ends in a deep hole, mm: LinuxCNC's 0.010 inch; other controls have a parameter for it (assumed the same).</summary>
+    private const double PeckClearanceMm = 0.254;
+
+    /// <summary>As many pecks in one hole, and holes in one block, as are followed.</summary>
+    private const int MostSteps = 100_000;
+
+    private double _cycleInitial;
+    private (double Depth, double Plane, double Peck, bool HasPlane) _cycle;
+    private AxisSet _cycleUnknown;
+
+    private void BeginCycle(NcMeaning meaning)
+    {
+        if (_state.Cycle == NcMeaning.Unknown)
+        {
+            _cycleInitial = _state.Plane.Height(_state.Position);
+            _cycle = default;
+            _cycleUnknown = AxisSet.All;
+        }
+
+        _state.Cycle = meaning;
+        _state.Unsure &= ~Unsure.Mode;
+    }
+
+    private void Drill(MotionFlags flags)
+    {
+        flags |= MotionFlags.Cycle;
+        var plane = _state.Plane;
+        var axis = plane switch { CoordinatePlane.ZX => 'Y', CoordinatePlane.YZ => 'X', _ => 'Z' };
+        var toolAxis = AxisSet.All & ~plane.Axes();
+        var (target, unknown) = Target();
+        ReadCycleWords(axis, toolAxis);
+        var isKnown = (_state.Unknown & toolAxis) == AxisSet.None && (_cycleUnknown & toolAxis) == AxisSet.None && _cycle.HasPlane;
+        if (!isKnown || _state.Cycle == NcMeaning.OpaqueCycle)
+        {
+            // Over the position, at a height that depends.
+            var height = _state.RetractsToR ? _cycle.Plane : _cycleInitial;
+            Append(MotionKind.Cycle, flags, plane.Lift(plane.Project(target), height), (unknown & plane.Axes()) | (isKnown ? AxisSet.None : toolAxis));
+            return;
+        }
+
+        var times = _words.Has('L') ? _words.Value('L') : _words.Has('K') && plane == CoordinatePlane.XY ? _words.Value('K') : 1;
+        var step = plane.Project(target) - plane.Project(_state.Position);
+        for (var i = 0; i < Math.Min(times, MostSteps); i++)
+        {
+            var place = i == 0 || !_state.Incremental ? plane.Project(target) : plane.Project(_state.Position) + step;
+            Hole(flags, place, unknown & plane.Axes(), i == 0);
+        }
+    }
+
+    // The R plane counts from where the cycle began, the depth from the R plane, where coordinates are increments.
+    private void ReadCycleWords(char axis, AxisSet toolAxis)
+    {
+        if (_words.Has('R'))
+        {
+            _cycle.Plane = _state.Incremental ? Sum(_cycleInitial, Length('R')) : Length('R');
+            _cycle.HasPlane = true;
+        }
+
+        if (_words.Has(axis))
+        {
+            _cycle.Depth = _state.Incremental ? Sum(_cycle.Plane, Length(axis)) : Length(axis);
+            _cycleUnknown &= ~toolAxis;
+        }
+
+        _cycle.Peck = _words.Has('Q') ? Math.Abs(Length('Q')) : _cycle.Peck;
+        _cycleUnknown |= UnknownWords() & toolAxis;
+        if ((_words.Unknown & (BlockWords.Bit('R') | BlockWords.Bit('Q'))) != 0)
+        {
+            _cycleUnknown |= toolAxis;
+        }
+    }
+
+    private void Hole(MotionFlags flags, Point2 place, AxisSet unknown, bool first)
+    {
+        var plane = _state.Plane;
+        var (bottom, top) = (_cycle.Depth, _cycle.Plane);
+        var clear = _state.RetractsToR ? top : Math.Max(_cycleInitial, top);
+        if (first && plane.Height(_state.Position) < top)
+        {
+            ToHeight(MotionKind.Rapid, flags, top);
+        }
+
+        if (plane.Project(_state.Position) != place || _state.Unknown != unknown)
+        {
+            Append(MotionKind.Rapid, flags, plane.Lift(place, plane.Height(_state.Position)), unknown);
+        }
+
+        ToHeight(MotionKind.Rapid, flags, top);
+        Pecks(flags, bottom, top);
+        ToHeight(MotionKind.Line, flags, bottom);
+        var feedsOut = _state.Cycle == NcMeaning.FeedOutCycle;
+        if (feedsOut)
+        {
+            ToHeight(MotionKind.Line, flags, _dialect.Syntax == NcSyntax.LinuxCnc ? clear : top);
+        }
+
+        ToHeight(MotionKind.Rapid, flags, clear);
+    }
+
+    private void Pecks(MotionFlags flags, double bottom, double top)
+    {
+        if (_state.Cycle is not (NcMeaning.PeckCycle or NcMeaning.ChipBreakCycle) || !(_cycle.Peck > 0))
+        {
+            return;
+        }
+
+        var steps = 0;
+        for (var depth = Sum(top, -_cycle.Peck); depth > bottom && steps < MostSteps; depth = Sum(depth, -_cycle.Peck), steps++)
+        {
+            ToHeight(MotionKind.Line, flags, depth);
+            if (_state.Cycle == NcMeaning.PeckCycle)
+            {
+                ToHeight(MotionKind.Rapid, flags, top);
+            }
+
+            ToHeight(MotionKind.Rapid, flags, Sum(depth, PeckClearanceMm));
+        }
+    }
+
+    private void ToHeight(MotionKind kind, MotionFlags flags, double height)
+    {
+        var plane = _state.Plane;
+        if (plane.Height(_state.Position) != height)
+        {
+            Append(kind, flags, plane.Lift(plane.Project(_state.Position), height), _state.Unknown);
+        }
+    }
+}

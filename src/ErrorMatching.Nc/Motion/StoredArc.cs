@@ -1,0 +1,6 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>What only arcs have.</summary>
+internal readonly record struct StoredArc(Point2 Center, int Turns);

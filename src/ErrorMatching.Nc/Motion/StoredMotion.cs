@@ -1,0 +1,39 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// A motion in 40 bytes: where it ends, and indexes of what many motions share. Its start is the end of the one before, unless it says otherwise.
+/// </summary>
+internal struct StoredMotion
+{
+    private const int KindShift = 24;
+    private const int PlaneShift = 27;
+    private const int UnknownShift = 29;
+
+    public double X;
+    public double Y;
+    public double Z;
+    public int Block;
+    public int Setting;
+    public int Arc;
+
+    // Flags in 24 bits, then kind in 3, plane in 2, unknown axes in 3.
+    private readonly uint _packed;
+
+    public StoredMotion(int block, MotionKind kind, CoordinatePlane plane, MotionFlags flags, Point3 end, AxisSet unknownEnd, int setting, int arc)
+    {
+        (X, Y, Z, Block, Setting, Arc) = (end.X, end.Y, end.Z, block, setting, arc);
+        _packed = (uint)flags | ((uint)kind << KindShift) | ((uint)plane << PlaneShift) | ((uint)unknownEnd << UnknownShift);
+    }
+
+    public readonly Point3 End => new(X, Y, Z);
+
+    public readonly MotionFlags Flags => (MotionFlags)(_packed & 0xFFFFFF);
+
+    public readonly MotionKind Kind => (MotionKind)((_packed >> KindShift) & 7);
+
+    public readonly CoordinatePlane Plane => (CoordinatePlane)((_packed >> PlaneShift) & 3);
+
+    public readonly AxisSet UnknownEnd => (AxisSet)(_packed >> UnknownShift);
+}
