@@ -32,13 +32,13 @@ internal static class PeerBenchmark
             var console = Repository.PathTo("artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
             Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{count} blocks, {program.Length / 1e6:0.0} MB, best of {Runs} runs"));
             var reference = Process("rs274 -g, whole process", peer, ["-g", file], folder);
-            var read = NcProgram.Read(program);
+            var read = NcProgram.Read(program, NcDialects.LinuxCnc.Syntax);
             NcInterpreter.Run(read, NcDialects.LinuxCnc);
             Measurement[] ours =
             [
                 Process("errormatch nc motion, whole process", console, ["nc", "motion", file, "--dialect", "linuxcnc"], folder),
                 Process("errormatch nc check, whole process", console, ["nc", "check", file, "--dialect", "linuxcnc"], folder),
-                Memory("the library, from bytes in memory to motions", () => NcInterpreter.Run(NcProgram.Read(program), NcDialects.LinuxCnc)),
+                Memory("the library, from bytes in memory to motions", () => NcInterpreter.Run(NcProgram.Read(program, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc)),
                 Memory("the library, interpreting alone", () => NcInterpreter.Run(read, NcDialects.LinuxCnc)),
             ];
             Console.WriteLine("| what | seconds | million blocks/s | peak MB | times rs274 |");

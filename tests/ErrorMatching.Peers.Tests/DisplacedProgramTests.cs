@@ -78,7 +78,7 @@ public sealed class DisplacedProgramTests
 
     private static (IReadOnlyList<PeerMotion> Before, IReadOnlyList<PeerMotion> After, string Result) Displace(string text, int count, Func<NcPath, int[], NcOutcome<DisplacementWish>> wanted)
     {
-        var path = NcInterpreter.Run(NcProgram.FromText(text), NcDialects.LinuxCnc);
+        var path = NcInterpreter.Run(NcProgram.FromText(text, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc);
         var blocks = BlockSelector.Select(path.Program, [BlockSelector.Parse($"N101..N{100 + count}")]);
         Assert.True(blocks.IsUsable, blocks.Refusal?.Message);
         var wish = wanted(path, blocks.Value);

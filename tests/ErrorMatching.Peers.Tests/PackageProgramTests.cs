@@ -38,7 +38,7 @@ public sealed partial class PackageProgramTests
             }
 
             compared++;
-            if (Agreement.FirstDifference(peer.Motions, NcInterpreter.Run(NcProgram.Read(bytes), NcDialects.LinuxCnc), mostUnknown: 1, peerStops: peer.Refusal is not null) is { } difference)
+            if (Agreement.FirstDifference(peer.Motions, NcInterpreter.Run(NcProgram.Read(bytes, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc), mostUnknown: 1, peerStops: peer.Refusal is not null) is { } difference)
             {
                 differences.Add($"{file}: {difference}");
             }

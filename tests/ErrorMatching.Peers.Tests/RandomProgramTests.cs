@@ -47,7 +47,7 @@ public sealed class RandomProgramTests
             var text = RandomProgram.Write(topic, seed);
             var peer = Rs274.Run(WithoutCompensation(text));
             Assert.True(peer.Refusal is null, $"seed {seed}: rs274 refuses the program, {peer.Refusal}\n{text}");
-            if (Agreement.FirstDifference(peer.Motions, NcInterpreter.Run(NcProgram.FromText(text), NcDialects.LinuxCnc)) is { } difference)
+            if (Agreement.FirstDifference(peer.Motions, NcInterpreter.Run(NcProgram.FromText(text, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc)) is { } difference)
             {
                 differences.Add($"seed {seed}: {difference}\n{text}");
             }
