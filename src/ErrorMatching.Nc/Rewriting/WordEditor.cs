@@ -36,14 +36,27 @@ internal sealed class WordEditor
         ChooseIncrement(affected);
         foreach (var motion in affected)
         {
-            if (Edit(motion) is { } refusal)
+            if (TryEdit(motion) is { } refusal)
             {
                 return refusal;
             }
         }
 
-        var program = _patches.Count == 0 ? _path.Program : NcProgram.Read(NcPatch.Apply(_path.Program.Bytes.Span, _patches));
+        var program = _patches.Count == 0 ? _path.Program : NcProgram.Read(NcPatch.Apply(_path.Program.Bytes.Span, _patches), _path.Program.Syntax);
         return new Rewrite(program, _patches, _changedBlocks, _patches.Count, _increment);
+    }
+
+    // Exact decimals end at 18 digits: where a program's own number leaves no room, nothing else is written instead.
+    private NcRefusal? TryEdit(int motion)
+    {
+        try
+        {
+            return Edit(motion);
+        }
+        catch (NcException e) when (e.Code == NcErrorCode.NumberTooLong)
+        {
+            return NcRefusal.At(_path.Program, _path.Motions[motion].Block, NcRefusalCodes.NumberTooLong, e.Message);
+        }
     }
 
     private List<int> Affected()
@@ -153,7 +166,7 @@ internal sealed class WordEditor
 
     private double Unit => _inch ? 25.4 : 1;
 
-    private long Steps(int joint, char axis) => (long)Math.Round(Coordinate(default(Point3) + _change.MoveOf(joint), axis) / _increment, MidpointRounding.AwayFromZero);
+    private long Steps(int joint, char axis) => NcNumber.Round(Coordinate(default(Point3) + _change.MoveOf(joint), axis) / _increment, 0).Digits;
 
     private static double Coordinate(Point3 point, char axis) => axis switch { 'X' => point.X, 'Y' => point.Y, _ => point.Z };
 
@@ -241,7 +254,7 @@ internal sealed class WordEditor
 
         // Moved end points take the radius rounded up, so that it surely reaches; elements take the nearest.
         var exactSteps = wanted.Radius / _increment;
-        var steps = (long)(_keepRadii ? Math.Ceiling(exactSteps - 1e-6) : Math.Round(exactSteps, MidpointRounding.AwayFromZero));
+        var steps = NcNumber.Round(_keepRadii ? Math.Ceiling(exactSteps - 1e-6) : exactSteps, 0).Digits;
         sign = Math.Abs(wanted.Sweep.Radians) > Math.PI + 1e-9 ? -1 : 1;
         while (2 * steps * _increment < start.DistanceTo(end))
         {
