@@ -1,4 +1,5 @@
 using System.CommandLine;
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
@@ -56,6 +57,10 @@ internal static class Application
         catch (JobException e)
         {
             return FailureOf.Job(e);
+        }
+        catch (JsonDocumentException e)
+        {
+            return FailureOf.Dialect(e);
         }
         catch (NcException e)
         {

@@ -33,6 +33,15 @@ public static class NcRefusalCodes
     /// <summary>The program branches, loops or calls, so a block may run several times or not at all.</summary>
     public const string ControlFlow = "control-flow";
 
+    /// <summary>A block that runs several times would have to change differently at each run.</summary>
+    public const string RunsDiffer = "runs-differ";
+
+    /// <summary>An arc is given by an opening angle, a point on the way, or the direction before it.</summary>
+    public const string ArcForm = "arc-form";
+
+    /// <summary>A displaced contour could no longer be entered or left as it is with cutter compensation.</summary>
+    public const string CompensationEntry = "compensation-entry";
+
     /// <summary>The work offset or origin changes between blocks that must change together.</summary>
     public const string FrameChange = "frame-change";
 

@@ -208,7 +208,7 @@ public sealed class MotionTests
     {
         var error = Assert.Throws<NcException>(() => NcDialects.Named("fanuk"));
         Assert.Equal(NcErrorCode.UnknownDialect, error.Code);
-        Assert.Contains("generic, fanuc, delta-nc300, linuxcnc", error.Message, StringComparison.Ordinal);
+        Assert.Contains("generic, fanuc, delta-nc300, siemens-840d, linuxcnc", error.Message, StringComparison.Ordinal);
         Assert.All(NcDialects.All, d => Assert.Same(d, NcDialects.Named(d.Name)));
         Assert.All(NcDialects.All, d => Assert.All(d.Facts, f => Assert.NotEmpty(f.Source)));
     }

@@ -23,7 +23,7 @@ public sealed class SoupTests
 
     [Fact]
     public void Nothing_throws_and_what_is_rewritten_reads_as_the_same_blocks() =>
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(20000).WithEndSize(40), Prop.ForAll(Program.Zip(Gen.Choose(0, 3).Zip(Gen.Choose(-30, 30))).ToArbitrary(), p =>
+        Check.One(Config.QuickThrowOnFailure.WithMaxTest(20000).WithEndSize(40), Prop.ForAll(Program.Zip(Gen.Choose(0, NcDialects.Names.Count - 1).Zip(Gen.Choose(-30, 30))).ToArbitrary(), p =>
         {
             var path = Bench.Read(p.Item1, NcDialects.All[p.Item2.Item1]);
             var blocks = Enumerable.Range(1, path.Program.BlockCount - 1).Where(b => b % 3 != p.Item2.Item1).ToArray();

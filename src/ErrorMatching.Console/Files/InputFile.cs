@@ -12,6 +12,19 @@ internal static class InputFile
     /// <exception cref="JobException">It cannot be used.</exception>
     public static MatingJob Job(string path) => MatingJob.Parse(Open(path, p => JsonInput.Load(p)), path);
 
+    /// <summary>A built-in dialect by its name, or the shop's own in a file.</summary>
+    /// <param name="dialect">A name, or a file that ends in <c>.json</c>.</param>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    /// <exception cref="NcException">No dialect has this name.</exception>
+    public static NcDialect Dialect(string dialect) => NcDialects.IsFile(dialect) ? Open(dialect, NcDialects.Read) : NcDialects.Named(dialect);
+
+    /// <summary>The dialect of a job's program: a file is found from the job's folder.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    /// <exception cref="NcException">No dialect has this name.</exception>
+    public static NcDialect DialectOf(MatingJob job) => Dialect(NcDialects.IsFile(job.Counterpart.Dialect) ? job.PathOf(job.Counterpart.Dialect) : job.Counterpart.Dialect);
+
     /// <summary>The bytes of a program.</summary>
     /// <exception cref="InputException">The file cannot be opened, or is larger than any program that is read.</exception>
     public static ReadOnlyMemory<byte> Program(string path) => Open(path, p =>

@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
@@ -20,14 +21,10 @@ internal static class FailureOf
     });
 
     /// <summary>A job that cannot be used: everything that is wrong in it.</summary>
-    public static Failure Job(JobException e) => new(ExitCode.WrongInput, [.. e.Problems.Select(p => new ErrorItem(p.Code, string.Create(CultureInfo.InvariantCulture, $"{e.File}, line {p.Line}, column {p.Column}, {p.Path}: {Sentence(p.Message)}"))
-    {
-        File = e.File,
-        Line = p.Line,
-        Column = p.Column,
-        Path = p.Path,
-        Problem = Sentence(p.Message),
-    })]);
+    public static Failure Job(JobException e) => Document(e.File, e.Problems);
+
+    /// <summary>A dialect's file that cannot be used: everything that is wrong in it.</summary>
+    public static Failure Dialect(JsonDocumentException e) => Document(e.File, e.Problems);
 
     /// <summary>Points of a file without a usable answer.</summary>
     public static Failure Geometry(GeometryException e, string file) => new(ExitCode.WrongInput, new ErrorItem(CodeOf(e.Error), $"{file}: {e.Message}") { File = file, Problem = e.Message });
@@ -68,6 +65,15 @@ internal static class FailureOf
 
     /// <summary>A defect of the program, which its user can only report.</summary>
     public static Failure Defect(Exception e) => new(ExitCode.Outside, new ErrorItem("internal-error", $"This is a defect of errormatch: please report it with the input that shows it. {e}"));
+
+    private static Failure Document(string file, IReadOnlyList<JsonProblem> problems) => new(ExitCode.WrongInput, [.. problems.Select(p => new ErrorItem(p.Code, string.Create(CultureInfo.InvariantCulture, $"{file}, line {p.Line}, column {p.Column}, {p.Path}: {Sentence(p.Message)}"))
+    {
+        File = file,
+        Line = p.Line,
+        Column = p.Column,
+        Path = p.Path,
+        Problem = Sentence(p.Message),
+    })]);
 
     private static string Sentence(string problem) => problem.TrimEnd('.') + ".";
 

@@ -4,7 +4,7 @@ namespace ErrorMatching.Mating;
 
 /// <summary>The piece to be cut, and its program.</summary>
 /// <param name="Program">File of the program, as the job writes it.</param>
-/// <param name="Dialect">The control that the program is written for, by name.</param>
+/// <param name="Dialect">The control that the program is written for: the name of a built-in dialect, or a file of the shop as the job writes it (<see cref="Nc.NcDialects.IsFile"/>).</param>
 /// <param name="ToolDiameterMm">Diameter of the tool that cuts the boundary.</param>
 /// <param name="Measured">File of the key points of a counterpart that was cut before; null if there is none.</param>
 /// <param name="Frame">From the part's frame to the program's.</param>

@@ -13,6 +13,9 @@ namespace ErrorMatching.Mating;
 /// <param name="Program">Its bytes.</param>
 public sealed record MatchInput(MatingJob Job, MeasurementFile Theoretical, MeasurementFile Part, MeasurementFile? Counterpart, string ProgramFile, ReadOnlyMemory<byte> Program)
 {
+    /// <summary>The dialect of the program where the job names a file of the shop (<see cref="NcDialects.IsFile"/>); else null, and the job's name says which.</summary>
+    public NcDialect? OwnDialect { get; init; }
+
     /// <summary>SHA-256 of the program's bytes as 64 lower-case hexadecimal digits.</summary>
     public string ProgramSha256 => Convert.ToHexStringLower(SHA256.HashData(Program.Span));
 
@@ -26,5 +29,5 @@ public sealed record MatchInput(MatingJob Job, MeasurementFile Theoretical, Meas
 
     /// <summary>Interprets the program in the job's dialect.</summary>
     /// <exception cref="NcException">The dialect is not known, or the program is too large.</exception>
-    public NcPath Interpret() => NcInterpreter.Run(NcProgram.Read(Program), NcDialects.Named(Job.Counterpart.Dialect));
+    public NcPath Interpret() => NcInterpreter.Run(NcProgram.Read(Program), OwnDialect ?? NcDialects.Named(Job.Counterpart.Dialect));
 }

@@ -57,6 +57,7 @@ public static class MatchReporter
         }
 
         inputs.Add(new("program", input.ProgramFile, input.ProgramSha256));
+        inputs.AddRange(input.OwnDialect?.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)) ?? []);
         return inputs;
     }
 

@@ -1,4 +1,5 @@
 using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
@@ -11,4 +12,8 @@ namespace ErrorMatching.Mating;
 /// <param name="ProgramFile">The counterpart's nominal program as the caller named it; its path gives the normals.</param>
 /// <param name="Program">Its bytes.</param>
 public sealed record VerifyInput(
-    MatingJob Job, MeasurementFile Theoretical, MeasurementFile Part, MeasurementFile Before, MeasurementFile After, string ProgramFile, ReadOnlyMemory<byte> Program);
+    MatingJob Job, MeasurementFile Theoretical, MeasurementFile Part, MeasurementFile Before, MeasurementFile After, string ProgramFile, ReadOnlyMemory<byte> Program)
+{
+    /// <summary>The dialect of the program where the job names a file of the shop (<see cref="NcDialects.IsFile"/>); else null, and the job's name says which.</summary>
+    public NcDialect? OwnDialect { get; init; }
+}

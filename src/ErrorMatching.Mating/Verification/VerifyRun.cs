@@ -18,7 +18,7 @@ public static class VerifyRun
     {
         ArgumentNullException.ThrowIfNull(input);
         var job = input.Job;
-        var path = NcInterpreter.Run(NcProgram.Read(input.Program), NcDialects.Named(job.Counterpart.Dialect));
+        var path = NcInterpreter.Run(NcProgram.Read(input.Program), input.OwnDialect ?? NcDialects.Named(job.Counterpart.Dialect));
         IReadOnlyList<FeatureMap> maps = [];
         if ((OriginCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After) ?? AlignedMeasurement.Check(job) ?? FeatureMapper.Map(job, path, input.Theoretical, out maps)) is { } refusal)
         {
@@ -38,6 +38,7 @@ public static class VerifyRun
             new("counterpart", input.Before.File, input.Before.Sha256),
             new("counterpart-after", input.After.File, input.After.Sha256),
             new("program", input.ProgramFile, Convert.ToHexStringLower(SHA256.HashData(input.Program.Span))),
+            .. path.Dialect.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)),
         ];
         return new(ReportJob.Of(job), inputs, Verifier.Verify(job, [.. points]), []);
     }

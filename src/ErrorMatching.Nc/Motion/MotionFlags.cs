@@ -60,4 +60,7 @@ public enum MotionFlags
 
     /// <summary>It begins elsewhere than the motion before it ended: an origin changed in between.</summary>
     StartsElsewhere = 1 << 17,
+
+    /// <summary>The arc is given by an opening angle, a point on the way, or the direction before it.</summary>
+    OtherArcForm = 1 << 18,
 }

@@ -10,5 +10,6 @@ namespace ErrorMatching.Nc;
 /// <param name="UnknownOrigin">Axes in which only the machine knows it.</param>
 /// <param name="Shift">Shift of the origin on top (G92, G52), mm.</param>
 /// <param name="UnknownShift">Axes in which the shift is not known.</param>
-/// <param name="IsTransformed">True if rotation, scale, mirror, polar or other transformations lie on top.</param>
-public sealed record NcFrame(int Block, int WorkOffset, int WorkOffsetNumber, Vector3 Origin, AxisSet UnknownOrigin, Vector3 Shift, AxisSet UnknownShift, bool IsTransformed);
+/// <param name="ProgramShift">Work coordinates less programmed ones, mm, where a programmable shift (TRANS) is all that lies on top; else zero.</param>
+/// <param name="IsTransformed">True if more than a shift lies on top: rotation, scale, mirror, polar or other transformations.</param>
+public sealed record NcFrame(int Block, int WorkOffset, int WorkOffsetNumber, Vector3 Origin, AxisSet UnknownOrigin, Vector3 Shift, AxisSet UnknownShift, Vector3 ProgramShift, bool IsTransformed);

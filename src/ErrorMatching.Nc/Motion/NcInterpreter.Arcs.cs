@@ -114,13 +114,13 @@ public sealed partial class NcInterpreter
         {
             var from = start - c;
             var (sin, cos) = Math.SinCos((counterClockwise ? degrees : -degrees) * Math.PI / 180);
-            return new(kind, c, MotionFlags.Expression, c + new Vector2((from.X * cos) - (from.Y * sin), (from.X * sin) + (from.Y * cos)));
+            return new(kind, c, MotionFlags.OtherArcForm, c + new Vector2((from.X * cos) - (from.Y * sin), (from.X * sin) + (from.Y * cos)));
         }
 
         var chord = end - start;
         var height = chord.Length / 2 / Math.Tan(degrees * Math.PI / 360);
         return chord.Length > 0
-            ? new(kind, start.Lerp(end, 0.5) + (chord.Left / chord.Length * (counterClockwise ? height : -height)), MotionFlags.Expression)
+            ? new(kind, start.Lerp(end, 0.5) + (chord.Left / chord.Length * (counterClockwise ? height : -height)), MotionFlags.OtherArcForm)
             : new(kind, start, isKnown ? BadArc("start and end are one place") : MotionFlags.BadArc);
     }
 
@@ -135,7 +135,7 @@ public sealed partial class NcInterpreter
         var kind = side < 0 ? MotionKind.ArcClockwise : MotionKind.ArcCounterClockwise;
         try
         {
-            return new(kind, Circle2.Through(start, through, end).Center, MotionFlags.Expression);
+            return new(kind, Circle2.Through(start, through, end).Center, MotionFlags.OtherArcForm);
         }
         catch (GeometryException)
         {
@@ -155,7 +155,7 @@ public sealed partial class NcInterpreter
             if (Math.Abs(side) > 1e-9 * chord.Length)
             {
                 var radius = chord.Dot(chord) / (2 * side);
-                return new(side > 0 ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise, start + (tangent.Left * radius), MotionFlags.Expression);
+                return new(side > 0 ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise, start + (tangent.Left * radius), MotionFlags.OtherArcForm);
             }
         }
 

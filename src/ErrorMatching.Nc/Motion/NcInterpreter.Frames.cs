@@ -9,7 +9,7 @@ namespace ErrorMatching.Nc;
 public sealed partial class NcInterpreter
 {
     private readonly Dictionary<(int Code, int Number), (Vector3 Origin, AxisSet Unknown)> _origins = [];
-    private readonly List<NcFrame> _frames = [new(0, 540, 0, Vector3.Zero, AxisSet.All, Vector3.Zero, AxisSet.None, false)];
+    private readonly List<NcFrame> _frames = [new(0, 540, 0, Vector3.Zero, AxisSet.All, Vector3.Zero, AxisSet.None, Vector3.Zero, false)];
     private (int Code, int Number) _workOffset = (540, 0);
     private Vector3 _shift;
     private AxisSet _unknownShift;
@@ -21,7 +21,7 @@ public sealed partial class NcInterpreter
     {
         _state.Frame++;
         var (origin, unknown) = OriginOf(_workOffset);
-        _frames.Add(new(_block, _workOffset.Code, _workOffset.Number, origin, unknown, _shift, _unknownShift, _transforms != Transforms.None));
+        _frames.Add(new(_block, _workOffset.Code, _workOffset.Number, origin, unknown, _shift, _unknownShift, IsTransformed ? Vector3.Zero : _frame?.ShiftOnly ?? Vector3.Zero, IsTransformed));
     }
 
     private void ChooseWorkOffset(int tenths)

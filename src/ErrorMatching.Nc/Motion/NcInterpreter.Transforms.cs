@@ -27,6 +27,9 @@ public sealed partial class NcInterpreter
         Opaque = 32,
     }
 
+    // A programmable shift alone changes no increment and no arc.
+    private bool IsTransformed => _transforms != Transforms.None && !(_transforms == Transforms.Programmable && (_frame is null || _frame.ShiftOnly is not null));
+
     private (Point3 Place, AxisSet Unknown) Work(Point3 programmed, AxisSet unknown)
     {
         if (_frame is null)

@@ -135,7 +135,7 @@ public sealed partial class NcInterpreter
         | (_state.Incremental ? MotionFlags.Incremental : MotionFlags.None)
         | (_state.AbsoluteCenters ? MotionFlags.AbsoluteCenter : MotionFlags.None)
         | _state.Compensation
-        | (_transforms != Transforms.None ? MotionFlags.Transformed : MotionFlags.None)
+        | (IsTransformed ? MotionFlags.Transformed : MotionFlags.None)
         | (_state.Unsure != Unsure.None ? MotionFlags.UnsureMode : MotionFlags.None);
 
     // After a call or an unknown statement nothing is certain until it is stated again.

@@ -26,6 +26,9 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     /// <summary>True if no motion belongs to an earlier block than the one before it: the program runs straight through.</summary>
     public bool FollowBlocks { get; private set; } = true;
 
+    /// <summary>True if a straight cut ends where it begins.</summary>
+    internal bool HasPoints { get; private set; }
+
     /// <summary>The motion at a position, from 0.</summary>
     public NcMotion this[int index]
     {
@@ -79,6 +82,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
             _starts[index] = (start, motion.UnknownStart);
         }
 
+        HasPoints |= PathWithoutPoints.IsPoint(motion);
         FollowBlocks &= motion.Block >= _lastBlock;
         _lastBlock = motion.Block;
         _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.UnknownEnd.KnownPartOf(motion.End), motion.UnknownEnd, _settings.Count - 1, arc));

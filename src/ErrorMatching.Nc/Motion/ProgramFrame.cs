@@ -20,6 +20,9 @@ internal sealed class ProgramFrame
     /// <summary>True if places stay where they are.</summary>
     public bool IsIdentity => _shift.Length < 1e-12 && (_x - Identity._x).Length < 1e-12 && (_y - Identity._y).Length < 1e-12 && (_z - Identity._z).Length < 1e-12;
 
+    /// <summary>The shift, if that is all that the map does; else null.</summary>
+    public Vector3? ShiftOnly => _x == Identity._x && _y == Identity._y && _z == Identity._z ? _shift : null;
+
     /// <summary>True if each axis stays parallel to itself, so that an unknown coordinate leaves the others known.</summary>
     public bool KeepsAxes => _x.Y == 0 && _x.Z == 0 && _y.X == 0 && _y.Z == 0 && _z.X == 0 && _z.Y == 0;
 

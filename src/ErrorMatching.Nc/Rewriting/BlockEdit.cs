@@ -1,31 +1,54 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Changes and inserts words of one block, in the style in which the block is written.</summary>
+/// <summary>Changes and inserts words of one block, in the style in which the block is written. One edit serves block after block.</summary>
 internal sealed class BlockEdit
 {
     private readonly NcProgram _program;
+    private readonly PatchText _text = new();
     private readonly List<NcToken> _words = [];
-    private readonly bool _programIsFixed;
     private readonly List<NcPatch> _patches = [];
-    private readonly bool _spaced;
-    private readonly bool _lowerCase;
+    private readonly bool _programIsFixed;
+    private readonly int _incrementDecimals;
+    private bool _spaced;
+    private bool _lowerCase;
 
-    public BlockEdit(NcProgram program, NcBlock block, bool programIsFixed)
+    /// <summary>An edit of a program's blocks.</summary>
+    /// <param name="program">The program.</param>
+    /// <param name="programIsFixed">True if the program pads its numbers with zeros.</param>
+    /// <param name="incrementDecimals">Decimals of what a number without a point counts; -1 where it counts whole units.</param>
+    public BlockEdit(NcProgram program, bool programIsFixed, int incrementDecimals)
     {
         _program = program;
         _programIsFixed = programIsFixed;
-        var anyWord = false;
-        foreach (var token in program.Tokens(block))
+        _incrementDecimals = incrementDecimals;
+    }
+
+    /// <summary>Patches of the block, in ascending order.</summary>
+    public List<NcPatch> Patches
+    {
+        get
+        {
+            _patches.Sort((a, b) => a.Start.CompareTo(b.Start));
+            return _patches;
+        }
+    }
+
+    /// <summary>Begins with another block.</summary>
+    public void Open(NcBlock block)
+    {
+        _words.Clear();
+        _patches.Clear();
+        (_spaced, _lowerCase) = (false, false);
+        foreach (var token in _program.Tokens(block))
         {
             if (token.Kind is NcTokenKind.Word or NcTokenKind.ExpressionWord)
             {
-                _lowerCase |= !anyWord && program.Bytes.Span[token.Start] >= 'a';
-                anyWord = true;
+                _lowerCase |= _words.Count == 0 && _program.Bytes.Span[token.Start] >= 'a';
                 _words.Add(token);
             }
             else
             {
-                _spaced |= token.Kind == NcTokenKind.Space && anyWord;
+                _spaced |= token.Kind == NcTokenKind.Space && _words.Count > 0;
             }
         }
 
@@ -33,51 +56,69 @@ internal sealed class BlockEdit
         _spaced |= _words.Count < 2;
     }
 
-    /// <summary>Patches in ascending order.</summary>
-    public IReadOnlyList<NcPatch> Patches => [.. _patches.OrderBy(p => p.Start)];
-
     /// <summary>The value of a letter's word, or null where it has none.</summary>
-    public NcNumber? Number(char letter) => Find(letter) is { } token ? token.Number : null;
+    public NcNumber? Number(byte letter) => Find(letter) is { } token ? ValueOf(token) : null;
+
+    /// <summary>What a letter's word itself says about how it counts.</summary>
+    public WordDistance Distance(byte letter) => Find(letter)?.Distance ?? WordDistance.Modal;
 
     /// <summary>Gives a letter a new value: changes its word, or inserts one. A word that has the value already stays as it is spelled.</summary>
-    public void Set(char letter, NcNumber value)
+    public void Set(byte letter, NcNumber value)
     {
         if (Find(letter) is not { } token)
         {
             Insert(letter, value);
         }
-        else if (!token.Number.SameValue(value))
+        else if (!ValueOf(token).SameValue(value))
         {
-            _patches.Add(new(token.ValueStart, token.ValueLength, StyleOf(token).Format(value)));
+            Span<byte> text = stackalloc byte[NumberStyle.LongestText];
+            _patches.Add(new(token.ValueStart, token.ValueLength, _text.Keep(text[..Format(token, value, text)])));
         }
     }
 
-    /// <summary>Replaces a letter's word by others.</summary>
-    public void Replace(char letter, params ReadOnlySpan<(char Letter, NcNumber Value)> by)
+    /// <summary>Replaces a letter's word by two others.</summary>
+    public void Replace(byte letter, (byte Letter, NcNumber Value) first, (byte Letter, NcNumber Value) second)
     {
         var token = Find(letter)!.Value;
-        var bytes = new List<byte>();
-        foreach (var (other, value) in by)
+        Span<byte> text = stackalloc byte[2 * (NumberStyle.LongestText + 2)];
+        var length = Spell(first.Letter, text);
+        length += Format(token, first.Value, text[length..]);
+        if (_spaced)
         {
-            if (bytes.Count > 0 && _spaced)
-            {
-                bytes.Add((byte)' ');
-            }
-
-            bytes.Add(Spell(other));
-            bytes.AddRange(StyleOf(token).Format(value));
+            text[length++] = (byte)' ';
         }
 
-        _patches.Add(new(token.Start, token.Length, bytes.ToArray()));
+        length += Spell(second.Letter, text[length..]);
+        length += Format(token, second.Value, text[length..]);
+        _patches.Add(new(token.Start, token.Length, _text.Keep(text[..length])));
     }
 
-    private NumberStyle StyleOf(NcToken token) => NumberStyle.Of(_program.Bytes.Span.Slice(token.ValueStart, token.ValueLength), _programIsFixed) is var style && style.FixedDecimals > 0
-        ? style
-        : style with { FixedDecimals = -1 };
+    private NcNumber ValueOf(NcToken token) => CountsIncrements(token) ? new(token.Number.Digits, _incrementDecimals) : token.Number;
 
-    private NcToken? Find(char letter)
+    private bool CountsIncrements(NcToken token) => _incrementDecimals >= 0 && token.Number.Decimals == 0 && !_program.Bytes.Span.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.');
+
+    // A number that counts increments goes on doing so; if it cannot, it gets a point.
+    private int Format(NcToken like, NcNumber value, Span<byte> text)
     {
-        foreach (var token in _words)
+        var style = NumberStyle.Of(_program.Bytes.Span.Slice(like.ValueStart, like.ValueLength), _programIsFixed);
+        style = style.FixedDecimals > 0 ? style : style with { FixedDecimals = -1 };
+        if (CountsIncrements(like))
+        {
+            var trimmed = value.Trim();
+            if (trimmed.Decimals <= _incrementDecimals)
+            {
+                return style.Write(new(trimmed.WithDecimals(_incrementDecimals).Digits, 0), text);
+            }
+
+            style = style with { Point = true };
+        }
+
+        return style.Write(value, text);
+    }
+
+    private NcToken? Find(byte letter)
+    {
+        foreach (var token in System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_words))
         {
             if (token.Letter == letter && token.Kind == NcTokenKind.Word)
             {
@@ -88,40 +129,52 @@ internal sealed class BlockEdit
         return null;
     }
 
-    private byte Spell(char letter) => (byte)(_lowerCase ? char.ToLowerInvariant(letter) : letter);
-
-    // Behind the block number, the codes and the axes that come first by custom (X Y Z, then I J K, then R).
-    private void Insert(char letter, NcNumber value)
+    private int Spell(byte letter, Span<byte> text)
     {
-        var order = Order(letter);
-        var behind = -1;
-        for (var i = 0; i < _words.Count; i++)
-        {
-            if (Order((char)_words[i].Letter) < order)
-            {
-                behind = i;
-            }
-        }
-
-        var like = _words.FirstOrDefault(t => t.Kind == NcTokenKind.Word && Order((char)t.Letter) is >= 1 and <= 7);
-        var style = like.Length > 0 ? StyleOf(like) : new NumberStyle(Plus: false, Point: true, LeadingZero: true, FixedDecimals: -1, WholeDigits: 1);
-        byte[] word = [Spell(letter), .. style.Format(value)];
-        var separator = _spaced ? " "u8 : default;
-        _patches.Add(behind >= 0
-            ? new(_words[behind].End, 0, (byte[])[.. separator, .. word])
-            : new(_words[0].Start, 0, (byte[])[.. word, .. separator]));
+        text[0] = (byte)(_lowerCase ? letter | 0x20 : letter);
+        return 1;
     }
 
-    private static int Order(char letter) => letter switch
+    // Behind the block number, the codes and the axes that come first by custom (X Y Z, then I J K, then R).
+    private void Insert(byte letter, NcNumber value)
     {
-        'N' or 'G' or 'O' => 0,
-        'X' => 1,
-        'Y' => 2,
-        'Z' => 3,
-        'I' => 4,
-        'J' => 5,
-        'K' => 6,
-        'R' => 7,
+        var order = Order(letter);
+        var (behind, like) = (-1, -1);
+        for (var i = 0; i < _words.Count; i++)
+        {
+            behind = Order(_words[i].Letter) < order ? i : behind;
+            like = like < 0 && _words[i].Kind == NcTokenKind.Word && Order(_words[i].Letter) is >= 1 and <= 7 ? i : like;
+        }
+
+        Span<byte> text = stackalloc byte[NumberStyle.LongestText + 3];
+        var length = 0;
+        if (_spaced && behind >= 0)
+        {
+            text[length++] = (byte)' ';
+        }
+
+        length += Spell(letter, text[length..]);
+        length += like >= 0
+            ? Format(_words[like], value, text[length..])
+            : new NumberStyle(Plus: false, Point: true, LeadingZero: true, FixedDecimals: -1, WholeDigits: 1).Write(value, text[length..]);
+        if (_spaced && behind < 0)
+        {
+            text[length++] = (byte)' ';
+        }
+
+        _patches.Add(new(behind >= 0 ? _words[behind].End : _words[0].Start, 0, _text.Keep(text[..length])));
+    }
+
+    private static int Order(byte letter) => letter switch
+    {
+        (byte)'N' or (byte)'G' or (byte)'O' => 0,
+        (byte)'X' => 1,
+        (byte)'Y' => 2,
+        (byte)'Z' => 3,
+        (byte)'I' => 4,
+        (byte)'J' => 5,
+        (byte)'K' => 6,
+        (byte)'R' or NcAddress.CircleRadius => 7,
         _ => 8,
     };
 }

@@ -319,7 +319,7 @@ internal sealed partial class ElementDisplacer
     private NcRefusal? FollowWithArcs()
     {
         var motions = _path.Motions;
-        for (var i = 0; i < motions.Length; i++)
+        foreach (var i in _change.Affected())
         {
             if (motions[i].IsArc && !_carriers.ContainsKey(i) && (_change.IsSet(i) || _change.IsSet(i + 1)) && !SlidesOnCircle(i) && _change.FollowWithArc(i) is { } refusal)
             {
@@ -344,7 +344,7 @@ internal sealed partial class ElementDisplacer
     private NcRefusal? CheckSense()
     {
         var motions = _path.Motions;
-        for (var i = 0; i < motions.Length; i++)
+        foreach (var i in _change.Affected())
         {
             if (motions[i] is not { IsCut: true, MovesInPlane: true } motion || !(_change.IsSet(i) || _change.IsSet(i + 1)) || _shrunk.Contains(i))
             {

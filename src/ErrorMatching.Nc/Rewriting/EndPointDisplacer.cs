@@ -42,9 +42,9 @@ internal static class EndPointDisplacer
     private static NcRefusal? FollowWithArcs(PathChange change)
     {
         var motions = change.Path.Motions;
-        for (var i = 0; i < motions.Length; i++)
+        foreach (var i in change.Affected())
         {
-            if (motions[i].IsArc && (change.IsSet(i) || change.IsSet(i + 1)) && change.FollowWithArc(i) is { } refusal)
+            if (motions[i].IsArc && change.FollowWithArc(i) is { } refusal)
             {
                 return refusal;
             }

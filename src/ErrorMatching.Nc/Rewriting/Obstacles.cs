@@ -51,6 +51,7 @@ internal static class Obstacles
             _ when m.Has(MotionFlags.OtherAxis) => (NcRefusalCodes.OtherAxis, "a rotary or secondary axis moves along. Only X, Y and Z can be displaced."),
             _ when m.Has(MotionFlags.UnsureMode) => (NcRefusalCodes.UnknownState, "a called program or unknown code before it could have changed the modes. State G0/G1, G90/G91, the plane and G40/G41/G42 again behind it."),
             _ when m.Has(MotionFlags.CornerWord) => (NcRefusalCodes.CornerWord, "a corner word (,R or ,C) rounds the vertex that must move. Post the arc or chamfer itself."),
+            _ when m.Has(MotionFlags.OtherArcForm) => (NcRefusalCodes.ArcForm, "the arc is given by an opening angle, a point on its way, or the direction before it. Post it with its center or radius."),
             _ when m.Has(MotionFlags.BadArc) => (NcRefusalCodes.BadArc, "its words describe no circle within the control's tolerance."),
             _ => default,
         };

@@ -7,38 +7,56 @@ namespace ErrorMatching.Nc;
 /// </summary>
 internal sealed class PathChange
 {
-    private readonly Vector3[] _moves;
-    private readonly bool[] _isSet;
+    private readonly Dictionary<int, Vector3> _moves = [];
     private readonly Dictionary<int, Point2> _centers = [];
 
-    public PathChange(NcPath path)
-    {
-        Path = path;
-        _moves = new Vector3[path.Motions.Length + 1];
-        _isSet = new bool[_moves.Length];
-    }
+    public PathChange(NcPath path) => Path = path;
 
     public NcPath Path { get; }
 
     /// <summary>Arcs with a new exact center in their plane, by motion.</summary>
     public IReadOnlyDictionary<int, Point2> Centers => _centers;
 
-    public bool IsSet(int joint) => _isSet[joint];
+    /// <summary>Joints that have a new place, in the order of the path.</summary>
+    public int[] Joints() => [.. _moves.Keys.Order()];
 
-    public Vector3 MoveOf(int joint) => _moves[joint];
-
-    public void Move(int joint, Vector3 by)
+    /// <summary>Motions that begin or end at a joint with a new place, or have a new center, in the order of the path: the cost of a change grows with them, not with the program.</summary>
+    public List<int> Affected()
     {
-        _moves[joint] = by;
-        _isSet[joint] = true;
+        var affected = new List<int>(_moves.Count + 1);
+        foreach (var joint in Joints())
+        {
+            if (joint > 0 && (affected.Count == 0 || affected[^1] != joint - 1))
+            {
+                affected.Add(joint - 1);
+            }
+
+            if (joint < Path.Motions.Length)
+            {
+                affected.Add(joint);
+            }
+        }
+
+        if (_centers.Keys.Any(c => affected.BinarySearch(c) < 0))
+        {
+            affected = [.. affected.Union(_centers.Keys).Order()];
+        }
+
+        return affected;
     }
+
+    public bool IsSet(int joint) => _moves.ContainsKey(joint);
+
+    public Vector3 MoveOf(int joint) => _moves.GetValueOrDefault(joint);
+
+    public void Move(int joint, Vector3 by) => _moves[joint] = by;
 
     public void Move(int joint, CoordinatePlane plane, Vector2 by) => Move(joint, plane.Lift(Point2.Origin + by, 0) - default(Point3));
 
     public void SetCenter(int motion, Point2 center) => _centers[motion] = center;
 
     /// <summary>A joint's displacement in a plane.</summary>
-    public Vector2 PlaneMoveOf(int joint, CoordinatePlane plane) => plane.Project(default(Point3) + _moves[joint]) - Point2.Origin;
+    public Vector2 PlaneMoveOf(int joint, CoordinatePlane plane) => plane.Project(default(Point3) + MoveOf(joint)) - Point2.Origin;
 
     /// <summary>False if an element would turn round: that is a loop in the path, and a mark on the piece.</summary>
     public bool KeepsSense(int motion)
@@ -98,14 +116,14 @@ internal sealed class PathChange
     public void CarryPositioning(int joint)
     {
         var motions = Path.Motions;
-        for (var before = joint - 1; before >= 0 && IsPlainPositioning(motions[before]) && !_isSet[before]; before--)
+        for (var before = joint - 1; before >= 0 && IsPlainPositioning(motions[before]) && !IsSet(before); before--)
         {
-            Move(before, _moves[joint]);
+            Move(before, MoveOf(joint));
         }
 
-        for (var behind = joint; behind < motions.Length && IsPlainPositioning(motions[behind]) && !_isSet[behind + 1]; behind++)
+        for (var behind = joint; behind < motions.Length && IsPlainPositioning(motions[behind]) && !IsSet(behind + 1); behind++)
         {
-            Move(behind + 1, _moves[joint]);
+            Move(behind + 1, MoveOf(joint));
         }
     }
 

@@ -23,6 +23,11 @@ internal sealed class PathWithoutPoints
     /// <summary>The path without points, or null where it has none.</summary>
     public static PathWithoutPoints? Of(NcPath path)
     {
+        if (!path.Motions.HasPoints)
+        {
+            return null;
+        }
+
         var kept = new List<int>(path.Motions.Length);
         for (var i = 0; i < path.Motions.Length; i++)
         {
@@ -30,11 +35,6 @@ internal sealed class PathWithoutPoints
             {
                 kept.Add(i);
             }
-        }
-
-        if (kept.Count == path.Motions.Length)
-        {
-            return null;
         }
 
         var motions = new NcMotions();

@@ -4,7 +4,7 @@ namespace ErrorMatching.Nc;
 /// <param name="Start">First byte that is replaced.</param>
 /// <param name="Length">Number of bytes that are replaced; 0 inserts.</param>
 /// <param name="Bytes">What stands there instead.</param>
-public sealed record NcPatch(int Start, int Length, ReadOnlyMemory<byte> Bytes)
+public readonly record struct NcPatch(int Start, int Length, ReadOnlyMemory<byte> Bytes)
 {
     /// <summary>Applies patches to a program's bytes.</summary>
     /// <param name="bytes">The original bytes.</param>

@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text;
 
 namespace ErrorMatching.Nc;
 
@@ -27,24 +26,52 @@ public readonly record struct NumberStyle(bool Plus, bool Point, bool LeadingZer
         return new(plus, point >= 0, whole.Length > 0, padded ? decimals : -1, whole.Length > 1 && whole[0] == '0' ? whole.Length : Math.Min(1, whole.Length));
     }
 
+    /// <summary>Longest text of a number, in bytes, whatever the style asks for.</summary>
+    internal const int LongestText = 64;
+
     /// <summary>Writes a value in this style.</summary>
     public byte[] Format(NcNumber value)
     {
-        var trimmed = value.Trim();
-        var padded = FixedDecimals > trimmed.Decimals ? trimmed.WithDecimals(FixedDecimals) : trimmed;
-        var digits = UnsignedDigits(padded);
-        var (whole, fraction) = (digits[..^padded.Decimals], digits[^padded.Decimals..]);
-        whole = whole.TrimStart('0').PadLeft(Math.Max(WholeDigits, LeadingZero || fraction.Length == 0 ? 1 : 0), '0');
-        var text = new StringBuilder();
-        text.Append(padded.Digits < 0 ? "-" : Plus ? "+" : "").Append(whole);
-        if (fraction.Length > 0 || Point)
-        {
-            text.Append('.').Append(fraction);
-        }
-
-        return Encoding.ASCII.GetBytes(text.ToString());
+        Span<byte> text = stackalloc byte[LongestText];
+        return text[..Write(value, text)].ToArray();
     }
 
-    private static string UnsignedDigits(NcNumber value) =>
-        Math.Abs(value.Digits).ToString(CultureInfo.InvariantCulture).PadLeft(value.Decimals + 1, '0');
+    /// <summary>Writes a value in this style and returns the length of its text.</summary>
+    internal int Write(NcNumber value, Span<byte> text)
+    {
+        var trimmed = value.Trim();
+        var padded = FixedDecimals > trimmed.Decimals ? trimmed.WithDecimals(FixedDecimals) : trimmed;
+        var length = 0;
+        if (padded.Digits < 0 || Plus)
+        {
+            text[length++] = (byte)(padded.Digits < 0 ? '-' : '+');
+        }
+
+        Span<byte> digits = stackalloc byte[NcNumber.MaxDigits + 2];
+        Math.Abs(padded.Digits).TryFormat(digits, out var count, default, CultureInfo.InvariantCulture);
+        var whole = padded.Digits == 0 ? 0 : count - padded.Decimals;
+        var zeros = Math.Min(Math.Max(WholeDigits, LeadingZero || padded.Decimals == 0 ? 1 : 0), LongestText / 2) - Math.Max(0, whole);
+        for (; zeros > 0; zeros--)
+        {
+            text[length++] = (byte)'0';
+        }
+
+        if (whole > 0)
+        {
+            digits[..whole].CopyTo(text[length..]);
+            length += whole;
+        }
+
+        if (padded.Decimals > 0 || Point)
+        {
+            text[length++] = (byte)'.';
+        }
+
+        for (var i = padded.Decimals; i > 0; i--)
+        {
+            text[length++] = i > count ? (byte)'0' : digits[count - i];
+        }
+
+        return length;
+    }
 }

@@ -151,7 +151,7 @@ public sealed class NcTests
     {
         using var shop = new Workshop();
         var dialects = (await shop.Run("nc dialects --json")).Json.GetProperty("dialects").EnumerateArray().ToArray();
-        Assert.Equal(["generic", "fanuc", "delta-nc300", "linuxcnc"], dialects.Select(d => d.GetProperty("name").GetString()));
+        Assert.Equal(["generic", "fanuc", "delta-nc300", "siemens-840d", "linuxcnc"], dialects.Select(d => d.GetProperty("name").GetString()));
         Assert.All(dialects.SelectMany(d => d.GetProperty("facts").EnumerateArray()), f => Assert.NotEqual("", f.GetProperty("source").GetString()));
     }
 

@@ -16,7 +16,7 @@ internal sealed class JobCheck : Verb
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var job = InputFile.Job(arguments.GetRequiredValue(_job));
-        _ = NcDialects.Named(job.Counterpart.Dialect);
+        _ = InputFile.DialectOf(job);
         foreach (var selector in job.Features.SelectMany(f => f.Blocks))
         {
             _ = BlockSelector.Parse(selector);

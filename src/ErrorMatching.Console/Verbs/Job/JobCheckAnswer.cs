@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Mating;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
@@ -74,5 +75,6 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
         ("part", job.Part.Measured),
         ("counterpart", job.Counterpart.Measured),
         ("program", job.Counterpart.Program),
+        ("dialect", NcDialects.IsFile(job.Counterpart.Dialect) ? job.Counterpart.Dialect : null),
     }.Where(f => f.File is not null).Select(f => (f.Role, job.PathOf(f.File!)));
 }

@@ -1,5 +1,7 @@
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
@@ -41,6 +43,21 @@ internal sealed class JobFiles
         var file = given ?? Job.PathOf(Job.Counterpart.Program);
         _read.Add(file);
         return (file, InputFile.Program(file));
+    }
+
+    /// <summary>The dialect of the program where the job names a file of the shop, else null.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    public NcDialect? OwnDialect()
+    {
+        if (!NcDialects.IsFile(Job.Counterpart.Dialect))
+        {
+            return null;
+        }
+
+        var dialect = InputFile.DialectOf(Job);
+        _read.AddRange(dialect.Files.Select(f => f.File));
+        return dialect;
     }
 
     private MeasurementFile Recognized(string file, SourceSide expected)

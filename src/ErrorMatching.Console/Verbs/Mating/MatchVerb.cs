@@ -33,10 +33,11 @@ internal sealed class MatchVerb : Verb
         var (theoretical, part) = (files.Theoretical(), files.Part(arguments.GetValue(_part)));
         var counterpart = CounterpartOf(files.Job, arguments.GetValue(_counterpart)) is { } measured ? files.Counterpart(measured) : null;
         var (program, bytes) = files.Program(arguments.GetValue(_program));
+        var dialect = files.OwnDialect();
         cancellation.ThrowIfCancellationRequested();
         try
         {
-            var outcome = Matcher.Match(new(files.Job, theoretical, part, counterpart, program, bytes));
+            var outcome = Matcher.Match(new(files.Job, theoretical, part, counterpart, program, bytes) { OwnDialect = dialect });
             if (outcome.Result is not { } result)
             {
                 return FailureOf.Refused(files.Job.File, program, outcome.Refusals);

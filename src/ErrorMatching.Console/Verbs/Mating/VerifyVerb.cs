@@ -36,10 +36,11 @@ internal sealed class VerifyVerb : Verb
         var (theoretical, part) = (files.Theoretical(), files.Part(arguments.GetValue(_part)));
         var (before, after) = (files.Counterpart(arguments.GetRequiredValue(_before)), files.Counterpart(arguments.GetRequiredValue(_after)));
         var (program, bytes) = files.Program(null);
+        var dialect = files.OwnDialect();
         cancellation.ThrowIfCancellationRequested();
         try
         {
-            if (VerifyRun.Report(new(files.Job, theoretical, part, before, after, program, bytes), out var refusals) is not { } report)
+            if (VerifyRun.Report(new(files.Job, theoretical, part, before, after, program, bytes) { OwnDialect = dialect }, out var refusals) is not { } report)
             {
                 return FailureOf.Refused(files.Job.File, program, refusals);
             }

@@ -1,16 +1,32 @@
 using System.CommandLine;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
 /// <summary><c>errormatch nc dialects</c>.</summary>
 internal sealed class NcDialectsVerb : Verb
 {
+    private readonly Argument<string> _dialect = new("NAME|FILE.json") { Description = "One dialect, whose whole table is printed. Without it, all are listed.", Arity = ArgumentArity.ZeroOrOne };
+    private readonly Option<bool> _schema = new("--schema") { Description = "Prints the JSON Schema of dialect files instead.", Arity = ArgumentArity.Zero };
+
     /// <summary>The verb.</summary>
     public NcDialectsVerb()
-        : base("dialects", "Lists the controls that are known, and what is assumed of each.", "errormatch nc dialects")
+        : base("dialects", "Lists the controls that are known, or all that is stated of one, with sources.", "errormatch nc dialects fanuc")
     {
+        Arguments.Add(_dialect);
+        Options.Add(_schema);
+        Validators.Add(result =>
+        {
+            if (result.GetResult(_schema) is not null && result.GetResult(_dialect) is { Tokens.Count: > 0 })
+            {
+                result.AddError("--schema takes no dialect.");
+            }
+        });
     }
 
     /// <inheritdoc/>
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation) => new NcDialectsAnswer();
+    public override Outcome Run(ParseResult arguments, CancellationToken cancellation) =>
+        arguments.GetValue(_schema) ? new NcDialectSchemaAnswer()
+        : arguments.GetValue(_dialect) is { } dialect ? new NcDialectAnswer(InputFile.Dialect(dialect))
+        : new NcDialectsAnswer(NcDialects.All);
 }

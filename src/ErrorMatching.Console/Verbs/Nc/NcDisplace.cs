@@ -79,7 +79,7 @@ internal sealed class NcDisplace : NcVerb
         }
 
         var output = arguments.GetRequiredValue(_out);
-        string[] inputs = arguments.GetValue(_along) is { } along ? [file, along] : [file];
+        string[] inputs = [file, .. path.Dialect.Files.Select(f => f.File), .. arguments.GetValue(_along) is { } along ? [along] : Array.Empty<string>()];
         OutputFile.Write(output, rewrite.Value.Program.Bytes, inputs, cancellation);
         return new NcDisplaceAnswer(file, output, path, rewrite.Value, proof, misfit);
     }

@@ -20,17 +20,18 @@ internal abstract class NcVerb : Verb
     /// <summary>The option that names a control.</summary>
     public static Option<string> DialectOption() => new("--dialect")
     {
-        Description = "The control that the program is written for; errormatch nc dialects lists them.",
-        HelpName = "D",
-        DefaultValueFactory = _ => NcDialects.Generic.Name,
+        Description = "The control that the program is written for: a dialect that errormatch nc dialects lists, or a file of your own that ends in .json.",
+        HelpName = "NAME|FILE.json",
+        DefaultValueFactory = _ => NcDialects.Names[0],
     };
 
     /// <summary>Reads and interprets a program.</summary>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="InputException">A file cannot be opened.</exception>
     /// <exception cref="NcException">The dialect is not known, or the program is too large.</exception>
+    /// <exception cref="Json.JsonDocumentException">The dialect's file cannot be used.</exception>
     public static NcPath Interpret(string file, string dialect)
     {
-        var known = NcDialects.Named(dialect);
+        var known = InputFile.Dialect(dialect);
         return NcInterpreter.Run(NcProgram.Read(InputFile.Program(file)), known);
     }
 

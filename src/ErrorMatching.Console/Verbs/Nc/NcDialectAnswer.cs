@@ -1,0 +1,46 @@
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Console;
+
+/// <summary>One dialect as a manual page.</summary>
+internal sealed class NcDialectAnswer(NcDialect dialect) : NcDialectsAnswer([dialect])
+{
+    private static readonly (DialectTopic Topic, string Heading, string Subject)[] Sections =
+    [
+        (DialectTopic.Setting, "Settings", "setting"),
+        (DialectTopic.Code, "Codes and words", "code"),
+        (DialectTopic.Letter, "Letters and addresses", "letter"),
+        (DialectTopic.Function, "M functions", "function"),
+        (DialectTopic.Flow, "Words that branch, loop or define programs", "word"),
+        (DialectTopic.MachineProgram, "Programs that are in the machine", "program"),
+        (DialectTopic.Note, "What else is assumed", "topic"),
+    ];
+
+    private readonly NcDialect _dialect = dialect;
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        page.Heading($"{_dialect.Name}: {_dialect.Description}");
+        foreach (var (topic, heading, subject) in Sections)
+        {
+            var rows = _dialect.Facts.Where(f => f.Topic == topic).ToArray();
+            if (rows.Length == 0)
+            {
+                continue;
+            }
+
+            page.Line();
+            page.Heading(heading);
+            page.Line();
+            if (rows.All(f => f.Meaning.Length == 0))
+            {
+                page.Table([subject, "statement", "source", "stated by"], rows.Select(f => (IReadOnlyList<string>)[f.Subject, f.Statement, f.Source, f.Dialect]));
+            }
+            else
+            {
+                page.Table([subject, "means", "statement", "source", "stated by"], rows.Select(f => (IReadOnlyList<string>)[f.Subject, f.Meaning, f.Statement, f.Source, f.Dialect]));
+            }
+        }
+    }
+}

@@ -1,0 +1,96 @@
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Turns the files of a dialect into the rows of its manual page. A subject that a later file states again is left out of the earlier row; a row without subjects is left out.</summary>
+internal static class DialectPage
+{
+    public static IReadOnlyList<DialectFact> Of(IReadOnlyList<DialectDocument> documents)
+    {
+        var facts = new List<DialectFact>();
+        AddNamed(facts, DialectTopic.Setting, documents, d => d.Root.Find("settings")?.Members.Select(m => (m.Name, m.Value)) ?? []);
+        foreach (var (key, subjects, topic) in DialectDocument.Lists)
+        {
+            AddSubjects(facts, topic, documents, key, subjects);
+        }
+
+        AddNamed(facts, DialectTopic.Note, documents, d => d.List("notes").Select(n => (n["topic"].Text, n)));
+        return facts;
+    }
+
+    private static void AddNamed(List<DialectFact> facts, DialectTopic topic, IReadOnlyList<DialectDocument> documents, Func<DialectDocument, IEnumerable<(string Name, JsonItem Item)>> rowsOf)
+    {
+        var start = facts.Count;
+        foreach (var document in documents)
+        {
+            foreach (var (name, item) in rowsOf(document))
+            {
+                var fact = Fact(topic, name, item, document);
+                var before = facts.FindIndex(start, f => f.Subject == name);
+                if (before >= 0)
+                {
+                    facts[before] = fact;
+                }
+                else
+                {
+                    facts.Add(fact);
+                }
+            }
+        }
+    }
+
+    private static void AddSubjects(List<DialectFact> facts, DialectTopic topic, IReadOnlyList<DialectDocument> documents, string list, string key)
+    {
+        // Who has the last word on a subject: the later file, and within a file the single subject before the range.
+        var owners = new Dictionary<string, (int Row, int Subject)>(StringComparer.Ordinal);
+        var rows = new List<(DialectDocument Document, JsonItem Entry, List<SubjectRange> Subjects)>();
+        foreach (var document in documents)
+        {
+            var first = rows.Count;
+            foreach (var entry in document.List(list))
+            {
+                var subjects = new List<SubjectRange>();
+                SubjectRange.TryRead(entry[key].Text, topic, subjects, out _);
+                rows.Add((document, entry, subjects));
+            }
+
+            foreach (var isRange in (bool[])[true, false])
+            {
+                for (var row = first; row < rows.Count; row++)
+                {
+                    for (var i = 0; i < rows[row].Subjects.Count; i++)
+                    {
+                        if (rows[row].Subjects[i].IsRange == isRange)
+                        {
+                            foreach (var name in rows[row].Subjects[i].Names())
+                            {
+                                owners[name] = (row, i);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+
+        var owning = owners.Values.ToHashSet();
+        for (var row = 0; row < rows.Count; row++)
+        {
+            var (document, entry, subjects) = rows[row];
+            var kept = subjects.Where((_, i) => owning.Contains((row, i))).Select(s => s.Spelling).ToArray();
+            if (kept.Length > 0)
+            {
+                facts.Add(Fact(topic, string.Join(' ', kept), entry, document));
+            }
+        }
+    }
+
+    private static DialectFact Fact(DialectTopic topic, string subject, JsonItem item, DialectDocument document) =>
+        new(topic, subject, MeaningOf(item), item["statement"].Text, item["source"].Text, document.Name);
+
+    private static string MeaningOf(JsonItem item)
+    {
+        var meaning = (item.Find("means") ?? item.Find("role") ?? item.Find("value")) is { } value ? value.Kind == JsonItemKind.Text ? value.Text : value.ToJson() : "";
+        var family = item.Find("family") is { } name ? $" ({name.Text})" : "";
+        return meaning + family + (item.Find("feeds") is { Flag: false } ? " (not feeds)" : "");
+    }
+}

@@ -1,0 +1,8 @@
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>One subject of an entry of a dialect's file.</summary>
+/// <param name="Entry">The entry.</param>
+/// <param name="Subject">What it is about.</param>
+internal sealed record Statement(JsonItem Entry, SubjectRange Subject);

@@ -1,0 +1,137 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <content>The words of arcs: centers on the grid of increments, radii as long as they can hold the arc.</content>
+internal sealed partial class WordEditor
+{
+    private void SetCircle(int index, in NcMotion motion)
+    {
+        var (start, end) = (Rounded(motion.Start, index, motion.Plane), Rounded(motion.End, index + 1, motion.Plane));
+        var exact = _change.Centers.TryGetValue(index, out var moved) ? moved : motion.Center;
+        if (IsShift(index, motion, exact - motion.Center))
+        {
+            ShiftCenter(index, motion);
+            return;
+        }
+
+        var wanted = Arc2.Between(
+            motion.PlaneStart + _change.PlaneMoveOf(index, motion.Plane), motion.PlaneEnd + _change.PlaneMoveOf(index + 1, motion.Plane), exact, motion.Kind == MotionKind.ArcCounterClockwise);
+        if (start == motion.PlaneStart && end == motion.PlaneEnd && wanted.Middle.DistanceTo(motion.Arc.Middle) < _increment)
+        {
+            // What was asked is less than the control can do.
+            return;
+        }
+
+        if (motion.Has(MotionFlags.ByRadius))
+        {
+            SetRadius(motion, start, end, wanted);
+            return;
+        }
+
+        var (first, second) = CenterLetters(motion.Plane);
+        var origin = CenterOrigin(motion, start, first, second);
+        var was = new Vector2((_edit.Number(first)?.Value ?? 0) * Unit, (_edit.Number(second)?.Value ?? 0) * Unit);
+        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, was, _increment);
+        SetCenterWord(first, i);
+        SetCenterWord(second, j);
+    }
+
+    // Where center words count from: the start, or where the program's own coordinates begin.
+    private Point2 CenterOrigin(in NcMotion motion, Point2 start, byte first, byte second)
+    {
+        var zero = motion.Plane.Project(default(Point3) + _path.Frames[motion.Frame].ProgramShift);
+        return new(IsAbsolute(motion, first) ? zero.X : start.X, IsAbsolute(motion, second) ? zero.Y : start.Y);
+    }
+
+    private bool IsAbsolute(in NcMotion motion, byte letter) =>
+        _edit.Distance(letter) switch { WordDistance.Absolute => true, WordDistance.Incremental => false, _ => motion.Has(MotionFlags.AbsoluteCenter) };
+
+    // An arc that moves as a whole keeps its words, even if its radii agreed badly before; absolute center words move along.
+    private bool IsShift(int index, in NcMotion motion, Vector2 centerMove) =>
+        (_change.PlaneMoveOf(index, motion.Plane) - centerMove).Length < 1e-9 && (_change.PlaneMoveOf(index + 1, motion.Plane) - centerMove).Length < 1e-9;
+
+    private void ShiftCenter(int index, in NcMotion motion)
+    {
+        if (motion.Has(MotionFlags.ByRadius))
+        {
+            return;
+        }
+
+        var (first, second) = CenterLetters(motion.Plane);
+        foreach (var letter in (ReadOnlySpan<byte>)[first, second])
+        {
+            if (IsAbsolute(motion, letter) && Steps(index, (byte)(letter - 'I' + 'X')) is not 0 and var steps)
+            {
+                _edit.Set(letter, (_edit.Number(letter) ?? new NcNumber(0, 0)) + new NcNumber(steps, _decimals));
+            }
+        }
+    }
+
+    private void SetCenterWord(byte letter, long? steps)
+    {
+        if (steps is { } value && (value != 0 || _edit.Number(letter) is not null))
+        {
+            _edit.Set(letter, new(value, _decimals));
+        }
+    }
+
+    // A radius keeps its word while it can: near half a turn the arc's height hangs on the radius by a square root, and a center says it better.
+    private void SetRadius(in NcMotion motion, Point2 start, Point2 end, Arc2 wanted)
+    {
+        var letter = _edit.Number((byte)'R') is null ? NcAddress.CircleRadius : (byte)'R';
+        var old = _edit.Number(letter)!.Value;
+        var sign = old.Digits < 0 ? -1 : 1;
+        var oldRadius = Math.Abs(old.Value) * Unit;
+        if (_keepRadii && Sweep(start, end, sign * oldRadius, motion) is { } kept && Math.Abs(kept - motion.Arc.Sweep.Radians) < 0.02 * Math.Abs(motion.Arc.Sweep.Radians))
+        {
+            return;
+        }
+
+        if (Math.Abs(wanted.Radius - oldRadius) < _increment / 2 && HeightError(start, end, sign * oldRadius, wanted, motion) < _increment)
+        {
+            return;
+        }
+
+        // Moved end points take the radius rounded up, so that it surely reaches; elements take the nearest.
+        var exactSteps = wanted.Radius / _increment;
+        var steps = NcNumber.Round(_keepRadii ? Math.Ceiling(exactSteps - 1e-6) : exactSteps, 0).Digits;
+        sign = Math.Abs(wanted.Sweep.Radians) > Math.PI + 1e-9 ? -1 : 1;
+        while (2 * steps * _increment < start.DistanceTo(end))
+        {
+            steps++;
+        }
+
+        if (_keepRadii || HeightError(start, end, sign * steps * _increment, wanted, motion) < _increment)
+        {
+            _edit.Set(letter, new(sign * steps, _decimals));
+            return;
+        }
+
+        var (first, second) = CenterLetters(motion.Plane);
+        var origin = CenterOrigin(motion, start, first, second);
+        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, null, _increment);
+        _edit.Replace(letter, (first, new(i!.Value, _decimals)), (second, new(j!.Value, _decimals)));
+    }
+
+    private static double? Sweep(Point2 start, Point2 end, double radius, in NcMotion motion)
+    {
+        var counterClockwise = motion.Kind == MotionKind.ArcCounterClockwise;
+        return ArcCenter.ByRadius(start, end, radius, counterClockwise, 0) is { } center ? Arc2.Between(start, end, center, counterClockwise).Sweep.Radians : null;
+    }
+
+    private static double HeightError(Point2 start, Point2 end, double radius, Arc2 wanted, in NcMotion motion)
+    {
+        var counterClockwise = motion.Kind == MotionKind.ArcCounterClockwise;
+        return ArcCenter.ByRadius(start, end, radius, counterClockwise, 0) is { } center
+            ? Math.Abs(Arc2.Between(start, end, center, counterClockwise).Circle.SignedDistance(wanted.Middle))
+            : double.PositiveInfinity;
+    }
+
+    private static (byte First, byte Second) CenterLetters(CoordinatePlane plane) => plane switch
+    {
+        CoordinatePlane.ZX => ((byte)'K', (byte)'I'),
+        CoordinatePlane.YZ => ((byte)'J', (byte)'K'),
+        _ => ((byte)'I', (byte)'J'),
+    };
+}
