@@ -60,7 +60,7 @@ internal static class Application
         }
         catch (JsonDocumentException e)
         {
-            return FailureOf.Dialect(e);
+            return FailureOf.Json(e);
         }
         catch (NcException e)
         {

@@ -74,4 +74,22 @@ public static class NcRefusalCodes
 
     /// <summary>The displaced program, read again, does not do what was asked.</summary>
     public const string ProofFailed = "proof-failed";
+
+    /// <summary>A loop does not end: it repeats without changing anything, or the limit of executed blocks is reached.</summary>
+    public const string EndlessLoop = "endless-loop";
+
+    /// <summary>A program that is called is neither in the file nor in the library.</summary>
+    public const string MissingProgram = "missing-program";
+
+    /// <summary>A jump has no target, or a loop or branch has no end.</summary>
+    public const string MissingLabel = "missing-label";
+
+    /// <summary>A branch, loop or call hangs on a value that only the machine knows.</summary>
+    public const string UnknownCondition = "unknown-condition";
+
+    /// <summary>An expression or statement that the control would stop at.</summary>
+    public const string BadExpression = "bad-expression";
+
+    /// <summary>Programs call one another deeper than the limit.</summary>
+    public const string CallTooDeep = "call-too-deep";
 }

@@ -19,6 +19,16 @@ public sealed class JsonInputTests
         Assert.Equal("$['it\\'s'].a_1", Read("{\"it's\": {\"a_1\": 1}}")["it's"]["a_1"].Path);
     }
 
+    [Fact(Timeout = 20_000)]
+    public async Task A_long_line_is_counted_once_and_not_for_each_of_its_values()
+    {
+        var text = "{ \"ß\": [" + string.Join(",", Enumerable.Repeat("\"é\"", 600_000)) + ",7] }";
+        var root = await Task.Run(() => Read(text), TestContext.Current.CancellationToken);
+
+        // Behind 8 characters come 600,000 texts, each with its quotation marks and a comma.
+        Assert.Equal(new JsonPlace(1, 9 + (4 * 600_000)), root["ß"].Items[^1].Place);
+    }
+
     [Fact]
     public void Comments_and_trailing_commas_and_a_byte_order_mark_are_allowed()
     {

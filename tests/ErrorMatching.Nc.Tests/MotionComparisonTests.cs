@@ -50,7 +50,7 @@ public class MotionComparisonTests
     public void A_common_subsequence_is_as_long_as_the_table_of_all_prefixes_says() => Prop.ForAll<int[], int[]>((a, b) =>
     {
         // Few different items, so that most repeat.
-        object[] first = [.. a.Select(i => (object)(i & 3))], second = [.. b.Select(i => (object)(i & 3))];
+        int[] first = [.. a.Select(i => i & 3)], second = [.. b.Select(i => i & 3)];
         var pairs = CommonSubsequence.Of(first, second);
         Assert.All(pairs, p => Assert.Equal(first[p.First], second[p.Second]));
         Assert.All(pairs.Zip(pairs.Skip(1)), p => Assert.True(p.First.First < p.Second.First && p.First.Second < p.Second.Second));
@@ -59,12 +59,128 @@ public class MotionComparisonTests
         {
             for (var j = 1; j <= second.Length; j++)
             {
-                table[i, j] = first[i - 1].Equals(second[j - 1]) ? table[i - 1, j - 1] + 1 : Math.Max(table[i - 1, j], table[i, j - 1]);
+                table[i, j] = first[i - 1] == second[j - 1] ? table[i - 1, j - 1] + 1 : Math.Max(table[i - 1, j], table[i, j - 1]);
             }
         }
 
         Assert.Equal(table[first.Length, second.Length], pairs.Count);
     }).QuickCheckThrowOnFailure();
+
+    [Theory]
+    [InlineData("T1", "T2", MotionChange.Tool)]
+    [InlineData("M6", "", MotionChange.Tool)]
+    [InlineData("S1000", "S1001", MotionChange.Spindle)]
+    [InlineData("M3", "M4", MotionChange.Spindle)]
+    [InlineData("M8", "M9", MotionChange.Words)]
+    [InlineData("G54", "G55", MotionChange.Words)]
+    [InlineData("G41 D1", "G41 D2", MotionChange.Words)]
+    [InlineData("G4 X1.", "G4 X2.", MotionChange.Words)]
+    [InlineData("G4 P1", "G4 P1\nM0", MotionChange.Words)]
+    [InlineData("#1=5", "#1=6", MotionChange.Words)]
+    public void Words_that_move_nothing_are_compared(string was, string now, MotionChange change)
+    {
+        const string text = "G54 G90\nT1\nM6\nS1000 M3\nG0 X0 Y0 Z5\nM8\n#1=5\nG4 X1.\nG4 P1\nG41 D1 G1 X5 F100\nX10\n";
+        var difference = Assert.Single(Compare(text, Replaced(text, was + "\n", now + "\n", was)));
+        Assert.Equal(change, difference.Change);
+        Assert.Equal(Vector3.Zero, difference.Displacement);
+        Assert.NotEqual(difference.Functions!.Before, difference.Functions.After);
+
+        static string Replaced(string text, string was, string now, string word) =>
+            text.Contains(was, StringComparison.Ordinal) ? text.Replace(was, now, StringComparison.Ordinal) : text.Replace(word, now.TrimEnd(), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("N20 G1 X10 F100", "N20 G01 X10. F100.0")]
+    [InlineData("N20 G1 X10 F100", "N25 (finish) G1 F100 X10")]
+    [InlineData("N20 G1 X10 F100", "N20 G91 G1 X10 F100 G90")]
+    [InlineData("N20 G1 X10 F100", "n20g1x10f100")]
+    [InlineData("N20 G1 X10 F100", "N20 F100\n\nG1 X10")]
+    public void Renumbered_and_reformatted_blocks_do_the_same(string was, string now)
+    {
+        // With G91 for one block, G90 must stand before the next motion.
+        var text = Program.Replace(was, now.Replace(" G90", "", StringComparison.Ordinal), StringComparison.Ordinal);
+        text = now.Contains("G91", StringComparison.Ordinal) ? text.Replace("N30 G2", "N30 G90 G2", StringComparison.Ordinal) : text;
+        var comparison = MotionComparison.Of(Run("G90\n" + Program), Run("G90\n" + text));
+        Assert.True(comparison.IsSame, string.Join(';', comparison.Differences));
+        Assert.Equal(4, comparison.Identical);
+    }
+
+    [Fact]
+    public void Motions_without_numbers_are_aligned_by_place_though_one_went_and_one_came()
+    {
+        var before = string.Concat(Enumerable.Range(0, 200).Select(i => $"G1 X{i * 2} Y{i % 7}\n"));
+        var lines = before.Split('\n').ToList();
+        lines[50] = "G1 X100.01 Y1";
+        lines.RemoveAt(150);
+        lines.Insert(100, "G1 X199 Y3");
+        Assert.Equal(
+            [(MotionChange.Moved, 50, 50), (MotionChange.Inserted, -1, 100), (MotionChange.Removed, 150, -1)],
+            Compare(before, string.Join('\n', lines)).Select(d => (d.Change, d.Before, d.After)));
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(70)]
+    public void A_wholly_displaced_program_with_one_motion_more_is_moved_and_not_replaced(int at)
+    {
+        var lines = Enumerable.Range(0, 100).Select(i => $"G1 X{i * 2} Y{i % 7}").ToList();
+        var moved = Enumerable.Range(0, 100).Select(i => $"G1 X{i * 2}.05 Y{i % 7}.02").ToList();
+        moved.Insert(at, FormattableString.Invariant($"G1 X{(at * 2) - 1} Y30"));
+        var differences = Compare(string.Join('\n', lines), string.Join('\n', moved));
+        Assert.Equal([at], differences.Where(d => d.Change == MotionChange.Inserted).Select(d => d.After));
+        Assert.Equal(100, differences.Count(d => d.Change == MotionChange.Moved && Math.Abs(d.Displacement.X - 0.05) < 1e-9 && Math.Abs(d.Displacement.Y - 0.02) < 1e-9));
+    }
+
+    [Fact]
+    public void What_differs_behind_the_last_motion_is_said()
+    {
+        var comparison = MotionComparison.Of(Run(Program + "M5\nM30\n"), Run(Program + "M30\n"));
+        Assert.Empty(comparison.Differences);
+        Assert.False(comparison.IsSame);
+        Assert.Equal(["M5", "M30"], comparison.AtEnd!.Before);
+        Assert.Equal(["M30"], comparison.AtEnd.After);
+    }
+
+    [Fact]
+    public void As_many_motions_are_the_same_there_and_back_and_as_many_are_left_as_pairs() => Prop.ForAll<int[], int[]>((a, b) =>
+    {
+        var (first, second) = (Lines(a), Lines(b));
+        Assert.Equal(MotionComparison.Of(Run(first), Run(second)).Identical, MotionComparison.Of(Run(second), Run(first)).Identical);
+        var there = Compare(first, second);
+        Assert.Equal(a.Length - there.Count(d => d.Before >= 0), b.Length - there.Count(d => d.After >= 0));
+
+        static string Lines(int[] items) => string.Concat(items.Select(i => $"G1 X{i & 7} Y0\n")) + "\n";
+    }).QuickCheckThrowOnFailure();
+
+    [Fact(Timeout = 20_000)]
+    public async Task A_hundred_thousand_blocks_with_few_or_all_different_are_compared_soon()
+    {
+        var before = string.Concat(Enumerable.Range(0, 100_000).Select(i => $"G1 X{i % 100} Y{i % 77} Z-{i / 1000}\n"));
+        var few = before.Replace("G1 X0 Y11 Z-7\n", "", StringComparison.Ordinal);
+        var all = before.Replace("\n", ".001\n", StringComparison.Ordinal);
+        var random = string.Concat(Enumerable.Range(0, 100_000).Select(i => $"G1 X{i % 77} Y{i % 100} Z-{i % 3}\n"));
+        await Task.Run(
+            () =>
+            {
+                var missing = (before.Length - few.Length) / "G1 X0 Y11 Z-7\n".Length;
+                Assert.Equal(missing, Compare(before, few).Count(d => d.Change == MotionChange.Removed));
+                Assert.Equal(100_000, Compare(before, all).Count(d => d.Change == MotionChange.Moved));
+                Assert.NotEmpty(Compare(before, random));
+            },
+            TestContext.Current.CancellationToken);
+    }
+
+    [Fact]
+    public void Side_by_side_every_block_stands_once_and_changed_words_are_marked()
+    {
+        var comparison = MotionComparison.Of(Run("(A)\nN10 G1 X1 Y1\nM8\nN20 X2\nN30 X3\n"), Run("(A)\nN10 G1 X1.0 Y2\nN15 M9\nX2\nX2.5\nN40 X3\n"));
+        var rows = SideBySide.Of(comparison);
+        Assert.Equal([(0, 0, true), (1, 1, false), (2, 2, false), (3, 3, true), (-1, 4, false), (4, 5, true)], rows.Select(r => (r.Before, r.After, r.IsSame)));
+        var (before, after) = (comparison.Before.Program, comparison.After.Program);
+        var words = SideBySide.Words(before, before[1], after, after[1]);
+        Assert.Equal(["Y1"], words.Before.Select(r => "N10 G1 X1 Y1"[r]));
+        Assert.Equal(["Y2"], words.After.Select(r => "N10 G1 X1.0 Y2"[r]));
+    }
 
     [Theory]
     [InlineData("N10 G1 X1. Y-2 (note) F100\r\n%\n", 2, 5)]

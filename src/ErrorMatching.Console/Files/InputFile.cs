@@ -33,6 +33,11 @@ internal static class InputFile
         return length <= NcProgram.MaxBytes ? File.ReadAllBytes(p) : throw new NcException(NcErrorCode.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read.");
     });
 
+    /// <summary>The wish in a file.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    public static WishFile Wish(string path) => WishFile.Read(Open(path, p => JsonInput.Load(p, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes })), path);
+
     private static T Open<T>(string path, Func<string, T> read)
     {
         try

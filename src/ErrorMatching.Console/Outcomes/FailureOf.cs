@@ -23,8 +23,16 @@ internal static class FailureOf
     /// <summary>A job that cannot be used: everything that is wrong in it.</summary>
     public static Failure Job(JobException e) => Document(e.File, e.Problems);
 
-    /// <summary>A dialect's file that cannot be used: everything that is wrong in it.</summary>
-    public static Failure Dialect(JsonDocumentException e) => Document(e.File, e.Problems);
+    /// <summary>A JSON document other than a job that cannot be used: everything that is wrong in it.</summary>
+    public static Failure Json(JsonDocumentException e) => Document(e.File, e.Problems);
+
+    /// <summary>A wish that was written for another program.</summary>
+    public static Failure OtherProgram(string wish, string before, string expected) => new(ExitCode.WrongInput, new ErrorItem(
+        "wish-of-other-program", $"{wish} was not written for {before}: it names a program with the SHA-256 {expected}. Name the program that was displaced.")
+    {
+        File = wish,
+        Path = "$.beforeSha256",
+    });
 
     /// <summary>Points of a file without a usable answer.</summary>
     public static Failure Geometry(GeometryException e, string file) => new(ExitCode.WrongInput, new ErrorItem(CodeOf(e.Error), $"{file}: {e.Message}") { File = file, Problem = e.Message });
@@ -39,6 +47,15 @@ internal static class FailureOf
         Line = r.Line > 0 ? r.Line : null,
         Block = r.Block.Length > 0 ? r.Block : null,
         Problem = r.Message,
+    })]);
+
+    /// <summary>A result that is not what was asked. Blocks and lines are those of the original.</summary>
+    public static Failure NotProved(string before, string after, NcProof proof) => new(ExitCode.Refused, [.. proof.Failures.Distinct().Select(r => new ErrorItem(r.Code, $"{after}: {r.Message}")
+    {
+        File = r.Line > 0 ? before : after,
+        Line = r.Line > 0 ? r.Line : null,
+        Block = r.Block.Length > 0 ? r.Block : null,
+        Problem = $"{after}: {r.Message}",
     })]);
 
     /// <summary>A match that must not lead to a program.</summary>

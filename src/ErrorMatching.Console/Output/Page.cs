@@ -6,11 +6,19 @@ namespace ErrorMatching.Console;
 internal sealed class Page(TextWriter writer, bool hasColor)
 {
     private const string Bold = "\u001b[1m";
+    private const string Red = "\u001b[31m";
+    private const string Green = "\u001b[32m";
     private const string Plain = "\u001b[0m";
     private static readonly SearchValues<char> OfNumbers = SearchValues.Create("0123456789+-.eE ");
 
     /// <summary>Writes a line that stands out.</summary>
     public void Heading(string text) => Line(hasColor ? Bold + text + Plain : text);
+
+    /// <summary>A word that changed: in color where the terminal has it, else between braces, which no block has outside of comments.</summary>
+    /// <param name="text">The word.</param>
+    /// <param name="isOld">True for what was, false for what is.</param>
+    /// <returns>What to print, and how many characters wider than the word it looks.</returns>
+    public (string Text, int Extra) Marked(string text, bool isOld) => hasColor ? ((isOld ? Red : Green) + text + Plain, 0) : ("{" + text + "}", 2);
 
     /// <summary>Writes a line.</summary>
     public void Line(string text = "")

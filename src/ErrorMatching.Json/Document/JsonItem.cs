@@ -26,7 +26,7 @@ public sealed class JsonItem
     public JsonPlace Place { get; }
 
     /// <summary>The characters of a text, or the spelling of a number; empty for everything else.</summary>
-    public string Text { get; internal init; } = "";
+    public string Text { get; internal set; } = "";
 
     /// <summary>The value of a number, always finite; zero for everything else.</summary>
     public double Number { get; internal init; }

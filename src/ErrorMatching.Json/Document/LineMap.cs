@@ -7,6 +7,8 @@ namespace ErrorMatching.Json;
 internal sealed class LineMap
 {
     private readonly List<int> _starts = [0];
+    private int _countedTo;
+    private int _counted;
 
     public LineMap(ReadOnlySpan<byte> bytes)
     {
@@ -28,13 +30,21 @@ internal sealed class LineMap
     {
         var found = _starts.BinarySearch((int)index);
         var line = found >= 0 ? found : ~found - 1;
-        return new(line + 1, Characters(bytes[_starts[line]..(int)index]) + 1);
+        return new(line + 1, CharactersBefore(bytes, _starts[line], (int)index) + 1);
     }
 
     public JsonPlace PlaceOf(ReadOnlySpan<byte> bytes, long line, long byteInLine)
     {
         var start = _starts[(int)Math.Min(line, _starts.Count - 1)];
         return PlaceOf(bytes, Math.Min(start + byteInLine, bytes.Length));
+    }
+
+    // Places are asked for from front to back, so that a document on one line is counted once and not anew for each of its values.
+    private int CharactersBefore(ReadOnlySpan<byte> bytes, int start, int index)
+    {
+        _counted = _countedTo >= start && _countedTo <= index ? _counted + Characters(bytes[_countedTo..index]) : Characters(bytes[start..index]);
+        _countedTo = index;
+        return _counted;
     }
 
     private static int Characters(ReadOnlySpan<byte> bytes)

@@ -36,7 +36,7 @@ internal sealed class TreeReader(LineMap map, string file)
         while (reader.Read() && reader.TokenType != JsonTokenType.EndObject)
         {
             var place = map.PlaceOf(bytes, reader.TokenStartIndex);
-            var name = TextOf(ref reader, place, item.Path);
+            var name = TextOf(ref reader, place, item);
             reader.Read();
             var value = ReadValue(ref reader, bytes, item, name, 0, depthLeft);
             if (names.Add(name))
@@ -68,8 +68,9 @@ internal sealed class TreeReader(LineMap map, string file)
 
     private JsonItem ReadText(ref Utf8JsonReader reader, JsonPlace place, JsonItem? parent, string? name, int index)
     {
-        var path = parent is null ? "$" : new JsonItem(JsonItemKind.Text, place, parent, name, index).Path;
-        return new(JsonItemKind.Text, place, parent, name, index) { Text = TextOf(ref reader, place, path) };
+        var item = new JsonItem(JsonItemKind.Text, place, parent, name, index);
+        item.Text = TextOf(ref reader, place, item);
+        return item;
     }
 
     private JsonItem ReadNumber(ref Utf8JsonReader reader, JsonPlace place, JsonItem? parent, string? name, int index)
@@ -85,7 +86,7 @@ internal sealed class TreeReader(LineMap map, string file)
     }
 
     /// <summary>Text of a token; an escaped half of a surrogate pair is no text.</summary>
-    private string TextOf(ref Utf8JsonReader reader, JsonPlace place, string path)
+    private string TextOf(ref Utf8JsonReader reader, JsonPlace place, JsonItem item)
     {
         try
         {
@@ -94,7 +95,7 @@ internal sealed class TreeReader(LineMap map, string file)
         catch (InvalidOperationException)
         {
             const string expected = "whole characters";
-            Problems.Add(new("not-utf8", path, place, "half a surrogate pair", expected, "found half a surrogate pair (\\uD800 to \\uDFFF); expected " + expected));
+            Problems.Add(new("not-utf8", item.Path, place, "half a surrogate pair", expected, "found half a surrogate pair (\\uD800 to \\uDFFF); expected " + expected));
             return "";
         }
     }

@@ -135,9 +135,9 @@ internal static class FeatureMapper
     private static List<(int First, int Last)> Passes(NcPath path, int[] blocks)
     {
         var passes = new List<(int First, int Last)>();
-        foreach (var block in blocks)
+        foreach (var motion in blocks.SelectMany(b => path.MotionsOf(b).ToArray()).Order())
         {
-            if (path.MotionOf(block) is not (>= 0 and var motion) || path.Motions[motion] is not { IsCut: true, MovesInPlane: true })
+            if (path.Motions[motion] is not { IsCut: true, MovesInPlane: true })
             {
                 continue;
             }

@@ -25,8 +25,13 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     /// <summary>Code of the refusal of a marker that cannot be read, so that nobody knows which measurements the program already follows.</summary>
     public const string MarkerDamaged = "marker-damaged";
 
-    /// <summary>The comment, as a line of the program without its line end.</summary>
-    public string Text => $"({Word} {Measurement}{MeasurementSha256.ToUpperInvariant()} {Base}{BaseSha256.ToUpperInvariant()})";
+    /// <summary>The comment, as a line of a program without its line end.</summary>
+    /// <param name="syntax">How the program is spelled: Siemens controls have no comments in parentheses.</param>
+    public string TextIn(NcSyntax syntax)
+    {
+        var text = $"{Word} {Measurement}{MeasurementSha256.ToUpperInvariant()} {Base}{BaseSha256.ToUpperInvariant()}";
+        return syntax == NcSyntax.Siemens ? $"; {text}" : $"({text})";
+    }
 
     /// <summary>All markers of a program with the positions of their blocks; a marker that was damaged so that its hashes cannot be read is null.</summary>
     internal static IReadOnlyList<(int Block, Marker? Marker)> Find(NcProgram program)
@@ -62,9 +67,10 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
         var at = HeadLength(program);
         var start = at < program.BlockCount ? program[at].Start : program.Bytes.Length;
         var lineEnd = LineEnd(program);
-        byte[] line = [.. Encoding.ASCII.GetBytes(Text), .. lineEnd];
+        var text = Encoding.ASCII.GetBytes(TextIn(program.Syntax));
+        byte[] line = [.. text, .. lineEnd];
         var headHasEnd = at == 0 || program[at - 1].FullLength > program[at - 1].Length;
-        return NcPatch.Apply(program.Bytes.Span, [new(start, 0, headHasEnd ? line : (byte[])[.. lineEnd, .. Encoding.ASCII.GetBytes(Text)])]);
+        return NcPatch.Apply(program.Bytes.Span, [new(start, 0, headHasEnd ? line : (byte[])[.. lineEnd, .. text])]);
     }
 
     private static bool HoldsWord(ReadOnlySpan<byte> bytes)

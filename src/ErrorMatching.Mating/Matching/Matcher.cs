@@ -100,8 +100,8 @@ public static class Matcher
         }
 
         var marker = new Marker(input.Compensated.Sha256, input.ProgramSha256);
-        var program = NcProgram.Read(marker.InsertInto(rewrite.Value.Program));
-        var proof = Prover.Check(path, program, wish, rewrite.Value.LeastIncrementMm, marker.Text);
+        var program = NcProgram.Read(marker.InsertInto(rewrite.Value.Program), path.Dialect.Syntax);
+        var proof = Prover.Check(path, program, wish, rewrite.Value.LeastIncrementMm, marker.TextIn(path.Dialect.Syntax));
         return proof.Holds
             ? new(new(input, path, NcInterpreter.Run(program, path.Dialect), maps, part, counterpart, decision, wish, rewrite.Value, marker, proof), [])
             : MatchOutcome.Refused([.. proof.Failures.Select(f => Named(f, maps))]);

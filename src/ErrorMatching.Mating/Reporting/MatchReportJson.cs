@@ -208,7 +208,14 @@ public static class MatchReportJson
         w.Flag("holds", proof.Holds);
         w.Count("motions", proof.Motions);
         w.Count("movedMotions", proof.MovedMotions);
-        w.Texts("neighbors", proof.Neighbors);
+        w.Texts("neighbors", proof.Neighbors.Select(n => n.Block));
+        w.List("neighborRoles", proof.Neighbors, n =>
+        {
+            w.Text("block", n.Block);
+            w.Count("line", n.Line);
+            w.Text("role", ReportWords.Of(n.Role));
+            w.Number("displacementMm", n.DisplacementMm);
+        });
         w.Text("marker", proof.Marker);
         w.Number("maxDeviationFromWantedMm", proof.MaxDeviationFromWantedMm);
         w.Flag("untouchedBytesIdentical", proof.UntouchedBytesIdentical);

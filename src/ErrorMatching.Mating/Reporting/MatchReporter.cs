@@ -136,7 +136,7 @@ public static class MatchReporter
         result.Rewrite is { } rewrite ? BlockComparison.Of(result.Before.Program, rewrite) : []);
 
     private static ReportProof Proof(NcProof proof) => new(
-        proof.Holds, proof.Motions, proof.MovedMotions, [.. proof.Neighbors.Select(n => n.Block)], proof.Marker, proof.MaxDeviationFromWantedMm, proof.UntouchedBytesIdentical);
+        proof.Holds, proof.Motions, proof.MovedMotions, proof.Neighbors, proof.Marker, proof.MaxDeviationFromWantedMm, proof.UntouchedBytesIdentical);
 
     private static IEnumerable<string> Warnings(MatchResult result)
     {

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
@@ -39,6 +40,24 @@ public static class ReportWords
 
     /// <summary>normal or vector.</summary>
     public static string Of(CompensationDirection direction) => direction == CompensationDirection.Normal ? "normal" : "vector";
+
+    /// <summary>slides, follows, fillet or positioning.</summary>
+    public static string Of(NeighborRole role) => role switch
+    {
+        NeighborRole.Slides => "slides",
+        NeighborRole.Fillet => "fillet",
+        NeighborRole.Positioning => "positioning",
+        _ => "follows",
+    };
+
+    /// <summary>What a neighbor did, as a sentence behind its block and before how far: <c>slid along itself</c>.</summary>
+    public static string Sentence(NeighborRole role) => role switch
+    {
+        NeighborRole.Slides => "slid along itself",
+        NeighborRole.Fillet => "stayed tangent to both sides and moved",
+        NeighborRole.Positioning => "positions to the new place, moved",
+        _ => "followed",
+    };
 
     /// <summary>none, x or y.</summary>
     public static string Of(Mirror mirror) => mirror switch { Mirror.X => "x", Mirror.Y => "y", _ => "none" };

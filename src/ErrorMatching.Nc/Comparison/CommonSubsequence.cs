@@ -1,17 +1,23 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// The longest common subsequence of two sequences by the method of Hunt and Szymanski (Communications of the ACM 20, 1977, 350-353): the pairs of equal items are walked once, and for
-/// each length the chain that ends earliest is kept. Time grows with the number of such pairs, not with the product of the lengths.
+/// A longest common subsequence by the greedy method of Myers (Algorithmica 1, 1986, 251-266) on what is left when equal ends and items that only one side has are set aside.
 /// </summary>
+/// <remarks>
+/// Time grows with length times number of differences d, where it is at most <see cref="MostEdits"/>, and with length times that bound where sequences differ more: the search is then cut off
+/// at the pair that it got furthest with and goes on from there, so that the subsequence is common but may not be the longest. Memory grows with the length and the square of the smaller of d and the bound.
+/// </remarks>
 internal static class CommonSubsequence
 {
+    /// <summary>Number of differences up to which the subsequence is a longest one.</summary>
+    public const int MostEdits = 1024;
+
     /// <summary>Pairs of positions of equal items, ascending in both.</summary>
-    public static List<(int First, int Second)> Of(ReadOnlySpan<object> first, ReadOnlySpan<object> second)
+    public static List<(int First, int Second)> Of(ReadOnlySpan<int> first, ReadOnlySpan<int> second)
     {
         var start = first.CommonPrefixLength(second);
         var end = 0;
-        while (end < Math.Min(first.Length, second.Length) - start && first[^(end + 1)].Equals(second[^(end + 1)]))
+        while (end < Math.Min(first.Length, second.Length) - start && first[^(end + 1)] == second[^(end + 1)])
         {
             end++;
         }
@@ -22,7 +28,7 @@ internal static class CommonSubsequence
             pairs.Add((i, i));
         }
 
-        pairs.AddRange(Inner(first[start..^end], second[start..^end]).Select(p => (p.First + start, p.Second + start)));
+        AddInner(first[start..^end], second[start..^end], start, pairs);
         for (var i = end; i > 0; i--)
         {
             pairs.Add((first.Length - i, second.Length - i));
@@ -31,50 +37,123 @@ internal static class CommonSubsequence
         return pairs;
     }
 
-    private static List<(int First, int Second)> Inner(ReadOnlySpan<object> first, ReadOnlySpan<object> second)
+    private static void AddInner(ReadOnlySpan<int> first, ReadOnlySpan<int> second, int shift, List<(int First, int Second)> pairs)
     {
-        // Positions in the second sequence, descending, so that one item of the first takes part in a chain once.
-        var places = new Dictionary<object, List<int>>();
-        for (var j = second.Length - 1; j >= 0; j--)
+        // An item without its like on the other side is part of no common subsequence.
+        var (a, b) = (Shared(first, second), Shared(second, first));
+        var (x, y) = (0, 0);
+        while (x < a.Length && y < b.Length)
         {
-            if (!places.TryGetValue(second[j], out var list))
+            var (path, reachedX, reachedY) = Search(first, a.AsSpan(x), second, b.AsSpan(y));
+            foreach (var (i, j) in path)
             {
-                places.Add(second[j], list = []);
+                pairs.Add((a[x + i] + shift, b[y + j] + shift));
             }
 
-            list.Add(j);
+            (x, y) = (x + reachedX, y + reachedY);
         }
-
-        var ends = new List<int>();
-        var chains = new List<Link>();
-        for (var i = 0; i < first.Length; i++)
-        {
-            foreach (var j in places.GetValueOrDefault(first[i]) ?? [])
-            {
-                var length = ends.BinarySearch(j);
-                length = length < 0 ? ~length : length;
-                var link = new Link(i, j, length > 0 ? chains[length - 1] : null);
-                if (length == ends.Count)
-                {
-                    ends.Add(j);
-                    chains.Add(link);
-                }
-                else
-                {
-                    (ends[length], chains[length]) = (j, link);
-                }
-            }
-        }
-
-        var pairs = new List<(int, int)>();
-        for (var link = chains.Count > 0 ? chains[^1] : null; link is not null; link = link.Before)
-        {
-            pairs.Add((link.First, link.Second));
-        }
-
-        pairs.Reverse();
-        return pairs;
     }
 
-    private sealed record Link(int First, int Second, Link? Before);
+    private static int[] Shared(ReadOnlySpan<int> items, ReadOnlySpan<int> others)
+    {
+        var known = new HashSet<int>();
+        foreach (var other in others)
+        {
+            known.Add(other);
+        }
+
+        var shared = new List<int>();
+        for (var i = 0; i < items.Length; i++)
+        {
+            if (known.Contains(items[i]))
+            {
+                shared.Add(i);
+            }
+        }
+
+        return [.. shared];
+    }
+
+    // The fewest removals and insertions that lead to both ends, or as far as the bound allows.
+    private static (List<(int, int)> Path, int X, int Y) Search(ReadOnlySpan<int> first, ReadOnlySpan<int> a, ReadOnlySpan<int> second, ReadOnlySpan<int> b)
+    {
+        var bound = Math.Min(a.Length + b.Length, MostEdits);
+        var furthest = new int[(2 * bound) + 3];
+        var middle = bound + 1;
+        var trace = new List<int[]>();
+        for (var d = 0; ; d++)
+        {
+            for (var k = -d; k <= d; k += 2)
+            {
+                var x = k == -d || (k != d && furthest[middle + k - 1] < furthest[middle + k + 1]) ? furthest[middle + k + 1] : furthest[middle + k - 1] + 1;
+                while (x < a.Length && x - k < b.Length && first[a[x]] == second[b[x - k]])
+                {
+                    x++;
+                }
+
+                furthest[middle + k] = x;
+                if (x >= a.Length && x - k >= b.Length)
+                {
+                    return (Back(trace, d, k, x), a.Length, b.Length);
+                }
+            }
+
+            if (d == bound)
+            {
+                var best = FurthestInside(furthest, middle, d, a.Length, b.Length);
+                return (Back(trace, d, best, furthest[middle + best]), furthest[middle + best], furthest[middle + best] - best);
+            }
+
+            trace.Add(furthest[(middle - d)..(middle + d + 1)]);
+        }
+    }
+
+    private static int FurthestInside(int[] furthest, int middle, int d, int lengthA, int lengthB)
+    {
+        var (best, reach) = (0, -1);
+        for (var k = -d; k <= d; k += 2)
+        {
+            var (x, y) = (furthest[middle + k], furthest[middle + k] - k);
+            if (x <= lengthA && y <= lengthB && x + y > reach)
+            {
+                (best, reach) = (k, x + y);
+            }
+        }
+
+        return best;
+    }
+
+    private static List<(int, int)> Back(List<int[]> trace, int d, int k, int x)
+    {
+        var path = new List<(int, int)>();
+        for (; ; d--)
+        {
+            var from = 0;
+            var previous = k;
+            if (d > 0)
+            {
+                var before = trace[d - 1];
+                var isDown = k == -d || (k != d && At(before, d - 1, k - 1) < At(before, d - 1, k + 1));
+                previous = isDown ? k + 1 : k - 1;
+                from = At(before, d - 1, previous) + (isDown ? 0 : 1);
+            }
+
+            while (x > from)
+            {
+                x--;
+                path.Add((x, x - k));
+            }
+
+            if (d == 0)
+            {
+                path.Reverse();
+                return path;
+            }
+
+            (x, k) = (At(trace[d - 1], d - 1, previous), previous);
+        }
+    }
+
+    // Diagonals that d edits do not reach have not been walked.
+    private static int At(int[] furthest, int d, int k) => Math.Abs(k) <= d ? furthest[k + d] : 0;
 }

@@ -12,6 +12,7 @@ internal struct ModalState
 
     public CoordinatePlane Plane;
     public bool Inch;
+    public bool InchFeed;
     public bool Incremental;
     public bool AbsoluteCenters;
     public MotionFlags Compensation;

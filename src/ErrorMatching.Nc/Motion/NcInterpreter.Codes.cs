@@ -5,11 +5,12 @@ namespace ErrorMatching.Nc;
 /// <content>What the G codes of a block do to the modes.</content>
 public sealed partial class NcInterpreter
 {
+    private AxisUse _use;
+    private NcMeaning _code;
     private bool _calls;
 
-    private (AxisUse Use, NcMeaning Code) ReadCodes()
+    private void ReadCodes()
     {
-        var (use, code) = (AxisUse.Motion, NcMeaning.Unknown);
         foreach (var tenths in _words.Codes)
         {
             var meaning = _dialect.MeaningOf(tenths);
@@ -19,42 +20,58 @@ public sealed partial class NcInterpreter
                     Problem("unknown-code", $"G{(tenths / 10m).ToString(System.Globalization.CultureInfo.InvariantCulture)} is not known to the dialect {_dialect.Name}.", MotionFlags.UnknownWord);
                     Forget();
                     break;
-                case NcMeaning.Dwell:
-                    use = AxisUse.Nothing;
-                    break;
-                case NcMeaning.ReferenceReturn:
-                    use = AxisUse.Reference;
-                    break;
-                case NcMeaning.MachineCoordinates or NcMeaning.SuppressFrames:
-                    use = AxisUse.MachineCoordinates;
-                    break;
-                case NcMeaning.Call or NcMeaning.ModalCall:
-                    use = AxisUse.Nothing;
-                    _calls = true;
-                    break;
                 case NcMeaning.WorkOffset:
                     ChooseWorkOffset(tenths);
                     break;
-                case NcMeaning.LengthOffset:
-                    _state.LengthOffset = true;
-                    break;
-                case NcMeaning.LengthOffsetOff:
-                    _state.LengthOffset = false;
-                    EndTransform(NcMeaning.OpaqueTransformOff);
-                    break;
-                case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.MirroringOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff:
-                    EndTransform(meaning);
-                    break;
-                case var _ when SetsOrigin(meaning):
-                    (use, code) = (AxisUse.Origin, meaning);
+                case NcMeaning.Inch or NcMeaning.Metric:
+                    _state.Inch = meaning == NcMeaning.Inch;
+                    _state.InchFeed = _dialect.ScalesFeed(tenths) ? _state.Inch : _state.InchFeed;
                     break;
                 default:
-                    SwitchMode(meaning);
+                    Obey(meaning, _dialect.FamilyOf(tenths));
                     break;
             }
         }
+    }
 
-        return (use, code);
+    // What a code or a keyword means; the family tells transformations apart that have an end of their own.
+    private void Obey(NcMeaning meaning, int family)
+    {
+        switch (meaning)
+        {
+            case NcMeaning.Dwell:
+                _use = AxisUse.Nothing;
+                break;
+            case NcMeaning.ReferenceReturn:
+                _use = AxisUse.Reference;
+                break;
+            case NcMeaning.MachineCoordinates or NcMeaning.SuppressFrames:
+                _use = AxisUse.MachineCoordinates;
+                break;
+            case NcMeaning.Call or NcMeaning.ModalCall:
+                _use = AxisUse.Nothing;
+                _calls = true;
+                break;
+            case NcMeaning.LengthOffset:
+                _state.LengthOffset = true;
+                break;
+            case NcMeaning.LengthOffsetOff:
+                _state.LengthOffset = false;
+                EndTransform(NcMeaning.OpaqueTransformOff, family);
+                break;
+            case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.MirroringOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff:
+                EndTransform(meaning, family);
+                break;
+            case NcMeaning.Smoothing:
+                Note("smoothing", "From here on the control smooths the path: the motions are as programmed only within its tolerance.");
+                break;
+            case var _ when SetsOrigin(meaning):
+                (_use, _code, _family) = (AxisUse.Origin, meaning, family);
+                break;
+            default:
+                SwitchMode(meaning);
+                break;
+        }
     }
 
     private static bool SetsOrigin(NcMeaning meaning) => meaning
@@ -85,8 +102,6 @@ public sealed partial class NcInterpreter
             case NcMeaning.PlaneXY: Plane(CoordinatePlane.XY); break;
             case NcMeaning.PlaneZX: Plane(CoordinatePlane.ZX); break;
             case NcMeaning.PlaneYZ: Plane(CoordinatePlane.YZ); break;
-            case NcMeaning.Inch: _state.Inch = true; break;
-            case NcMeaning.Metric: _state.Inch = false; break;
             case NcMeaning.Absolute: Distance(incremental: false); break;
             case NcMeaning.Incremental: Distance(incremental: true); break;
             case NcMeaning.AbsoluteCenters: _state.AbsoluteCenters = true; break;

@@ -7,6 +7,8 @@ public sealed partial class NcInterpreter
 {
     private readonly double?[] _mirrors = new double?[3];
     private Transforms _transforms;
+    private ulong _opaqueFamilies;
+    private int _family;
     private ProgramFrame? _rotation;
     private ProgramFrame? _scale;
     private ProgramFrame? _programmable;
@@ -74,7 +76,8 @@ public sealed partial class NcInterpreter
                 Switch(Transforms.Polar, on: true);
                 break;
             case NcMeaning.OpaqueTransform:
-                Problem("opaque-transform", "From here on the control transforms the coordinates in a way that is not followed: they are shown as programmed, and no block is changed.", MotionFlags.None);
+                Note("opaque-transform", "From here on the control transforms the coordinates in a way that is not followed: they are shown as programmed, and no block is changed.");
+                _opaqueFamilies |= 1ul << _family;
                 Switch(Transforms.Opaque, on: true);
                 break;
             default:
@@ -86,7 +89,7 @@ public sealed partial class NcInterpreter
         Recompose(isKnown ? work : (work.Place, AxisSet.All));
     }
 
-    private void EndTransform(NcMeaning meaning)
+    private void EndTransform(NcMeaning meaning, int family)
     {
         var ended = meaning switch
         {
@@ -96,7 +99,7 @@ public sealed partial class NcInterpreter
             NcMeaning.PolarOff => Transforms.Polar,
             _ => Transforms.Opaque,
         };
-        if ((_transforms & ended) == Transforms.None)
+        if ((_transforms & ended) == Transforms.None || (ended == Transforms.Opaque && family != 0 && (_opaqueFamilies & (1ul << family)) == 0))
         {
             return;
         }
@@ -116,7 +119,8 @@ public sealed partial class NcInterpreter
             case Transforms.Mirror: Array.Clear(_mirrors); break;
         }
 
-        Switch(ended, on: ended == Transforms.Mirror && _mirrors.Any(m => m is not null));
+        _opaqueFamilies = ended != Transforms.Opaque ? _opaqueFamilies : family == 0 ? 0 : _opaqueFamilies & ~(1ul << family);
+        Switch(ended, on: (ended == Transforms.Mirror && _mirrors.Any(m => m is not null)) || (ended == Transforms.Opaque && _opaqueFamilies != 0));
         Recompose(ended == Transforms.Opaque ? (work.Place, AxisSet.All) : work);
     }
 

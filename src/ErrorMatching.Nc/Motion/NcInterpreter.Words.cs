@@ -41,59 +41,7 @@ public sealed partial class NcInterpreter
         return flags | ((given & _otherAxes) != 0 ? MotionFlags.OtherAxis : MotionFlags.None);
     }
 
-    private MotionFlags ReadStatements()
-    {
-        var flags = MotionFlags.None;
-        foreach (var statement in _words.Statements)
-        {
-            if (statement.Kind == NcTokenKind.Assignment)
-            {
-                if (IsSystemVariable(_program.Bytes.Span.Slice(statement.Start, statement.Length)))
-                {
-                    NextFrame();
-                    _state.Unknown = AxisSet.All;
-                    DependOnPlace();
-                }
-
-                continue;
-            }
-
-            if (statement.Kind != NcTokenKind.Keyword)
-            {
-                continue;
-            }
-
-            var word = TextOf(statement).ToUpperInvariant();
-            var name = new string([.. word.TakeWhile(char.IsAsciiLetter)]);
-            if (_dialect.FlowKeywords.Contains(name))
-            {
-                _flowBlock = _flowBlock < 0 ? _block : _flowBlock;
-            }
-            else
-            {
-                flags |= UnknownWord(word);
-            }
-
-            Forget();
-        }
-
-        return flags;
-    }
-
     private MotionFlags UnknownWord(string what) => Problem("unknown-word", $"\"{what}\" is not known to the dialect {_dialect.Name}.", MotionFlags.UnknownWord);
 
     private string TextOf(NcToken token) => NcText.Decode(_program.Bytes.Span.Slice(token.Start, token.Length));
-
-    // #1 to #999 and names are the program's own; higher numbers, and numbers that are computed, can be offsets and positions of the control.
-    private static bool IsSystemVariable(ReadOnlySpan<byte> assignment)
-    {
-        var name = assignment[1..];
-        var digits = name.IndexOfAnyExceptInRange((byte)'0', (byte)'9');
-        return digits switch
-        {
-            0 => name[0] != '<',
-            < 0 => false,
-            _ => name[..digits].TrimStart((byte)'0').Length > 3,
-        };
-    }
 }

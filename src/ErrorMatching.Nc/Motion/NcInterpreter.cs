@@ -49,14 +49,14 @@ public sealed partial class NcInterpreter
     }
 
     /// <summary>Interprets a program.</summary>
-    /// <param name="program">The program, read in the dialect's syntax.</param>
+    /// <param name="program">The program; it is read in the dialect's syntax.</param>
     /// <param name="dialect">The control that it is for.</param>
     public static NcPath Run(NcProgram program, NcDialect dialect) => Run(program, dialect, null);
 
     /// <summary>Interprets a program that is much like another: motions that are the same take no memory of their own.</summary>
     internal static NcPath Run(NcProgram program, NcDialect dialect, NcPath? like)
     {
-        var interpreter = new NcInterpreter(program, dialect, like?.Motions);
+        var interpreter = new NcInterpreter(program.In(dialect.Syntax), dialect, like?.Motions);
         return interpreter.Run();
     }
 
@@ -74,34 +74,48 @@ public sealed partial class NcInterpreter
 
     private double? ValueOf(NcToken token) => double.NaN;
 
+    private static double? Compute(int start, int length) => start + length < 0 ? null : double.NaN;
+
+    private static bool IsVariable(ReadOnlySpan<byte> name) => name.Length < 0;
+
     private void Step()
     {
+        (_use, _code, _family) = (AxisUse.Motion, NcMeaning.Unknown, 0);
         var flags = ReadObstacles();
-        var (use, code) = ReadCodes();
+        ReadCodes();
         var called = false;
         foreach (var function in _words.Functions)
         {
-            called |= _dialect.CallFunctions.Contains(function);
-            _ended |= function is 2 or 30 or 99;
+            switch (_dialect.FunctionOf(function))
+            {
+                case FunctionRole.Call: called = true; break;
+                case FunctionRole.ProgramEnd or FunctionRole.Return: _ended = true; break;
+                case FunctionRole.Unsure: Forget(); break;
+            }
         }
 
-        if (_words.Has('F'))
+        if (_words.Has('F') && _use != AxisUse.Nothing)
         {
-            _state.Feed = _words.Value('F') * (_state.Inch && !_state.InverseTime ? MmPerInch : 1);
+            _state.Feed = _words.Value('F') * (_state.InchFeed && !_state.InverseTime ? MmPerInch : 1);
         }
 
-        switch (use)
+        switch (_use)
         {
             case AxisUse.Motion or AxisUse.MachineCoordinates when MovesAxes():
-                Move(flags, use == AxisUse.MachineCoordinates);
+                Move(flags, _use == AxisUse.MachineCoordinates);
                 break;
             case AxisUse.Reference:
                 ReturnToReference(flags);
                 break;
             case AxisUse.Origin:
                 DependOnPlace();
-                SetOrigin(code);
+                SetOrigin(_code);
                 break;
+        }
+
+        if (_cycleCall is not null || _modalCycle is not null || _nextCycleIsModal)
+        {
+            RunCycleCalls(moved: _use == AxisUse.Motion && MovesAxes());
         }
 
         if (called || _calls)
@@ -166,6 +180,15 @@ public sealed partial class NcInterpreter
 
     // Sums of increments, as exact as the control's: the double nearest to the decimal, ten digits behind the point.
     private static double Sum(double start, double increment) => Math.Round(start + increment, 10);
+
+    // Said once, where it is first true.
+    private void Note(string code, string message)
+    {
+        if (!_problems.Exists(p => p.Code == code))
+        {
+            _problems.Add(new(code, _block, message));
+        }
+    }
 
     private MotionFlags Problem(string code, string message, MotionFlags flag)
     {

@@ -90,6 +90,9 @@ public sealed class NcProgram
         return new(bytes, begins, count, syntax);
     }
 
+    /// <summary>The same bytes in another spelling; where blocks begin does not depend on it.</summary>
+    public NcProgram In(NcSyntax syntax) => syntax == Syntax ? this : new(Bytes, _starts, _count, syntax);
+
     /// <summary>A program from text; for tests and examples. The text is written as UTF-8 without a mark.</summary>
     public static NcProgram FromText(string text, NcSyntax syntax = NcSyntax.Iso) => Read(Encoding.UTF8.GetBytes(text), syntax);
 

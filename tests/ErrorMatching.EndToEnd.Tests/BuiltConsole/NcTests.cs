@@ -147,6 +147,38 @@ public sealed class NcTests
     }
 
     [Fact]
+    public async Task A_difference_counts_first_and_shows_both_programs_with_changed_words_marked()
+    {
+        using var shop = new Workshop();
+        File.Copy(shop["samples/complex-mating/counterpart.nc"], shop["d.nc"]);
+        shop.Edit("d.nc", "N130 X-45.275", "N135 X-45.265");
+        shop.Edit("d.nc", "N160 G1", "M8\nN160 G1");
+        var text = await shop.Run($"nc diff {Program} d.nc --html d.html");
+        Assert.Equal((0, ""), (text.Exit, text.Error));
+        Assert.DoesNotContain('\u001b', text.Output);
+        var lines = text.Output.Split('\n');
+        Assert.StartsWith("3 motions differ", lines[0], StringComparison.Ordinal);
+        Assert.Contains("identical  114", lines);
+        Assert.Contains("largest    0.0100 mm, N130", lines);
+        Assert.Contains(lines, l => l.StartsWith("~  21  N130 {X-45.275} Y53.975", StringComparison.Ordinal) && l.EndsWith(" 21  N135 {X-45.265} Y53.975", StringComparison.Ordinal));
+        Assert.Contains(lines, l => l.StartsWith("+ ", StringComparison.Ordinal) && l.EndsWith(" 24  M8", StringComparison.Ordinal));
+        Assert.Contains(lines, l => l.StartsWith("   22  N140", StringComparison.Ordinal));
+
+        var json = (await shop.Run($"nc diff {Program} d.nc --json")).Json;
+        var summary = json.GetProperty("summary");
+        Assert.Equal((114, 2, 1, 0.01), (Count("identical"), Count("moved"), Count("words"), summary.GetProperty("largestDisplacementMm").GetDouble()));
+        var words = json.GetProperty("motions").EnumerateArray().Single(m => m.GetProperty("change").GetString() == "words");
+        Assert.Equal(("N160", "[\"M8\"]"), (words.GetProperty("block").GetString(), System.Text.RegularExpressions.Regex.Replace(words.GetProperty("functions").GetProperty("after").ToString(), "\\s", "", System.Text.RegularExpressions.RegexOptions.None, TimeSpan.FromSeconds(1))));
+
+        var page = System.Xml.Linq.XDocument.Load(shop["d.html"]);
+        Assert.Contains(page.Descendants("ins"), e => e.Value == "X-45.265");
+        Assert.Contains(page.Descendants("del"), e => e.Value == "X-45.275");
+        Assert.Empty(page.Descendants("script"));
+
+        int Count(string name) => summary.GetProperty(name).GetInt32();
+    }
+
+    [Fact]
     public async Task Dialects_state_facts_with_sources()
     {
         using var shop = new Workshop();

@@ -13,7 +13,7 @@ public sealed partial class DocumentationTests
 
     public static TheoryData<string> Verbs =>
     [
-        "match", "verify", "job check", "job new", "job schema", "nc check", "nc motion", "nc locate", "nc displace", "nc diff", "nc dialects", "fit line", "fit polynomial", "fit circle",
+        "match", "verify", "job check", "job new", "job schema", "nc check", "nc motion", "nc locate", "nc displace", "nc diff", "nc prove", "nc dialects", "fit line", "fit polynomial", "fit circle",
     ];
 
     [Theory]
@@ -47,7 +47,7 @@ public sealed partial class DocumentationTests
 
     [Fact]
     public void The_pages_for_users_have_commands() => Assert.All(
-        new[] { "README.md", "docs/first-match.md", "docs/write-a-job.md", "docs/read-the-report.md", "docs/feedback-from-a-counterpart.md", "docs/displace-blocks-by-hand.md", "docs/refusals.md" },
+        new[] { "README.md", "docs/first-match.md", "docs/write-a-job.md", "docs/read-the-report.md", "docs/feedback-from-a-counterpart.md", "docs/displace-blocks-by-hand.md", "docs/dialects.md", "docs/prove-a-program.md", "docs/refusals.md" },
         p => Assert.NotEmpty(DocumentedCommand.Of(File.ReadAllText(Repository.PathTo(p)))));
 
     [Theory]

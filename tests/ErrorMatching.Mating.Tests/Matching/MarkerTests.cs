@@ -9,7 +9,7 @@ public sealed class MarkerTests
 {
     private const string Body = "N20 G0 X0. Y-20.\nN40 G1 X0. Y-3. F300\nN50 X50.\nN60 Y-20.\nN70 M30";
 
-    private static readonly string Text = new Marker(new('A', 64), new('b', 64)).Text;
+    private static readonly string Text = new Marker(new('A', 64), new('b', 64)).TextIn(NcSyntax.Iso);
 
     [Fact]
     public void It_carries_the_hashes_of_the_measurement_and_of_the_base_program()
@@ -17,10 +17,10 @@ public sealed class MarkerTests
         var match = new MatchCase(Programs.ToolBelow);
         var csv = "point,x_mm,y_mm\n1,10,0.1\n2,40,0.1\n";
 
-        Assert.Equal($"(ERRORMATCH MEASUREMENT={Hash(csv)} BASE={Hash(Programs.ToolBelow)})", match.Match().Marker!.Text);
-        Assert.Equal(match.Match().Marker!.Text, match.Match().Proof.Marker);
-        Assert.Equal(match.Match().Marker!.Text, match.Report().Proof.Marker);
-        Assert.Contains("\nO1000 (COVER)\n" + match.Match().Marker!.Text + "\nN10 ", Encoding.ASCII.GetString(match.Match().Program.Span), StringComparison.Ordinal);
+        Assert.Equal($"(ERRORMATCH MEASUREMENT={Hash(csv)} BASE={Hash(Programs.ToolBelow)})", match.Match().Marker!.TextIn(NcSyntax.Iso));
+        Assert.Equal(match.Match().Marker!.TextIn(NcSyntax.Iso), match.Match().Proof.Marker);
+        Assert.Equal(match.Match().Marker!.TextIn(NcSyntax.Iso), match.Report().Proof.Marker);
+        Assert.Contains("\nO1000 (COVER)\n" + match.Match().Marker!.TextIn(NcSyntax.Iso) + "\nN10 ", Encoding.ASCII.GetString(match.Match().Program.Span), StringComparison.Ordinal);
     }
 
     [Theory]
@@ -73,7 +73,7 @@ public sealed class MarkerTests
             marked.Program.Replace("(ERRORMATCH ", "(ERRORMATCH  COVER ", StringComparison.Ordinal),
             marked.Program[..120] + ")" + marked.Program[marked.Program.IndexOf("\nN10", StringComparison.Ordinal)..],
             marked.Program[..120] + marked.Program[marked.Program.IndexOf("\nN10", StringComparison.Ordinal)..],
-            marked.Program.Replace(match.Match().Marker!.Text, "(errormatch)", StringComparison.Ordinal),
+            marked.Program.Replace(match.Match().Marker!.TextIn(NcSyntax.Iso), "(errormatch)", StringComparison.Ordinal),
         })
         {
             Assert.Equal((code, "line 3", 3), Place((marked with { Program = damaged }).Refusal()));
@@ -85,7 +85,7 @@ public sealed class MarkerTests
     {
         var match = new MatchCase(Programs.ToolBelow) { Counterpart = "1 10 -0.04; 2 40 -0.04", Compensation = """{ "from": "counterpart" }""" };
         var marker = match.Match().Marker!;
-        var lower = Encoding.ASCII.GetString(match.Match().Program.Span).Replace(marker.Text, marker.Text.ToLowerInvariant(), StringComparison.Ordinal);
+        var lower = Encoding.ASCII.GetString(match.Match().Program.Span).Replace(marker.TextIn(NcSyntax.Iso), marker.TextIn(NcSyntax.Iso).ToLowerInvariant(), StringComparison.Ordinal);
 
         Assert.Equal([(2, marker)], Marker.Find(NcProgram.FromText(lower)));
     }

@@ -78,7 +78,7 @@ internal sealed record MatchCase(string Program)
     {
         var result = Match();
         var text = Encoding.Latin1.GetString(result.Program.Span);
-        return result.Marker is null ? text : text.Replace(result.Marker.Text + "\n", "", StringComparison.Ordinal);
+        return result.Marker is null ? text : text.Replace(result.Marker.TextIn(NcSyntax.Iso) + "\n", "", StringComparison.Ordinal);
     }
 
     /// <summary>The lines that the match changed, as they are now.</summary>

@@ -33,7 +33,7 @@ public sealed class ReportMatchTests
 
         // N40 one, N50 two, N55 four, N60 one.
         Assert.Equal((4, 8), (report.Program.ChangedBlocks, report.Program.ChangedWords));
-        Assert.Equal(["N40", "N70"], report.Proof.Neighbors.Order());
+        Assert.Equal(["N40", "N70"], report.Proof.Neighbors.Select(n => n.Block).Order());
         Assert.InRange(report.Proof.MaxDeviationFromWantedMm, 0, 0.0005);
     }
 

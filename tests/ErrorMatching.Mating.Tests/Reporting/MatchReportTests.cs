@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using System.Text.Json;
 using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating.Tests;
 
@@ -49,7 +50,7 @@ public sealed class MatchReportTests
         Features = [Curve, Curve with { Name = "L1", Kind = FeatureKind.Line, Decision = Decision.WithinTolerance, Curve = null, StandsOutMm = null }, Curve with { Name = "T1", Kind = FeatureKind.Triangle, Decision = Decision.NotSignificant }],
         KeyPoints = [Point, Point with { Counterpart = new(1, 2) }],
         Program = new("out/counterpart.nc", "dd", 1, 2, [new("N8960", 7, "N8960 X-34.995", "N8960 X-34.965", [new(6, 8)], [new(6, 8)])]),
-        Proof = new(true, 12, 3, ["N8950"], null, 0.0004, true),
+        Proof = new(true, 12, 3, [new("N8950", 3, NeighborRole.Slides, 0.0151)], null, 0.0004, true),
         Time = new(8, 0.0012),
         RadiusWearMm = 0.02,
         Warnings = ["w"],
@@ -73,6 +74,7 @@ public sealed class MatchReportTests
         Assert.Equal("out/counterpart.nc|dd|1|2", Text(json, "program.file", "program.sha256", "program.changedBlocks", "program.changedWords"));
         Assert.Equal("N8960|7|N8960 X-34.995|N8960 X-34.965|6|8|8", Text(json, "program.blocks.0.number", "program.blocks.0.line", "program.blocks.0.original", "program.blocks.0.modified", "program.blocks.0.originalSpans.0.start", "program.blocks.0.originalSpans.0.length", "program.blocks.0.modifiedSpans.0.length"));
         Assert.Equal("true|12|3|N8950|null|0.0004|true", Text(json, "proof.holds", "proof.motions", "proof.movedMotions", "proof.neighbors.0", "proof.marker", "proof.maxDeviationFromWantedMm", "proof.untouchedBytesIdentical"));
+        Assert.Equal("N8950|3|slides|0.0151", Text(json, "proof.neighborRoles.0.block", "proof.neighborRoles.0.line", "proof.neighborRoles.0.role", "proof.neighborRoles.0.displacementMm"));
         Assert.Equal("8|0.0012|0.02|w|n", Text(json, "time.measuringS", "time.calculatingS", "radiusWearMm", "warnings.0", "notes.0"));
     }
 

@@ -87,7 +87,7 @@ internal sealed class MatchAnswer(MatchReport report, string? folder) : Answer
             $"Proof holds: of {proof.Motions} motions {proof.MovedMotions} moved, none further than {Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."));
         if (proof.Neighbors.Count > 0)
         {
-            page.Line($"Neighbors that moved along: {string.Join(", ", proof.Neighbors)}.");
+            page.Line($"Neighbors that moved along: {string.Join(", ", proof.Neighbors.Select(n => $"{n.Block} ({ReportWords.Of(n.Role)})"))}.");
         }
     }
 

@@ -12,6 +12,7 @@ internal sealed class MatchVerb : Verb
     private readonly Option<string> _part = FileOption("--part", "The measured part, instead of the job's.");
     private readonly Option<string> _counterpart = FileOption("--counterpart", "The measured counterpart, instead of the job's.");
     private readonly Option<string> _program = FileOption("--program", "The counterpart's program, instead of the job's.");
+    private readonly WishOption _wish = new();
     private readonly Option<string> _out = new("--out") { Description = "The folder to write the program and the reports to. Without it nothing is written.", HelpName = "DIR" };
 
     /// <summary>The verb.</summary>
@@ -23,6 +24,7 @@ internal sealed class MatchVerb : Verb
         Options.Add(_counterpart);
         Options.Add(_program);
         Options.Add(_out);
+        Options.Add(_wish);
     }
 
     /// <inheritdoc/>
@@ -47,10 +49,7 @@ internal sealed class MatchVerb : Verb
             var name = Path.GetFileName(program);
             var report = MatchReporter.Report(result, folder is null ? name : Path.Combine(folder, name), clock.Elapsed.TotalSeconds);
             var answer = new MatchAnswer(report, folder);
-            if (folder is not null)
-            {
-                OutputFile.WriteAll(answer.Files(result.Program), files.Read, cancellation);
-            }
+            _wish.WriteWith(folder is null ? [] : answer.Files(result.Program), result.WishFile, arguments, files.Read, cancellation);
 
             return answer;
         }

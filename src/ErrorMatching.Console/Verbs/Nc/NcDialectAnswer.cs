@@ -5,6 +5,8 @@ namespace ErrorMatching.Console;
 /// <summary>One dialect as a manual page.</summary>
 internal sealed class NcDialectAnswer(NcDialect dialect) : NcDialectsAnswer([dialect])
 {
+    private const int WidestSubject = 30;
+
     private static readonly (DialectTopic Topic, string Heading, string Subject)[] Sections =
     [
         (DialectTopic.Setting, "Settings", "setting"),
@@ -35,12 +37,31 @@ internal sealed class NcDialectAnswer(NcDialect dialect) : NcDialectsAnswer([dia
             page.Line();
             if (rows.All(f => f.Meaning.Length == 0))
             {
-                page.Table([subject, "statement", "source", "stated by"], rows.Select(f => (IReadOnlyList<string>)[f.Subject, f.Statement, f.Source, f.Dialect]));
+                page.Table([subject, "statement", "source", "stated by"], rows.SelectMany(f => Rows(f.Subject, f.Statement, f.Source, f.Dialect)));
             }
             else
             {
-                page.Table([subject, "means", "statement", "source", "stated by"], rows.Select(f => (IReadOnlyList<string>)[f.Subject, f.Meaning, f.Statement, f.Source, f.Dialect]));
+                page.Table([subject, "means", "statement", "source", "stated by"], rows.SelectMany(f => Rows(f.Subject, f.Meaning, f.Statement, f.Source, f.Dialect)));
             }
         }
+    }
+
+    // A long list of codes goes on in rows of its own, so that it does not push the sentences off the screen.
+    private static IEnumerable<IReadOnlyList<string>> Rows(string subject, params IReadOnlyList<string> cells)
+    {
+        var line = "";
+        foreach (var word in subject.Split(' '))
+        {
+            if (line.Length > 0 && line.Length + 1 + word.Length > WidestSubject)
+            {
+                yield return [line, .. cells];
+                cells = [.. cells.Select(_ => "")];
+                line = "";
+            }
+
+            line = line.Length == 0 ? word : line + " " + word;
+        }
+
+        yield return [line, .. cells];
     }
 }

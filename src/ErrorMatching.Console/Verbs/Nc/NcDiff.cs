@@ -1,4 +1,5 @@
 using System.CommandLine;
+using ErrorMatching.Mating;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
@@ -8,6 +9,7 @@ internal sealed class NcDiff : Verb
 {
     private readonly Argument<string> _before = new("BEFORE") { Description = "The first program." };
     private readonly Argument<string> _after = new("AFTER") { Description = "The second program." };
+    private readonly Option<string> _html = FileOption("--html", "The file to write the comparison to as a page.");
     private readonly Option<string> _dialect = NcVerb.DialectOption();
 
     /// <summary>The verb.</summary>
@@ -17,6 +19,7 @@ internal sealed class NcDiff : Verb
         Arguments.Add(_before);
         Arguments.Add(_after);
         Options.Add(_dialect);
+        Options.Add(_html);
     }
 
     /// <inheritdoc/>
@@ -25,6 +28,12 @@ internal sealed class NcDiff : Verb
         var (before, after, dialect) = (arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_dialect));
         var (was, now) = (NcVerb.Interpret(before, dialect), NcVerb.Interpret(after, dialect));
         cancellation.ThrowIfCancellationRequested();
-        return new NcDiffAnswer(before, after, MotionComparison.Of(was, now));
+        var comparison = MotionComparison.Of(was, now);
+        if (arguments.GetValue(_html) is { } html)
+        {
+            OutputFile.Write(html, ProgramDifferenceHtml.Write(comparison, before, after), [before, after], cancellation);
+        }
+
+        return new NcDiffAnswer(before, after, comparison);
     }
 }

@@ -1,13 +1,16 @@
 using System.Globalization;
 using System.Text.Json;
-using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The motions in which two programs differ.</summary>
+/// <summary>The motions in which two programs differ: summary first, then each of them, then the blocks side by side.</summary>
 internal sealed class NcDiffAnswer(string before, string after, MotionComparison comparison) : DocumentAnswer
 {
+    private const int MotionsShown = 100;
+
+    private static readonly MotionChange[] Changes = Enum.GetValues<MotionChange>();
+
     /// <inheritdoc/>
     public override string Schema => "errormatch/nc-diff/1";
 
@@ -17,67 +20,126 @@ internal sealed class NcDiffAnswer(string before, string after, MotionComparison
         json.WriteString("before", before);
         json.WriteString("after", after);
         json.WriteString("dialect", comparison.Before.Dialect.Name);
-        json.WriteBoolean("sameBytes", comparison.Before.Program.Bytes.Span.SequenceEqual(comparison.After.Program.Bytes.Span));
+        json.WriteBoolean("sameBytes", SameBytes);
         json.WriteNumber("motionsBefore", comparison.Before.Motions.Length);
         json.WriteNumber("motionsAfter", comparison.After.Motions.Length);
+        WriteSummary(json);
         json.WriteStartArray("motions");
         foreach (var difference in comparison.Differences)
         {
             var (was, now) = Sides(difference);
             json.WriteStartObject();
-            json.WriteString("change", Word(difference.Change));
+            json.WriteString("change", ShownDifference.Word(difference.Change));
             json.WriteString("block", (was ?? now)!.Block);
             json.WriteNumber("line", (was ?? now)!.Line);
-            WriteVector(json, "displacement", was is null || now is null ? null : difference.Displacement);
-            WriteVector(json, "centerDisplacement", Center(difference));
+            ShownDifference.WriteVector(json, "displacement", was is null || now is null ? null : difference.Displacement);
+            ShownDifference.WriteVector(json, "centerDisplacement", ShownDifference.Center(comparison, difference));
+            WriteFunctions(json, "functions", difference.Functions);
             WriteSide(json, "before", was);
             WriteSide(json, "after", now);
             json.WriteEndObject();
         }
 
         json.WriteEndArray();
+        WriteFunctions(json, "functionsAtEnd", comparison.AtEnd);
     }
 
     /// <inheritdoc/>
     public override void WriteText(Page page)
     {
-        page.Heading(comparison.Differences.Count == 0
+        page.Heading(comparison.IsSame
             ? $"{before} and {after} do the same"
             : string.Create(CultureInfo.InvariantCulture, $"{comparison.Differences.Count} motions differ between {before} and {after}"));
-        if (comparison.Differences.Count == 0)
+        page.Line();
+        page.Facts([.. Facts()]);
+        if (comparison.Differences.Count > 0)
         {
-            return;
+            page.Line();
+            page.Table(["line", "block", "change", "dx", "dy", "dz", "center dx", "dy", "dz"], comparison.Differences.Take(MotionsShown).Select(Row));
+            if (comparison.Differences.Count > MotionsShown)
+            {
+                page.Line(string.Create(CultureInfo.InvariantCulture, $"... and {comparison.Differences.Count - MotionsShown} more motions; --json lists them all."));
+            }
         }
 
-        page.Line();
-        page.Table(
-            ["line", "block", "change", "dx", "dy", "dz", "center dx", "dy", "dz"],
-            comparison.Differences.Select(d => (IReadOnlyList<string>)[.. Place(d), Word(d.Change), .. Cells(d.Before < 0 || d.After < 0 ? null : d.Displacement), .. Cells(Center(d))]));
+        if (!SameBytes)
+        {
+            page.Line();
+            ShownBlocks.Write(page, comparison);
+        }
     }
 
-    private static string Word(MotionChange change) => change switch
-    {
-        MotionChange.Moved => "moved",
-        MotionChange.Replaced => "replaced",
-        MotionChange.Feed => "feed",
-        MotionChange.Inserted => "inserted",
-        _ => "removed",
-    };
+    private bool SameBytes => comparison.Before.Program.Bytes.Span.SequenceEqual(comparison.After.Program.Bytes.Span);
 
-    private static string[] Cells(Vector3? vector) => vector is { } v ? [ShownMotion.Text(v.X), ShownMotion.Text(v.Y), ShownMotion.Text(v.Z)] : ["", "", ""];
-
-    private static void WriteVector(Utf8JsonWriter json, string name, Vector3? vector)
+    private IEnumerable<(string Name, string Value)> Facts()
     {
-        if (vector is not { } v)
+        yield return ("identical", Text(comparison.Identical));
+        foreach (var change in Changes.Where(c => Count(c) > 0))
+        {
+            yield return (ShownDifference.Word(change), Text(Count(change)));
+        }
+
+        if (comparison.Furthest is { } furthest)
+        {
+            yield return ("largest", $"{Show.Mm(MotionComparison.DistanceMm(furthest))} mm, {comparison.Before.Program.NameOf(comparison.Before.Program[comparison.Before.Motions[furthest.Before].Block])}");
+        }
+
+        if (comparison.AtEnd is { } end)
+        {
+            yield return ("at the end", $"{Words(end.Before)} became {Words(end.After)}");
+        }
+
+        static string Text(int count) => count.ToString(CultureInfo.InvariantCulture);
+
+        static string Words(IReadOnlyList<string> words) => words.Count == 0 ? "nothing" : string.Join(' ', words);
+    }
+
+    private IReadOnlyList<string> Row(MotionDifference difference)
+    {
+        var (was, now) = Sides(difference);
+        var moved = was is null || now is null ? (Geometry.Vector3?)null : difference.Displacement;
+        return
+        [
+            (was ?? now)!.Line.ToString(CultureInfo.InvariantCulture), (was ?? now)!.Block, ShownDifference.Word(difference.Change),
+            .. ShownDifference.Cells(moved), .. ShownDifference.Cells(ShownDifference.Center(comparison, difference)),
+        ];
+    }
+
+    private int Count(MotionChange change) => comparison.Differences.Count(d => d.Change == change);
+
+    private void WriteSummary(Utf8JsonWriter json)
+    {
+        json.WriteStartObject("summary");
+        json.WriteNumber("identical", comparison.Identical);
+        foreach (var change in Changes)
+        {
+            json.WriteNumber(ShownDifference.Word(change), Count(change));
+        }
+
+        json.Number("largestDisplacementMm", comparison.Furthest is { } furthest ? Math.Round(MotionComparison.DistanceMm(furthest), 9) : 0);
+        json.WriteEndObject();
+    }
+
+    private static void WriteFunctions(Utf8JsonWriter json, string name, FunctionChange? functions)
+    {
+        if (functions is null)
         {
             json.WriteNull(name);
             return;
         }
 
         json.WriteStartObject(name);
-        json.Number("x", Clean(v.X));
-        json.Number("y", Clean(v.Y));
-        json.Number("z", Clean(v.Z));
+        foreach (var (side, words) in new[] { ("before", functions.Before), ("after", functions.After) })
+        {
+            json.WriteStartArray(side);
+            foreach (var word in words)
+            {
+                json.WriteStringValue(word);
+            }
+
+            json.WriteEndArray();
+        }
+
         json.WriteEndObject();
     }
 
@@ -92,24 +154,6 @@ internal sealed class NcDiffAnswer(string before, string after, MotionComparison
         json.WriteStartObject(name);
         motion.Write(json);
         json.WriteEndObject();
-    }
-
-    private static double Clean(double value) => Math.Round(value, 9) + 0.0;
-
-    private Vector3? Center(MotionDifference difference)
-    {
-        if (difference.Before < 0 || difference.After < 0 || comparison.Before.Motions[difference.Before] is not { IsArc: true } arc)
-        {
-            return null;
-        }
-
-        return arc.Plane.Lift(Point2.Origin + difference.CenterDisplacement, 0) - default(Point3);
-    }
-
-    private IEnumerable<string> Place(MotionDifference difference)
-    {
-        var (was, now) = Sides(difference);
-        return [(was ?? now)!.Line.ToString(CultureInfo.InvariantCulture), (was ?? now)!.Block];
     }
 
     private (ShownMotion? Before, ShownMotion? After) Sides(MotionDifference difference) =>

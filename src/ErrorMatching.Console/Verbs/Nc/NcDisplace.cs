@@ -12,6 +12,7 @@ internal sealed class NcDisplace : NcVerb
     private readonly Option<string> _by = new("--by") { Description = "Moves the end points of the named motions by a vector in mm.", HelpName = "DX,DY[,DZ]" };
     private readonly Option<string> _normal = new("--normal") { Description = "Moves the named elements by a distance in mm to the left of travel; negative: to the right.", HelpName = "D" };
     private readonly Option<string> _along = new("--along") { Description = "Moves the named elements as points with the columns x, y, dx and dy say.", HelpName = "POINTS.csv" };
+    private readonly WishOption _wish = new();
     private readonly Option<string> _out = new("--out") { Description = "The program to write.", HelpName = "FILE", Required = true };
 
     /// <summary>The verb.</summary>
@@ -23,6 +24,7 @@ internal sealed class NcDisplace : NcVerb
         Options.Add(_normal);
         Options.Add(_along);
         Options.Add(_out);
+        Options.Add(_wish);
         Demand(_by, text => Numbers(text) is { Length: 2 or 3 }, "two or three numbers such as 0.1,-0.05");
         Demand(_normal, text => Numbers(text) is { Length: 1 }, "a number such as -0.02");
         Validators.Add(result =>
@@ -80,7 +82,7 @@ internal sealed class NcDisplace : NcVerb
 
         var output = arguments.GetRequiredValue(_out);
         string[] inputs = [file, .. path.Dialect.Files.Select(f => f.File), .. arguments.GetValue(_along) is { } along ? [along] : Array.Empty<string>()];
-        OutputFile.Write(output, rewrite.Value.Program.Bytes, inputs, cancellation);
+        _wish.WriteWith([(output, rewrite.Value.Program.Bytes)], () => WishFile.Of(path, wish, rewrite.Value.LeastIncrementMm), arguments, inputs, cancellation);
         return new NcDisplaceAnswer(file, output, path, rewrite.Value, proof, misfit);
     }
 

@@ -45,7 +45,7 @@ internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, 
             json.Number("maxPointMisfitMm", misfit);
         }
 
-        WriteProof(json);
+        ShownProof.Write(json, proof);
     }
 
     /// <inheritdoc/>
@@ -65,44 +65,10 @@ internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, 
             page.Line();
         }
 
-        page.Line(string.Create(
-            CultureInfo.InvariantCulture,
-            $"Proof holds: of {proof.Motions} motions {proof.MovedMotions} moved, none further than {Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."));
-        foreach (var neighbor in proof.Neighbors)
-        {
-            page.Line($"Neighbor {neighbor.Block} {Role(neighbor.Role)} by {Show.Mm(neighbor.DisplacementMm)} mm.");
-        }
-
+        ShownProof.Write(page, proof);
         if (misfitMm is > 0.0005 and var misfit)
         {
             page.Line($"Warning: at one of the points the element goes {Show.Mm(misfit)} mm beside what was asked, since a line cannot bend between its ends. Split the block, or ask for less.");
         }
-    }
-
-    private static string Role(NeighborRole role) => role switch
-    {
-        NeighborRole.Slides => "slid along itself",
-        NeighborRole.Fillet => "stayed tangent to both sides and moved",
-        NeighborRole.Positioning => "positions to the new place, moved",
-        _ => "followed",
-    };
-
-    private void WriteProof(Utf8JsonWriter json)
-    {
-        json.WriteStartObject("proof");
-        json.WriteBoolean("holds", proof.Holds);
-        json.WriteNumber("motions", proof.Motions);
-        json.WriteNumber("movedMotions", proof.MovedMotions);
-        json.WriteStartArray("neighbors");
-        foreach (var neighbor in proof.Neighbors)
-        {
-            json.WriteStringValue(neighbor.Block);
-        }
-
-        json.WriteEndArray();
-        json.WriteString("marker", proof.Marker);
-        json.Number("maxDeviationFromWantedMm", Math.Round(proof.MaxDeviationFromWantedMm, 9));
-        json.WriteBoolean("untouchedBytesIdentical", proof.UntouchedBytesIdentical);
-        json.WriteEndObject();
     }
 }

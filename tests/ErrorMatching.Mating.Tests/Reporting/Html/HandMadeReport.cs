@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating.Tests;
 
@@ -44,7 +45,7 @@ internal static class HandMadeReport
             Point("4", "L2", new(300, 0), 0, 0, Vector2.Zero),
         ],
         Program = new("out/counterpart.nc", new('e', 64), 1, 2, [new("N10", 3, "N10 X-1.5 Y2.", "N10 X-1.5 Y2.1 F9", [new(11, 2), new(13, 0)], [new(11, 3), new(14, 3)])]),
-        Proof = new(true, 12, 3, ["N5", "N15"], "(ERRORMATCH)", 0.0004, true),
+        Proof = new(true, 12, 3, [new("N5", 2, NeighborRole.Slides, 0.0303), new("N15", 4, NeighborRole.Follows, 0.02)], "(ERRORMATCH)", 0.0004, true),
         Time = new(3, 0.0123),
         RadiusWearMm = 0.02,
         Warnings = ["Mind the gap."],

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Mating.Tests;
@@ -175,7 +176,7 @@ public sealed class PageTests
         Features = [HandMadeReport.Line with { Name = Hostile, Quantities = [new(new(Hostile, 1, 2, 3), null)] }],
         KeyPoints = [.. HandMadeReport.Report.KeyPoints.Take(2).Select((p, i) => p with { Point = Hostile + (i == 0 ? "" : "2"), Feature = Hostile, Blocks = [Hostile] })],
         Program = new(Hostile, Hostile, 1, 1, [new(Hostile, 1, "x" + Hostile, "x" + Hostile, [new(1, 4)], [new(1, 4)])]),
-        Proof = new(true, 1, 1, [Hostile], Hostile, 0, true),
+        Proof = new(true, 1, 1, [new(Hostile, 1, NeighborRole.Fillet, 0)], Hostile, 0, true),
         Warnings = [Hostile],
         Notes = [Hostile],
     };

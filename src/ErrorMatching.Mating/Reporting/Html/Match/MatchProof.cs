@@ -12,7 +12,7 @@ internal static class MatchProof
             ("Motions compared", ReportNumber.Count(proof.Motions)),
             ("Motions that differ", ReportNumber.Count(proof.MovedMotions)),
             ("Largest distance of a motion from where it was wanted", $"{ReportNumber.Fine(proof.MaxDeviationFromWantedMm)} mm"),
-            ("Neighbors that followed because they touch what moved", proof.Neighbors.Count == 0 ? "none" : string.Join(", ", proof.Neighbors)),
+            ("Neighbors that followed because they touch what moved", proof.Neighbors.Count == 0 ? "none" : string.Join("; ", proof.Neighbors.Select(n => $"{n.Block} {ReportWords.Sentence(n.Role)} by {ReportNumber.Fine(n.DisplacementMm)} mm"))),
             ("Every byte outside the changed words is the original one", proof.UntouchedBytesIdentical ? "✓ yes" : "✗ NO"),
             ("Marker comment", proof.Marker ?? "none, since nothing was changed"),
         ];

@@ -1,0 +1,24 @@
+using System.Diagnostics.CodeAnalysis;
+using System.Runtime.CompilerServices;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>The arguments of one function, kept without allocating.</summary>
+internal struct ArgumentList
+{
+    private Storage _storage;
+
+    public int Count { get; private set; }
+
+    [UnscopedRef]
+    public readonly ReadOnlySpan<NcValue> Values => ((ReadOnlySpan<NcValue>)_storage)[..Count];
+
+    public void Add(NcValue value) => _storage[Count++] = value;
+
+    // No function takes more than three.
+    [InlineArray(3)]
+    private struct Storage
+    {
+        private NcValue _first;
+    }
+}

@@ -1,0 +1,83 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>How a block begins: block skip, number, label, and where its first statement stands.</summary>
+/// <param name="At">Where the first statement begins, from the start of the block.</param>
+/// <param name="Number">The block's number; -1 where it has none.</param>
+/// <param name="LabelAt">Where the label begins (Siemens).</param>
+/// <param name="LabelLength">Its length; 0 where there is none.</param>
+internal readonly record struct BlockHead(int At, long Number, int LabelAt, int LabelLength)
+{
+    /// <summary>Reads the head of a block.</summary>
+    public static BlockHead Read(ReadOnlySpan<byte> text, NcSyntax syntax)
+    {
+        var (at, number, labelAt, labelLength) = (0, -1L, 0, 0);
+        while (at < text.Length)
+        {
+            var c = text[at];
+            if (c is (byte)' ' or (byte)'\t')
+            {
+                at++;
+            }
+            else if (c == '/')
+            {
+                at += at + 1 < text.Length && IsDigit(text[at + 1]) ? 2 : 1;
+            }
+            else if (c == '(' && syntax != NcSyntax.Siemens && text[at..].IndexOf((byte)')') is > 0 and var close)
+            {
+                at += close + 1;
+            }
+            else if ((c | 0x20) == 'n' && number < 0 && NumberAt(text, at + 1) is { Length: > 0 } found)
+            {
+                (number, at) = (found.Value, found.Start + found.Length);
+            }
+            else if (syntax == NcSyntax.Siemens && labelLength == 0 && NameLength(text, at) is > 1 and var length && at + length < text.Length && text[at + length] == ':'
+                && (at + length + 1 == text.Length || text[at + length + 1] != '='))
+            {
+                (labelAt, labelLength, at) = (at, length, at + length + 1);
+            }
+            else
+            {
+                break;
+            }
+        }
+
+        return new(at, number, labelAt, labelLength);
+    }
+
+    /// <summary>Length of the name (letters, digits, underscores, not beginning with a digit) at a place; 0 where none stands there.</summary>
+    public static int NameLength(ReadOnlySpan<byte> text, int at)
+    {
+        var end = at;
+        while (end < text.Length && (IsLetter(text[end]) || text[end] == '_' || (end > at && IsDigit(text[end]))))
+        {
+            end++;
+        }
+
+        return end - at;
+    }
+
+    /// <summary>The whole number at a place, behind spaces.</summary>
+    public static (int Start, int Length, long Value) NumberAt(ReadOnlySpan<byte> text, int at)
+    {
+        while (at < text.Length && text[at] is (byte)' ' or (byte)'\t')
+        {
+            at++;
+        }
+
+        var (start, value) = (at, 0L);
+        for (; at < text.Length && IsDigit(text[at]) && value < 1_000_000_000_000; at++)
+        {
+            value = (value * 10) + (text[at] - '0');
+        }
+
+        return (start, at - start, value);
+    }
+
+    /// <summary>True if a word stands at a place, in any case.</summary>
+    public static bool Stands(ReadOnlySpan<byte> text, int at, ReadOnlySpan<byte> word) =>
+        text.Length - at >= word.Length && System.Text.Ascii.EqualsIgnoreCase(text.Slice(at, word.Length), word);
+
+    public static bool IsDigit(byte c) => (uint)(c - '0') < 10;
+
+    public static bool IsLetter(byte c) => (uint)((c | 0x20) - 'a') < 26;
+}

@@ -1,0 +1,200 @@
+using System.Globalization;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>What a file consists of: its programs, and the statements that belong together. Made once, when the first statement of flow is met.</summary>
+internal sealed partial class FlowIndex
+{
+    private readonly NcSyntax _syntax;
+    private readonly List<FlowUnit> _units = [];
+    private readonly Dictionary<string, int> _numbers = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, FlowUnit> _named = new(StringComparer.Ordinal);
+    private readonly Dictionary<int, FlowStatement> _statements = [];
+    private readonly Dictionary<string, FlowStatement> _subs = new(StringComparer.Ordinal);
+    private readonly Dictionary<(int From, bool Forward, bool Backward, long Number, string Label), int> _targets = [];
+
+    public FlowIndex(NcProgram program, NcSyntax syntax)
+    {
+        Program = program;
+        _syntax = syntax;
+        var (name, first, hasContent) = ("", 0, false);
+        var end = program.BlockCount;
+        for (var i = 0; i < end; i++)
+        {
+            var text = program.BytesOf(program[i]);
+            var head = BlockHead.Read(text, syntax);
+            if (HeadingOf(text, head.At) is { } heading)
+            {
+                // LinuxCNC runs on over the number of a subprogram; only the second percent sign ends the file.
+                if (syntax == NcSyntax.LinuxCnc)
+                {
+                    end = heading.Length == 0 && hasContent ? i : end;
+                    hasContent = true;
+                    if (heading.Length > 0)
+                    {
+                        _numbers.TryAdd(heading, i);
+                    }
+
+                    continue;
+                }
+
+                if (hasContent)
+                {
+                    AddUnit(name, first, i);
+                    (first, name) = (i, "");
+                }
+
+                (name, hasContent) = (heading.Length == 0 ? name : heading, heading.Length > 0);
+            }
+            else if (head.At < text.Length && text[head.At] != ';')
+            {
+                hasContent = true;
+                AddStatement(text, head.At, i);
+            }
+        }
+
+        AddUnit(name, first, end);
+        foreach (var (number, begin) in _numbers)
+        {
+            _named.TryAdd(number, new(this, number, begin, end));
+        }
+
+        Main = _units.Find(u => u.Name.EndsWith(MainEnding, StringComparison.Ordinal)) ?? _units[0];
+    }
+
+    private const string MainEnding = "_MPF";
+
+    public NcProgram Program { get; }
+
+    /// <summary>The program that runs first: the first main program of an archive, else the first of the file.</summary>
+    public FlowUnit Main { get; }
+
+    /// <summary>The program of a name; null where the file has none.</summary>
+    public FlowUnit? Unit(string name) => _named.GetValueOrDefault(name);
+
+    /// <summary>The program in which a block stands.</summary>
+    public FlowUnit UnitAt(int block)
+    {
+        var (low, high) = (0, _units.Count - 1);
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            (low, high) = block < _units[middle].End ? (low, middle) : (middle + 1, high);
+        }
+
+        return _units[low];
+    }
+
+    /// <summary>How many blocks were looked at to find the targets of jumps.</summary>
+    public long Searched { get; private set; }
+
+    /// <summary>The structure that a block belongs to; null where it belongs to none.</summary>
+    public FlowStatement? StatementAt(int block) => _statements.GetValueOrDefault(block);
+
+    /// <summary>The definition of a LinuxCNC subroutine; null where the file has none.</summary>
+    public FlowStatement? Sub(string label) => _subs.GetValueOrDefault(label);
+
+    /// <summary>The block with a number, searched forward from a block and then from the start of the program; -1 where there is none.</summary>
+    public int FindNumber(FlowUnit unit, int from, long number, bool forward = true, bool backward = true) => Find(unit, from, forward, backward, number, "");
+
+    /// <summary>The block with a label, searched as for a number.</summary>
+    public int FindLabel(FlowUnit unit, int from, string label, bool forward = true, bool backward = true) => Find(unit, from, forward, backward, -1, label);
+
+    /// <summary>How a program number is named: <c>O0100</c>.</summary>
+    public static string NumberName(long number) => string.Create(CultureInfo.InvariantCulture, $"O{number:D4}");
+
+    /// <summary>A Siemens name without the marks of files and archives: <c>_N_POCKET_SPF</c> and <c>POCKET.SPF</c> are POCKET.</summary>
+    public static string PlainName(string name)
+    {
+        name = name.ToUpperInvariant();
+        name = name.StartsWith("_N_", StringComparison.Ordinal) ? name[3..] : name;
+        return name.EndsWith("_SPF", StringComparison.Ordinal) || name.EndsWith(MainEnding, StringComparison.Ordinal) || name.EndsWith(".SPF", StringComparison.Ordinal) || name.EndsWith(".MPF", StringComparison.Ordinal)
+            ? name[..^4]
+            : name;
+    }
+
+    private void AddUnit(string name, int first, int end)
+    {
+        var unit = new FlowUnit(this, name, first, end);
+        _units.Add(unit);
+        if (name.Length > 0)
+        {
+            _named.TryAdd(_syntax == NcSyntax.Siemens ? PlainName(name) : name, unit);
+        }
+    }
+
+    // The name of the program that begins here; an empty one where the tape's start or end is marked; null for any other block.
+    private string? HeadingOf(ReadOnlySpan<byte> text, int at)
+    {
+        if (at >= text.Length)
+        {
+            return null;
+        }
+
+        if (text[at] == '%')
+        {
+            return _syntax == NcSyntax.Siemens ? NcText.Decode(text[(at + 1)..]).Trim().ToUpperInvariant() : "";
+        }
+
+        if (_syntax == NcSyntax.Siemens || (text[at] | 0x20) != 'o' || BlockHead.NumberAt(text, at + 1) is not { Length: > 0 } number)
+        {
+            return null;
+        }
+
+        return _syntax == NcSyntax.LinuxCnc && OWordAt(text, at).Keyword.Length > 0 ? null : NumberName(number.Value);
+    }
+
+    private int Find(FlowUnit unit, int from, bool forward, bool backward, long number, string label)
+    {
+        var key = (from, forward, backward, number, label);
+        if (_targets.TryGetValue(key, out var known))
+        {
+            return known;
+        }
+
+        var found = forward ? Search(from + 1, unit.End, number, label) : -1;
+        if (found < 0 && backward)
+        {
+            // Behind a search forward all the rest counts from the top; a search only backward takes the nearest.
+            found = forward ? Search(unit.First, from + 1, number, label) : SearchBack(unit.First, from, number, label);
+        }
+
+        return _targets[key] = found;
+    }
+
+    private int Search(int first, int end, long number, string label)
+    {
+        for (var i = first; i < end; i++)
+        {
+            if (IsTarget(i, number, label))
+            {
+                return i;
+            }
+        }
+
+        return -1;
+    }
+
+    private int SearchBack(int first, int from, long number, string label)
+    {
+        for (var i = from; i >= first; i--)
+        {
+            if (IsTarget(i, number, label))
+            {
+                return i;
+            }
+        }
+
+        return -1;
+    }
+
+    private bool IsTarget(int block, long number, string label)
+    {
+        Searched++;
+        var text = Program.BytesOf(Program[block]);
+        var head = BlockHead.Read(text, _syntax);
+        return label.Length == 0
+            ? head.Number == number && number >= 0
+            : head.LabelLength == label.Length && NcText.Decode(text.Slice(head.LabelAt, head.LabelLength)).Equals(label, StringComparison.OrdinalIgnoreCase);
+    }
+}

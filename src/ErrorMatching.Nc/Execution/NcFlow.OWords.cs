@@ -1,0 +1,88 @@
+namespace ErrorMatching.Nc;
+
+/// <content>Subroutines of LinuxCNC: <c>o100 call [1] [2]</c>.</content>
+internal sealed partial class NcFlow
+{
+    private const int MostArguments = 30;
+
+    private FlowAction OWord(FlowStatement statement, ReadOnlySpan<byte> text)
+    {
+        switch (statement.Kind)
+        {
+            case FlowKind.Sub:
+                return statement.End is { } end
+                    ? Jump(statement.Block, end.Block + 1)
+                    : Refuse(NcRefusalCodes.MissingLabel, statement.Block, "the subroutine has no end.");
+            case FlowKind.Call:
+                return CallSub(statement, text);
+            default:
+                return _frames.Count == 1
+                    ? Refuse(NcRefusalCodes.MissingLabel, statement.Block, "a subroutine ends here that was not called.")
+                    : ReturnValue(statement, text);
+        }
+    }
+
+    private FlowAction ReturnValue(FlowStatement statement, ReadOnlySpan<byte> text)
+    {
+        var reader = ReaderAt(text, statement.At);
+        reader.SkipSpaces();
+        if (reader.At < text.Length && text[reader.At] == '[')
+        {
+            var value = reader.Bracket();
+            if (!Check(ref reader, statement.Block))
+            {
+                return FlowAction.Stop;
+            }
+
+            Variables.Return(value);
+        }
+
+        return Return(statement.Block);
+    }
+
+    private FlowAction CallSub(FlowStatement statement, ReadOnlySpan<byte> text)
+    {
+        var (label, labelEnd, _, keywordEnd) = FlowIndex.OWordAt(text, statement.At);
+        if (label.Length == 0)
+        {
+            var number = ReaderAt(text[..labelEnd], statement.At + 1);
+            var value = number.Operand();
+            if (!Check(ref number, statement.Block) || !TryCount(statement.Block, value, "the number of the subroutine", out var count))
+            {
+                return FlowAction.Stop;
+            }
+
+            label = FormattableString.Invariant($"{count}");
+        }
+
+        var reader = ReaderAt(text, keywordEnd);
+        var arguments = new List<(VariablePlace, NcValue)>();
+        for (reader.SkipSpaces(); reader.Error is null && reader.At < text.Length && text[reader.At] == '['; reader.SkipSpaces())
+        {
+            arguments.Add((VariablePlace.Numbered(arguments.Count + 1), reader.Bracket()));
+            if (arguments.Count > MostArguments)
+            {
+                reader.Fail("a subroutine takes at most 30 arguments");
+            }
+        }
+
+        if (!Check(ref reader, statement.Block))
+        {
+            return FlowAction.Stop;
+        }
+
+        var index = Unit.Index.Sub(label) is null ? FromLibrary(label.ToLowerInvariant()) : Unit.Index;
+        if (index?.Sub(label) is not { } sub)
+        {
+            return Missing(statement.Block, $"o<{label.ToLowerInvariant()}>");
+        }
+
+        if (sub.End is null)
+        {
+            return Refuse(NcRefusalCodes.MissingLabel, statement.Block, "the subroutine that is called has no end.");
+        }
+
+        Variables.Return(null);
+        return Enter(new() { Unit = index.UnitAt(sub.Block), First = sub.Block + 1, Caller = statement.Block, Arguments = arguments });
+    }
+}

@@ -1,0 +1,122 @@
+namespace ErrorMatching.Nc;
+
+/// <content>Branches and loops over several blocks, which all families have in common.</content>
+internal sealed partial class NcFlow
+{
+    private FlowAction Execute(FlowStatement statement, ReadOnlySpan<byte> text)
+    {
+        var block = statement.Block;
+        if (statement.Kind is FlowKind.Call or FlowKind.Return or FlowKind.Sub or FlowKind.EndSub)
+        {
+            return OWord(statement, text);
+        }
+
+        if (statement.Start?.End is not { } end)
+        {
+            return Refuse(NcRefusalCodes.MissingLabel, block, "a branch or loop is not complete here: its begin or its end is missing, or too many stand in one another.");
+        }
+
+        var start = statement.Start;
+        switch (statement.Kind)
+        {
+            case FlowKind.If: return Branch(statement, text);
+            case FlowKind.ElseIf or FlowKind.Else: return Jump(block, end.Block + 1);
+            case FlowKind.While: return Condition(statement, text, out var goesOn) ? Jump(block, goesOn ? block + 1 : end.Block + 1) : FlowAction.Stop;
+            case FlowKind.EndWhile: return Jump(block, start.Block);
+            case FlowKind.EndLoop: return Jump(block, start.Block + 1);
+            case FlowKind.Until: return Condition(statement, text, out var holds) ? Jump(block, holds == (_syntax == NcSyntax.LinuxCnc) ? start.Block + 1 : block + 1) : FlowAction.Stop;
+            case FlowKind.Repeat: return BeginRepeat(statement, text, end);
+            case FlowKind.EndRepeat: return EndRepeat(statement, start);
+            case FlowKind.For: return For(statement, text, end, begins: true);
+            case FlowKind.EndFor: return For(start, Program.BytesOf(Program[start.Block]), statement, begins: false);
+            case FlowKind.Break: return Jump(block, end.Block + 1);
+            case FlowKind.Continue: return Jump(block, start.Kind == FlowKind.While ? start.Block : end.Block);
+            default: return FlowAction.Continue;
+        }
+    }
+
+    private bool Condition(FlowStatement statement, ReadOnlySpan<byte> text, out bool truth)
+    {
+        var reader = ReaderAt(text, statement.At);
+        var value = _syntax == NcSyntax.Siemens ? reader.Expression() : reader.Bracket();
+        return TryTruth(statement.Block, ref reader, value, out truth);
+    }
+
+    private FlowAction Branch(FlowStatement statement, ReadOnlySpan<byte> text)
+    {
+        for (var branch = statement; ; branch = branch.Branch!)
+        {
+            if (branch.Kind is FlowKind.Else or FlowKind.EndIf)
+            {
+                return Jump(statement.Block, branch.Block + 1);
+            }
+
+            if (!Condition(branch, ReferenceEquals(branch, statement) ? text : Program.BytesOf(Program[branch.Block]), out var holds))
+            {
+                return FlowAction.Stop;
+            }
+
+            if (holds)
+            {
+                return Jump(statement.Block, branch.Block + 1);
+            }
+        }
+    }
+
+    private FlowAction BeginRepeat(FlowStatement statement, ReadOnlySpan<byte> text, FlowStatement end)
+    {
+        var reader = ReaderAt(text, statement.At);
+        var value = reader.Bracket();
+        if (!Check(ref reader, statement.Block) || !TryCount(statement.Block, value, "the number of repetitions", out var passes))
+        {
+            return FlowAction.Stop;
+        }
+
+        Frame.Counters[statement.Block] = passes;
+        _changes++;
+        return Jump(statement.Block, passes > 0 ? statement.Block + 1 : end.Block + 1);
+    }
+
+    private FlowAction EndRepeat(FlowStatement statement, FlowStatement start)
+    {
+        var left = Frame.Counters.GetValueOrDefault(start.Block) - 1;
+        Frame.Counters[start.Block] = left;
+        _changes++;
+        return Jump(statement.Block, left > 0 ? start.Block + 1 : statement.Block + 1);
+    }
+
+    // FOR i = a TO b .. ENDFOR: the end value is computed at each pass; i goes up by one.
+    private FlowAction For(FlowStatement start, ReadOnlySpan<byte> text, FlowStatement end, bool begins)
+    {
+        var from = begins ? start.Block : end.Block;
+        var reader = ReaderAt(text, start.At);
+        var counter = reader.Place();
+        if (!reader.Take((byte)'='))
+        {
+            reader.Fail("\"=\" is expected here");
+        }
+
+        var first = reader.Expression();
+        reader.SkipSpaces();
+        if (reader.Error is null && !BlockHead.Stands(text, reader.At, "TO"u8))
+        {
+            reader.Fail("TO is expected here");
+        }
+
+        reader.At += 2;
+        var last = reader.Error is null ? reader.Expression() : NcValue.Unknown;
+        if (!Check(ref reader, from))
+        {
+            return FlowAction.Stop;
+        }
+
+        var value = begins ? first : Variables.Read(counter, out _);
+        if (counter.Kind == VariableKind.Machine || !value.IsNumber || !last.IsNumber)
+        {
+            return Refuse(NcRefusalCodes.UnknownCondition, from, "how often the loop runs hangs on a value that only the machine knows.");
+        }
+
+        value = begins ? value : NcValue.Of(value.Number + 1);
+        return Assigned(from, counter, value, start.At) == FlowAction.Stop ? FlowAction.Stop : Jump(from, value.Number > last.Number ? end.Block + 1 : start.Block + 1);
+    }
+}

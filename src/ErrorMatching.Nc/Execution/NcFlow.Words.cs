@@ -1,0 +1,171 @@
+namespace ErrorMatching.Nc;
+
+/// <content>Blocks of ISO controls and LinuxCNC: assignments, and the words that matter to calls.</content>
+internal sealed partial class NcFlow
+{
+    private const int AlarmVariable = 3000;
+
+    private readonly List<(byte Letter, NcValue Value)> _words = [];
+    private int _scanned = -1;
+
+    // Makes the assignments of a block (LinuxCNC: keeps them until its words have been read) and collects its words with their values.
+    private FlowAction Assign(int block, ReadOnlySpan<byte> text, int at)
+    {
+        _words.Clear();
+        _scanned = block;
+        var reader = ReaderAt(text, at);
+        for (reader.SkipSpaces(); reader.Error is null && reader.At < text.Length; reader.SkipSpaces())
+        {
+            var c = text[reader.At];
+            if (c == ';')
+            {
+                break;
+            }
+
+            if (c == '(')
+            {
+                var length = text[reader.At..].IndexOf((byte)')');
+                reader.At = length < 0 ? text.Length : reader.At + length + 1;
+            }
+            else if (c == '#')
+            {
+                if (AssignOne(block, ref reader) == FlowAction.Stop)
+                {
+                    return FlowAction.Stop;
+                }
+            }
+            else if (BlockHead.IsLetter(c))
+            {
+                ReadWord(text, ref reader);
+            }
+            else
+            {
+                reader.At++;
+            }
+        }
+
+        return !Check(ref reader, block) ? FlowAction.Stop : _words.Count > 0 || _pending.Count > 0 ? FlowAction.Words : FlowAction.Continue;
+    }
+
+    private FlowAction AssignOne(int block, ref ExpressionReader reader)
+    {
+        var column = reader.At;
+        var place = reader.Place();
+        if (!reader.Take((byte)'='))
+        {
+            reader.Fail("\"=\" is expected here");
+        }
+
+        var value = reader.Expression();
+        if (!Check(ref reader, block))
+        {
+            return FlowAction.Stop;
+        }
+
+        if (_syntax == NcSyntax.LinuxCnc)
+        {
+            _pending.Add((place, value));
+            return FlowAction.Continue;
+        }
+
+        if (place is { Kind: VariableKind.Numbered, Number: AlarmVariable } && !value.IsVacant && value.Number != 0)
+        {
+            Note("program-alarm", block, "The program raises an alarm here (#3000) and ends.");
+            return Ended();
+        }
+
+        return Assigned(block, place, value, column);
+    }
+
+    private void ReadWord(ReadOnlySpan<byte> text, ref ExpressionReader reader)
+    {
+        var letter = (byte)(text[reader.At++] & ~0x20);
+        reader.SkipSpaces();
+        var name = BlockHead.NameLength(text, reader.At);
+        var next = reader.At < text.Length ? text[reader.At] : (byte)0;
+        if (name == 0 && next is (byte)'#' or (byte)'[' or (byte)'-' or (byte)'+' or (byte)'.' or (>= (byte)'0' and <= (byte)'9'))
+        {
+            _words.Add((letter, reader.Operand()));
+        }
+        else if (name > 1 && _syntax == NcSyntax.LinuxCnc)
+        {
+            _words.Add((letter, reader.Operand()));
+        }
+        else
+        {
+            // A word of several letters that is no statement of flow: the interpreter says what it thinks of it.
+            _words.Add((0, NcValue.Vacant));
+            reader.At = name > 0 ? text.Length : reader.At;
+        }
+    }
+
+    private FlowAction BehindIso(int block, ReadOnlySpan<byte> text, bool moved)
+    {
+        if (_scanned != block && Assign(block, text, BlockHead.Read(text, _syntax).At) == FlowAction.Stop)
+        {
+            return FlowAction.Stop;
+        }
+
+        foreach (var (place, value) in _pending)
+        {
+            if (Assigned(block, place, value, 0) == FlowAction.Stop)
+            {
+                return FlowAction.Stop;
+            }
+        }
+
+        _pending.Clear();
+        if (_syntax == NcSyntax.Iso && TryMacroCode(block, out var code, out var at))
+        {
+            return code == ModalEnd ? EndModal() : CallMacro(block, at, code == Modal);
+        }
+
+        var (function, program) = (0L, NcValue.Vacant);
+        foreach (var (letter, value) in _words)
+        {
+            if (letter == 'P')
+            {
+                program = value;
+            }
+            else if (letter == 'M')
+            {
+                if (!TryCount(block, value, "the number of the M function", out var number))
+                {
+                    return FlowAction.Stop;
+                }
+
+                function = number is 2 or 30 or 98 or 99 ? number : function;
+            }
+        }
+
+        return Refusal is not null ? FlowAction.Stop : function switch
+        {
+            2 or 30 => Ended(),
+            98 => CallNumber(block, program),
+            99 => ReturnTo(block, program),
+            _ => moved && HasModalCall ? CallModal(block) : FlowAction.Continue,
+        };
+    }
+
+    private FlowAction ReturnTo(int block, NcValue program)
+    {
+        var number = -1L;
+        if (!program.IsVacant && !TryCount(block, program, "the block to return to", out number))
+        {
+            return FlowAction.Stop;
+        }
+
+        if (_frames.Count > 1)
+        {
+            return Return(block, number);
+        }
+
+        if (number >= 0)
+        {
+            return JumpToNumber(block, number);
+        }
+
+        Note("endless-program", block, "M99 in the main program begins it again; one pass is read.");
+        return Ended();
+    }
+}

@@ -1,0 +1,36 @@
+using System.Globalization;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>A value that a program computes: a finite number, a text, nothing at all, or something that only the machine knows.</summary>
+/// <param name="Kind">What is known of it.</param>
+/// <param name="Number">The number; 0 where it is none.</param>
+/// <param name="Text">The text; null where it is none.</param>
+internal readonly record struct NcValue(NcValueKind Kind, double Number, string? Text)
+{
+    public static NcValue Vacant => default;
+
+    public static NcValue Unknown => new(NcValueKind.Unknown, 0, null);
+
+    public static NcValue Zero => new(NcValueKind.Number, 0, null);
+
+    public bool IsNumber => Kind == NcValueKind.Number;
+
+    public bool IsUnknown => Kind == NcValueKind.Unknown;
+
+    public bool IsVacant => Kind == NcValueKind.Vacant;
+
+    public static NcValue Of(double number) => new(NcValueKind.Number, number, null);
+
+    public static NcValue Of(bool truth) => Of(truth ? 1 : 0);
+
+    public static NcValue Of(string text) => new(NcValueKind.Text, 0, text);
+
+    public override string ToString() => Kind switch
+    {
+        NcValueKind.Number => Number.ToString("R", CultureInfo.InvariantCulture),
+        NcValueKind.Text => "\"" + Text + "\"",
+        NcValueKind.Unknown => "unknown",
+        _ => "vacant",
+    };
+}

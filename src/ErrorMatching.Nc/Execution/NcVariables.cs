@@ -1,0 +1,235 @@
+using System.Globalization;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// The variables of a running program. What was left in the control by an earlier program, and what only the machine knows, is unknown until the program assigns it.
+/// </summary>
+/// <remarks>
+/// Fanuc: #1 to #33 belong to a macro call and begin vacant, #100 to #999 are common. LinuxCNC: #1 to #30 and names belong to a subroutine, #31 to #5000 and names
+/// that begin with an underscore to all; unassigned numbers are 0. Siemens: R parameters are common, DEF variables belong to a program level.
+/// </remarks>
+internal sealed class NcVariables
+{
+    private readonly NcSyntax _syntax;
+    private readonly int _localCount;
+    private readonly Dictionary<int, NcValue> _numbered = [];
+    private readonly Dictionary<string, VariableArray> _global = new(StringComparer.Ordinal);
+    private readonly Stack<Level> _levels = new();
+
+    public NcVariables(NcSyntax syntax)
+    {
+        _syntax = syntax;
+        _localCount = syntax switch { NcSyntax.LinuxCnc => 31, NcSyntax.Siemens => 0, _ => 34 };
+        Enter();
+        if (syntax == NcSyntax.LinuxCnc)
+        {
+            Return(null);
+        }
+    }
+
+    public VariableNames Names { get; } = new();
+
+    /// <summary>Grows whenever a value changes: as long as it stays, the program knows what it knew.</summary>
+    public long Version { get; private set; }
+
+    /// <summary>Begins a level of variables of its own, as a call does.</summary>
+    public void Enter()
+    {
+        var locals = new NcValue[_localCount];
+        if (_syntax == NcSyntax.LinuxCnc)
+        {
+            Array.Fill(locals, NcValue.Zero);
+        }
+
+        _levels.Push(new(locals));
+        Version++;
+    }
+
+    /// <summary>Ends the level that was begun last.</summary>
+    public void Leave()
+    {
+        _levels.Pop();
+        Version++;
+    }
+
+    /// <summary>What a LinuxCNC subroutine hands back, if anything: <c>#&lt;_value&gt;</c> and <c>#&lt;_value_returned&gt;</c>.</summary>
+    public void Return(NcValue? value)
+    {
+        Write(VariablePlace.Named("_VALUE"), value ?? NcValue.Zero);
+        Write(VariablePlace.Named("_VALUE_RETURNED"), NcValue.Of(value is not null));
+    }
+
+    /// <summary>What the machine may have changed by itself (offsets, positions) is unknown again.</summary>
+    public void ForgetMachine()
+    {
+        foreach (var number in _numbered.Keys.Where(IsOfMachine).ToArray())
+        {
+            _numbered.Remove(number);
+        }
+
+        Version++;
+    }
+
+    /// <summary>Reads a variable. The error says why it cannot be read; it is null where it can.</summary>
+    public NcValue Read(VariablePlace place, out string? error)
+    {
+        error = null;
+        switch (place.Kind)
+        {
+            case VariableKind.Machine:
+                return NcValue.Unknown;
+            case VariableKind.Numbered:
+                error = NumberError(place.Number, assigned: false);
+                return error is null ? ReadNumber(place.Number) : NcValue.Unknown;
+            default:
+                return ReadName(place, out error);
+        }
+    }
+
+    /// <summary>Assigns a value to a variable.</summary>
+    /// <returns>Why it cannot be assigned, in words; null where it was.</returns>
+    public string? Write(VariablePlace place, NcValue value)
+    {
+        switch (place.Kind)
+        {
+            case VariableKind.Machine:
+                return null;
+            case VariableKind.Numbered:
+                var error = NumberError(place.Number, assigned: true);
+                if (error is null)
+                {
+                    WriteNumber(place.Number, value);
+                }
+
+                return error;
+            default:
+                return WriteName(place, value);
+        }
+    }
+
+    /// <summary>True if a variable of this name has a value.</summary>
+    public bool Knows(string name) => Find(name) is not null;
+
+    /// <summary>True if the name is one of the program's own variables or arrays.</summary>
+    public VariableArray? Find(string name) =>
+        _levels.Peek().Named.TryGetValue(name, out var local) ? local : _global.GetValueOrDefault(name);
+
+    /// <summary>Defines a variable or an array on the present level; an earlier one of its name is gone.</summary>
+    public VariableArray Define(string name, VariableType type, int rows, int columns)
+    {
+        Version++;
+        Names.Add(name);
+        return _levels.Peek().Named[name] = new(type, rows, columns);
+    }
+
+    private bool IsOfMachine(int number) => _syntax switch { NcSyntax.LinuxCnc => number > 5000, NcSyntax.Siemens => false, _ => number >= 1000 };
+
+    private string? NumberError(int number, bool assigned)
+    {
+        var exists = _syntax switch
+        {
+            NcSyntax.LinuxCnc => number > 0,
+            NcSyntax.Siemens => number >= 0,
+            _ => (number > 0 || (number == 0 && !assigned)) && number is not (> 33 and < 100),
+        };
+        return exists ? null : string.Create(CultureInfo.InvariantCulture, $"there is no variable {(_syntax == NcSyntax.Siemens ? "R" : "#")}{number}{(number == 0 ? " to be assigned" : "")}");
+    }
+
+    private NcValue ReadNumber(int number)
+    {
+        if (number < _localCount)
+        {
+            return _levels.Peek().Numbered[number];
+        }
+
+        // Fanuc's system variables go their own ways even behind an assignment (timers, signals, offsets that G10 changes).
+        if (_syntax == NcSyntax.Iso && IsOfMachine(number))
+        {
+            return NcValue.Unknown;
+        }
+
+        if (_numbered.TryGetValue(number, out var value))
+        {
+            return value;
+        }
+
+        return _syntax == NcSyntax.LinuxCnc && !IsOfMachine(number) ? NcValue.Zero : NcValue.Unknown;
+    }
+
+    private void WriteNumber(int number, NcValue value)
+    {
+        if (number < _localCount)
+        {
+            ref var local = ref _levels.Peek().Numbered[number];
+            Version += local == value ? 0 : 1;
+            local = value;
+            return;
+        }
+
+        Version += _numbered.TryGetValue(number, out var old) && old == value ? 0 : 1;
+        _numbered[number] = value;
+    }
+
+    private NcValue ReadName(VariablePlace place, out string? error)
+    {
+        error = null;
+        if (Find(place.Name!) is { } variable)
+        {
+            if ((uint)place.Number < (uint)variable.Values.Length)
+            {
+                return variable.Values[place.Number];
+            }
+
+            error = $"{place.Name} has no element of this number";
+            return NcValue.Unknown;
+        }
+
+        if (_syntax == NcSyntax.LinuxCnc && !LinuxCncNames.IsOfMachine(place.Name!))
+        {
+            error = $"#<{place.Name!.ToLowerInvariant()}> has never been assigned";
+        }
+
+        // Siemens: a name that the program does not define is one of the machine's own data.
+        return NcValue.Unknown;
+    }
+
+    private string? WriteName(VariablePlace place, NcValue value)
+    {
+        var variable = Find(place.Name!);
+        if (variable is null)
+        {
+            if (_syntax == NcSyntax.Siemens)
+            {
+                return null;
+            }
+
+            if (LinuxCncNames.IsOfMachine(place.Name!))
+            {
+                return $"#<{place.Name!.ToLowerInvariant()}> is the machine's own and cannot be assigned";
+            }
+
+            variable = new(VariableType.Real, 1, 1);
+            (place.Name![0] == '_' ? _global : _levels.Peek().Named)[place.Name] = variable;
+            Version++;
+        }
+
+        if ((uint)place.Number >= (uint)variable.Values.Length)
+        {
+            return $"{place.Name} has no element of this number";
+        }
+
+        ref var old = ref variable.Values[place.Number];
+        var kept = variable.Converted(value);
+        Version += old == kept ? 0 : 1;
+        old = kept;
+        return null;
+    }
+
+    private sealed class Level(NcValue[] numbered)
+    {
+        public NcValue[] Numbered { get; } = numbered;
+
+        public Dictionary<string, VariableArray> Named { get; } = new(StringComparer.Ordinal);
+    }
+}

@@ -1,0 +1,51 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>Keeps one string for each name, so that reading a name again allocates nothing. Case and spaces do not count.</summary>
+internal sealed class VariableNames
+{
+    /// <summary>Longest name that is read.</summary>
+    public const int MaxLength = 128;
+
+    private readonly HashSet<string> _known = new(StringComparer.Ordinal);
+    private readonly HashSet<string>.AlternateLookup<ReadOnlySpan<char>> _lookup;
+
+    public VariableNames() => _lookup = _known.GetAlternateLookup<ReadOnlySpan<char>>();
+
+    /// <summary>The name in upper case without spaces; null where it is too long.</summary>
+    public string? Of(ReadOnlySpan<byte> spelling) => Find(spelling, adds: true);
+
+    /// <summary>The same for a name that was kept before; null for any other.</summary>
+    public string? Known(ReadOnlySpan<byte> spelling) => Find(spelling, adds: false);
+
+    /// <summary>Keeps a name.</summary>
+    public void Add(string name) => _known.Add(name);
+
+    private string? Find(ReadOnlySpan<byte> spelling, bool adds)
+    {
+        Span<char> name = stackalloc char[MaxLength];
+        var length = 0;
+        foreach (var c in spelling)
+        {
+            if (c is (byte)' ' or (byte)'\t')
+            {
+                continue;
+            }
+
+            if (length == MaxLength)
+            {
+                return null;
+            }
+
+            name[length++] = char.ToUpperInvariant((char)c);
+        }
+
+        if (_lookup.TryGetValue(name[..length], out var known) || !adds)
+        {
+            return known;
+        }
+
+        known = new string(name[..length]);
+        _known.Add(known);
+        return known;
+    }
+}

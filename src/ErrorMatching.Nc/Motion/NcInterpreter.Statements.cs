@@ -1,0 +1,139 @@
+using System.Text;
+
+namespace ErrorMatching.Nc;
+
+/// <content>Words of several letters: commands, cycles, addresses and variables, by what the dialect's table says of them.</content>
+public sealed partial class NcInterpreter
+{
+    private MotionFlags ReadStatements()
+    {
+        var flags = MotionFlags.None;
+        foreach (var statement in _words.Statements)
+        {
+            flags |= statement.Kind switch
+            {
+                NcTokenKind.Keyword => ReadKeyword(statement),
+                NcTokenKind.Assignment => ReadAssignment(statement),
+                _ => MotionFlags.None,
+            };
+        }
+
+        return flags;
+    }
+
+    private MotionFlags ReadKeyword(NcToken statement)
+    {
+        var name = NameOf(statement);
+        if (_program.Bytes.Span[statement.End - 1] == ':')
+        {
+            return MotionFlags.None;
+        }
+
+        if (_dialect.IsFlow(name) || _dialect.IsFlow(name.TrimEnd("0123456789"u8)))
+        {
+            _flowBlock = _flowBlock < 0 ? _block : _flowBlock;
+            Forget();
+            return MotionFlags.None;
+        }
+
+        switch (_dialect.MeaningOf(name))
+        {
+            case NcMeaning.Unknown:
+                Forget();
+                return UnknownWord(TextOf(statement).ToUpperInvariant());
+            case NcMeaning.ModalCycle:
+                (_modalCycle, _nextCycleIsModal) = (null, true);
+                return MotionFlags.None;
+            case NcMeaning.CycleCall:
+                CallCycle(statement);
+                return MotionFlags.None;
+            case var meaning:
+                Obey(meaning, _dialect.FamilyOf(name));
+                return MotionFlags.None;
+        }
+    }
+
+    private MotionFlags ReadAssignment(NcToken statement)
+    {
+        var bytes = _program.Bytes.Span.Slice(statement.Start, statement.Length);
+        if (_dialect.Syntax != NcSyntax.Siemens)
+        {
+            if (IsSystemVariable(bytes))
+            {
+                LoseOrigin();
+            }
+
+            return MotionFlags.None;
+        }
+
+        var name = NameOf(statement);
+        if (bytes[0] == '$')
+        {
+            if (!Ascii.EqualsIgnoreCase(name[..Math.Min(4, name.Length)], "$TC_"u8))
+            {
+                LoseOrigin();
+            }
+
+            return MotionFlags.None;
+        }
+
+        if (Ascii.EqualsIgnoreCase(name, "RPL"u8))
+        {
+            var equals = bytes.IndexOf((byte)'=') + 1;
+            _words.PlaneAngle = Compute(statement.Start + equals, statement.Length - equals) ?? double.NaN;
+            return MotionFlags.None;
+        }
+
+        switch (_dialect.RoleOf(name))
+        {
+            case LetterRole.OtherAxis:
+                return MotionFlags.OtherAxis;
+            case LetterRole.PolarEnd:
+                _state.Unknown |= _state.Plane.Axes();
+                return UnknownWord(TextOf(statement));
+            case LetterRole.Harmless or LetterRole.Variable:
+                return MotionFlags.None;
+        }
+
+        if (_dialect.MeaningOf(name) is not NcMeaning.Unknown and var meaning)
+        {
+            Obey(meaning, _dialect.FamilyOf(name));
+            return MotionFlags.None;
+        }
+
+        return IsVariable(name) ? MotionFlags.None : UnknownWord(TextOf(statement));
+    }
+
+    // Offsets of the control could be anything from here on.
+    private void LoseOrigin()
+    {
+        NextFrame();
+        _state.Unknown = AxisSet.All;
+        DependOnPlace();
+    }
+
+    private ReadOnlySpan<byte> NameOf(NcToken statement)
+    {
+        var bytes = _program.Bytes.Span.Slice(statement.Start, statement.Length);
+        var length = 0;
+        while (length < bytes.Length && SyntaxBytes.IsNamePart(bytes[length]))
+        {
+            length++;
+        }
+
+        return bytes[..length];
+    }
+
+    // #1 to #999 and names are the program's own; higher numbers, and numbers that are computed, can be offsets and positions of the control.
+    private static bool IsSystemVariable(ReadOnlySpan<byte> assignment)
+    {
+        var name = assignment[1..];
+        var digits = name.IndexOfAnyExceptInRange((byte)'0', (byte)'9');
+        return digits switch
+        {
+            0 => name[0] != '<',
+            < 0 => false,
+            _ => name[..digits].TrimStart((byte)'0').Length > 3,
+        };
+    }
+}

@@ -1,0 +1,127 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Reads a wish, and holds it against the program that it is about. Time and memory grow with its length.</summary>
+internal static class WishReader
+{
+    private static readonly Lazy<JsonSchema> Schema = new(ReadSchema);
+
+    public static WishFile Read(ReadOnlySpan<byte> bytes, string file)
+    {
+        var root = JsonInput.Read(bytes, file, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes });
+        if (Schema.Value.Check(root) is { Count: > 0 } problems)
+        {
+            throw new JsonDocumentException(file, problems);
+        }
+
+        var ends = root.Find("endPoints");
+        var items = (ends?["motions"] ?? root["elements"]).Items;
+        var motions = items.Select(i => new WishedMotion(i["block"].Text, (int)i["line"].Number, (int)i["motion"].Number, i)).OrderBy(m => m.Motion).ToArray();
+        RefuseTwins(motions, file);
+        var marker = root["marker"] is { Kind: JsonItemKind.Text } text ? text.Text : null;
+        var wish = ends is not null
+            ? DisplacementWish.OfEndPoints([.. motions.Select(m => m.Motion)], ToVector3(ends["by"]))
+            : DisplacementWish.OfElements([.. motions.Select(m => ToElement(m.Motion, m.Source!))]);
+        return new(root["dialect"].Text, root["beforeSha256"].Text, root["leastIncrementMm"].Number, marker, wish, motions);
+    }
+
+    /// <summary>Holds a wish against its program.</summary>
+    /// <exception cref="JsonDocumentException">It names what the program does not have.</exception>
+    public static void CheckAgainst(WishFile wish, NcPath before, string file)
+    {
+        var problems = new List<JsonProblem>();
+        var coarsest = Math.Max(Math.Pow(10, -before.Dialect.MetricDecimals), 25.4 * Math.Pow(10, -before.Dialect.InchDecimals));
+        if (!(wish.LeastIncrementMm <= coarsest * 1.000001))
+        {
+            problems.Add(Problem("increment-too-coarse", "$.leastIncrementMm", Number(wish.LeastIncrementMm), $"at most {Number(coarsest)} mm, the least increment of {before.Dialect.Name}"));
+        }
+
+        for (var i = 0; i < wish.Motions.Count; i++)
+        {
+            var named = wish.Motions[i];
+            if (Mistake(named, before) is { } mistake)
+            {
+                problems.Add(At(named, "no-such-motion", $"motion {Number(named.Motion)} in line {Number(named.Line)}", mistake));
+            }
+            else if (wish.Wish.Elements.Count > 0 && !CanBe(wish.Wish.Elements[i], before.Motions[named.Motion]))
+            {
+                problems.Add(At(named, "no-element", $"motion {Number(named.Motion)}", "a cut in a plane that has a direction after its displacement"));
+            }
+        }
+
+        if (problems.Count > 0)
+        {
+            throw new JsonDocumentException(file, problems);
+        }
+    }
+
+    // What stands there instead, or null.
+    private static string? Mistake(WishedMotion named, NcPath before)
+    {
+        if (named.Motion >= before.Motions.Length)
+        {
+            return $"one of the {Number(before.Motions.Length)} motions of the program, counted from 0";
+        }
+
+        var block = before.Program[before.Motions[named.Motion].Block];
+        var number = before.Program.NumberOf(block);
+        return block.Line == named.Line && number == named.Block ? null : $"line {Number(block.Line)}, block \"{number}\", where this motion is";
+    }
+
+    private static bool CanBe(ElementWish element, in NcMotion motion)
+    {
+        if (motion is not { IsCut: true, MovesInPlane: true, IsKnownInPlane: true })
+        {
+            return false;
+        }
+
+        var (start, end) = (motion.PlaneStart + element.Start, motion.PlaneEnd + element.End);
+        return motion.IsArc || start.DistanceTo(end) > 1e-9;
+    }
+
+    private static void RefuseTwins(WishedMotion[] motions, string file)
+    {
+        var problems = new List<JsonProblem>();
+        for (var i = 1; i < motions.Length; i++)
+        {
+            if (motions[i].Motion == motions[i - 1].Motion)
+            {
+                problems.Add(At(motions[i], "motion-twice", $"motion {Number(motions[i].Motion)} again", "each motion once"));
+            }
+        }
+
+        if (problems.Count > 0)
+        {
+            throw new JsonDocumentException(file, problems);
+        }
+    }
+
+    private static ElementWish ToElement(int motion, JsonItem item)
+    {
+        var start = ToVector2(item["start"]);
+        var (middle, end) = (item.Find("middle"), item.Find("end"));
+        return new(motion, start, middle is null ? start : ToVector2(middle), end is null ? start : ToVector2(end), item.Find("fillet") is { Flag: true });
+    }
+
+    private static Vector2 ToVector2(JsonItem list) => new(list.Items[0].Number, list.Items[1].Number);
+
+    private static Vector3 ToVector3(JsonItem list) => new(list.Items[0].Number, list.Items[1].Number, list.Items[2].Number);
+
+    private static JsonProblem At(WishedMotion named, string code, string found, string expected) =>
+        named.Source is { } source ? JsonProblem.At(source, code, found, expected) : Problem(code, "$", found, expected);
+
+    private static JsonProblem Problem(string code, string path, string found, string expected) => new(code, path, new(1, 1), found, expected, $"found {found}; expected {expected}");
+
+    private static string Number(IFormattable value) => value.ToString(null, CultureInfo.InvariantCulture);
+
+    private static JsonSchema ReadSchema()
+    {
+        using var stream = typeof(WishReader).Assembly.GetManifestResourceStream("wish.schema.json")!;
+        using var buffer = new MemoryStream();
+        stream.CopyTo(buffer);
+        return JsonSchema.Parse(buffer.ToArray(), "wish.schema.json");
+    }
+}

@@ -1,0 +1,87 @@
+using System.Text.Json;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Console.Tests;
+
+public class DialectTests
+{
+    private const string Own = """{ "name": "ours", "like": "fanuc", "description": "Ours.", "codes": [ { "codes": "G187", "means": "harmless", "statement": "Accuracy.", "source": "our tests" } ] }""";
+
+    [Fact]
+    public void All_are_listed() => Assert.Equal(
+        ["generic", "fanuc", "delta-nc300", "siemens-840d", "linuxcnc"],
+        Shell.Json(0, "errormatch/nc-dialects/1", "nc", "dialects").GetProperty("dialects").EnumerateArray().Select(d => d.Text("name")));
+
+    [Fact]
+    public void One_is_printed_as_a_manual_page()
+    {
+        var (exit, page, error) = Shell.Run("nc", "dialects", "siemens-840d");
+        Assert.Equal((0, ""), (exit, error));
+        var lines = page.Split('\n');
+        Assert.Contains(lines, l => l.StartsWith("TRANS  ", StringComparison.Ordinal) && l.Contains("  frame-shift  ", StringComparison.Ordinal) && l.Contains("programming manual", StringComparison.Ordinal) && l.EndsWith("  siemens-840d", StringComparison.Ordinal));
+        Assert.Contains("Programs that are in the machine", lines);
+        Assert.Single(Shell.Json(0, "errormatch/nc-dialects/1", "nc", "dialects", "siemens-840d").GetProperty("dialects").EnumerateArray());
+    }
+
+    [Fact]
+    public void Schema_is_printed_alone()
+    {
+        var (exit, text, _) = Shell.Run("nc", "dialects", "--schema");
+        using var schema = JsonDocument.Parse(text);
+        Assert.Equal((0, "an NC dialect"), (exit, schema.RootElement.GetProperty("title").GetString()));
+        Assert.Equal("command-line", Shell.Error(1, "nc", "dialects", "fanuc", "--schema").Text("code"));
+    }
+
+    [Theory]
+    [InlineData("check")]
+    [InlineData("motion")]
+    [InlineData("locate", "--blocks", "N10")]
+    [InlineData("displace", "--blocks", "N20", "--normal", "0.1", "--out", "OUT")]
+    [InlineData("diff", "PROGRAM")]
+    public void Each_verb_takes_a_file(string verb, params string[] more)
+    {
+        using var folder = new TemporaryFolder();
+        var (program, dialect) = (folder.File("p.nc", "G187 P1\nG90 G17 G40 G0 X0 Y0 Z0\nN10 G1 X10. F100\nN20 Y10.\nN30 X20.\n"), folder.File("ours.json", Own));
+        var document = Shell.Json(0, $"errormatch/nc-{verb}/1", ["nc", verb, program, .. more.Select(m => m == "OUT" ? folder["o.nc"] : m == "PROGRAM" ? program : m), "--dialect", dialect]);
+        Assert.Equal("ours", document.Text("dialect"));
+    }
+
+    [Fact]
+    public void A_mistake_in_a_file_is_named_by_its_place()
+    {
+        using var folder = new TemporaryFolder();
+        var (program, dialect) = (folder.File("p.nc", "G0 X0\n"), folder.File("ours.json", Own.Replace("\"codes\": [", "\n\"codes\": [", StringComparison.Ordinal).Replace("harmless", "harmles", StringComparison.Ordinal)));
+        var error = Shell.Error(1, "nc", "check", program, "--dialect", dialect);
+        Assert.Equal(("not-one-of", dialect, "$.codes[0].means", 2), (error.Text("code"), error.Text("file"), error.Text("path"), error.GetProperty("line").GetInt32()));
+        Assert.StartsWith($"{dialect}:2:", Shell.Run("nc", "dialects", dialect).Error, StringComparison.Ordinal);
+        Assert.Equal("file-unreadable", Shell.Error(1, "nc", "check", program, "--dialect", folder["none.json"]).Text("code"));
+        Assert.Equal("unknown-dialect", Shell.Error(1, "nc", "check", program, "--dialect", "none").Text("code"));
+    }
+
+    [Fact]
+    public void A_job_may_name_a_file_beside_it_and_the_report_lists_it()
+    {
+        using var folder = new TemporaryFolder();
+        foreach (var file in new[] { "theoretical.csv", "part.csv", "counterpart.nc" })
+        {
+            folder.File(file, File.ReadAllText(Repository.PathTo("samples", "complex-mating", file)));
+        }
+
+        var job = folder.File("job.json", File.ReadAllText(Repository.PathTo("samples", "complex-mating", "job.json")).Replace("\"delta-nc300\"", "\"ours.json\"", StringComparison.Ordinal));
+        Assert.Equal("file-unreadable", Shell.Error(1, "job", "check", job).Text("code"));
+        var dialect = folder.File("ours.json", Own.Replace("fanuc", "delta-nc300", StringComparison.Ordinal));
+        Assert.Equal(0, Shell.Run("job", "check", job).Exit);
+        var inputs = Shell.Json(0, "errormatch/match/1", "match", job, "--out", folder["out"]).GetProperty("inputs").EnumerateArray().ToArray();
+        Assert.Equal(dialect, Assert.Single(inputs, i => i.Text("role") == "dialect").Text("file"));
+        Assert.Equal(
+            Shell.Json(0, "errormatch/match/1", "match", Repository.PathTo("samples", "complex-mating", "job.json")).GetProperty("program").Text("sha256"),
+            Shell.Json(0, "errormatch/match/1", "match", job).GetProperty("program").Text("sha256"));
+    }
+
+    [Fact]
+    public void Each_code_of_a_dialect_file_is_in_the_reference()
+    {
+        var reference = File.ReadAllText(Repository.PathTo("docs", "reference-console.md"));
+        Assert.All(["bad-subject", "stated-twice", "name-taken", "unknown-like", "circular-like"], c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
+    }
+}
