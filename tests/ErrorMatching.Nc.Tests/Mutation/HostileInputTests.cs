@@ -12,7 +12,7 @@ public sealed class HostileInputTests
     // What one reading in one dialect may take: a constant, since a block of a few bytes may stand for a hundred thousand pecks, and so much for each byte of the program.
     private const double SecondsAtMost = 2;
     private const double SecondsPerByte = 1e-6;
-    private const long BytesAtMost = 64 << 20;
+    private const long BytesAtMost = 32 << 20;
     private const long BytesPerByte = 400;
 
     private static readonly long Count = Setting("ERRORMATCH_MUTATIONS", 20_000);
