@@ -94,6 +94,11 @@ public sealed partial class NcInterpreter
         {
             ToHeight(MotionKind.Rapid, flags, top);
         }
+        else if (first && _cycleInitial < top && plane.Height(_state.Position) == top && _dialect.Syntax == NcSyntax.LinuxCnc)
+        {
+            // LinuxCNC asks where the cycle began, not where the tool is: a rapid that leads nowhere.
+            Append(MotionKind.Rapid, flags, _state.Position, _state.Unknown);
+        }
 
         if (plane.Project(_state.Position) != place || _state.Unknown != unknown)
         {
