@@ -66,6 +66,9 @@ public static class NcRefusalCodes
     /// <summary>Two points of a wish ask for different displacements at one place.</summary>
     public const string PointsCoincide = "points-coincide";
 
+    /// <summary>A number has more digits than can be changed exactly.</summary>
+    public const string NumberTooLong = "number-too-long";
+
     /// <summary>The displaced program, read again, does not do what was asked.</summary>
     public const string ProofFailed = "proof-failed";
 
