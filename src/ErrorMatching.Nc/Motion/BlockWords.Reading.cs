@@ -117,6 +117,7 @@ internal sealed partial class BlockWords
                     break;
                 case NcTokenKind.CommaWord:
                     Corner = token.Letter;
+                    CornerIsInteger = !bytes.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.');
                     CornerValue = token.Number == default && !IsZero(bytes, token) ? compute(token) ?? double.NaN : token.Number.Value;
                     break;
                 case NcTokenKind.Keyword or NcTokenKind.Assignment or NcTokenKind.Expression:

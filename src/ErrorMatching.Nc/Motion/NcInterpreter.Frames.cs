@@ -11,9 +11,6 @@ public sealed partial class NcInterpreter
     private readonly Dictionary<(int Code, int Number), (Vector3 Origin, AxisSet Unknown)> _origins = [];
     private readonly List<NcFrame> _frames = [new(0, 540, 0, Vector3.Zero, AxisSet.All, Vector3.Zero, AxisSet.None, Vector3.Zero, false)];
     private (int Code, int Number) _workOffset = (540, 0);
-    private Vector3 _shift;
-    private AxisSet _unknownShift;
-    private (Vector3 Shift, AxisSet Unknown) _suspendedShift;
 
     private (Vector3 Origin, AxisSet Unknown) OriginOf((int Code, int Number) offset) => _origins.TryGetValue(offset, out var known) ? known : (Vector3.Zero, AxisSet.All);
 
@@ -22,7 +19,7 @@ public sealed partial class NcInterpreter
         _flow?.Variables.ForgetMachine();
         _state.Frame++;
         var (origin, unknown) = OriginOf(_workOffset);
-        _frames.Add(new(_block, _workOffset.Code, _workOffset.Number, origin, unknown, _shift, _unknownShift, IsTransformed ? Vector3.Zero : _frame?.ShiftOnly ?? Vector3.Zero, IsTransformed));
+        _frames.Add(new(_block, _workOffset.Code, _workOffset.Number, origin, unknown, Shift.Vector, Shift.Unknown, IsTransformed ? Vector3.Zero : _frame?.ShiftOnly ?? Vector3.Zero, IsTransformed));
     }
 
     private void ChooseWorkOffset(int tenths)
@@ -48,25 +45,11 @@ public sealed partial class NcInterpreter
 
     private void SetOrigin(NcMeaning meaning)
     {
+        LoseCorner();
         switch (meaning)
         {
-            case NcMeaning.SetPosition:
-                SetPosition();
-                break;
-            case NcMeaning.ClearPosition:
-                (_suspendedShift, var (by, unknown)) = ((_shift, _unknownShift), (_shift, _unknownShift));
-                (_shift, _unknownShift) = (Vector3.Zero, AxisSet.None);
-                MoveWork(by, unknown);
-                NextFrame();
-                break;
-            case NcMeaning.RestorePosition:
-                var (was, wasUnknown) = (_shift, _unknownShift);
-                (_shift, _unknownShift) = _suspendedShift;
-                MoveWork(was - _shift, wasUnknown | _unknownShift);
-                NextFrame();
-                break;
-            case NcMeaning.LocalShift:
-                ShiftLocally();
+            case >= NcMeaning.SetPosition and <= NcMeaning.LocalShift:
+                ChangeShift(meaning);
                 break;
             case NcMeaning.SetOffset:
                 SetOffset();
@@ -75,34 +58,6 @@ public sealed partial class NcInterpreter
                 BeginTransform(meaning);
                 break;
         }
-    }
-
-    private void SetPosition()
-    {
-        var given = GivenAxes();
-        if (given == AxisSet.None)
-        {
-            return;
-        }
-
-        var (place, unknown) = Work(_state.Position, _state.Unknown);
-        var target = Given(place, incremental: false);
-        _shift += Only(given, place - target);
-        _unknownShift |= unknown & given;
-        SetWork(target, (unknown & ~given) | UnknownWords());
-        NextFrame();
-    }
-
-    private void ShiftLocally()
-    {
-        var given = GivenAxes();
-        var target = Given(default(Point3) + _shift, incremental: false) - default(Point3);
-        var by = Only(given, _shift - target);
-        var unknown = (_unknownShift & given) | UnknownWords();
-        _shift = _shift - by;
-        _unknownShift = (_unknownShift & ~given) | UnknownWords();
-        MoveWork(by, unknown);
-        NextFrame();
     }
 
     // G10 L2 writes an offset; LinuxCNC's L20 writes it so that the tool gets the given coordinates. Other tables (tools) move no origin.
@@ -173,7 +128,8 @@ public sealed partial class NcInterpreter
         _words.Has('Y') ? (incremental ? place.Y : 0) + Length('Y') : place.Y,
         _words.Has('Z') ? (incremental ? place.Z : 0) + Length('Z') : place.Z);
 
-    private AxisSet UnknownWords() => AxesOf(_words.Unknown);
+    // Of a word that stands twice nobody knows which one counts.
+    private AxisSet UnknownWords() => AxesOf(_words.Unknown | _words.Repeated);
 
     private static Vector3 Only(AxisSet axes, Vector3 v) => new(
         (axes & AxisSet.X) != AxisSet.None ? v.X : 0, (axes & AxisSet.Y) != AxisSet.None ? v.Y : 0, (axes & AxisSet.Z) != AxisSet.None ? v.Z : 0);

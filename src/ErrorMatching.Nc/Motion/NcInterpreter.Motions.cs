@@ -9,11 +9,12 @@ public sealed partial class NcInterpreter
     {
         if (_state.Cycle != NcMeaning.Unknown && !machineCoordinates)
         {
+            LoseCorner();
             Drill(flags);
             return;
         }
 
-        var kind = machineCoordinates ? MotionKind.Reference : _state.Mode;
+        var kind = machineCoordinates ? MotionKind.Reference : _probes ? MotionKind.Probe : _state.Mode;
         var (end, unknown) = machineCoordinates ? MachineTarget() : Target();
         if (kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
         {
@@ -58,7 +59,7 @@ public sealed partial class NcInterpreter
         var incremental = ((_state.Incremental ? LinearAxes : 0) & ~_words.Absolute) | _words.Incremental;
         var end = (given & LinearAxes) == 0 ? at : new(Axis('X', at.X, given, incremental), Axis('Y', at.Y, given, incremental), Axis('Z', at.Z, given, incremental));
         unknown &= ~AxesOf(given & ~incremental);
-        return (end, unknown | UnknownWords());
+        return (end, _hasUnknownCode ? AxisSet.All : unknown | UnknownWords());
     }
 
     private double Axis(char letter, double at, uint given, uint incremental)
@@ -75,7 +76,7 @@ public sealed partial class NcInterpreter
         var (at, height) = (plane.Project(_state.Position), plane.Height(_state.Position));
         var inPlane = _words.Has(first) || _words.Has(second);
         var radius = _words.Has(first) ? Length(first) : at.DistanceTo(Point2.Origin);
-        var angle = _words.Has(second) ? Angle.FromDegrees(_words.Value(second)) : (at - Point2.Origin).Direction;
+        var angle = _words.Has(second) ? Angle.FromDegrees(Degrees(second)) : (at - Point2.Origin).Direction;
         var end = inPlane ? Point2.Origin + (Vector2.FromDirection(angle) * radius) : at;
         var newHeight = _words.Has(third) ? (_state.Incremental ? Sum(height, Length(third)) : Length(third)) : height;
         var missing = inPlane && !(_words.Has(first) && _words.Has(second)) ? _state.Unknown & plane.Axes() : AxisSet.None;
@@ -90,9 +91,13 @@ public sealed partial class NcInterpreter
         var (origin, unknownOrigin) = OriginOf(_workOffset);
         var (work, unknown) = Work(_state.Position, _state.Unknown);
         var given = GivenAxes();
-        var machine = Given(work + origin + _shift, incremental: false);
-        var target = work + Only(given, machine - (work + origin + _shift));
-        var targetUnknown = (unknown & ~given) | ((unknownOrigin | _unknownShift) & given) | UnknownWords();
+        var shift = Shift;
+        var machine = Given(work + origin + shift.Vector, incremental: false);
+        var target = work + Only(given, machine - (work + origin + shift.Vector));
+
+        // The length of the tool is the machine's; increments are none of machine coordinates.
+        var notSaid = unknownOrigin | shift.Unknown | (_state.LengthOffset ? AxisSet.All & ~_state.Plane.Axes() : AxisSet.None) | (_state.Incremental ? AxisSet.All : AxisSet.None);
+        var targetUnknown = (unknown & ~given) | (notSaid & given) | UnknownWords();
         var end = _inverse?.Apply(target) ?? target;
         return (Known(end, targetUnknown), targetUnknown);
     }
@@ -107,10 +112,11 @@ public sealed partial class NcInterpreter
     // Over the point that the block names to a place that only the machine knows.
     private void ReturnToReference(MotionFlags flags)
     {
+        LoseCorner();
         var named = GivenAxes();
         var (over, unknown) = Target();
         flags |= MotionFlags.MachineMove;
-        if (named != AxisSet.None && (over != _state.Position || unknown != _state.Unknown))
+        if (_code == NcMeaning.ReferenceReturn && named != AxisSet.None && (over != _state.Position || unknown != _state.Unknown))
         {
             Append(MotionKind.Rapid, flags, over, unknown);
         }

@@ -14,7 +14,7 @@ public sealed partial class NcInterpreter
         if (_words.Invalid.Length > 0)
         {
             flags |= UnknownWord(TextOf(_words.Invalid));
-            _state.Unsure = Unsure.All;
+            Forget();
         }
 
         var given = _words.Present | _words.Computed;

@@ -169,6 +169,13 @@ public ref partial struct NcTokenizer
                 _position = next;
                 return;
             }
+
+            if (valueAt < _end && ComputedEnd(valueAt) is > 0 and var behind)
+            {
+                Current = new(NcTokenKind.CommaWord, (byte)(_bytes[letterAt] & ~0x20), _position, behind - _position, valueAt, behind - valueAt, default, WordDistance.Modal);
+                _position = behind;
+                return;
+            }
         }
 
         Plain(NcTokenKind.Invalid, _position + 1);

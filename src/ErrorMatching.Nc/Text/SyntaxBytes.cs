@@ -7,7 +7,7 @@ internal static class SyntaxBytes
     public const byte EndOfFile = 0x1A;
 
     /// <summary>Behind an end-of-file sign at most this much filling is looked at.</summary>
-    private const int LongestTail = 1 << 16;
+    private const int LongestTail = 1 << 12;
 
     private static readonly System.Buffers.SearchValues<byte> Fill = System.Buffers.SearchValues.Create("\0\x1A\r\n \t"u8);
 
