@@ -46,6 +46,60 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     /// <summary>The block of a motion, without the rest.</summary>
     public int BlockOf(int index) => _motions[index].Block;
 
+    /// <summary>Where a motion ends, without the rest. Coordinates that are not known read as zero.</summary>
+    internal Point3 EndOf(int index) => _motions[index].End;
+
+    /// <summary>Where a motion begins, without the rest.</summary>
+    internal Point3 StartOf(int index) => StartOf(index, _motions[index].Flags).Place;
+
+    /// <summary>True if a motion is a cut that moves in its plane and switches no compensation, as all of a contour are.</summary>
+    internal bool IsContour(int index)
+    {
+        ref readonly var m = ref _motions[index];
+        return m.Kind is MotionKind.Line or MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise && (m.Flags & MotionFlags.CompensationSwitches) == MotionFlags.None && MovesInPlane(index);
+    }
+
+    /// <summary>The same as of the motion itself.</summary>
+    internal bool MovesInPlane(int index)
+    {
+        ref readonly var m = ref _motions[index];
+        if (m.Kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
+        {
+            return true;
+        }
+
+        var (start, unknown) = StartOf(index, m.Flags);
+        return m.Plane.Project(start) != m.Plane.Project(m.End) || ((unknown ^ m.UnknownEnd) & m.Plane.Axes()) != AxisSet.None;
+    }
+
+    /// <summary>True if two motions have one plane and one frame, so that their places can be compared.</summary>
+    internal bool IsComparable(int index, int other)
+    {
+        ref readonly var a = ref _motions[index];
+        ref readonly var b = ref _motions[other];
+        return a.Plane == b.Plane && (a.Setting == b.Setting || _settings[a.Setting].Frame == _settings[b.Setting].Frame);
+    }
+
+    /// <summary>True if a motion is the same in another list, to the last bit of each of its values, but for the lines that were inserted before its block.</summary>
+    internal bool SameAt(NcMotions other, int index, int linesBefore)
+    {
+        ref readonly var a = ref _motions[index];
+        ref readonly var b = ref other._motions[index];
+        if (!a.SameAs(b) || a.Block + linesBefore != b.Block || _settings[a.Setting] != other._settings[b.Setting] || (a.Arc < 0) != (b.Arc < 0))
+        {
+            return false;
+        }
+
+        if (a.Arc >= 0 && _arcs[a.Arc] != other._arcs[b.Arc])
+        {
+            return false;
+        }
+
+        return (a.Flags & MotionFlags.StartsElsewhere) != MotionFlags.None
+            ? _starts[index] == other._starts[index]
+            : index == 0 || _motions[index - 1].SameEnd(other._motions[index - 1]);
+    }
+
     /// <summary>Walks over all motions.</summary>
     public IEnumerator<NcMotion> GetEnumerator()
     {
