@@ -30,9 +30,6 @@ public static class NcRefusalCodes
     /// <summary>The position or a mode of the control is not known where a block must change.</summary>
     public const string UnknownState = "unknown-state";
 
-    /// <summary>The program branches, loops or calls, so a block may run several times or not at all.</summary>
-    public const string ControlFlow = "control-flow";
-
     /// <summary>A block that runs several times would have to change differently at each run.</summary>
     public const string RunsDiffer = "runs-differ";
 
@@ -68,6 +65,9 @@ public static class NcRefusalCodes
 
     /// <summary>Two points of a wish ask for different displacements at one place.</summary>
     public const string PointsCoincide = "points-coincide";
+
+    /// <summary>A number has more digits than can be changed exactly.</summary>
+    public const string NumberTooLong = "number-too-long";
 
     /// <summary>The displaced program, read again, does not do what was asked.</summary>
     public const string ProofFailed = "proof-failed";

@@ -207,6 +207,29 @@ public sealed class ExpressionTests
     }
 
     [Theory]
+    [InlineData(NcSyntax.Iso, 5221, "unknown")] // a timer, or an offset that G10 has changed since
+    [InlineData(NcSyntax.Iso, 500, "7")]
+    [InlineData(NcSyntax.LinuxCnc, 5221, "7")]
+    [InlineData(NcSyntax.Siemens, 1, "7")]
+    public void An_assigned_variable_is_known_unless_the_machine_changes_it_by_itself(NcSyntax syntax, int number, string expected)
+    {
+        var variables = new NcVariables(syntax);
+        Assert.Null(variables.Write(VariablePlace.Numbered(number), NcValue.Of(7.0)));
+        Assert.Equal(expected, variables.Read(VariablePlace.Numbered(number), out _).ToString());
+    }
+
+    [Fact]
+    public void What_the_machine_may_have_changed_can_be_forgotten()
+    {
+        var variables = new NcVariables(NcSyntax.LinuxCnc);
+        variables.Write(VariablePlace.Numbered(5221), NcValue.Of(7.0));
+        variables.Write(VariablePlace.Numbered(100), NcValue.Of(8.0));
+        variables.ForgetMachine();
+        Assert.Equal(NcValue.Unknown, variables.Read(VariablePlace.Numbered(5221), out _));
+        Assert.Equal(8, variables.Read(VariablePlace.Numbered(100), out _).Number);
+    }
+
+    [Theory]
     [InlineData("#1", false)]
     [InlineData("-#1", false)]
     [InlineData("#0", false)]

@@ -15,6 +15,23 @@ public sealed class FlowLimitTests
     private static readonly string[] Siemens = ["R1=R1+1", "R1=0", "DEF INT I", "IF R1<3", "ELSE", "ENDIF", "IF R1<3 GOTOB A1", "A1: X=R1", "A2:", "GOTOF A2", "GOTOB A1", "FOR I=1 TO 3", "ENDFOR", "WHILE R1<4", "ENDWHILE", "LOOP", "ENDLOOP", "REPEAT", "UNTIL R1>2", "REPEAT A1 P=2", "REPEATB A1", "REPEAT A1 A2", "CASE (R1) OF 1 GOTOF A2 DEFAULT GOTOB A1", "UP(R1) P2", "%_N_UP_SPF", "PROC UP(INT A)", "M17", "RET", "M30", "CALL \"UP\"", "DEF REAL F[3]=SET(1,2,3)", "F[1]=REP(2)", "ENDLABEL:", "GOTOC", "DEF", "\""];
 
     [Theory]
+    [InlineData(NcSyntax.Iso, "N10 G1 X5. Y-3 F100 M3 (IF #1)", false)]
+    [InlineData(NcSyntax.Iso, "G2X1Y1I5.J0", false)]
+    [InlineData(NcSyntax.Iso, "X1 ; GOTO", false)]
+    [InlineData(NcSyntax.Iso, "G1 X#1", true)]
+    [InlineData(NcSyntax.Iso, "N5 m99", true)]
+    [InlineData(NcSyntax.Iso, "G65P1", true)]
+    [InlineData(NcSyntax.LinuxCnc, "G1 X5 (o1 call)", false)]
+    [InlineData(NcSyntax.LinuxCnc, "o1 call", true)]
+    [InlineData(NcSyntax.Siemens, "N10 G1 X5 Y-3 F100 ;R1=5", false)]
+    [InlineData(NcSyntax.Siemens, "R1=5", true)]
+    [InlineData(NcSyntax.Siemens, "A1:", true)]
+    [InlineData(NcSyntax.Siemens, "L10", true)]
+    [InlineData(NcSyntax.Siemens, "N5 M17", true)]
+    public void Straight_blocks_need_not_be_given_to_the_machine(NcSyntax syntax, string text, bool concerns) =>
+        Assert.Equal(concerns, FlowTrigger.Concerns(Encoding.UTF8.GetBytes(text), syntax));
+
+    [Theory]
     [InlineData(NcSyntax.Iso, "#1=0\nN1 #1=#1+1\nIF[#1GT0]GOTO1")]
     [InlineData(NcSyntax.LinuxCnc, "o1 while [1]\n#1=[#1+1]\no1 endwhile")]
     [InlineData(NcSyntax.Siemens, "R1=0\nLOOP\nR1=R1+1\nENDLOOP")]

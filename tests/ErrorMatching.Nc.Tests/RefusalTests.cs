@@ -18,12 +18,13 @@ public sealed class RefusalTests
         { NcRefusalCodes.UnknownWord, "N10 G1 X10. X11. F100\n", "N10", 3, "N10" },
         { NcRefusalCodes.ActiveTransform, "G68 X0. Y0. R30.\nN10 G1 X10. F100\n", "N10", 4, "N10" },
         { NcRefusalCodes.OtherAxis, "N10 G1 X10. A5. F100\n", "N10", 3, "N10" },
-        { NcRefusalCodes.UnknownState, "M98 P1\nN10 G1 X10. F100\n", "N10", 4, "N10" },
+        { NcRefusalCodes.UnknownState, "G187\nN10 G1 X10. F100\n", "N10", 4, "N10" },
         { NcRefusalCodes.UnknownState, "G187\nX1. Y1. Z1.\nN10 G1 X10. F100\n", "N10", 5, "N10" },
         { NcRefusalCodes.UnknownState, "G55\nN10 G1 X10. F100\n", "N10", 4, "N10" },
-        { NcRefusalCodes.ControlFlow, "N10 G1 X10. F100\nN20 IF [#1 EQ 1] GOTO 10\n", "N10", 4, "N20" },
+        { NcRefusalCodes.EndlessLoop, "N10 G1 X10. F100\nN20 GOTO 10\n", "N10", 4, "N20" },
         { NcRefusalCodes.FrameChange, "N10 G1 X10. F100\nG92 X0. Y0.\nN30 G1 Y10.\n", "N10", 4, "line 4" },
-        { NcRefusalCodes.FrameChange, "N10 G1 X10. F100\nM98 P7\nG90 G17 G40 G0 X0. Y0. Z0.\n", "N10", 4, "line 4" },
+        { NcRefusalCodes.MissingProgram, "N10 G1 X10. F100\nM98 P7\nG90 G17 G40 G0 X0. Y0. Z0.\n", "N10", 4, "line 4" },
+        { NcRefusalCodes.FrameChange, "N10 G1 X10. F100\nG92 X0. Y0.\nG0 X5. Y5.\n", "N10", 4, "line 4" },
         { NcRefusalCodes.FrameChange, "N10 G1 X10. F100\nG52 X5. Y5.\nN30 G0 X0. Y0. Z0.\n", "N10", 4, "line 4" },
         { NcRefusalCodes.BadArc, "N10 G2 X10. Y0. I3. J0. F100\n", "N10", 3, "N10" },
         { NcRefusalCodes.ElementFlips, "N10 G1 X10. F100\nN20 G3 X10. Y0.2 I0. J0.1\nN30 G1 X0. Y0.2\n", "N10..N30", 4, "N20" },
@@ -69,11 +70,12 @@ public sealed class RefusalTests
         Assert.Throws<ArgumentException>(() => DisplacementWish.OfElements([new(1, default, default, default), new(1, default, default, default)]));
 
     [Fact]
-    public void Every_code_has_a_test_here_or_with_selectors_points_or_the_proof()
+    public void Every_code_has_a_test_here_or_with_selectors_points_flow_or_the_proof()
     {
         string[] elsewhere =
         [
             NcRefusalCodes.BlockNotFound, NcRefusalCodes.BlockAmbiguous, NcRefusalCodes.PointOffPath, NcRefusalCodes.RunWithoutPoint, NcRefusalCodes.PointsCoincide, NcRefusalCodes.ProofFailed,
+            NcRefusalCodes.EndlessLoop, NcRefusalCodes.MissingProgram, NcRefusalCodes.MissingLabel, NcRefusalCodes.UnknownCondition, NcRefusalCodes.BadExpression, NcRefusalCodes.CallTooDeep,
         ];
         var codes = typeof(NcRefusalCodes).GetFields(BindingFlags.Public | BindingFlags.Static).Select(f => (string)f.GetRawConstantValue()!);
         Assert.Equal(codes.Order(StringComparer.Ordinal), Normals.Select(r => r.Data.Item1).Concat(EndPoints.Select(r => r.Data.Item1)).Concat(elsewhere).Distinct().Order(StringComparer.Ordinal));

@@ -15,8 +15,7 @@ internal sealed class ExpressionSyntax
         Syntax = NcSyntax.Iso,
         Operators =
         [
-            new("**", ExpressionOperator.Power, 4), new("*", ExpressionOperator.Multiply, 3), new("/", ExpressionOperator.Divide, 3),
-            new("MOD", ExpressionOperator.Remainder, 3), new("AND", ExpressionOperator.BitAnd, 3),
+            new("*", ExpressionOperator.Multiply, 3), new("/", ExpressionOperator.Divide, 3), new("MOD", ExpressionOperator.Remainder, 3), new("AND", ExpressionOperator.BitAnd, 3),
             new("+", ExpressionOperator.Add, 2), new("-", ExpressionOperator.Subtract, 2), new("XOR", ExpressionOperator.BitXor, 2), new("OR", ExpressionOperator.BitOr, 2),
             .. Comparisons(1),
         ],

@@ -129,7 +129,7 @@ internal sealed partial class NcFlow
     // A section that a REPEAT statement executes ends behind this block: once more, or on behind the statement.
     private FlowAction BehindRegion(int block)
     {
-        if (Frame.Regions.TryPeek(out var region) && region.Last == block)
+        if (_frames.Count > 0 && Frame.Regions.TryPeek(out var region) && region.Last == block)
         {
             _changes++;
             if (--region.Passes > 0)

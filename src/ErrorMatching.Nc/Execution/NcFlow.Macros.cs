@@ -16,12 +16,6 @@ internal sealed partial class NcFlow
             return GoTo(block, ReaderAt(text, at + 4));
         }
 
-        // O1000 begins a program; what stands behind it is a comment.
-        if ((text[at] | 0x20) == 'o' && BlockHead.NumberAt(text, at + 1).Length > 0)
-        {
-            return FlowAction.Continue;
-        }
-
         if (!BlockHead.Stands(text, at, "IF"u8))
         {
             return Assign(block, text, at);

@@ -56,37 +56,47 @@ internal sealed partial class NcFlow
     /// <summary>True while a macro is called behind every motion: then each block that moves is given to <see cref="Behind"/>.</summary>
     public bool HasModalCall => _frames.Count > 0 && Math.Min(Frame.ModalCalls, _modalCalls.Count) > 0;
 
-    private FlowFrame Frame => _frames.Peek();
+    // Files are indexed only when a statement needs it: a straight program with M30 at its end never is.
+    private FlowFrame Frame
+    {
+        get
+        {
+            if (_frames.Count == 0)
+            {
+                var main = new FlowIndex(_program, _syntax).Main;
+                _frames.Push(new() { Unit = main, First = main.First });
+            }
+
+            return _frames.Peek();
+        }
+    }
 
     private FlowUnit Unit => Frame.Unit;
 
-    /// <summary>The block that runs first: 0, or the main program's first in an archive of several programs.</summary>
+    /// <summary>The block that runs first: 0, or the main program's first in an archive that begins with a subprogram.</summary>
     public int First
     {
         get
         {
-            var bytes = _program.Bytes.Span;
-            if (_syntax == NcSyntax.Siemens && bytes.Length > 0 && bytes[0] == '%')
+            var text = _program.BlockCount == 0 ? default : _program.BytesOf(_program[0]);
+            if (_syntax == NcSyntax.Siemens && text.Length > 0 && text[0] == '%' && text.IndexOf("_MPF"u8) < 0)
             {
-                Prepare();
                 _resumed = Unit.First;
-                return Unit.First;
             }
 
-            return 0;
+            return _resumed;
         }
     }
 
     /// <summary>Executes what a block does before its words are read: assignments, conditions, jumps, and calls that stand alone.</summary>
     public FlowAction Before(int block)
     {
-        Prepare();
         if (Refusal is not null || _hasEnded)
         {
             return FlowAction.Stop;
         }
 
-        if (block >= Unit.End)
+        if (_frames.Count > 0 && block >= Unit.End)
         {
             return AtEnd(block);
         }
@@ -101,11 +111,11 @@ internal sealed partial class NcFlow
             return FlowAction.Continue;
         }
 
-        var frame = Frame;
-        var action = head.At < text.Length && text[head.At] == '%'
-            ? FlowAction.Continue
-            : Unit.Index.StatementAt(block) is { } statement ? Execute(statement, text) : Statement(block, text, head);
-        return action == FlowAction.Continue && ReferenceEquals(frame, _frames.Count > 0 ? Frame : null) && Next == block + 1 ? BehindRegion(block) : action;
+        var depth = Depth;
+        var action = Heads(text, head.At) ? Heading(block)
+            : MayBeStructure(text, head.At) && Unit.Index.StatementAt(block) is { } statement ? Execute(statement, text)
+            : Statement(block, text, head);
+        return action == FlowAction.Continue && Depth == depth && Next == block + 1 ? BehindRegion(block) : action;
     }
 
     /// <summary>Executes what a block does behind its words: the assignments of LinuxCNC, calls, returns and the end of the program.</summary>
@@ -113,7 +123,6 @@ internal sealed partial class NcFlow
     /// <param name="moved">True if its words moved an axis; a modal macro is then called.</param>
     public FlowAction Behind(int block, bool moved = false)
     {
-        Prepare();
         if (Refusal is not null || _hasEnded)
         {
             return FlowAction.Stop;
@@ -121,10 +130,10 @@ internal sealed partial class NcFlow
 
         Next = block + 1;
         var text = Program.BytesOf(Program[block]);
-        var frame = Frame;
+        var depth = Depth;
         var action = _syntax == NcSyntax.Siemens ? BehindSiemens(block, text) : BehindIso(block, text, moved);
         _scanned = -1;
-        return action == FlowAction.Continue && ReferenceEquals(frame, Frame) && Next == block + 1 ? BehindRegion(block) : action;
+        return action == FlowAction.Continue && Depth == depth && Next == block + 1 ? BehindRegion(block) : action;
     }
 
     /// <summary>Goes on where a file's last block has been executed: in the calling program, or nowhere.</summary>
@@ -139,7 +148,6 @@ internal sealed partial class NcFlow
     /// <returns>False where <see cref="Refusal"/> says what is wrong.</returns>
     public bool TryValue(int block, int start, int length, int decimals, out NcValue value)
     {
-        Prepare();
         var place = Program[block];
         var text = Program.Bytes.Span[place.Start..(start + length)];
         var reader = new ExpressionReader(text, start - place.Start, _expressions, Variables) { RoundDecimals = _syntax == NcSyntax.Iso ? decimals : 0 };
@@ -154,19 +162,9 @@ internal sealed partial class NcFlow
         return Check(ref reader, block);
     }
 
-    private void Prepare()
-    {
-        if (_frames.Count == 0)
-        {
-            var main = new FlowIndex(_program, _syntax).Main;
-            _frames.Push(new() { Unit = main, First = main.First });
-        }
-    }
-
     private FlowAction AtEnd(int block)
     {
-        Prepare();
-        if (_frames.Count == 1)
+        if (_frames.Count <= 1)
         {
             return Ended();
         }
@@ -184,6 +182,30 @@ internal sealed partial class NcFlow
         _hasEnded = true;
         return FlowAction.Stop;
     }
+
+    // A percent sign, or the number of a program.
+    private bool Heads(ReadOnlySpan<byte> text, int at) =>
+        at < text.Length && (text[at] == '%' || (_syntax == NcSyntax.Iso && (text[at] | 0x20) == 'o' && BlockHead.NumberAt(text, at + 1).Length > 0));
+
+    // The beginning of the next program is the end of the one that runs. What an index knows is not asked here: behind its end no block is met.
+    private FlowAction Heading(int block)
+    {
+        for (var i = block - 1; _frames.Count == 0 && i >= 0; i--)
+        {
+            var text = _program.BytesOf(_program[i]);
+            var at = BlockHead.Read(text, _syntax).At;
+            if (at < text.Length && text[at] != ';' && text[at] != '%')
+            {
+                return Ended();
+            }
+        }
+
+        return FlowAction.Continue;
+    }
+
+    // Structures begin with a word of letters, or with an O word.
+    private bool MayBeStructure(ReadOnlySpan<byte> text, int at) =>
+        at + 1 < text.Length && BlockHead.IsLetter(text[at]) && (BlockHead.IsLetter(text[at + 1]) || (_syntax == NcSyntax.LinuxCnc && (text[at] | 0x20) == 'o'));
 
     private FlowAction Statement(int block, ReadOnlySpan<byte> text, BlockHead head) => _syntax switch
     {

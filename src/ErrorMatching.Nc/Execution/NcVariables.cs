@@ -60,6 +60,9 @@ internal sealed class NcVariables
         Write(VariablePlace.Named("_VALUE_RETURNED"), NcValue.Of(value is not null));
     }
 
+    /// <summary>How often the program has written what belongs to the machine: its offsets, modes and positions.</summary>
+    public long MachineWrites { get; private set; }
+
     /// <summary>What the machine may have changed by itself (offsets, positions) is unknown again.</summary>
     public void ForgetMachine()
     {
@@ -94,11 +97,13 @@ internal sealed class NcVariables
         switch (place.Kind)
         {
             case VariableKind.Machine:
+                MachineWrites++;
                 return null;
             case VariableKind.Numbered:
                 var error = NumberError(place.Number, assigned: true);
                 if (error is null)
                 {
+                    MachineWrites += IsOfMachine(place.Number) ? 1 : 0;
                     WriteNumber(place.Number, value);
                 }
 

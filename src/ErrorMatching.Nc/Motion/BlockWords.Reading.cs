@@ -12,23 +12,15 @@ internal sealed partial class BlockWords
 
     private static readonly double[] Powers = [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
-    /// <summary>Reads a block.</summary>
-    /// <param name="bytes">The program's bytes.</param>
-    /// <param name="block">Where the block is.</param>
-    /// <param name="syntax">How it is spelled.</param>
-    /// <param name="compute">The value of a computed word: NaN where only the machine knows it, null where it is a variable that was never set.</param>
-    public void Read(ReadOnlySpan<byte> bytes, NcBlock block, NcSyntax syntax, Func<NcToken, double?> compute)
+    /// <summary>Reads a block of plain words in one pass; false where it has anything else.</summary>
+    public bool TryReadPlain(ReadOnlySpan<byte> text, NcSyntax syntax)
     {
         Clear();
-        if (!ReadPlain(bytes.Slice(block.Start, block.Length), syntax == NcSyntax.LinuxCnc))
-        {
-            Clear();
-            ReadTokens(bytes, block, syntax, compute);
-        }
+        return ReadPlain(text, syntax == NcSyntax.LinuxCnc);
     }
 
     /// <summary>Reads letters with numbers, and spaces between them. False at anything else.</summary>
-    internal bool ReadPlain(ReadOnlySpan<byte> text, bool spacesInNumbers)
+    private bool ReadPlain(ReadOnlySpan<byte> text, bool spacesInNumbers)
     {
         var at = 0;
         while (true)
@@ -97,8 +89,14 @@ internal sealed partial class BlockWords
 
     private static bool GoesOn(ReadOnlySpan<byte> text) => text.TrimStart((byte)' ') is { Length: > 0 } rest && (rest[0] == '.' || SyntaxBytes.IsDigit(rest[0]));
 
-    private void ReadTokens(ReadOnlySpan<byte> bytes, NcBlock block, NcSyntax syntax, Func<NcToken, double?> compute)
+    /// <summary>Reads any block by its tokens.</summary>
+    /// <param name="bytes">The program's bytes.</param>
+    /// <param name="block">Where the block is.</param>
+    /// <param name="syntax">How it is spelled.</param>
+    /// <param name="compute">The value of a computed word: NaN where only the machine knows it, null where it is a variable that was never set.</param>
+    public void ReadTokens(ReadOnlySpan<byte> bytes, NcBlock block, NcSyntax syntax, Func<NcToken, double?> compute)
     {
+        Clear();
         foreach (var token in new NcTokenizer(bytes, block.Start, block.End, syntax))
         {
             switch (token.Kind)

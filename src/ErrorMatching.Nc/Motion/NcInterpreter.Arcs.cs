@@ -147,7 +147,7 @@ public sealed partial class NcInterpreter
 
     private FoundArc Tangent(Point2 start, Point2 end, bool isKnown)
     {
-        if (_motions.Length > 0 && _motions[_motions.Length - 1] is { IsCut: true, MovesInPlane: true } before && _frame is null)
+        if (_motions.Length > 0 && _motions[_motions.Length - 1] is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } before && _frame is null)
         {
             var tangent = before.TangentAt(1);
             var chord = end - start;

@@ -7,7 +7,6 @@ public sealed partial class NcInterpreter
 {
     private AxisUse _use;
     private NcMeaning _code;
-    private bool _calls;
 
     private void ReadCodes()
     {
@@ -50,7 +49,6 @@ public sealed partial class NcInterpreter
                 break;
             case NcMeaning.Call or NcMeaning.ModalCall:
                 _use = AxisUse.Nothing;
-                _calls = true;
                 break;
             case NcMeaning.LengthOffset:
                 _state.LengthOffset = true;

@@ -27,9 +27,9 @@ public sealed partial class NcInterpreter
     }
 
     // Behind the block's own motion: the cycle that it calls, or the one that is called behind every motion.
-    private void RunCycleCalls(bool moved)
+    private void RunCycleCalls()
     {
-        if ((_cycleCall ?? (moved ? _modalCycle : null)) is { } call)
+        if ((_cycleCall ?? (Moved ? _modalCycle : null)) is { } call)
         {
             _cycleCall = null;
             RunCycle(call);
@@ -85,7 +85,7 @@ public sealed partial class NcInterpreter
     // One value a comma, null where nothing stands; NaN where only the machine knows it.
     private List<double?> ArgumentsOf(NcToken call)
     {
-        var bytes = _program.Bytes.Span.Slice(call.Start, call.Length);
+        var bytes = _text.Bytes.Span.Slice(call.Start, call.Length);
         var values = new List<double?>();
         var at = bytes.IndexOf((byte)'(') + 1;
         if (at == 0)

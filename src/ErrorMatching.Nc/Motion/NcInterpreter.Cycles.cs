@@ -8,10 +8,11 @@ public sealed partial class NcInterpreter
     /// <summary>How far above the last depth a rapid ends in a deep hole, mm: LinuxCNC's 0.010 inch; other controls have a parameter for it (assumed the same).</summary>
     private const double PeckClearanceMm = 0.254;
 
-    /// <summary>As many pecks in one hole, and holes in one block, as are followed.</summary>
+    /// <summary>As many holes and pecks of one program as are followed: a block of a few bytes can ask for any number.</summary>
     private const int MostSteps = 100_000;
 
     private double _cycleInitial;
+    private double _cycleSteps;
     private (double Depth, double Plane, double Peck, bool HasPlane) _cycle;
     private AxisSet _cycleUnknown;
 
@@ -46,8 +47,15 @@ public sealed partial class NcInterpreter
         }
 
         var times = _words.Has('L') ? _words.Value('L') : _words.Has('K') && plane == CoordinatePlane.XY ? _words.Value('K') : 1;
+        _cycleSteps += times * (1 + PecksOfHole());
+        if (!(_cycleSteps <= MostSteps))
+        {
+            Append(MotionKind.Cycle, flags, target, AxisSet.All);
+            return;
+        }
+
         var step = plane.Project(target) - plane.Project(_state.Position);
-        for (var i = 0; i < Math.Min(times, MostSteps); i++)
+        for (var i = 0; i < times; i++)
         {
             var place = i == 0 || !_state.Incremental ? plane.Project(target) : plane.Project(_state.Position) + step;
             Hole(flags, place, unknown & plane.Axes(), i == 0);
@@ -86,6 +94,11 @@ public sealed partial class NcInterpreter
         {
             ToHeight(MotionKind.Rapid, flags, top);
         }
+        else if (first && _cycleInitial < top && plane.Height(_state.Position) == top && _dialect.Syntax == NcSyntax.LinuxCnc)
+        {
+            // LinuxCNC asks where the cycle began, not where the tool is: a rapid that leads nowhere.
+            Append(MotionKind.Rapid, flags, _state.Position, _state.Unknown);
+        }
 
         if (plane.Project(_state.Position) != place || _state.Unknown != unknown)
         {
@@ -95,24 +108,29 @@ public sealed partial class NcInterpreter
         ToHeight(MotionKind.Rapid, flags, top);
         Pecks(flags, bottom, top);
         ToHeight(MotionKind.Line, flags, bottom);
-        var feedsOut = _state.Cycle == NcMeaning.FeedOutCycle;
-        if (feedsOut)
+        if (_state.Cycle == NcMeaning.FeedOutCycle)
         {
-            ToHeight(MotionKind.Line, flags, _dialect.Syntax == NcSyntax.LinuxCnc ? clear : top);
+            ToHeight(MotionKind.Line, flags, top);
+
+            // LinuxCNC's has a rapid behind its way out even where that leads nowhere.
+            if (clear == top && _dialect.Syntax == NcSyntax.LinuxCnc)
+            {
+                Append(MotionKind.Rapid, flags, plane.Lift(place, top), unknown);
+            }
         }
 
         ToHeight(MotionKind.Rapid, flags, clear);
     }
 
+    private double PecksOfHole() => _state.Cycle is NcMeaning.PeckCycle or NcMeaning.ChipBreakCycle && _cycle.Peck > 0
+        ? Math.Max(0, Math.Ceiling((_cycle.Plane - _cycle.Depth) / _cycle.Peck))
+        : 0;
+
     private void Pecks(MotionFlags flags, double bottom, double top)
     {
-        if (_state.Cycle is not (NcMeaning.PeckCycle or NcMeaning.ChipBreakCycle) || !(_cycle.Peck > 0))
-        {
-            return;
-        }
-
-        var steps = 0;
-        for (var depth = Sum(top, -_cycle.Peck); depth > bottom && steps < MostSteps; depth = Sum(depth, -_cycle.Peck), steps++)
+        // Counted, since a peck can be too short to change a large height.
+        var (most, depth) = (PecksOfHole(), Sum(top, -_cycle.Peck));
+        for (var peck = 0; peck < most && depth > bottom; peck++, depth = Sum(depth, -_cycle.Peck))
         {
             ToHeight(MotionKind.Line, flags, depth);
             if (_state.Cycle == NcMeaning.PeckCycle)

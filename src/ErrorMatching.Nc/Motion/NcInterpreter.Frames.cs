@@ -19,6 +19,7 @@ public sealed partial class NcInterpreter
 
     private void NextFrame()
     {
+        _flow?.Variables.ForgetMachine();
         _state.Frame++;
         var (origin, unknown) = OriginOf(_workOffset);
         _frames.Add(new(_block, _workOffset.Code, _workOffset.Number, origin, unknown, _shift, _unknownShift, IsTransformed ? Vector3.Zero : _frame?.ShiftOnly ?? Vector3.Zero, IsTransformed));

@@ -24,16 +24,16 @@ public sealed partial class NcInterpreter
     private MotionFlags ReadKeyword(NcToken statement)
     {
         var name = NameOf(statement);
-        if (_program.Bytes.Span[statement.End - 1] == ':')
+        if (_text.Bytes.Span[statement.End - 1] == ':')
         {
             return MotionFlags.None;
         }
 
         if (_dialect.IsFlow(name) || _dialect.IsFlow(name.TrimEnd("0123456789"u8)))
         {
-            _flowBlock = _flowBlock < 0 ? _block : _flowBlock;
+            // One that is not followed: those that are never come here.
             Forget();
-            return MotionFlags.None;
+            return UnknownWord(TextOf(statement).ToUpperInvariant());
         }
 
         switch (_dialect.MeaningOf(name))
@@ -55,28 +55,13 @@ public sealed partial class NcInterpreter
 
     private MotionFlags ReadAssignment(NcToken statement)
     {
-        var bytes = _program.Bytes.Span.Slice(statement.Start, statement.Length);
-        if (_dialect.Syntax != NcSyntax.Siemens)
+        var bytes = _text.Bytes.Span.Slice(statement.Start, statement.Length);
+        if (_dialect.Syntax != NcSyntax.Siemens || bytes[0] == '$')
         {
-            if (IsSystemVariable(bytes))
-            {
-                LoseOrigin();
-            }
-
             return MotionFlags.None;
         }
 
         var name = NameOf(statement);
-        if (bytes[0] == '$')
-        {
-            if (!Ascii.EqualsIgnoreCase(name[..Math.Min(4, name.Length)], "$TC_"u8))
-            {
-                LoseOrigin();
-            }
-
-            return MotionFlags.None;
-        }
-
         if (Ascii.EqualsIgnoreCase(name, "RPL"u8))
         {
             var equals = bytes.IndexOf((byte)'=') + 1;
@@ -114,7 +99,7 @@ public sealed partial class NcInterpreter
 
     private ReadOnlySpan<byte> NameOf(NcToken statement)
     {
-        var bytes = _program.Bytes.Span.Slice(statement.Start, statement.Length);
+        var bytes = _text.Bytes.Span.Slice(statement.Start, statement.Length);
         var length = 0;
         while (length < bytes.Length && SyntaxBytes.IsNamePart(bytes[length]))
         {
@@ -122,18 +107,5 @@ public sealed partial class NcInterpreter
         }
 
         return bytes[..length];
-    }
-
-    // #1 to #999 and names are the program's own; higher numbers, and numbers that are computed, can be offsets and positions of the control.
-    private static bool IsSystemVariable(ReadOnlySpan<byte> assignment)
-    {
-        var name = assignment[1..];
-        var digits = name.IndexOfAnyExceptInRange((byte)'0', (byte)'9');
-        return digits switch
-        {
-            0 => name[0] != '<',
-            < 0 => false,
-            _ => name[..digits].TrimStart((byte)'0').Length > 3,
-        };
     }
 }

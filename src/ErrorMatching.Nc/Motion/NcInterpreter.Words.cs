@@ -43,5 +43,5 @@ public sealed partial class NcInterpreter
 
     private MotionFlags UnknownWord(string what) => Problem("unknown-word", $"\"{what}\" is not known to the dialect {_dialect.Name}.", MotionFlags.UnknownWord);
 
-    private string TextOf(NcToken token) => NcText.Decode(_program.Bytes.Span.Slice(token.Start, token.Length));
+    private string TextOf(NcToken token) => NcText.Decode(_text.Bytes.Span.Slice(token.Start, token.Length));
 }

@@ -22,13 +22,16 @@ public sealed partial class NcInterpreter
     private readonly uint _otherAxes;
     private readonly uint _unknownLetters;
     private ModalState _state = ModalState.Initial;
-    private int _block;
-    private int _flowBlock = -1;
-    private bool _ended;
 
-    private NcInterpreter(NcProgram program, NcDialect dialect, NcMotions? like)
+    // The block that motions belong to: the one being executed, or the one in this file that called a program of another file.
+    private int _block;
+
+    private NcInterpreter(NcProgram program, NcDialect dialect, NcMotions? like, Func<string, NcProgram?>? library, CancellationToken cancellation)
     {
         _program = program;
+        _text = program;
+        _library = library;
+        _cancellation = cancellation;
         _dialect = dialect;
         _motions = new(like);
         for (var letter = 'A'; letter <= 'Z'; letter++)
@@ -48,49 +51,34 @@ public sealed partial class NcInterpreter
         MachineCoordinates,
     }
 
+    /// <summary>Interprets a program that stands alone.</summary>
+    /// <param name="program">The program; it is read in the dialect's syntax.</param>
+    /// <param name="dialect">The control that it is for.</param>
+    public static NcPath Run(NcProgram program, NcDialect dialect) => Run(program, dialect, null, CancellationToken.None);
+
     /// <summary>Interprets a program.</summary>
     /// <param name="program">The program; it is read in the dialect's syntax.</param>
     /// <param name="dialect">The control that it is for.</param>
-    public static NcPath Run(NcProgram program, NcDialect dialect) => Run(program, dialect, null);
+    /// <param name="library">Finds a called program that is not in the file, by its name (<c>O1002</c>, <c>L10</c>, <c>POCKET</c>); null where there is none. Null instead of it: no other program is known.</param>
+    /// <param name="cancellation">Ends a long run.</param>
+    /// <exception cref="OperationCanceledException">The run was canceled.</exception>
+    public static NcPath Run(NcProgram program, NcDialect dialect, Func<string, NcProgram?>? library, CancellationToken cancellation) =>
+        new NcInterpreter(program.In(dialect.Syntax), dialect, null, library, cancellation).Run();
 
-    /// <summary>Interprets a program that is much like another: motions that are the same take no memory of their own.</summary>
-    internal static NcPath Run(NcProgram program, NcDialect dialect, NcPath? like)
-    {
-        var interpreter = new NcInterpreter(program.In(dialect.Syntax), dialect, like?.Motions);
-        return interpreter.Run();
-    }
-
-    private NcPath Run()
-    {
-        var bytes = _program.Bytes.Span;
-        for (_block = 0; _block < _program.BlockCount && !_ended; _block++)
-        {
-            _words.Read(bytes, _program[_block], _program.Syntax, ValueOf);
-            Step();
-        }
-
-        return new(_program, _dialect, _motions, _problems, _placeDependents, _flowBlock, _frames);
-    }
-
-    private double? ValueOf(NcToken token) => double.NaN;
-
-    private static double? Compute(int start, int length) => start + length < 0 ? null : double.NaN;
-
-    private static bool IsVariable(ReadOnlySpan<byte> name) => name.Length < 0;
+    /// <summary>Interprets a program as another was that it is much like: motions that are the same take no memory of their own.</summary>
+    internal static NcPath Run(NcProgram program, NcPath like) =>
+        new NcInterpreter(program.In(like.Dialect.Syntax), like.Dialect, like.Motions, like.Library, CancellationToken.None).Run();
 
     private void Step()
     {
         (_use, _code, _family) = (AxisUse.Motion, NcMeaning.Unknown, 0);
         var flags = ReadObstacles();
         ReadCodes();
-        var called = false;
         foreach (var function in _words.Functions)
         {
-            switch (_dialect.FunctionOf(function))
+            if (_dialect.FunctionOf(function) == FunctionRole.Unsure)
             {
-                case FunctionRole.Call: called = true; break;
-                case FunctionRole.ProgramEnd or FunctionRole.Return: _ended = true; break;
-                case FunctionRole.Unsure: Forget(); break;
+                Forget();
             }
         }
 
@@ -115,16 +103,12 @@ public sealed partial class NcInterpreter
 
         if (_cycleCall is not null || _modalCycle is not null || _nextCycleIsModal)
         {
-            RunCycleCalls(moved: _use == AxisUse.Motion && MovesAxes());
+            RunCycleCalls();
         }
 
-        if (called || _calls)
-        {
-            DependOnPlace();
-            Forget();
-            _calls = false;
-        }
     }
+
+    private bool Moved => _use == AxisUse.Motion && MovesAxes();
 
     private void DependOnPlace() => _placeDependents.Add((_block, _motions.Length));
 

@@ -9,7 +9,7 @@ public sealed class NcPath
     private int[]? _byBlock;
     private int _recent;
 
-    internal NcPath(NcProgram program, NcDialect dialect, NcMotions motions, IReadOnlyList<NcProblem> problems, IReadOnlyList<(int Block, int Joint)> placeDependents, int flowBlock, IReadOnlyList<NcFrame> frames)
+    internal NcPath(NcProgram program, NcDialect dialect, NcMotions motions, IReadOnlyList<NcProblem> problems, IReadOnlyList<(int Block, int Joint)> placeDependents, IReadOnlyList<NcFrame> frames, NcRefusal? refusal, Func<string, NcProgram?>? library)
     {
         Program = program;
         Dialect = dialect;
@@ -17,7 +17,8 @@ public sealed class NcPath
         Frames = frames;
         Problems = problems;
         PlaceDependents = placeDependents;
-        FlowBlock = flowBlock;
+        Refusal = refusal;
+        Library = library;
     }
 
     /// <summary>The program that was interpreted.</summary>
@@ -35,8 +36,11 @@ public sealed class NcPath
     /// <summary>Unknown words, arcs that do not close, unterminated comments and the like, in the order of the blocks.</summary>
     public IReadOnlyList<NcProblem> Problems { get; }
 
-    /// <summary>The first block that branches, loops or defines a subprogram; -1 where the program runs straight through. Behind it blocks may run several times or not at all.</summary>
-    public int FlowBlock { get; }
+    /// <summary>Why the program could not be followed to its end: a program that is missing, a loop without end, a branch on what only the machine knows. Null where it was.</summary>
+    public NcRefusal? Refusal { get; }
+
+    /// <summary>Where called programs were looked for that are not in the file.</summary>
+    internal Func<string, NcProgram?>? Library { get; }
 
     /// <summary>
     /// Blocks whose effect can depend on where the tool stands although they move nothing themselves (what sets an origin, calls a program that is not known),

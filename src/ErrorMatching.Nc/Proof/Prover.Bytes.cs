@@ -23,7 +23,7 @@ public sealed partial class Prover
                 Fail(i, "something other than the words of its new place changed in it.");
                 identical = false;
             }
-            else if ((Obstacles.Of(_before) ?? Obstacles.Of(_before, motion)) is { } obstacle)
+            else if (Obstacles.Of(_before, motion) is { } obstacle)
             {
                 Fail(i, $"it changed although {obstacle.Message}");
             }

@@ -60,13 +60,18 @@ public sealed partial class Prover
     /// <param name="leastIncrementMm">Increment to which new coordinates were rounded.</param>
     /// <param name="marker">Text of the one comment line that was inserted, or null.</param>
     public static NcProof Check(NcPath before, NcProgram result, DisplacementWish wish, double leastIncrementMm, string? marker = null) =>
-        new Prover(before, NcInterpreter.Run(result, before.Dialect, like: before), wish, marker, leastIncrementMm).Run();
+        new Prover(before, NcInterpreter.Run(result, before), wish, marker, leastIncrementMm).Run();
 
     private NcProof Run()
     {
         var markerBlock = FindMarker();
         var moved = 0;
         var bytesIdentical = false;
+        if (_after.Refusal is { } refusal)
+        {
+            _failures.Add(refusal);
+        }
+
         if (_failures.Count == 0 && SameStructure(markerBlock))
         {
             moved = CompareMotions();

@@ -21,10 +21,11 @@ internal static class CenterGrid
     /// <param name="was">The center words before, mm; null where there were none. They stay where they serve.</param>
     /// <param name="increment">Least increment, mm.</param>
     /// <returns>Steps of the least increment; null for a word that stays.</returns>
+    /// <exception cref="NcException">The center is further away than a number can say.</exception>
     public static (long? First, long? Second) Choose(Point2 origin, Point2 start, Point2 end, Arc2 wanted, Vector2? was, double increment)
     {
         var exact = wanted.Center - origin;
-        var (first, second) = ((long)Math.Round(exact.X / increment), (long)Math.Round(exact.Y / increment));
+        var (first, second) = (NcNumber.Round(exact.X / increment, 0).Digits, NcNumber.Round(exact.Y / increment, 0).Digits);
         var (best, bestCost) = ((first, second), double.PositiveInfinity);
         for (var i = first - Reach; i <= first + Reach; i++)
         {

@@ -87,7 +87,7 @@ public sealed class DisplacementWish
         return motions.Count > 0 ? OfEndPoints(motions, by) : NoMotion(path, blocks);
     }
 
-    private static NcRefusal NoMotion(NcPath path, IReadOnlyList<int> blocks) => blocks.Count > 0
+    private static NcRefusal NoMotion(NcPath path, IReadOnlyList<int> blocks) => path.Refusal is { } stopped ? stopped : blocks.Count > 0
         ? NcRefusal.At(path.Program, blocks[0], NcRefusalCodes.NoMotion, "the named blocks hold no motion that could be displaced. Name the blocks that cut the boundary.")
         : new(NcRefusalCodes.NoMotion, "", 0, "No blocks are named.");
 }

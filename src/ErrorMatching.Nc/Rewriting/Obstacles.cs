@@ -3,11 +3,6 @@ namespace ErrorMatching.Nc;
 /// <summary>Says why a motion's words cannot be changed, if so.</summary>
 internal static class Obstacles
 {
-    /// <summary>The reason why a program as a whole cannot be changed safely, or null.</summary>
-    public static NcRefusal? Of(NcPath path) => path.FlowBlock < 0
-        ? null
-        : NcRefusal.At(path.Program, path.FlowBlock, NcRefusalCodes.ControlFlow, "the program branches, loops or defines a subprogram here, so blocks may run several times or not at all. Post the program straight through.");
-
     /// <summary>The reason why one motion cannot be changed, or null.</summary>
     public static NcRefusal? Of(NcPath path, int motion)
     {

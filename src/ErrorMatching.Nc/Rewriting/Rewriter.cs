@@ -9,7 +9,7 @@ public static class Rewriter
     /// <returns>The displaced program, not yet proved, or the reason why it cannot be displaced.</returns>
     public static NcOutcome<Rewrite> Apply(NcPath path, DisplacementWish wish)
     {
-        if (Obstacles.Of(path) is { } refusal)
+        if (path.Refusal is { } refusal)
         {
             return refusal;
         }

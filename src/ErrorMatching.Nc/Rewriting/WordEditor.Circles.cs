@@ -95,7 +95,7 @@ internal sealed partial class WordEditor
 
         // Moved end points take the radius rounded up, so that it surely reaches; elements take the nearest.
         var exactSteps = wanted.Radius / _increment;
-        var steps = (long)(_keepRadii ? Math.Ceiling(exactSteps - 1e-6) : Math.Round(exactSteps, MidpointRounding.AwayFromZero));
+        var steps = NcNumber.Round(_keepRadii ? Math.Ceiling(exactSteps - 1e-6) : exactSteps, 0).Digits;
         sign = Math.Abs(wanted.Sweep.Radians) > Math.PI + 1e-9 ? -1 : 1;
         while (2 * steps * _increment < start.DistanceTo(end))
         {

@@ -92,7 +92,20 @@ internal sealed partial class WordEditor
         return null;
     }
 
+    // Exact decimals end at 18 digits: where a program's own number leaves no room, nothing else is written instead.
     private NcRefusal? Edit(int index)
+    {
+        try
+        {
+            return EditWords(index);
+        }
+        catch (NcException e) when (e.Code == NcErrorCode.NumberTooLong)
+        {
+            return NcRefusal.At(_path.Program, _path.Motions[index].Block, NcRefusalCodes.NumberTooLong, e.Message);
+        }
+    }
+
+    private NcRefusal? EditWords(int index)
     {
         var motion = _path.Motions[index];
         _edit.Open(_path.Program[motion.Block]);
@@ -158,7 +171,7 @@ internal sealed partial class WordEditor
 
     private static AxisSet Axis(byte letter) => letter switch { (byte)'X' => AxisSet.X, (byte)'Y' => AxisSet.Y, _ => AxisSet.Z };
 
-    private long Steps(int joint, byte axis) => (long)Math.Round(Coordinate(default(Point3) + _change.MoveOf(joint), axis) / _increment, MidpointRounding.AwayFromZero);
+    private long Steps(int joint, byte axis) => NcNumber.Round(Coordinate(default(Point3) + _change.MoveOf(joint), axis) / _increment, 0).Digits;
 
     private static double Coordinate(Point3 point, byte axis) => axis switch { (byte)'X' => point.X, (byte)'Y' => point.Y, _ => point.Z };
 

@@ -72,14 +72,9 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
         }
 
         Note(compensated, "run under cutter compensation (G41, G42), which is not applied: the path is as programmed");
-        Note(cycles, "belong to canned cycles: only their positions are known");
+        Note(cycles, "belong to cycles that are not followed: only their positions are known");
         Note(references, "go to a position of the machine, which the program does not say");
         Note(unknown, "end where at least one coordinate is not said by the program");
-        if (path.FlowBlock >= 0)
-        {
-            notes.Add($"From {path.Program.NameOf(path.Program[path.FlowBlock])} on the program branches, loops or defines subprograms; its blocks are read once, in the order in which they stand.");
-        }
-
         return notes;
 
         void Note(int count, string what)

@@ -1,0 +1,13 @@
+G21 G17 G40 G90
+G0 X0 Y0 Z5
+G1 Z-1 F300
+o100 if [#1 GT 0]
+N10 X5
+o100 elseif [#1 EQ 0]
+N20 X6
+o100 else
+N30 X7
+o100 endif
+N40 X20
+G0 Z5
+M30

@@ -1,0 +1,12 @@
+G21 G17 G40 G90
+G0 X0 Y0 Z5
+G1 Z-1 F300
+#1=0
+o100 while [#1 LT 5]
+N10 G91 G1 X2 Y1
+#1=[#1+1]
+o100 endwhile
+G90
+N20 X30
+G0 Z5
+M30

@@ -1,0 +1,113 @@
+using System.Diagnostics;
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc.Tests;
+
+/// <summary>
+/// Damaged programs through everything that reads, displaces and proves. <c>tests/mutate COUNT SEED</c> runs more of them: it sets the two variables read here.
+/// </summary>
+public sealed class HostileInputTests
+{
+    // What one reading in one dialect may take: a constant, since a block of a few bytes may stand for a hundred thousand pecks, and so much for each byte of the program.
+    private const double SecondsAtMost = 2;
+    private const double SecondsPerByte = 1e-6;
+    private const long BytesAtMost = 32 << 20;
+    private const long BytesPerByte = 400;
+
+    private static readonly long Count = Setting("ERRORMATCH_MUTATIONS", 20_000);
+    private static readonly long FirstSeed = Setting("ERRORMATCH_MUTATION_SEED", 1);
+
+    [Fact]
+    public void Each_program_of_the_corpus_is_read_and_displaced_without_an_exception() => Assert.All(Mutator.Corpus, p => Abuse(p.Bytes, 1));
+
+    [Fact]
+    public void No_damaged_program_throws_hangs_or_changes_elsewhere()
+    {
+        for (var seed = FirstSeed; seed < FirstSeed + Count; seed++)
+        {
+            var bytes = new Mutator(seed).Next();
+            try
+            {
+                Abuse(bytes, seed);
+            }
+            catch (Exception e)
+            {
+                var file = Path.Combine(Path.GetTempPath(), $"errormatch-mutation-{seed}.nc");
+                File.WriteAllBytes(file, bytes);
+                throw new InvalidOperationException($"Seed {seed}, written to {file}: {e.Message}", e);
+            }
+        }
+    }
+
+    private static void Abuse(byte[] bytes, long seed)
+    {
+        var draw = new Mutator(-seed);
+        foreach (var dialect in NcDialects.All)
+        {
+            var (watch, allocated) = (Stopwatch.StartNew(), GC.GetAllocatedBytesForCurrentThread());
+            var program = NcProgram.Read(bytes, dialect.Syntax);
+            Assert.True(NcCensus.Of(program).RoundTrips, $"{dialect.Name}: the tokens are not the program.");
+            var path = NcInterpreter.Run(program, dialect);
+            Within(bytes.Length, watch, allocated, $"{dialect.Name}: reading");
+            if (program.BlockCount > 0)
+            {
+                Displace(path, draw);
+            }
+        }
+    }
+
+    private static void Displace(NcPath path, Mutator draw)
+    {
+        var (watch, allocated) = (Stopwatch.StartNew(), GC.GetAllocatedBytesForCurrentThread());
+        var blocks = Blocks(path.Program, draw);
+        var d = (draw.Below(61) - 30) / 100.0;
+        var wish = draw.Below(2) == 0 ? DisplacementWish.Normal(path, blocks, d) : DisplacementWish.EndsBy(path, blocks, new Vector3(d, -d, draw.Below(3) == 0 ? d / 2 : 0));
+        if (wish.IsUsable && Rewriter.Apply(path, wish.Value) is { IsUsable: true, Value: var rewrite })
+        {
+            var proof = Prover.Check(path, rewrite.Program, wish.Value, rewrite.LeastIncrementMm);
+            if (proof.Holds)
+            {
+                OnlyTheseDiffer(path.Program, rewrite.Program, [.. blocks, .. proof.Neighbors.Select(n => n.Line - 1)]);
+            }
+        }
+
+        Within(path.Program.Bytes.Length, watch, allocated, $"{path.Dialect.Name}: displacing");
+    }
+
+    private static int[] Blocks(NcProgram program, Mutator draw)
+    {
+        if (draw.Below(4) == 0 && BlockSelector.Select(program, [BlockSelector.Parse("/[XY]-?[0-9]/")]) is { IsUsable: true, Value: var chosen })
+        {
+            return chosen;
+        }
+
+        if (draw.Below(4) == 0 && BlockSelector.Select(program, [BlockSelector.Parse("N10..N30")]) is { IsUsable: true, Value: var named })
+        {
+            return named;
+        }
+
+        var first = draw.Below(program.BlockCount);
+        return [.. Enumerable.Range(first, 1 + draw.Below(Math.Min(20, program.BlockCount - first)))];
+    }
+
+    private static void OnlyTheseDiffer(NcProgram before, NcProgram after, HashSet<int> allowed)
+    {
+        Assert.Equal(before.BlockCount, after.BlockCount);
+        for (var i = 0; i < before.BlockCount; i++)
+        {
+            Assert.True(
+                allowed.Contains(i) || before.Bytes.Span.Slice(before[i].Start, before[i].FullLength).SequenceEqual(after.Bytes.Span.Slice(after[i].Start, after[i].FullLength)),
+                $"line {i + 1} changed from \"{before.TextOf(before[i])}\" to \"{after.TextOf(after[i])}\" without having been named");
+        }
+    }
+
+    private static void Within(int length, Stopwatch watch, long allocated, string what)
+    {
+        var (seconds, used) = (watch.Elapsed.TotalSeconds, GC.GetAllocatedBytesForCurrentThread() - allocated);
+        Assert.True(seconds <= SecondsAtMost + (SecondsPerByte * length), $"{what} {length} bytes took {seconds} s.");
+        Assert.True(used <= BytesAtMost + (BytesPerByte * length), $"{what} {length} bytes allocated {used} bytes.");
+    }
+
+    private static long Setting(string name, long otherwise) => Environment.GetEnvironmentVariable(name) is { } text ? long.Parse(text, CultureInfo.InvariantCulture) : otherwise;
+}

@@ -1,0 +1,69 @@
+using System.Security.Cryptography;
+using System.Text;
+using System.Text.RegularExpressions;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Peers.Tests;
+
+/// <summary>The programs that come with LinuxCNC, motion by motion against its own interpreter, up to the block that this refuses, if it does.</summary>
+public sealed partial class PackageProgramTests
+{
+    private const int FewestPrograms = 40;
+
+    private static readonly string[] Folders = ["/usr/share/linuxcnc/ncfiles", "/usr/share/doc/linuxcnc/examples", "/usr/share/axis/images"];
+
+    // Programs that are not compared, each with the reason.
+    private static readonly Dictionary<string, string> Excluded = new(StringComparer.Ordinal)
+    {
+    };
+
+    [Fact]
+    public void Motions_of_the_package_s_programs_agree_with_rs274()
+    {
+        Rs274.IsNeeded();
+        var files = Folders.Where(Directory.Exists)
+            .SelectMany(f => Directory.EnumerateFiles(f, "*.ngc", SearchOption.AllDirectories))
+            .Where(f => !Excluded.ContainsKey(Path.GetFileName(f)))
+            .Order(StringComparer.Ordinal)
+            .DistinctBy(f => Convert.ToHexString(SHA256.HashData(File.ReadAllBytes(f))))
+            .ToArray();
+        var (compared, differences) = (0, new List<string>());
+        foreach (var file in files)
+        {
+            var bytes = File.ReadAllBytes(file);
+            var peer = Rs274.Run(Numbered(Encoding.Latin1.GetString(bytes)), Path.GetDirectoryName(file)!);
+            if (peer.Motions.Count == 0)
+            {
+                continue;
+            }
+
+            compared++;
+            if (Agreement.FirstDifference(peer.Motions, NcInterpreter.Run(NcProgram.Read(bytes, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc), mostUnknown: 1, peerStops: peer.Refusal is not null) is { } difference)
+            {
+                differences.Add($"{file}: {difference}");
+            }
+        }
+
+        Assert.True(compared >= FewestPrograms, $"rs274 moves in only {compared} of {files.Length} programs.");
+        Assert.True(differences.Count == 0, $"{differences.Count} of {compared} programs differ:\n{string.Join('\n', differences)}");
+    }
+
+    // The peer prints the N word of a motion's block: each block gets its line as one. Compensation is blanked, since ours is the programmed path.
+    private static string Numbered(string text)
+    {
+        var lines = text.Split('\n');
+        for (var i = 0; i < lines.Length; i++)
+        {
+            lines[i] = Compensation().Replace(lines[i], "G40");
+            lines[i] = Begin().Replace(lines[i], $"N{i + 1} ${{rest}}");
+        }
+
+        return string.Join('\n', lines);
+    }
+
+    [GeneratedRegex(@"G\s*4[12](\.1)?(?![0-9])(\s*D\s*(\[[^\]]*\]|#<[^>]*>|[#0-9.]+))?", RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Compensation();
+
+    [GeneratedRegex(@"^\s*(N\s*[0-9]+)?\s*(?<rest>[A-MP-Z].*)$", RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture | RegexOptions.Singleline, 1000)]
+    private static partial Regex Begin();
+}

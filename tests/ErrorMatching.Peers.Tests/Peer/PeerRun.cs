@@ -1,0 +1,6 @@
+namespace ErrorMatching.Peers.Tests;
+
+/// <summary>What the peer made of a program.</summary>
+/// <param name="Motions">Its motions up to the end or to the block that it refuses.</param>
+/// <param name="Refusal">Its message; null where it accepts the whole program.</param>
+internal sealed record PeerRun(IReadOnlyList<PeerMotion> Motions, string? Refusal);

@@ -1,0 +1,107 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Peers.Tests;
+
+/// <content>Canned cycles, probing, splines, feeds.</content>
+internal sealed partial class RandomProgram
+{
+    private void WriteCycles()
+    {
+        var scale = _inch ? 25.4 : 1;
+        var (third, first, second) = _plane switch { CoordinatePlane.ZX => ("Y", "Z", "X"), CoordinatePlane.YZ => ("X", "Y", "Z"), _ => ("Z", "X", "Y") };
+        var plane = new[] { Grid(Uniform(-5, 5) / scale), Grid(Uniform(3, 9) / scale), Grid(Uniform(10, 30) / scale) };
+        var code = Any("G81", "G82", "G83", "G73", "G85", "G86", "G89");
+        _incremental = Chance(0.3);
+
+        // In increments R is from where the tool stands, the bottom from R.
+        Block($"G90 G0 {third}{Number(Chance(0.2) ? plane[0] : plane[2])}");
+        var heights = _incremental
+            ? $"{third}{Number(-Grid(Uniform(3, 20) / scale))} R{Number(Grid(Uniform(-4, 4) / scale))}"
+            : $"{third}{Number(Grid(plane[0] - (Uniform(3, 20) / scale)))} R{Number(plane[1])}";
+        var words = code switch
+        {
+            "G82" or "G86" or "G89" => " P0.2",
+            "G83" or "G73" => $" Q{Number(Grid(Uniform(1, 6) / scale))}",
+            _ => "",
+        };
+        var repeats = Chance(0.2) ? $" L{1 + Below(3)}" : "";
+        Block($"{(_incremental ? "G91" : "G90")} {Any("G98", "G99")} {code} {first}{Number(Place())} {second}{Number(Place())} {heights}{words}{repeats}");
+        for (var i = Below(4); i > 0; i--)
+        {
+            switch (Below(5))
+            {
+                case 0: Block($"{Any("G98", "G99")} {first}{Number(Place())}"); break;
+                case 1: Block($"{second}{Number(Place())}"); break;
+                default: Block($"{first}{Number(Place())} {second}{Number(Place())}{(Chance(0.2) ? " L2" : "")}"); break;
+            }
+        }
+
+        Block("G80");
+        Restate();
+        _motion = "G0";
+
+        double Place() => _incremental ? Grid(Uniform(-9, 9) / scale) : Length();
+    }
+
+    private void WriteProbe()
+    {
+        if (Chance(0.3))
+        {
+            // The peer's probe trips at the end of the move, a little before it, so the place is said again.
+            Block($"G90 {Any("G38.2", "G38.3", "G38.4", "G38.5")} Z{Number(Length() + (_inch ? 5 : 100))}");
+            Restate();
+        }
+
+        WriteMotion();
+    }
+
+    private void WriteSpline()
+    {
+        if (Chance(0.4))
+        {
+            if (_plane != CoordinatePlane.XY)
+            {
+                _plane = CoordinatePlane.XY;
+                Block("G17");
+            }
+
+            Restate();
+            var end = $"X{Number(Length())} Y{Number(Length())}";
+            var pull = $"I{Number(Length())} J{Number(Length())}";
+            Block(Chance(0.5) ? $"G5.1 {end} {pull}" : $"G5 {end} {pull} P{Number(Length())} Q{Number(Length())}");
+            Block($"G1 Z{Number(Length())}");
+            Restate();
+        }
+
+        WriteMotion();
+    }
+
+    // Cycles, probing, and blocks that state no feed, are refused in other modes.
+    private void FeedPerMinute()
+    {
+        if (_feedMode != "G94")
+        {
+            (_feedMode, _inverseTime) = ("G94", false);
+            Block("G94 F" + Feed());
+        }
+    }
+
+    private void WriteFeedMode()
+    {
+        if (Chance(0.3))
+        {
+            _feedMode = Any("G93", "G94", "G95");
+            _inverseTime = _feedMode == "G93";
+            Block(_inverseTime ? _feedMode : $"{_feedMode} F{Feed()}");
+            _motion = "";
+            if (_inverseTime)
+            {
+                // The mode has no feed of its own: a cut states one.
+                Block("G0 X0");
+                _at[0] = _incremental ? _at[0] : 0;
+            }
+        }
+
+        WriteMotion();
+    }
+}
