@@ -1,4 +1,5 @@
 using System.Collections;
+using System.Runtime.CompilerServices;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
@@ -11,6 +12,8 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     private readonly Chunks<StoredArc> _arcs;
     private readonly Dictionary<int, (Point3 Place, AxisSet Unknown)> _starts = [];
     private int _lastBlock = -1;
+    private double _feed;
+    private int _frame;
 
     internal NcMotions(NcMotions? like = null)
     {
@@ -114,12 +117,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     /// <summary>Appends a motion. Coordinates that are not known read as zero.</summary>
     internal void Add(in NcMotion motion)
     {
-        var setting = new MotionSetting(motion.Feed, motion.Frame);
-        if (_settings.Count == 0 || _settings[^1] != setting)
-        {
-            _settings.Add(setting);
-        }
-
+        var setting = SettingOf(motion.Feed, motion.Frame);
         var arc = -1;
         if (motion.IsArc)
         {
@@ -139,7 +137,27 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         HasPoints |= PathWithoutPoints.IsPoint(motion);
         FollowBlocks &= motion.Block >= _lastBlock;
         _lastBlock = motion.Block;
-        _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.UnknownEnd.KnownPartOf(motion.End), motion.UnknownEnd, _settings.Count - 1, arc));
+        _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.UnknownEnd.KnownPartOf(motion.End), motion.UnknownEnd, setting, arc));
+    }
+
+    /// <summary>Appends a straight move from where the tool is. Coordinates that are not known read as zero.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    internal void AddStraight(int block, in ModalState state, MotionFlags flags, Point3 end, AxisSet unknownEnd)
+    {
+        var index = Length;
+        var start = state.Unknown.KnownPartOf(state.Position);
+        var (before, unknownBefore) = StartOf(index, flags);
+        var known = unknownEnd.KnownPartOf(end);
+        if (start != before || state.Unknown != unknownBefore)
+        {
+            flags |= MotionFlags.StartsElsewhere;
+            _starts[index] = (start, state.Unknown);
+        }
+
+        HasPoints |= state.Mode == MotionKind.Line && start == known;
+        FollowBlocks &= block >= _lastBlock;
+        _lastBlock = block;
+        _motions.Add(new(block, state.Mode, state.Plane, flags, known, unknownEnd, SettingOf(state.Feed, state.Frame), -1));
     }
 
     /// <summary>Moves the end of the motion that was added last; what follows begins there.</summary>
@@ -147,6 +165,17 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     {
         ref var last = ref _motions[Length - 1];
         (last.X, last.Y, last.Z) = (end.X, end.Y, end.Z);
+    }
+
+    private int SettingOf(double feed, int frame)
+    {
+        if (_settings.Count == 0 || _feed != feed || _frame != frame)
+        {
+            (_feed, _frame) = (feed, frame);
+            _settings.Add(new(feed, frame));
+        }
+
+        return _settings.Count - 1;
     }
 
     private (Point3 Place, AxisSet Unknown) StartOf(int index, MotionFlags flags)
