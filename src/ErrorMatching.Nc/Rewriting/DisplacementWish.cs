@@ -27,12 +27,21 @@ public sealed class DisplacementWish
     public static DisplacementWish OfElements(IReadOnlyList<ElementWish> elements)
     {
         ElementWish[] sorted = [.. elements];
-        Array.Sort(sorted, (a, b) => a.Motion.CompareTo(b.Motion));
+        var isSorted = true;
         for (var i = 1; i < sorted.Length; i++)
         {
-            if (sorted[i].Motion == sorted[i - 1].Motion)
+            isSorted &= sorted[i - 1].Motion < sorted[i].Motion;
+        }
+
+        if (!isSorted)
+        {
+            Array.Sort(sorted, (a, b) => a.Motion.CompareTo(b.Motion));
+            for (var i = 1; i < sorted.Length; i++)
             {
-                throw new ArgumentException("A motion has two wishes.", nameof(elements));
+                if (sorted[i].Motion == sorted[i - 1].Motion)
+                {
+                    throw new ArgumentException("A motion has two wishes.", nameof(elements));
+                }
             }
         }
 

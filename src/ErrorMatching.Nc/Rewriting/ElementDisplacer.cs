@@ -28,7 +28,7 @@ internal sealed partial class ElementDisplacer
     private readonly PathChange _change;
     private readonly MotionRuns _named = new();
     private readonly List<ElementWish> _wishes;
-    private readonly List<Carrier> _carriers;
+    private readonly Dictionary<int, Carrier> _rounded = [];
     private readonly HashSet<int> _shrunk = [];
     private readonly BitArray _smoothJoints;
 
@@ -37,7 +37,6 @@ internal sealed partial class ElementDisplacer
         _path = path;
         _change = new(path);
         _wishes = new(wishes);
-        _carriers = new(wishes);
         _smoothJoints = new(path.Motions.Length + 1);
     }
 
@@ -76,7 +75,6 @@ internal sealed partial class ElementDisplacer
             }
         }
 
-        SetCenters();
         return FollowWithArcs() ?? CheckSense();
     }
 
@@ -102,7 +100,11 @@ internal sealed partial class ElementDisplacer
         var isClosed = motion.PlaneStart.DistanceTo(motion.PlaneEnd) < 1e-9 && (element.End - element.Start).Length < 1e-9;
         _named.Add(element.Motion);
         _wishes.Add(isClosed ? element with { End = element.Start } : element);
-        _carriers.Add(carrier);
+        if (carrier.Circle is { } circle)
+        {
+            _change.SetCenter(element.Motion, circle.Center);
+        }
+
         return null;
     }
 
@@ -132,7 +134,7 @@ internal sealed partial class ElementDisplacer
     // Both flanks offset by the new radius meet in the new center; its feet on them are the new tangent points. Joints between arcs of the fillet keep their direction from the center.
     private NcRefusal? Round(ElementWish element)
     {
-        if (_change.HasCenter(element.Motion) || Fillet.Around(_path, element.Motion) is not { } fillet
+        if (_rounded.ContainsKey(element.Motion) || Fillet.Around(_path, element.Motion) is not { } fillet
             || !_named.Contains(fillet.First - 1) || !_named.Contains(fillet.Last + 1)
             || CarrierOf(fillet.First - 1).Line is not { } first || CarrierOf(fillet.Last + 1).Line is not { } second)
         {
@@ -154,11 +156,7 @@ internal sealed partial class ElementDisplacer
         for (var i = fillet.First; i <= fillet.Last; i++)
         {
             var end = _path.Motions[i].PlaneEnd;
-            if (_named.IndexOf(i) is >= 0 and var named)
-            {
-                _carriers[named] = new(null, new(c, radius));
-            }
-
+            _rounded.Add(i, new(null, new(c, radius)));
             _change.SetCenter(i, c);
             _change.Move(i + 1, motion.Plane, (i == fillet.Last ? second.Foot(c) : c + ((end - arc.Center).Normalize() * radius)) - end);
         }
@@ -298,17 +296,6 @@ internal sealed partial class ElementDisplacer
 
     private static bool IsNear(Point2 point, Point2 joint, double amount) => point.DistanceTo(joint) <= (Nearby * amount) + 1e-6;
 
-    private void SetCenters()
-    {
-        for (var i = 0; i < _wishes.Count; i++)
-        {
-            if (_carriers[i].Circle is { } circle)
-            {
-                _change.SetCenter(_wishes[i].Motion, circle.Center);
-            }
-        }
-    }
-
     // Arcs that were not named and whose ends left their circle: a lead-in that is an arc, or an arc beside a run that it does not meet.
     private NcRefusal? FollowWithArcs()
     {
@@ -356,7 +343,7 @@ internal sealed partial class ElementDisplacer
 
     private ElementWish WishOf(int motion) => _wishes[_named.IndexOf(motion)];
 
-    private Carrier CarrierOf(int motion) => _carriers[_named.IndexOf(motion)];
+    private Carrier CarrierOf(int motion) => _rounded.TryGetValue(motion, out var fillet) ? fillet : Carrier.Displaced(_path.Motions[motion], WishOf(motion))!.Value;
 
     private NcRefusal At(in NcMotion motion, string code, string message) => NcRefusal.At(_path.Program, motion.Block, code, message);
 }
