@@ -39,12 +39,17 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
             var (start, unknown) = StartOf(index, m.Flags);
             var setting = _settings[m.Setting];
             var arc = m.Arc < 0 ? default : _arcs[m.Arc];
-            return new(m.Block, m.Kind, m.Plane, m.Flags, start, m.End, arc.Center, arc.Turns, setting.Feed, setting.Frame, unknown, m.UnknownEnd);
+            return new(m.Block, m.Kind, m.Plane, m.Flags, unknown.KnownPartOf(start), m.UnknownEnd.KnownPartOf(m.End), arc.Center, arc.Turns, setting.Feed, setting.Frame, unknown, m.UnknownEnd);
         }
     }
 
     /// <summary>The block of a motion, without the rest.</summary>
     public int BlockOf(int index) => _motions[index].Block;
+
+    /// <summary>
+    /// Where a motion ends on a control that begins at the origin with all offsets zero: the same as <see cref="NcMotion.End"/> where the program says it, a stand-in where only the machine knows.
+    /// </summary>
+    public Point3 AssumedEnd(int index) => _motions[index].End;
 
     /// <summary>Walks over all motions.</summary>
     public IEnumerator<NcMotion> GetEnumerator()
@@ -57,7 +62,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
-    /// <summary>Appends a motion. Coordinates that are not known read as zero.</summary>
+    /// <summary>Appends a motion. Coordinates that are not known are kept as they would be on a control that begins at the origin.</summary>
     internal void Add(in NcMotion motion)
     {
         var setting = new MotionSetting(motion.Feed, motion.Frame);
@@ -75,7 +80,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
 
         var index = Length;
         var flags = motion.Flags & ~MotionFlags.StartsElsewhere;
-        var start = motion.UnknownStart.KnownPartOf(motion.Start);
+        var start = motion.Start;
         if ((start, motion.UnknownStart) != StartOf(index, flags))
         {
             flags |= MotionFlags.StartsElsewhere;
@@ -85,7 +90,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         HasPoints |= PathWithoutPoints.IsPoint(motion);
         FollowBlocks &= motion.Block >= _lastBlock;
         _lastBlock = motion.Block;
-        _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.UnknownEnd.KnownPartOf(motion.End), motion.UnknownEnd, _settings.Count - 1, arc));
+        _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.End, motion.UnknownEnd, _settings.Count - 1, arc));
     }
 
     /// <summary>Moves the end of the motion that was added last; what follows begins there.</summary>
