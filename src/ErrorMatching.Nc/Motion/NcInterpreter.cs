@@ -21,6 +21,7 @@ public sealed partial class NcInterpreter
     private readonly NcMotions _motions;
     private readonly uint _otherAxes;
     private readonly uint _unknownLetters;
+    private readonly uint _straightLetters;
     private ModalState _state = ModalState.Initial;
 
     // The block that motions belong to: the one being executed, or the one in this file that called a program of another file.
@@ -40,6 +41,8 @@ public sealed partial class NcInterpreter
             _otherAxes |= role == LetterRole.OtherAxis ? BlockWords.Bit(letter) : 0;
             _unknownLetters |= role == LetterRole.Unknown ? BlockWords.Bit(letter) : 0;
         }
+
+        _straightLetters = StraightLetters & ~(_otherAxes | _unknownLetters);
     }
 
     private enum AxisUse

@@ -1,4 +1,5 @@
 using System.Collections;
+using System.Runtime.CompilerServices;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
@@ -11,6 +12,8 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     private readonly Chunks<StoredArc> _arcs;
     private readonly Dictionary<int, (Point3 Place, AxisSet Unknown)> _starts = [];
     private int _lastBlock = -1;
+    private double _feed;
+    private int _frame;
 
     internal NcMotions(NcMotions? like = null)
     {
@@ -51,6 +54,68 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     /// </summary>
     public Point3 AssumedEnd(int index) => _motions[index].End;
 
+    /// <summary>Where a motion ends, without the rest. Coordinates that are not known read as zero.</summary>
+    internal Point3 EndOf(int index)
+    {
+        ref readonly var m = ref _motions[index];
+        return m.UnknownEnd.KnownPartOf(m.End);
+    }
+
+    /// <summary>Where a motion begins, without the rest. Coordinates that are not known read as zero.</summary>
+    internal Point3 StartOf(int index)
+    {
+        var (place, unknown) = StartOf(index, _motions[index].Flags);
+        return unknown.KnownPartOf(place);
+    }
+
+    /// <summary>True if a motion is a cut that moves in its plane and switches no compensation, as all of a contour are.</summary>
+    internal bool IsContour(int index)
+    {
+        ref readonly var m = ref _motions[index];
+        return m.Kind is MotionKind.Line or MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise && (m.Flags & MotionFlags.CompensationSwitches) == MotionFlags.None && MovesInPlane(index);
+    }
+
+    /// <summary>The same as of the motion itself.</summary>
+    internal bool MovesInPlane(int index)
+    {
+        ref readonly var m = ref _motions[index];
+        if (m.Kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
+        {
+            return true;
+        }
+
+        var (start, unknown) = StartOf(index, m.Flags);
+        return m.Plane.Project(unknown.KnownPartOf(start)) != m.Plane.Project(m.UnknownEnd.KnownPartOf(m.End)) || ((unknown ^ m.UnknownEnd) & m.Plane.Axes()) != AxisSet.None;
+    }
+
+    /// <summary>True if two motions have one plane and one frame, so that their places can be compared.</summary>
+    internal bool IsComparable(int index, int other)
+    {
+        ref readonly var a = ref _motions[index];
+        ref readonly var b = ref _motions[other];
+        return a.Plane == b.Plane && (a.Setting == b.Setting || _settings[a.Setting].Frame == _settings[b.Setting].Frame);
+    }
+
+    /// <summary>True if a motion is the same in another list, to the last bit of each of its values, but for the lines that were inserted before its block.</summary>
+    internal bool SameAt(NcMotions other, int index, int linesBefore)
+    {
+        ref readonly var a = ref _motions[index];
+        ref readonly var b = ref other._motions[index];
+        if (!a.SameAs(b) || a.Block + linesBefore != b.Block || _settings[a.Setting] != other._settings[b.Setting] || (a.Arc < 0) != (b.Arc < 0))
+        {
+            return false;
+        }
+
+        if (a.Arc >= 0 && _arcs[a.Arc] != other._arcs[b.Arc])
+        {
+            return false;
+        }
+
+        return (a.Flags & MotionFlags.StartsElsewhere) != MotionFlags.None
+            ? _starts[index] == other._starts[index]
+            : index == 0 || _motions[index - 1].SameEnd(other._motions[index - 1]);
+    }
+
     /// <summary>Walks over all motions.</summary>
     public IEnumerator<NcMotion> GetEnumerator()
     {
@@ -65,12 +130,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     /// <summary>Appends a motion. Coordinates that are not known are kept as they would be on a control that begins at the origin.</summary>
     internal void Add(in NcMotion motion)
     {
-        var setting = new MotionSetting(motion.Feed, motion.Frame);
-        if (_settings.Count == 0 || _settings[^1] != setting)
-        {
-            _settings.Add(setting);
-        }
-
+        var setting = SettingOf(motion.Feed, motion.Frame);
         var arc = -1;
         if (motion.IsArc)
         {
@@ -90,7 +150,26 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         HasPoints |= PathWithoutPoints.IsPoint(motion);
         FollowBlocks &= motion.Block >= _lastBlock;
         _lastBlock = motion.Block;
-        _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.End, motion.UnknownEnd, _settings.Count - 1, arc));
+        _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.End, motion.UnknownEnd, setting, arc));
+    }
+
+    /// <summary>Appends a straight move from where the tool is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    internal void AddStraight(int block, in ModalState state, MotionFlags flags, Point3 end, AxisSet unknownEnd)
+    {
+        var index = Length;
+        var start = state.Position;
+        var (before, unknownBefore) = StartOf(index, flags);
+        if (start != before || state.Unknown != unknownBefore)
+        {
+            flags |= MotionFlags.StartsElsewhere;
+            _starts[index] = (start, state.Unknown);
+        }
+
+        HasPoints |= state.Mode == MotionKind.Line && start == end;
+        FollowBlocks &= block >= _lastBlock;
+        _lastBlock = block;
+        _motions.Add(new(block, state.Mode, state.Plane, flags, end, unknownEnd, SettingOf(state.Feed, state.Frame), -1));
     }
 
     /// <summary>Moves the end of the motion that was added last; what follows begins there.</summary>
@@ -98,6 +177,17 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     {
         ref var last = ref _motions[Length - 1];
         (last.X, last.Y, last.Z) = (end.X, end.Y, end.Z);
+    }
+
+    private int SettingOf(double feed, int frame)
+    {
+        if (_settings.Count == 0 || _feed != feed || _frame != frame)
+        {
+            (_feed, _frame) = (feed, frame);
+            _settings.Add(new(feed, frame));
+        }
+
+        return _settings.Count - 1;
     }
 
     private (Point3 Place, AxisSet Unknown) StartOf(int index, MotionFlags flags)
