@@ -32,9 +32,11 @@ public sealed partial class NcInterpreter
         var before = _motions[_motions.Length - 1];
         value *= _state.Inch ? MmPerInch : 1;
         var isCut = kind is MotionKind.Line or MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise;
-        var height = plane.Height(_state.Position);
-        var behind = new NcMotion(_block, kind, plane, flags, _state.Position, end, center ?? default, 0, 0, _state.Frame, _state.Unknown, unknownEnd);
-        if (!isCut || !before.MovesInPlane || !behind.MovesInPlane || _frame is not null || !(value > 0) || before.Plane != plane || !before.IsKnownInPlane || !behind.IsKnownInPlane || before.Has(MotionFlags.BadArc) || plane.Height(end) != height
+        var (start, unknownStart) = Work(_state.Position, _state.Unknown);
+        var (to, unknownTo) = Work(end, unknownEnd);
+        var height = plane.Height(start);
+        var behind = new NcMotion(_block, kind, plane, flags, start, to, center ?? default, 0, 0, _state.Frame, unknownStart, unknownTo);
+        if (!isCut || !before.MovesInPlane || !behind.MovesInPlane || !(_frame?.OnCircles(plane).StayCircles ?? true) || !(value > 0) || before.Plane != plane || !before.IsKnownInPlane || !behind.IsKnownInPlane || before.Has(MotionFlags.BadArc) || plane.Height(to) != height
             || Between(before, behind, letter, value) is not { } corner)
         {
             Problem("corner-word", "The corner word of the block before cannot be followed here: it needs two cuts in one plane that are long enough for it.", MotionFlags.None);
@@ -45,10 +47,12 @@ public sealed partial class NcInterpreter
         var block = _block;
         _block = before.Block;
         _motions.MoveLastEnd(plane.Lift(corner.Start, height));
-        _state.Position = plane.Lift(corner.Start, height);
-        Append(corner.Kind, MotionFlags.CornerWord, plane.Lift(corner.End, height), AxisSet.None, corner.Center);
+        SetWork(plane.Lift(corner.Start, height), AxisSet.None);
+        Append(corner.Kind, MotionFlags.CornerWord, Programmed(plane.Lift(corner.End, height)), AxisSet.None, corner.Center);
         _block = block;
     }
+
+    private Point3 Programmed(Point3 work) => _inverse?.Apply(work) ?? work;
 
     private void Unknow(CoordinatePlane plane) => _state.Unknown |= plane.Axes();
 

@@ -10,12 +10,16 @@ namespace ErrorMatching.Nc;
 /// </content>
 public sealed partial class NcInterpreter
 {
-    private NcToken? _modalCycle;
-    private NcToken? _cycleCall;
+    private CycleCall? _modalCycle;
+    private CycleCall? _cycleCall;
     private bool _nextCycleIsModal;
 
-    private void CallCycle(NcToken call)
+    // A cycle with the values that its arguments have where it stands; a modal one keeps them.
+    private sealed record CycleCall(string Name, List<double?> Arguments);
+
+    private void CallCycle(NcToken token)
     {
+        var call = new CycleCall(Encoding.ASCII.GetString(NameOf(token)).ToUpperInvariant(), ArgumentsOf(token));
         if (_nextCycleIsModal)
         {
             (_modalCycle, _nextCycleIsModal) = (call, false);
@@ -38,11 +42,10 @@ public sealed partial class NcInterpreter
         _nextCycleIsModal = false;
     }
 
-    private void RunCycle(NcToken call)
+    private void RunCycle(CycleCall call)
     {
-        var name = NameOf(call);
-        var number = name.Length > 5 && Ascii.EqualsIgnoreCase(name[..5], "CYCLE"u8) && int.TryParse(name[5..], NumberStyles.None, CultureInfo.InvariantCulture, out var n) ? n : 0;
-        var arguments = ArgumentsOf(call);
+        var (name, arguments) = call;
+        var number = name.StartsWith("CYCLE", StringComparison.Ordinal) && int.TryParse(name.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var n) ? n : 0;
         var plane = _state.Plane;
         var toolAxis = AxisSet.All & ~plane.Axes();
         var (top, reference, safety) = (Argument(arguments, 0), Argument(arguments, 1), Argument(arguments, 2) ?? 0);
@@ -63,7 +66,7 @@ public sealed partial class NcInterpreter
             return;
         }
 
-        Note("cycle-not-followed", $"{Encoding.ASCII.GetString(name).ToUpperInvariant()} is not followed: what it does is the control's affair.");
+        Note("cycle-not-followed", $"{name} is not followed: what it does is the control's affair.");
         var isPattern = number is 0 or >= 800 or < 81;
         var height = top is { } known && !double.IsNaN(known) && !isPattern ? known : plane.Height(_state.Position);
         var unknown = isPattern ? AxisSet.All : top is null || double.IsNaN(top.Value) ? _state.Unknown | toolAxis : _state.Unknown & ~toolAxis;

@@ -99,7 +99,11 @@ public sealed partial class NcInterpreter
                 ReturnToReference(flags);
                 break;
             case AxisUse.Origin:
-                DependOnPlace();
+                if (_code is NcMeaning.SetPosition or NcMeaning.SetOffset or NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.OpaqueTransform)
+                {
+                    DependOnPlace();
+                }
+
                 SetOrigin(_code);
                 break;
         }

@@ -42,18 +42,31 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
             var (start, unknown) = StartOf(index, m.Flags);
             var setting = _settings[m.Setting];
             var arc = m.Arc < 0 ? default : _arcs[m.Arc];
-            return new(m.Block, m.Kind, m.Plane, m.Flags, start, m.End, arc.Center, arc.Turns, setting.Feed, setting.Frame, unknown, m.UnknownEnd);
+            return new(m.Block, m.Kind, m.Plane, m.Flags, unknown.KnownPartOf(start), m.UnknownEnd.KnownPartOf(m.End), arc.Center, arc.Turns, setting.Feed, setting.Frame, unknown, m.UnknownEnd);
         }
     }
 
     /// <summary>The block of a motion, without the rest.</summary>
     public int BlockOf(int index) => _motions[index].Block;
 
-    /// <summary>Where a motion ends, without the rest. Coordinates that are not known read as zero.</summary>
-    internal Point3 EndOf(int index) => _motions[index].End;
+    /// <summary>
+    /// Where a motion ends on a control that begins at the origin with all offsets zero: the same as <see cref="NcMotion.End"/> where the program says it, a stand-in where only the machine knows.
+    /// </summary>
+    public Point3 AssumedEnd(int index) => _motions[index].End;
 
-    /// <summary>Where a motion begins, without the rest.</summary>
-    internal Point3 StartOf(int index) => StartOf(index, _motions[index].Flags).Place;
+    /// <summary>Where a motion ends, without the rest. Coordinates that are not known read as zero.</summary>
+    internal Point3 EndOf(int index)
+    {
+        ref readonly var m = ref _motions[index];
+        return m.UnknownEnd.KnownPartOf(m.End);
+    }
+
+    /// <summary>Where a motion begins, without the rest. Coordinates that are not known read as zero.</summary>
+    internal Point3 StartOf(int index)
+    {
+        var (place, unknown) = StartOf(index, _motions[index].Flags);
+        return unknown.KnownPartOf(place);
+    }
 
     /// <summary>True if a motion is a cut that moves in its plane and switches no compensation, as all of a contour are.</summary>
     internal bool IsContour(int index)
@@ -71,20 +84,17 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
             return true;
         }
 
-        if (index > 0 && (m.Flags & MotionFlags.StartsElsewhere) == MotionFlags.None)
+        if (m.Plane == CoordinatePlane.XY && index > 0 && (m.Flags & MotionFlags.StartsElsewhere) == MotionFlags.None)
         {
             ref readonly var before = ref _motions[index - 1];
-            return Differ(m.Plane, before.X - m.X, before.Y - m.Y, before.Z - m.Z, before.UnknownEnd ^ m.UnknownEnd);
+            if ((before.UnknownEnd | m.UnknownEnd) == AxisSet.None)
+            {
+                return before.X != m.X || before.Y != m.Y;
+            }
         }
 
         var (start, unknown) = StartOf(index, m.Flags);
-        return Differ(m.Plane, start.X - m.X, start.Y - m.Y, start.Z - m.Z, unknown ^ m.UnknownEnd);
-    }
-
-    private static bool Differ(CoordinatePlane plane, double x, double y, double z, AxisSet unknown)
-    {
-        var inPlane = plane switch { CoordinatePlane.ZX => z != 0 || x != 0, CoordinatePlane.YZ => y != 0 || z != 0, _ => x != 0 || y != 0 };
-        return inPlane || (unknown & plane.Axes()) != AxisSet.None;
+        return m.Plane.Project(unknown.KnownPartOf(start)) != m.Plane.Project(m.UnknownEnd.KnownPartOf(m.End)) || ((unknown ^ m.UnknownEnd) & m.Plane.Axes()) != AxisSet.None;
     }
 
     /// <summary>True if two motions have one plane and one frame, so that their places can be compared.</summary>
@@ -126,7 +136,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
-    /// <summary>Appends a motion. Coordinates that are not known read as zero.</summary>
+    /// <summary>Appends a motion. Coordinates that are not known are kept as they would be on a control that begins at the origin.</summary>
     internal void Add(in NcMotion motion)
     {
         var setting = SettingOf(motion.Feed, motion.Frame);
@@ -139,7 +149,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
 
         var index = Length;
         var flags = motion.Flags & ~MotionFlags.StartsElsewhere;
-        var start = motion.UnknownStart.KnownPartOf(motion.Start);
+        var start = motion.Start;
         if ((start, motion.UnknownStart) != StartOf(index, flags))
         {
             flags |= MotionFlags.StartsElsewhere;
@@ -149,10 +159,10 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         HasPoints |= PathWithoutPoints.IsPoint(motion);
         FollowBlocks &= motion.Block >= _lastBlock;
         _lastBlock = motion.Block;
-        _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.UnknownEnd.KnownPartOf(motion.End), motion.UnknownEnd, setting, arc));
+        _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.End, motion.UnknownEnd, setting, arc));
     }
 
-    /// <summary>Appends a straight move from where the tool is. Coordinates that are not known read as zero.</summary>
+    /// <summary>Appends a straight move from where the tool is.</summary>
     internal void AddStraight(int block, in ModalState state, MotionFlags flags, in Point3 end, AxisSet unknownEnd)
     {
         if (Length == 0 || (state.Unknown | unknownEnd) != AxisSet.None || !StartsAtLast(state.Position))
