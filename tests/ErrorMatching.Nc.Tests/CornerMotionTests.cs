@@ -37,7 +37,9 @@ public sealed class CornerMotionTests
     [InlineData("TRANS X100\nG1 X0 Y0 F100\nX10 RND=2\nY10", "L100,0,0 L108,0,0 CCW110,2,0@108,2 L110,10,0")]
     [InlineData("TRANS X100\nG1 X0 Y0 F100\nG1 X10\nCT X15 Y5", "L100,0,0 L110,0,0 CCW115,5,0@110,5")]
     [InlineData("G1 X10 RND=2 F100\nTRANS X5\nY10", "L10,0,0 L?,10,0")]
-    [InlineData("SCALE X2 Y2\nG1 X0 Y0 F100\nX10 RND=2\nY10", "L0,0,0 L20,0,0 L20,20,0")]
+    [InlineData("SCALE X2 Y2\nG1 X0 Y0 F100\nX10 RND=2\nY10", "L0,0,0 L16,0,0 CCW20,4,0@16,4 L20,20,0")]
+    [InlineData("ROT RPL=90\nG1 X0 Y0 F100\nX10 RND=2\nY10", "L0,0,0 L0,8,0 CCW-2,10,0@-2,8 L-10,10,0")]
+    [InlineData("MIRROR X0\nG1 X0 Y0 F100\nX10 RND=2\nY10", "L0,0,0 L-8,0,0 CW-10,2,0@-8,2 L-10,10,0")]
     public void Siemens(string program, string moves) => Assert.Equal(moves, Moves.Of("siemens-840d", program));
 
     [Fact]

@@ -25,7 +25,6 @@ public sealed class RefusalTests
         { NcRefusalCodes.FrameChange, "N10 G1 X10. F100\nG92 X0. Y0.\nN30 G1 Y10.\n", "N10", 4, "line 4" },
         { NcRefusalCodes.MissingProgram, "N10 G1 X10. F100\nM98 P7\nG90 G17 G40 G0 X0. Y0. Z0.\n", "N10", 4, "line 4" },
         { NcRefusalCodes.FrameChange, "N10 G1 X10. F100\nG92 X0. Y0.\nG0 X5. Y5.\n", "N10", 4, "line 4" },
-        { NcRefusalCodes.FrameChange, "N10 G1 X10. F100\nG52 X5. Y5.\nN30 G0 X0. Y0. Z0.\n", "N10", 4, "line 4" },
         { NcRefusalCodes.BadArc, "N10 G2 X10. Y0. I3. J0. F100\n", "N10", 3, "N10" },
         { NcRefusalCodes.ElementFlips, "N10 G1 X10. F100\nN20 G3 X10. Y0.2 I0. J0.1\nN30 G1 X0. Y0.2\n", "N10..N30", 4, "N20" },
         { NcRefusalCodes.NoIntersection, "N10 G1 X10. F100\nN20 X-10. Y0.001\n", "N10..N20", 4, "N20" },

@@ -22,20 +22,17 @@ internal static class OutcomeWriter
                 break;
             case Answer answer:
                 answer.WriteText(new Page(terminal.Output, terminal.HasColor));
+                WriteErrors(terminal, answer.Failure);
                 break;
             case Failure { Exit: not ExitCode.Cancelled } failure when isJson:
                 terminal.Output.Write(Encoding.UTF8.GetString(Json(ErrorSchema, json => WriteErrors(json, failure))));
                 break;
             case Failure failure:
-                foreach (var error in failure.Errors)
-                {
-                    terminal.Error.Write(Place(error) + (error.Problem ?? error.Message) + "\n");
-                }
-
+                WriteErrors(terminal, failure);
                 break;
         }
 
-        return (outcome as Failure)?.Exit ?? ExitCode.Done;
+        return (outcome as Failure ?? (outcome as Answer)?.Failure)?.Exit ?? ExitCode.Done;
     }
 
     /// <summary>A JSON document: UTF-8 without a byte order mark, with a line end behind it.</summary>
@@ -54,7 +51,16 @@ internal static class OutcomeWriter
         return stream.ToArray();
     }
 
-    private static void WriteErrors(Utf8JsonWriter json, Failure failure)
+    private static void WriteErrors(Terminal terminal, Failure? failure)
+    {
+        foreach (var error in failure?.Errors ?? [])
+        {
+            terminal.Error.Write(Place(error) + (error.Problem ?? error.Message) + "\n");
+        }
+    }
+
+    /// <summary>Writes the members <c>exit</c> and <c>errors</c>.</summary>
+    public static void WriteErrors(Utf8JsonWriter json, Failure failure)
     {
         json.WriteNumber("exit", (int)failure.Exit);
         json.WriteStartArray("errors");

@@ -11,6 +11,9 @@ namespace ErrorMatching.Mating;
 /// <param name="Line">Its line in the program, from 1; 0 if none is.</param>
 public sealed record MatingRefusal(string Code, string Message, string? Feature = null, string? Point = null, string? Block = null, int Line = 0)
 {
+    /// <summary>Why a program could not be followed to its end, or null.</summary>
+    internal static MatingRefusal? OfPath(NcPath path) => path.Refusal is { } refusal ? Of(refusal) : null;
+
     internal static MatingRefusal Of(NcRefusal refusal, string? feature = null) => new(
         refusal.Code,
         feature is null ? refusal.Message : $"{feature}: {refusal.Message}",

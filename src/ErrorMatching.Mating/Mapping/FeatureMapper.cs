@@ -125,6 +125,7 @@ internal static class FeatureMapper
     private static (string Code, string Message)? Unplaceable(in NcMotion motion, CoordinatePlane plane) => motion switch
     {
         _ when motion.Has(MotionFlags.Expression) => (NcRefusalCodes.Expression, "the control computes where it goes (variable or expression). Post plain numbers for the blocks of a feature."),
+        _ when motion.Has(MotionFlags.Transformed) => (NcRefusalCodes.ActiveTransform, "rotation, scaling, mirroring or polar coordinates are active. Post the program without them."),
         _ when motion.Plane != plane => (PlaneDiffers, $"it cuts in the plane {motion.Plane}, the feature lies in {plane}. Set \"plane\" in the job."),
         _ when !motion.IsKnownInPlane => (NcRefusalCodes.UnknownState, "the program does not say where this motion begins or ends. State X, Y and Z before it."),
         _ when motion.Has(MotionFlags.BadArc) => (NcRefusalCodes.BadArc, "its words describe no circle within the control's tolerance."),

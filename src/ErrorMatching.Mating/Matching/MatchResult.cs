@@ -32,5 +32,5 @@ public sealed record MatchResult(
 
     /// <summary>What was asked, as a file from which the proof can be made again; it asks for nothing where nothing is compensated.</summary>
     public WishFile WishFile() => Nc.WishFile.Of(
-        Before, Wish ?? DisplacementWish.OfElements([]), Rewrite?.LeastIncrementMm ?? Math.Pow(10, -Before.Dialect.MetricDecimals), Marker?.Text);
+        Before, Wish ?? DisplacementWish.OfElements([]), Rewrite?.LeastIncrementMm ?? Math.Pow(10, -Before.Dialect.MetricDecimals), Marker?.TextIn(Before.Dialect.Syntax));
 }

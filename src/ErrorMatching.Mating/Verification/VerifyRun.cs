@@ -20,7 +20,7 @@ public static class VerifyRun
         var job = input.Job;
         var path = NcInterpreter.Run(NcProgram.Read(input.Program), input.OwnDialect ?? NcDialects.Named(job.Counterpart.Dialect));
         IReadOnlyList<FeatureMap> maps = [];
-        if ((OriginCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After) ?? AlignedMeasurement.Check(job) ?? FeatureMapper.Map(job, path, input.Theoretical, out maps)) is { } refusal)
+        if ((MatingRefusal.OfPath(path) ?? OriginCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After) ?? AlignedMeasurement.Check(job) ?? FeatureMapper.Map(job, path, input.Theoretical, out maps)) is { } refusal)
         {
             refusals = [refusal];
             return null;

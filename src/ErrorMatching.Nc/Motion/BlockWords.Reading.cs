@@ -10,7 +10,7 @@ internal sealed partial class BlockWords
     /// <summary>As many digits as a double holds exactly.</summary>
     private const int ExactDigits = 15;
 
-    private static readonly double[] Powers = [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
+    private static ReadOnlySpan<double> Powers => [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
     /// <summary>Reads a block of plain words in one pass; false where it has anything else.</summary>
     public bool TryReadPlain(ReadOnlySpan<byte> text, NcSyntax syntax)
@@ -23,20 +23,22 @@ internal sealed partial class BlockWords
     private bool ReadPlain(ReadOnlySpan<byte> text, bool spacesInNumbers)
     {
         var at = 0;
+        var (present, repeated, integers) = (0u, 0u, 0u);
         while (true)
         {
-            while (at < text.Length && text[at] == ' ')
+            while ((uint)at < (uint)text.Length && text[at] == ' ')
             {
                 at++;
             }
 
-            if (at >= text.Length)
+            if ((uint)at >= (uint)text.Length)
             {
+                (Present, Repeated, Integers) = (present, repeated, integers);
                 return true;
             }
 
             var letter = (text[at++] | 0x20) - 'a';
-            if ((uint)letter >= 26 || at >= text.Length)
+            if ((uint)letter >= 26 || (uint)at >= (uint)text.Length)
             {
                 return false;
             }
@@ -46,17 +48,17 @@ internal sealed partial class BlockWords
             var first = at;
             long digits = 0;
             uint digit;
-            while (at < text.Length && (digit = (uint)text[at] - '0') < 10)
+            while ((uint)at < (uint)text.Length && (digit = (uint)text[at] - '0') < 10)
             {
                 digits = (digits * 10) + digit;
                 at++;
             }
 
             var (count, decimals) = (at - first, -1);
-            if (at < text.Length && text[at] == '.')
+            if ((uint)at < (uint)text.Length && text[at] == '.')
             {
                 first = ++at;
-                while (at < text.Length && (digit = (uint)text[at] - '0') < 10)
+                while ((uint)at < (uint)text.Length && (digit = (uint)text[at] - '0') < 10)
                 {
                     digits = (digits * 10) + digit;
                     at++;
@@ -81,7 +83,11 @@ internal sealed partial class BlockWords
                     AddFunction(digits, Math.Max(0, decimals));
                     break;
                 default:
-                    AddNumber(letter, decimals > 0 ? digits / Powers[decimals] : digits, decimals < 0);
+                    var bit = 1u << letter;
+                    repeated |= present & bit;
+                    present |= bit;
+                    integers |= decimals < 0 ? bit : 0;
+                    _values[letter] = decimals > 0 ? digits / Powers[decimals] : digits;
                     break;
             }
         }

@@ -155,9 +155,11 @@ public sealed partial class NcInterpreter
 
     private FoundArc Tangent(Point2 start, Point2 end, bool isKnown)
     {
-        if (_motions.Length > 0 && _motions[_motions.Length - 1] is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } before && _frame is null or { ShiftOnly: not null })
+        if (_motions.Length > 0 && _motions[_motions.Length - 1] is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } before && (_frame?.OnCircles(_state.Plane).StayCircles ?? true))
         {
-            var tangent = before.TangentAt(1);
+            var plane = _state.Plane;
+            var direction = plane.Lift(Point2.Origin + before.TangentAt(1), 0) - default(Point3);
+            var tangent = (plane.Project(default(Point3) + (_inverse?.Turn(direction) ?? direction)) - Point2.Origin).Normalize();
             var chord = end - start;
             var side = tangent.Cross(chord);
             if (Math.Abs(side) > 1e-9 * chord.Length)

@@ -10,13 +10,8 @@ public sealed partial class NcInterpreter
     private void KeepCorner(MotionKind kind)
     {
         var letter = _words.Corner;
-        if (letter == 'M')
-        {
-            _state.ModalRounding = CornerLength();
-        }
-
         var inPlane = kind is MotionKind.Line or MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise;
-        _corner = !inPlane ? default : letter is (byte)'R' or (byte)'C' or (byte)'F' ? (letter, CornerLength()) : _state.ModalRounding > 0 ? ((byte)'R', _state.ModalRounding) : default;
+        _corner = !inPlane ? default : letter is (byte)'R' or (byte)'C' or (byte)'F' ? (letter, CornerLength()) : _state.ModalRounding != 0 ? ((byte)'R', _state.ModalRounding) : default;
     }
 
     private double CornerLength() => _words.CornerValue / (_dialect.IntegersAreIncrements && _words.CornerIsInteger ? Math.Pow(10, LeastDecimals) : 1);
@@ -41,8 +36,8 @@ public sealed partial class NcInterpreter
         var before = _motions[_motions.Length - 1];
         var behind = new NcMotion(_block, kind, plane, flags, Work(_state.Position, AxisSet.None).Place, Work(end, AxisSet.None).Place, center ?? default, 0, 0, _state.Frame, _state.Unknown, unknownEnd);
         var isPlain = behind is { IsCut: true, MovesInPlane: true, IsKnownInPlane: true } && before is { MovesInPlane: true, IsKnownInPlane: true } && !before.Has(MotionFlags.BadArc) && !flags.HasFlag(MotionFlags.BadArc);
-        var isLevel = before.Plane == plane && before.Frame == behind.Frame && plane.Height(behind.End) == plane.Height(behind.Start) && _frame is null or { ShiftOnly: not null };
-        value *= _state.Inch ? MmPerInch : 1;
+        var isLevel = before.Plane == plane && before.Frame == behind.Frame && plane.Height(behind.End) == plane.Height(behind.Start) && (_frame?.OnCircles(plane).StayCircles ?? true);
+        value *= (_state.Inch ? MmPerInch : 1) * (_frame?.FactorIn(plane) ?? 1);
         if (!isPlain || !isLevel || !(value > 0) || Between(before, behind, letter, value) is not { } corner)
         {
             LoseCorner();

@@ -62,12 +62,31 @@ public sealed partial class NcInterpreter
     {
         var bytes = _text.Bytes.Span;
         _block = ReferenceEquals(_text, _program) ? _at : _block;
-        if (_words.TryReadPlain(bytes.Slice(block.Start, block.Length), _dialect.Syntax) && !ConcernsFlow())
+        if (_words.TryReadPlain(bytes.Slice(block.Start, block.Length), _dialect.Syntax))
         {
-            Step();
-            GoOn();
+            if (TryRunStraight())
+            {
+                _at++;
+            }
+            else if (!ConcernsFlow())
+            {
+                Step();
+                GoOn();
+            }
+            else
+            {
+                RunAny(bytes, block);
+            }
         }
-        else if (FlowTrigger.Concerns(bytes.Slice(block.Start, block.Length), _dialect.Syntax) && HasStatements(block))
+        else
+        {
+            RunAny(bytes, block);
+        }
+    }
+
+    private void RunAny(ReadOnlySpan<byte> bytes, NcBlock block)
+    {
+        if (FlowTrigger.Concerns(bytes.Slice(block.Start, block.Length), _dialect.Syntax) && HasStatements(block))
         {
             RunWithFlow(block);
         }

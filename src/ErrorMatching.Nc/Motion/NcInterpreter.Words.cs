@@ -38,6 +38,7 @@ public sealed partial class NcInterpreter
 
         flags |= (_words.Computed & GeometryWords) != 0 ? MotionFlags.Expression : MotionFlags.None;
         flags |= _words.Corner != 0 ? MotionFlags.CornerWord : MotionFlags.None;
+        _state.ModalRounding = _words.Corner == 'M' ? CornerLength() : _state.ModalRounding;
         return flags | ((given & _otherAxes) != 0 ? MotionFlags.OtherAxis : MotionFlags.None);
     }
 

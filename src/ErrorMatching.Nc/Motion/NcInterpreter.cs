@@ -22,6 +22,7 @@ public sealed partial class NcInterpreter
     private readonly NcMotions _motions;
     private readonly uint _otherAxes;
     private readonly uint _unknownLetters;
+    private readonly uint _straightLetters;
     private ModalState _state = ModalState.Initial;
 
     // The block that motions belong to: the one being executed, or the one in this file that called a program of another file.
@@ -41,6 +42,8 @@ public sealed partial class NcInterpreter
             _otherAxes |= role == LetterRole.OtherAxis ? BlockWords.Bit(letter) : 0;
             _unknownLetters |= role == LetterRole.Unknown ? BlockWords.Bit(letter) : 0;
         }
+
+        _straightLetters = StraightLetters & ~(_otherAxes | _unknownLetters);
     }
 
     private enum AxisUse
@@ -103,7 +106,11 @@ public sealed partial class NcInterpreter
                 ReturnToReference(flags);
                 break;
             case AxisUse.Origin:
-                DependOnPlace();
+                if (_code is NcMeaning.SetPosition or NcMeaning.SetOffset or NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.OpaqueTransform)
+                {
+                    DependOnPlace();
+                }
+
                 SetOrigin(_code);
                 break;
         }
@@ -142,7 +149,7 @@ public sealed partial class NcInterpreter
         | (_state.AbsoluteCenters ? MotionFlags.AbsoluteCenter : MotionFlags.None)
         | _state.Compensation
         | (IsTransformed ? MotionFlags.Transformed : MotionFlags.None)
-        | (_state.ModalRounding > 0 ? MotionFlags.CornerWord : MotionFlags.None)
+        | (_state.ModalRounding != 0 ? MotionFlags.CornerWord : MotionFlags.None)
         | (_state.Unsure != Unsure.None ? MotionFlags.UnsureMode : MotionFlags.None);
 
     // After a call or an unknown statement nothing is certain until it is stated again.

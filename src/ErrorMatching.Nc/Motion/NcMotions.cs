@@ -7,10 +7,13 @@ namespace ErrorMatching.Nc;
 public sealed class NcMotions : IReadOnlyList<NcMotion>
 {
     private readonly Chunks<StoredMotion> _motions;
-    private readonly List<MotionSetting> _settings = [];
+    private MotionSetting[] _settings = new MotionSetting[16];
+    private int _settingCount;
     private readonly Chunks<StoredArc> _arcs;
     private readonly Dictionary<int, (Point3 Place, AxisSet Unknown)> _starts = [];
     private int _lastBlock = -1;
+    private double _feed;
+    private int _frame;
 
     internal NcMotions(NcMotions? like = null)
     {
@@ -39,12 +42,88 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
             var (start, unknown) = StartOf(index, m.Flags);
             var setting = _settings[m.Setting];
             var arc = m.Arc < 0 ? default : _arcs[m.Arc];
-            return new(m.Block, m.Kind, m.Plane, m.Flags, start, m.End, arc.Center, arc.Turns, setting.Feed, setting.Frame, unknown, m.UnknownEnd);
+            return new(m.Block, m.Kind, m.Plane, m.Flags, unknown.KnownPartOf(start), m.UnknownEnd.KnownPartOf(m.End), arc.Center, arc.Turns, setting.Feed, setting.Frame, unknown, m.UnknownEnd);
         }
     }
 
     /// <summary>The block of a motion, without the rest.</summary>
     public int BlockOf(int index) => _motions[index].Block;
+
+    /// <summary>
+    /// Where a motion ends on a control that begins at the origin with all offsets zero: the same as <see cref="NcMotion.End"/> where the program says it, a stand-in where only the machine knows.
+    /// </summary>
+    public Point3 AssumedEnd(int index) => _motions[index].End;
+
+    /// <summary>Where a motion ends, without the rest. Coordinates that are not known read as zero.</summary>
+    internal Point3 EndOf(int index)
+    {
+        ref readonly var m = ref _motions[index];
+        return m.UnknownEnd.KnownPartOf(m.End);
+    }
+
+    /// <summary>Where a motion begins, without the rest. Coordinates that are not known read as zero.</summary>
+    internal Point3 StartOf(int index)
+    {
+        var (place, unknown) = StartOf(index, _motions[index].Flags);
+        return unknown.KnownPartOf(place);
+    }
+
+    /// <summary>True if a motion is a cut that moves in its plane and switches no compensation, as all of a contour are.</summary>
+    internal bool IsContour(int index)
+    {
+        ref readonly var m = ref _motions[index];
+        return m.Kind is MotionKind.Line or MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise && (m.Flags & MotionFlags.CompensationSwitches) == MotionFlags.None && MovesInPlane(index);
+    }
+
+    /// <summary>The same as of the motion itself.</summary>
+    internal bool MovesInPlane(int index)
+    {
+        ref readonly var m = ref _motions[index];
+        if (m.Kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
+        {
+            return true;
+        }
+
+        if (m.Plane == CoordinatePlane.XY && index > 0 && (m.Flags & MotionFlags.StartsElsewhere) == MotionFlags.None)
+        {
+            ref readonly var before = ref _motions[index - 1];
+            if ((before.UnknownEnd | m.UnknownEnd) == AxisSet.None)
+            {
+                return before.X != m.X || before.Y != m.Y;
+            }
+        }
+
+        var (start, unknown) = StartOf(index, m.Flags);
+        return m.Plane.Project(unknown.KnownPartOf(start)) != m.Plane.Project(m.UnknownEnd.KnownPartOf(m.End)) || ((unknown ^ m.UnknownEnd) & m.Plane.Axes()) != AxisSet.None;
+    }
+
+    /// <summary>True if two motions have one plane and one frame, so that their places can be compared.</summary>
+    internal bool IsComparable(int index, int other)
+    {
+        ref readonly var a = ref _motions[index];
+        ref readonly var b = ref _motions[other];
+        return a.Plane == b.Plane && (a.Setting == b.Setting || _settings[a.Setting].Frame == _settings[b.Setting].Frame);
+    }
+
+    /// <summary>True if a motion is the same in another list, to the last bit of each of its values, but for the lines that were inserted before its block.</summary>
+    internal bool SameAt(NcMotions other, int index, int linesBefore)
+    {
+        ref readonly var a = ref _motions[index];
+        ref readonly var b = ref other._motions[index];
+        if (!a.SameAs(b) || a.Block + linesBefore != b.Block || !_settings[a.Setting].SameAs(other._settings[b.Setting]) || (a.Arc < 0) != (b.Arc < 0))
+        {
+            return false;
+        }
+
+        if (a.Arc >= 0 && _arcs[a.Arc] != other._arcs[b.Arc])
+        {
+            return false;
+        }
+
+        return (a.Flags & MotionFlags.StartsElsewhere) != MotionFlags.None
+            ? _starts[index] == other._starts[index]
+            : index == 0 || _motions[index - 1].SameEnd(other._motions[index - 1]);
+    }
 
     /// <summary>Walks over all motions.</summary>
     public IEnumerator<NcMotion> GetEnumerator()
@@ -57,15 +136,10 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
-    /// <summary>Appends a motion. Coordinates that are not known read as zero.</summary>
+    /// <summary>Appends a motion. Coordinates that are not known are kept as they would be on a control that begins at the origin.</summary>
     internal void Add(in NcMotion motion)
     {
-        var setting = new MotionSetting(motion.Feed, motion.Frame);
-        if (_settings.Count == 0 || _settings[^1] != setting)
-        {
-            _settings.Add(setting);
-        }
-
+        var setting = SettingOf(motion.Feed, motion.Frame);
         var arc = -1;
         if (motion.IsArc)
         {
@@ -75,7 +149,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
 
         var index = Length;
         var flags = motion.Flags & ~MotionFlags.StartsElsewhere;
-        var start = motion.UnknownStart.KnownPartOf(motion.Start);
+        var start = motion.Start;
         if ((start, motion.UnknownStart) != StartOf(index, flags))
         {
             flags |= MotionFlags.StartsElsewhere;
@@ -85,7 +159,28 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         HasPoints |= PathWithoutPoints.IsPoint(motion);
         FollowBlocks &= motion.Block >= _lastBlock;
         _lastBlock = motion.Block;
-        _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.UnknownEnd.KnownPartOf(motion.End), motion.UnknownEnd, _settings.Count - 1, arc));
+        _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.End, motion.UnknownEnd, setting, arc));
+    }
+
+    /// <summary>Appends a straight move from where the tool is.</summary>
+    internal void AddStraight(int block, in ModalState state, MotionFlags flags, in Point3 end, AxisSet unknownEnd)
+    {
+        if (Length == 0 || (state.Unknown | unknownEnd) != AxisSet.None || !StartsAtLast(state.Position))
+        {
+            Add(new(block, state.Mode, state.Plane, flags, state.Position, end, default, 0, state.Feed, state.Frame, state.Unknown, unknownEnd));
+            return;
+        }
+
+        HasPoints |= state.Mode == MotionKind.Line && state.Position.X == end.X && state.Position.Y == end.Y && state.Position.Z == end.Z;
+        FollowBlocks &= block >= _lastBlock;
+        _lastBlock = block;
+        _motions.Add(new(block, state.Mode, state.Plane, flags, end, AxisSet.None, SettingOf(state.Feed, state.Frame), -1));
+    }
+
+    private bool StartsAtLast(in Point3 place)
+    {
+        ref readonly var last = ref _motions[Length - 1];
+        return last.X == place.X && last.Y == place.Y && last.Z == place.Z && last.UnknownEnd == AxisSet.None;
     }
 
     /// <summary>Moves the end of the motion that was added last; what follows begins there.</summary>
@@ -93,6 +188,22 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     {
         ref var last = ref _motions[Length - 1];
         (last.X, last.Y, last.Z) = (end.X, end.Y, end.Z);
+    }
+
+    private int SettingOf(double feed, int frame)
+    {
+        if (_settingCount == 0 || _feed != feed || _frame != frame)
+        {
+            (_feed, _frame) = (feed, frame);
+            if (_settingCount == _settings.Length)
+            {
+                Array.Resize(ref _settings, _settingCount * 2);
+            }
+
+            _settings[_settingCount++] = new(feed, frame);
+        }
+
+        return _settingCount - 1;
     }
 
     private (Point3 Place, AxisSet Unknown) StartOf(int index, MotionFlags flags)

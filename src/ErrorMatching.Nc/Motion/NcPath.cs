@@ -3,7 +3,11 @@ namespace ErrorMatching.Nc;
 /// <summary>What a program does: its motions in order, and what stands in the way of trusting them.</summary>
 public sealed class NcPath
 {
+    /// <summary>How far ahead a motion is looked for near the last one, before all are searched.</summary>
+    private const int Far = 64;
+
     private int[]? _byBlock;
+    private int _recent;
 
     internal NcPath(NcProgram program, NcDialect dialect, NcMotions motions, IReadOnlyList<NcProblem> problems, IReadOnlyList<(int Block, int Joint)> placeDependents, IReadOnlyList<NcFrame> frames, NcRefusal? refusal, Func<string, NcProgram?>? library)
     {
@@ -49,18 +53,24 @@ public sealed class NcPath
     {
         if (Motions.FollowBlocks)
         {
-            var first = FirstFrom(i => Motions.BlockOf(i), block);
+            var first = FirstFrom(null, block);
             var behind = first;
             while (behind < Motions.Length && Motions.BlockOf(behind) == block)
             {
                 behind++;
             }
 
-            return behind - first == 1 ? new int[] { first } : Enumerable.Range(first, behind - first).ToArray();
+            var motions = new int[behind - first];
+            for (var i = 0; i < motions.Length; i++)
+            {
+                motions[i] = first + i;
+            }
+
+            return motions;
         }
 
         var order = _byBlock ??= OrderByBlock();
-        var from = FirstFrom(i => Motions.BlockOf(order[i]), block);
+        var from = FirstFrom(order, block);
         var to = from;
         while (to < order.Length && Motions.BlockOf(order[to]) == block)
         {
@@ -87,13 +97,28 @@ public sealed class NcPath
         return order;
     }
 
-    private int FirstFrom(Func<int, int> blockAt, int block)
+    // The first motion of a block or of a later one, in the order of the blocks (null: the path's own). It is mostly near the one that was asked for last.
+    private int FirstFrom(int[]? order, int block)
     {
         var (low, high) = (0, Motions.Length);
+        var hint = _recent;
+        for (var reach = 1; hint < high && reach <= Far; reach *= 2)
+        {
+            if (BlockAt(order, hint) < block)
+            {
+                low = hint + 1;
+                hint += reach;
+            }
+            else
+            {
+                high = hint;
+            }
+        }
+
         while (low < high)
         {
-            var middle = (low + high) / 2;
-            if (blockAt(middle) < block)
+            var middle = (int)(((uint)low + (uint)high) / 2);
+            if (BlockAt(order, middle) < block)
             {
                 low = middle + 1;
             }
@@ -103,6 +128,9 @@ public sealed class NcPath
             }
         }
 
+        _recent = low;
         return low;
     }
+
+    private int BlockAt(int[]? order, int place) => Motions.BlockOf(order is null ? place : order[place]);
 }

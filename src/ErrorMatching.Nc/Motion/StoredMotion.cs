@@ -36,4 +36,14 @@ internal struct StoredMotion
     public readonly CoordinatePlane Plane => (CoordinatePlane)((_packed >> PlaneShift) & 3);
 
     public readonly AxisSet UnknownEnd => (AxisSet)(_packed >> UnknownShift);
+
+    /// <summary>True if everything that is stored here itself is the same, to the last bit; not the block.</summary>
+    public readonly bool SameAs(in StoredMotion other) => _packed == other._packed && SamePlace(other);
+
+    /// <summary>True if both end at the same place, to the last bit, and know as much of it.</summary>
+    public readonly bool SameEnd(in StoredMotion other) => UnknownEnd == other.UnknownEnd && SamePlace(other);
+
+    private readonly bool SamePlace(in StoredMotion other) => Bits(X) == Bits(other.X) && Bits(Y) == Bits(other.Y) && Bits(Z) == Bits(other.Z);
+
+    private static long Bits(double value) => BitConverter.DoubleToInt64Bits(value);
 }

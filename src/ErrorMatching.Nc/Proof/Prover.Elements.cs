@@ -71,8 +71,8 @@ public sealed partial class Prover
         }
     }
 
-    private Line2? Flank(int motion) => _elements.TryGetValue(motion, out var element) && _before.Motions[motion] is { IsArc: false } m
-        ? Line2.Through(m.PlaneStart + element.Start, m.PlaneEnd + element.End)
+    private Line2? Flank(int motion) => _elements.IndexOf(motion) is >= 0 and var index && _before.Motions[motion] is { IsArc: false } m
+        ? Line2.Through(m.PlaneStart + _wish.Elements[index].Start, m.PlaneEnd + _wish.Elements[index].End)
         : null;
 
     // The lines beside a fillet touch its circle, and it begins and ends there. A joint between two of its arcs keeps its direction from the center.
@@ -193,8 +193,18 @@ public sealed partial class Prover
         return isKept || Math.Abs(now.Arc.Radius - wanted) <= (1.5 * _increment) + 1e-6;
     }
 
-    private void Note(in NcMotion was, NeighborRole role, Vector2 moved) =>
-        _neighbors.Add(new(_before.Program.NameOf(_before.Program[was.Block]), was.Block + 1, role, moved.Length));
+    // A block that runs several times is one neighbor, named with the furthest that it moved.
+    private void Note(in NcMotion was, NeighborRole role, Vector2 moved)
+    {
+        if (_noted.TryAdd((was.Block, role), _neighbors.Count))
+        {
+            _neighbors.Add(new(_before.Program.NameOf(_before.Program[was.Block]), was.Block + 1, role, moved.Length));
+            return;
+        }
+
+        var noted = _noted[(was.Block, role)];
+        _neighbors[noted] = _neighbors[noted] with { DisplacementMm = Math.Max(_neighbors[noted].DisplacementMm, moved.Length) };
+    }
 
     private bool EndsOnCircle(in NcMotion was, in NcMotion now)
     {

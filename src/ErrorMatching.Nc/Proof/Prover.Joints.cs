@@ -1,3 +1,4 @@
+using System.Collections;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
@@ -17,37 +18,43 @@ public sealed partial class Prover
     /// <summary>Displacements that differ by no more are one, mm.</summary>
     private const double TangentStep = 0.0004;
 
-    private Point3 WasAt(int joint) => joint < _before.Motions.Length ? _before.Motions[joint].Start : _before.Motions[joint - 1].End;
+    private Point3 WasAt(int joint) => PlaceOf(_before.Motions, joint);
 
-    private Vector3 MoveOf(int joint) => (joint < _after.Motions.Length ? _after.Motions[joint].Start : _after.Motions[joint - 1].End) - WasAt(joint);
+    private Vector3 MoveOf(int joint) => PlaceOf(_after.Motions, joint) - WasAt(joint);
+
+    private static Point3 PlaceOf(NcMotions motions, int joint) => joint < motions.Length ? motions.StartOf(joint) : motions.EndOf(joint - 1);
 
     /// <summary>Joints that may move: those of named motions, those that positioning shares with them, and the other end of a closed contour.</summary>
-    private HashSet<int> AllowedJoints()
+    private BitArray AllowedJoints()
     {
-        var allowed = new HashSet<int>();
-        foreach (var motion in _elements.Keys)
+        var allowed = new BitArray(_before.Motions.Length + 1);
+        for (var run = 0; run < _elements.Count; run++)
         {
-            allowed.Add(motion);
-            allowed.Add(motion + 1);
+            for (var joint = _elements[run].First; joint <= _elements[run].Last + 1; joint++)
+            {
+                allowed[joint] = true;
+            }
         }
 
-        foreach (var motion in _endPoints)
+        foreach (var motion in _wish.EndPoints)
         {
-            allowed.Add(motion + 1);
+            allowed[motion + 1] = true;
         }
 
-        allowed.UnionWith(_closures.Values);
-        foreach (var joint in allowed.Order().ToArray())
+        foreach (var joint in _closures.Values)
         {
-            for (var i = joint - 1; _elements.Count > 0 && i >= 0 && !_before.Motions[i].MovesInPlane; i--)
-            {
-                allowed.Add(i);
-            }
+            allowed[joint] = true;
+        }
 
-            for (var i = joint; i < _before.Motions.Length && !_before.Motions[i].MovesInPlane; i++)
-            {
-                allowed.Add(i + 1);
-            }
+        // Joints that positioning shares: what one reaches, the next would reach as well, so each way is gone once.
+        for (var joint = 0; joint < _before.Motions.Length; joint++)
+        {
+            allowed[joint + 1] |= allowed[joint] && !_before.Motions.MovesInPlane(joint);
+        }
+
+        for (var joint = _before.Motions.Length; joint > 0 && _elements.Count > 0; joint--)
+        {
+            allowed[joint - 1] |= allowed[joint] && !_before.Motions.MovesInPlane(joint - 1);
         }
 
         return allowed;
@@ -56,36 +63,24 @@ public sealed partial class Prover
     // Both ends of a contour that closes on itself are one corner of the piece: a later cut ends where a run begins, or an earlier one begins where a run ends.
     private void FindClosures()
     {
-        foreach (var motion in _elements.Keys.Order())
+        var motions = _before.Motions;
+        var contours = new ContourSearch(motions, SamePlace, _elements.Count);
+        for (var run = 0; run < _elements.Count; run++)
         {
-            if (!_elements.ContainsKey(motion - 1))
+            var (first, last) = _elements[run];
+            var (start, end) = (motions.StartOf(first), motions.EndOf(last));
+            var closing = Same(motions.EndOf(first), start) ? first : contours.FirstEndingAt(start, first + 1, first);
+            if (closing >= 0)
             {
-                for (var i = motion; i < _before.Motions.Length && IsContour(i, motion) && !_closures.ContainsKey(motion); i++)
-                {
-                    if (Same(_before.Motions[i].End, WasAt(motion)))
-                    {
-                        _closures[motion] = i + 1;
-                    }
-                }
+                _closures[first] = closing + 1;
             }
 
-            if (!_elements.ContainsKey(motion + 1))
+            var opening = Same(motions.StartOf(last), end) ? last : contours.LastStartingAt(end, last - 1, last);
+            if (opening >= 0)
             {
-                for (var i = motion; i >= 0 && IsContour(i, motion) && !_closures.ContainsKey(motion + 1); i--)
-                {
-                    if (Same(_before.Motions[i].Start, WasAt(motion + 1)))
-                    {
-                        _closures[motion + 1] = i;
-                    }
-                }
+                _closures[last + 1] = opening;
             }
         }
-    }
-
-    private bool IsContour(int motion, int like)
-    {
-        var (m, l) = (_before.Motions[motion], _before.Motions[like]);
-        return motion == like || (m is { IsCut: true, MovesInPlane: true } && m.Plane == l.Plane && m.Frame == l.Frame && !m.Has(MotionFlags.CompensationSwitches));
     }
 
     // What is set or called where the tool stands must find it where it was.
@@ -166,7 +161,7 @@ public sealed partial class Prover
     }
 
     /// <summary>True for a named line that was cut off by the displacement of a corner and shrank to it: what it was measured by are the elements on both sides.</summary>
-    private bool IsShrunk(int motion) => _elements.ContainsKey(motion) && _before.Motions[motion] is { Kind: MotionKind.Line, MovesInPlane: true } was
+    private bool IsShrunk(int motion) => _elements.Contains(motion) && _before.Motions[motion] is { Kind: MotionKind.Line, MovesInPlane: true } was
         && _after.Motions[motion] is { MovesInPlane: false } && was.PlaneLength <= _reach;
 
     private bool Holds(int neighbor, bool atStart, int motion, int joint, Vector2 moved, Vector2 wished)
@@ -180,8 +175,10 @@ public sealed partial class Prover
         var elementStarts = joint == motion;
         var (tangent, other) = (e.TangentAt(elementStarts ? 0 : 1), n.TangentAt(atStart ? 0 : 1));
         var isTangent = Math.Abs(tangent.Cross(other)) < TangentSine;
-        if (_elements.TryGetValue(neighbor, out var element))
+        if (_elements.IndexOf(neighbor) is >= 0 and var index)
         {
+            var element = _wish.Elements[index];
+
             // It is measured itself; two that run into each other meet where their common normal says.
             var (leaving, arriving) = (elementStarts ? tangent : -tangent, atStart ? -other : other);
             var isReversal = leaving.Dot(arriving) < 0;
@@ -208,6 +205,6 @@ public sealed partial class Prover
     }
 
     /// <summary>True for an arc that joins two named lines tangentially and must go on doing so: one that was not named, or that was named as a fillet.</summary>
-    private bool IsFillet(int motion) => (!_elements.TryGetValue(motion, out var element) || element.IsFillet)
+    private bool IsFillet(int motion) => (_elements.IndexOf(motion) is var element && (element < 0 || _wish.Elements[element].IsFillet))
         && Fillet.Around(_before, motion) is var (first, last) && Flank(first - 1) is not null && Flank(last + 1) is not null;
 }

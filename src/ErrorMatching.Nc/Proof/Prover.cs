@@ -1,5 +1,7 @@
 using ErrorMatching.Geometry;
 
+using System.Text;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>
@@ -11,16 +13,21 @@ public sealed partial class Prover
     /// <summary>How far a vertex may go, in multiples of the largest displacement asked for: a corner of 10 degrees needs 11.5.</summary>
     private const double FurthestCorner = 13;
 
+    /// <summary>Places closer than this are one, mm.</summary>
+    private const double SamePlace = 1e-9;
+
     private readonly NcPath _before;
     private readonly NcPath _after;
     private readonly DisplacementWish _wish;
     private readonly string? _marker;
     private readonly double _increment;
-    private readonly Dictionary<int, ElementWish> _elements;
-    private readonly HashSet<int> _endPoints;
+    private readonly MotionRuns _elements = new();
+    private readonly MotionRuns _endPoints = new();
     private readonly Dictionary<int, int> _closures = [];
+    private readonly List<int> _different = [];
     private readonly List<NcRefusal> _failures = [];
     private readonly List<ProofNeighbor> _neighbors = [];
+    private readonly Dictionary<(int Block, NeighborRole Role), int> _noted = [];
     private readonly double _reach;
     private double _maxDeviation;
 
@@ -31,9 +38,19 @@ public sealed partial class Prover
         _wish = wish;
         _marker = marker;
         _increment = increment;
-        _elements = wish.Elements.ToDictionary(e => e.Motion);
-        _endPoints = [.. wish.EndPoints];
-        _reach = (FurthestCorner * wish.Elements.Select(e => Math.Max(e.Start.Length, e.End.Length)).DefaultIfEmpty().Max()) + (2 * increment);
+        var largest = 0.0;
+        foreach (var element in wish.Elements)
+        {
+            _elements.Add(element.Motion);
+            largest = Math.Max(largest, Math.Max(element.Start.Length, element.End.Length));
+        }
+
+        foreach (var motion in wish.EndPoints)
+        {
+            _endPoints.Add(motion);
+        }
+
+        _reach = (FurthestCorner * largest) + (2 * increment);
     }
 
     /// <summary>Compares a displaced program with its original.</summary>
@@ -81,16 +98,30 @@ public sealed partial class Prover
             return -1;
         }
 
-        for (var i = 0; i < _after.Program.BlockCount; i++)
+        var line = LineOf(_after.Program, Encoding.UTF8.GetBytes(_marker));
+        if (line >= 0)
         {
-            if (_after.Program.TextOf(_after.Program[i]) == _marker)
-            {
-                CheckMarker(i);
-                return i;
-            }
+            CheckMarker(line);
+            return line;
         }
 
         _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The marker comment is not in the result."));
+        return -1;
+    }
+
+    // The first line that is a text and nothing else, or -1.
+    private static int LineOf(NcProgram program, ReadOnlySpan<byte> text)
+    {
+        var bytes = program.Bytes.Span;
+        for (var from = 0; bytes[from..].IndexOf(text) is >= 0 and var offset; from += offset + 1)
+        {
+            var line = program.BlockAt(from + offset);
+            if (program.BytesOf(program[line]).SequenceEqual(text))
+            {
+                return line;
+            }
+        }
+
         return -1;
     }
 
@@ -122,8 +153,15 @@ public sealed partial class Prover
             return false;
         }
 
+        var border = _marker is null ? int.MaxValue : markerBlock;
         for (var i = 0; i < _before.Motions.Length; i++)
         {
+            if (_before.Motions.SameAt(_after.Motions, i, _before.Motions.BlockOf(i) < border ? 0 : 1))
+            {
+                continue;
+            }
+
+            _different.Add(i);
             var (was, now) = (_before.Motions[i], _after.Motions[i]);
             const MotionFlags Spelling = MotionFlags.ByRadius;
             if (now.Block != InResult(was.Block, markerBlock) || now.Kind != was.Kind || now.Plane != was.Plane || (now.Flags & ~Spelling) != (was.Flags & ~Spelling)
@@ -143,21 +181,21 @@ public sealed partial class Prover
         FindClosures();
         var allowed = AllowedJoints();
         var moved = 0;
-        for (var i = 0; i < _before.Motions.Length; i++)
+        foreach (var i in ToCompare())
         {
             var (was, now) = (_before.Motions[i], _after.Motions[i]);
             var (startMoved, endMoved) = (!Same(was.Start, now.Start), !Same(was.End, now.End));
             var differs = startMoved || endMoved || (was.IsArc && !Same(was.Center, now.Center));
             moved += differs ? 1 : 0;
-            if ((startMoved && !allowed.Contains(i)) || (endMoved && !allowed.Contains(i + 1)))
+            if ((startMoved && !allowed[i]) || (endMoved && !allowed[i + 1]))
             {
                 Fail(was.Block, "it moved although neither it nor a motion beside it was named.");
             }
-            else if (_elements.TryGetValue(i, out var element))
+            else if (_elements.IndexOf(i) is >= 0 and var element)
             {
-                CheckElement(element, was, now);
+                CheckElement(_wish.Elements[element], was, now);
             }
-            else if (_endPoints.Count > 0)
+            else if (_wish.EndPoints.Count > 0)
             {
                 CheckEndPoint(i, was, now, startMoved, endMoved);
             }
@@ -171,7 +209,28 @@ public sealed partial class Prover
         return moved;
     }
 
-    private static bool Same(Point3 a, Point3 b) => (a - b).Length < 1e-9;
+    // A motion that is the same in both has moved nowhere, so only the named ones are looked at besides those that differ.
+    private IEnumerable<int> ToCompare()
+    {
+        var next = 0;
+        foreach (var motion in _wish.Elements.Count > 0 ? _wish.Elements.Select(e => e.Motion) : _wish.EndPoints)
+        {
+            for (; next < _different.Count && _different[next] < motion; next++)
+            {
+                yield return _different[next];
+            }
 
-    private static bool Same(Point2 a, Point2 b) => a.DistanceTo(b) < 1e-9;
+            next += next < _different.Count && _different[next] == motion ? 1 : 0;
+            yield return motion;
+        }
+
+        for (; next < _different.Count; next++)
+        {
+            yield return _different[next];
+        }
+    }
+
+    private static bool Same(Point3 a, Point3 b) => (a - b).Length < SamePlace;
+
+    private static bool Same(Point2 a, Point2 b) => a.DistanceTo(b) < SamePlace;
 }

@@ -24,9 +24,29 @@ public sealed class DisplacementWish
     /// <summary>A wish for elements: lines stay lines, arcs stay arcs, corners stay corners.</summary>
     /// <param name="elements">One wish a motion, in any order.</param>
     /// <exception cref="ArgumentException">Two wishes name the same motion.</exception>
-    public static DisplacementWish OfElements(IReadOnlyList<ElementWish> elements) => elements.DistinctBy(e => e.Motion).Count() == elements.Count
-        ? new([.. elements.OrderBy(e => e.Motion)], [], Vector3.Zero)
-        : throw new ArgumentException("A motion has two wishes.", nameof(elements));
+    public static DisplacementWish OfElements(IReadOnlyList<ElementWish> elements)
+    {
+        ElementWish[] sorted = [.. elements];
+        var isSorted = true;
+        for (var i = 1; i < sorted.Length; i++)
+        {
+            isSorted &= sorted[i - 1].Motion < sorted[i].Motion;
+        }
+
+        if (!isSorted)
+        {
+            Array.Sort(sorted, (a, b) => a.Motion.CompareTo(b.Motion));
+            for (var i = 1; i < sorted.Length; i++)
+            {
+                if (sorted[i].Motion == sorted[i - 1].Motion)
+                {
+                    throw new ArgumentException("A motion has two wishes.", nameof(elements));
+                }
+            }
+        }
+
+        return new(sorted, [], Vector3.Zero);
+    }
 
     /// <summary>A wish for end points: the ends of the named motions move by one vector.</summary>
     /// <param name="motions">The motions, in any order.</param>
@@ -40,7 +60,7 @@ public sealed class DisplacementWish
     /// <returns>The wish, or a refusal where the blocks hold no cutting motion, or one that begins at an unknown place.</returns>
     public static NcOutcome<DisplacementWish> Normal(NcPath path, IReadOnlyList<int> blocks, double left)
     {
-        var elements = new List<ElementWish>();
+        var elements = new List<ElementWish>(blocks.Count);
         foreach (var block in blocks.Distinct())
         {
             foreach (var motion in path.MotionsOf(block))
@@ -67,8 +87,13 @@ public sealed class DisplacementWish
     /// <returns>The wish, or a refusal where the blocks hold no motion.</returns>
     public static NcOutcome<DisplacementWish> EndsBy(NcPath path, IReadOnlyList<int> blocks, Vector3 by)
     {
-        var motions = blocks.SelectMany(b => path.MotionsOf(b).ToArray()).ToArray();
-        return motions.Length > 0 ? OfEndPoints(motions, by) : NoMotion(path, blocks);
+        var motions = new List<int>(blocks.Count);
+        foreach (var block in blocks)
+        {
+            motions.AddRange(path.MotionsOf(block));
+        }
+
+        return motions.Count > 0 ? OfEndPoints(motions, by) : NoMotion(path, blocks);
     }
 
     private static NcRefusal NoMotion(NcPath path, IReadOnlyList<int> blocks) => path.Refusal is { } stopped ? stopped : blocks.Count > 0

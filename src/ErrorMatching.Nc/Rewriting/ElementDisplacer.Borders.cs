@@ -9,17 +9,17 @@ namespace ErrorMatching.Nc;
 /// </content>
 internal sealed partial class ElementDisplacer
 {
-    private NcRefusal? Borders(int first, int last)
+    private NcRefusal? Borders(int first, int last, ContourSearch contours)
     {
-        var motions = _path.Motions;
-        var (start, end) = (motions[first].Start, motions[last].End);
-        if (first < last && IsSamePlace(start, end))
+        var (start, end) = (_path.Motions.StartOf(first), _path.Motions.EndOf(last));
+        if (first < last && (start - end).Length < SamePlace)
         {
             return CloseRun(first, last);
         }
 
-        var closing = ClosingAtStart(first, last);
-        var opening = closing >= 0 ? -1 : OpeningAtEnd(first, last);
+        // A later cut of the same contour that ends where the run begins, or an earlier one that begins where the run ends: the contour closes there.
+        var closing = contours.FirstEndingAt(start, last + 1, first);
+        var opening = closing >= 0 ? -1 : contours.LastStartingAt(end, first - 1, first);
         Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1);
         Border(last, opening >= 0 ? opening : last + 1, last + 1, atStart: false, opening);
         return null;
@@ -30,7 +30,7 @@ internal sealed partial class ElementDisplacer
     {
         var motion = _path.Motions[first];
         var place = motion.PlaneStart;
-        var amount = Math.Max(_wishes[last].End.Length, _wishes[first].Start.Length);
+        var amount = Math.Max(WishOf(last).End.Length, WishOf(first).Start.Length);
         var move = Smooth(last, first) ?? (Meet(last, first, first, amount) is { } point ? point - place : null);
         if (move is not { } both)
         {
@@ -56,7 +56,7 @@ internal sealed partial class ElementDisplacer
         }
 
         var motion = _path.Motions[element];
-        var wished = atStart ? _wishes[element].Start : _wishes[element].End;
+        var wished = atStart ? WishOf(element).Start : WishOf(element).End;
         var slide = (uint)neighbor < (uint)_path.Motions.Length ? Slide(element, neighbor, atStart) : null;
         if (slide is { } meeting)
         {
@@ -101,9 +101,9 @@ internal sealed partial class ElementDisplacer
             return null;
         }
 
-        var wished = atStart ? _wishes[element].Start : _wishes[element].End;
+        var wished = atStart ? WishOf(element).Start : WishOf(element).End;
         var guess = joint + CornerMove(tangent.Left, wished.Dot(tangent.Left), other.Left, 0);
-        while (_carriers[element].Meet(Carrier.Of(n), guess) is { } point && IsNear(point, joint, wished.Length) && point.DistanceTo(joint) < n.PlaneLength)
+        while (CarrierOf(element).Meet(Carrier.Of(n), guess) is { } point && IsNear(point, joint, wished.Length) && point.DistanceTo(joint) < n.PlaneLength)
         {
             if (e.PlaneStart.DistanceTo(e.PlaneEnd) < 1e-9 && (point - joint - wished).Length > 1e-6)
             {
@@ -111,7 +111,7 @@ internal sealed partial class ElementDisplacer
                 return null;
             }
 
-            if (!EndsBefore(element, point, !atStart) || !_wishes.ContainsKey(element + (atStart ? 1 : -1)))
+            if (!EndsBefore(element, point, !atStart) || !_named.Contains(element + (atStart ? 1 : -1)))
             {
                 return (point, element);
             }
@@ -121,41 +121,4 @@ internal sealed partial class ElementDisplacer
 
         return null;
     }
-
-    // A later cut of the same contour that ends where the run begins: the contour closes there.
-    private int ClosingAtStart(int first, int last)
-    {
-        var motions = _path.Motions;
-        var place = motions[first].Start;
-        for (var i = last + 1; i < motions.Length && IsContour(motions[i], motions[first]); i++)
-        {
-            if (IsSamePlace(motions[i].End, place))
-            {
-                return i;
-            }
-        }
-
-        return -1;
-    }
-
-    // An earlier cut of the same contour that begins where the run ends.
-    private int OpeningAtEnd(int first, int last)
-    {
-        var motions = _path.Motions;
-        var place = motions[last].End;
-        for (var i = first - 1; i >= 0 && IsContour(motions[i], motions[first]); i--)
-        {
-            if (IsSamePlace(motions[i].Start, place))
-            {
-                return i;
-            }
-        }
-
-        return -1;
-    }
-
-    private static bool IsContour(in NcMotion motion, in NcMotion like) =>
-        motion is { IsCut: true, MovesInPlane: true } && motion.Plane == like.Plane && motion.Frame == like.Frame && !motion.Has(MotionFlags.CompensationSwitches);
-
-    private static bool IsSamePlace(Point3 a, Point3 b) => (a - b).Length < 1e-6;
 }

@@ -1,3 +1,4 @@
+using System.Collections;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
@@ -20,23 +21,29 @@ internal sealed partial class ElementDisplacer
     /// <summary>An intersection further from the joint than this multiple of the displacement is not nearby.</summary>
     private const double Nearby = 12;
 
+    /// <summary>Places closer than this are one, mm.</summary>
+    private const double SamePlace = 1e-6;
+
     private readonly NcPath _path;
     private readonly PathChange _change;
-    private readonly Dictionary<int, ElementWish> _wishes = [];
-    private readonly Dictionary<int, Carrier> _carriers = [];
+    private readonly MotionRuns _named = new();
+    private readonly List<ElementWish> _wishes;
+    private readonly Dictionary<int, Carrier> _rounded = [];
     private readonly HashSet<int> _shrunk = [];
-    private readonly HashSet<int> _smoothJoints = [];
+    private readonly BitArray _smoothJoints;
 
-    private ElementDisplacer(NcPath path)
+    private ElementDisplacer(NcPath path, int wishes)
     {
         _path = path;
         _change = new(path);
+        _wishes = new(wishes);
+        _smoothJoints = new(path.Motions.Length + 1);
     }
 
     /// <summary>Computes the new joints and centers for a wish.</summary>
     public static NcOutcome<PathChange> Run(NcPath path, DisplacementWish wish)
     {
-        var displacer = new ElementDisplacer(path);
+        var displacer = new ElementDisplacer(path, wish.Elements.Count);
         return displacer.Displace(wish.Elements) is { } refusal ? refusal : displacer._change;
     }
 
@@ -50,23 +57,24 @@ internal sealed partial class ElementDisplacer
             }
         }
 
-        foreach (var element in _wishes.Values.Where(w => w.IsFillet).OrderBy(w => w.Motion))
+        foreach (var element in _wishes)
         {
-            if (Round(element) is { } refusal)
+            if (element.IsFillet && Round(element) is { } refusal)
             {
                 return refusal;
             }
         }
 
-        foreach (var (first, last) in Runs())
+        var contours = new ContourSearch(_path.Motions, SamePlace, _named.Count);
+        for (var run = 0; run < _named.Count; run++)
         {
-            if (Joints(first, last) is { } refusal)
+            var (first, last) = _named[run];
+            if ((Joints(first, last) ?? Borders(first, last, contours)) is { } refusal)
             {
                 return refusal;
             }
         }
 
-        SetCenters();
         return FollowWithArcs() ?? CheckSense();
     }
 
@@ -90,8 +98,13 @@ internal sealed partial class ElementDisplacer
 
         // Both ends of a full circle are one place, to the last bit.
         var isClosed = motion.PlaneStart.DistanceTo(motion.PlaneEnd) < 1e-9 && (element.End - element.Start).Length < 1e-9;
-        _wishes.Add(element.Motion, isClosed ? element with { End = element.Start } : element);
-        _carriers.Add(element.Motion, carrier);
+        _named.Add(element.Motion);
+        _wishes.Add(isClosed ? element with { End = element.Start } : element);
+        if (carrier.Circle is { } circle)
+        {
+            _change.SetCenter(element.Motion, circle.Center);
+        }
+
         return null;
     }
 
@@ -121,16 +134,16 @@ internal sealed partial class ElementDisplacer
     // Both flanks offset by the new radius meet in the new center; its feet on them are the new tangent points. Joints between arcs of the fillet keep their direction from the center.
     private NcRefusal? Round(ElementWish element)
     {
-        if (_change.Centers.ContainsKey(element.Motion) || Fillet.Around(_path, element.Motion) is not { } fillet
-            || !_carriers.TryGetValue(fillet.First - 1, out var before) || !_carriers.TryGetValue(fillet.Last + 1, out var behind)
-            || before.Line is not { } first || behind.Line is not { } second)
+        if (_rounded.ContainsKey(element.Motion) || Fillet.Around(_path, element.Motion) is not { } fillet
+            || !_named.Contains(fillet.First - 1) || !_named.Contains(fillet.Last + 1)
+            || CarrierOf(fillet.First - 1).Line is not { } first || CarrierOf(fillet.Last + 1).Line is not { } second)
         {
             return null;
         }
 
         var motion = _path.Motions[element.Motion];
         var arc = motion.Arc;
-        var left = (_wishes[fillet.First - 1].End.Dot(first.Normal) + _wishes[fillet.Last + 1].Start.Dot(second.Normal)) / 2;
+        var left = (WishOf(fillet.First - 1).End.Dot(first.Normal) + WishOf(fillet.Last + 1).Start.Dot(second.Normal)) / 2;
         var towardCenter = arc.IsCounterClockwise ? 1 : -1;
         var radius = arc.Radius - (towardCenter * left);
         var center = radius > 0 ? Intersect.Lines(first.Offset(towardCenter * radius), second.Offset(towardCenter * radius)).Nearest(arc.Center) : null;
@@ -143,7 +156,7 @@ internal sealed partial class ElementDisplacer
         for (var i = fillet.First; i <= fillet.Last; i++)
         {
             var end = _path.Motions[i].PlaneEnd;
-            _carriers[i] = new(null, new(c, radius));
+            _rounded.Add(i, new(null, new(c, radius)));
             _change.SetCenter(i, c);
             _change.Move(i + 1, motion.Plane, (i == fillet.Last ? second.Foot(c) : c + ((end - arc.Center).Normalize() * radius)) - end);
         }
@@ -151,39 +164,18 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    private IEnumerable<(int First, int Last)> Runs()
-    {
-        int? first = null;
-        var last = 0;
-        foreach (var motion in _wishes.Keys.Order())
-        {
-            if (first is { } from && motion != last + 1)
-            {
-                yield return (from, last);
-                first = motion;
-            }
-
-            first ??= motion;
-            last = motion;
-        }
-
-        if (first is { } begin)
-        {
-            yield return (begin, last);
-        }
-    }
-
     private NcRefusal? Joints(int first, int last)
     {
+        var begin = _path.Motions[first];
         for (var joint = first + 1; joint <= last; joint++)
         {
             var motion = _path.Motions[joint];
-            if (motion.Plane != _path.Motions[first].Plane)
+            if (motion.Plane != begin.Plane)
             {
                 return At(motion, NcRefusalCodes.PlaneChange, "the plane changes inside the named blocks. Name the blocks of each plane as a feature of its own.");
             }
 
-            if (motion.Frame != _path.Motions[first].Frame)
+            if (motion.Frame != begin.Frame)
             {
                 return At(motion, NcRefusalCodes.FrameChange, "the work offset or origin changes inside the named blocks.");
             }
@@ -191,7 +183,7 @@ internal sealed partial class ElementDisplacer
             if (!_change.IsSet(joint) && Smooth(joint - 1, joint) is { } move)
             {
                 _change.Move(joint, motion.Plane, move);
-                _smoothJoints.Add(joint);
+                _smoothJoints[joint] = true;
             }
         }
 
@@ -203,13 +195,13 @@ internal sealed partial class ElementDisplacer
             }
         }
 
-        return Borders(first, last);
+        return null;
     }
 
     /// <summary>The displacement of a joint at which both elements agree: a vertex of a polyline, or a tangential transition. Null at a corner.</summary>
     private Vector2? Smooth(int before, int behind)
     {
-        var (moveA, moveB) = (_wishes[before].End, _wishes[behind].Start);
+        var (moveA, moveB) = (WishOf(before).End, WishOf(behind).Start);
         if ((moveA - moveB).Length <= 1e-9)
         {
             return moveA;
@@ -229,7 +221,7 @@ internal sealed partial class ElementDisplacer
     private NcRefusal? Corner(int joint, int first, int last)
     {
         var (before, behind) = (joint - 1, joint);
-        var amount = Math.Max(_wishes[before].End.Length, _wishes[behind].Start.Length);
+        var amount = Math.Max(WishOf(before).End.Length, WishOf(behind).Start.Length);
         while (Meet(before, behind, joint, amount) is { } point)
         {
             if (before > first && EndsBefore(before, point, atStart: true))
@@ -248,7 +240,7 @@ internal sealed partial class ElementDisplacer
         }
 
         var (a, b) = (_path.Motions[joint - 1], _path.Motions[joint]);
-        var (left, right) = (_wishes[joint - 1].End.Dot(a.TangentAt(1).Left), _wishes[joint].Start.Dot(b.TangentAt(0).Left));
+        var (left, right) = (WishOf(joint - 1).End.Dot(a.TangentAt(1).Left), WishOf(joint).Start.Dot(b.TangentAt(0).Left));
         return At(b, NcRefusalCodes.NoIntersection, FormattableString.Invariant($"displaced as asked, it no longer meets {_path.Program.NameOf(_path.Program[a.Block])} nearby: the two are displaced by different amounts ({left:0.000} and {right:0.000} mm). Put both into one feature, or displace less."));
     }
 
@@ -263,9 +255,9 @@ internal sealed partial class ElementDisplacer
 
         var place = _path.Motions[joint].PlaneStart;
         var guess = a.PlaneEnd == b.PlaneStart
-            ? place + CornerMove(tangentA.Left, _wishes[before].End.Dot(tangentA.Left), tangentB.Left, _wishes[behind].Start.Dot(tangentB.Left))
+            ? place + CornerMove(tangentA.Left, WishOf(before).End.Dot(tangentA.Left), tangentB.Left, WishOf(behind).Start.Dot(tangentB.Left))
             : place;
-        return _carriers[before].Meet(_carriers[behind], guess) is { } point && IsNear(point, place, amount) ? point : null;
+        return CarrierOf(before).Meet(CarrierOf(behind), guess) is { } point && IsNear(point, place, amount) ? point : null;
     }
 
     // True if a displaced line of a polyline lies wholly on the wrong side of a corner, and a neighbor in the same polyline can take its place.
@@ -273,7 +265,7 @@ internal sealed partial class ElementDisplacer
     {
         var motion = _path.Motions[element];
         var joint = atStart ? element : element + 1;
-        if (motion.IsArc || !_smoothJoints.Contains(joint))
+        if (motion.IsArc || !_smoothJoints[joint])
         {
             return false;
         }
@@ -304,24 +296,13 @@ internal sealed partial class ElementDisplacer
 
     private static bool IsNear(Point2 point, Point2 joint, double amount) => point.DistanceTo(joint) <= (Nearby * amount) + 1e-6;
 
-    private void SetCenters()
-    {
-        foreach (var (motion, carrier) in _carriers)
-        {
-            if (carrier.Circle is { } circle)
-            {
-                _change.SetCenter(motion, circle.Center);
-            }
-        }
-    }
-
     // Arcs that were not named and whose ends left their circle: a lead-in that is an arc, or an arc beside a run that it does not meet.
     private NcRefusal? FollowWithArcs()
     {
         var motions = _path.Motions;
         foreach (var i in _change.Affected())
         {
-            if (motions[i].IsArc && !_carriers.ContainsKey(i) && (_change.IsSet(i) || _change.IsSet(i + 1)) && !SlidesOnCircle(i) && _change.FollowWithArc(i) is { } refusal)
+            if (motions[i].IsArc && !_named.Contains(i) && !_change.HasCenter(i) && (_change.IsSet(i) || _change.IsSet(i + 1)) && !SlidesOnCircle(i) && _change.FollowWithArc(i) is { } refusal)
             {
                 return refusal;
             }
@@ -359,6 +340,10 @@ internal sealed partial class ElementDisplacer
 
         return null;
     }
+
+    private ElementWish WishOf(int motion) => _wishes[_named.IndexOf(motion)];
+
+    private Carrier CarrierOf(int motion) => _rounded.TryGetValue(motion, out var fillet) ? fillet : Carrier.Displaced(_path.Motions[motion], WishOf(motion))!.Value;
 
     private NcRefusal At(in NcMotion motion, string code, string message) => NcRefusal.At(_path.Program, motion.Block, code, message);
 }

@@ -7,24 +7,26 @@ namespace ErrorMatching.Nc;
 /// </summary>
 internal sealed class PathChange
 {
-    private readonly Dictionary<int, Vector3> _moves = [];
-    private readonly Dictionary<int, Point2> _centers = [];
+    private readonly SparseList<Vector3> _moves;
+    private readonly SparseList<Point2> _centers;
 
-    public PathChange(NcPath path) => Path = path;
+    public PathChange(NcPath path)
+    {
+        Path = path;
+        _moves = new(path.Motions.Length + 1);
+        _centers = new(path.Motions.Length);
+    }
 
     public NcPath Path { get; }
 
-    /// <summary>Arcs with a new exact center in their plane, by motion.</summary>
-    public IReadOnlyDictionary<int, Point2> Centers => _centers;
-
-    /// <summary>Joints that have a new place, in the order of the path.</summary>
-    public int[] Joints() => [.. _moves.Keys.Order()];
+    /// <summary>Arcs with a new exact center in their plane, in the order of the path.</summary>
+    public IEnumerable<int> ArcsWithCenter() => _centers.Positions();
 
     /// <summary>Motions that begin or end at a joint with a new place, or have a new center, in the order of the path: the cost of a change grows with them, not with the program.</summary>
     public List<int> Affected()
     {
         var affected = new List<int>(_moves.Count + 1);
-        foreach (var joint in Joints())
+        foreach (var joint in _moves.Positions())
         {
             if (joint > 0 && (affected.Count == 0 || affected[^1] != joint - 1))
             {
@@ -37,17 +39,23 @@ internal sealed class PathChange
             }
         }
 
-        if (_centers.Keys.Any(c => affected.BinarySearch(c) < 0))
+        if (_centers.Positions().Any(c => !IsSet(c) && !IsSet(c + 1)))
         {
-            affected = [.. affected.Union(_centers.Keys).Order()];
+            affected = [.. affected.Union(_centers.Positions()).Order()];
         }
 
         return affected;
     }
 
-    public bool IsSet(int joint) => _moves.ContainsKey(joint);
+    public bool IsSet(int joint) => _moves.Has(joint);
 
-    public Vector3 MoveOf(int joint) => _moves.GetValueOrDefault(joint);
+    public Vector3 MoveOf(int joint) => _moves[joint];
+
+    /// <summary>True if an arc has a new center.</summary>
+    public bool HasCenter(int motion) => _centers.Has(motion);
+
+    /// <summary>The center of an arc in its plane: the new one if it has one.</summary>
+    public Point2 CenterOf(int motion, in NcMotion arc) => _centers.Has(motion) ? _centers[motion] : arc.Center;
 
     public void Move(int joint, Vector3 by) => _moves[joint] = by;
 
@@ -71,7 +79,7 @@ internal sealed class PathChange
 
         var counterClockwise = was.Kind == MotionKind.ArcCounterClockwise;
         var before = Arc2.Between(was.PlaneStart, was.PlaneEnd, was.Center, counterClockwise).Sweep;
-        var now = Arc2.Between(start, end, _centers.TryGetValue(motion, out var center) ? center : was.Center, counterClockwise).Sweep;
+        var now = Arc2.Between(start, end, CenterOf(motion, was), counterClockwise).Sweep;
         return Math.Abs((now - before).Radians) < Math.PI / 2;
     }
 

@@ -50,14 +50,17 @@ internal sealed class PathWithoutPoints
     /// <summary>Displaces elements. A wish for a point is a wish for nothing and is left out.</summary>
     public NcOutcome<PathChange> Displace(DisplacementWish wish)
     {
-        var places = new Dictionary<int, int>(_kept.Length);
-        for (var i = 0; i < _kept.Length; i++)
+        var elements = new List<ElementWish>(wish.Elements.Count);
+        foreach (var element in wish.Elements)
         {
-            places.Add(_kept[i], i);
+            var place = Array.BinarySearch(_kept, element.Motion);
+            if (place >= 0)
+            {
+                elements.Add(element with { Motion = place });
+            }
         }
 
-        var elements = wish.Elements.Where(e => places.ContainsKey(e.Motion)).Select(e => e with { Motion = places[e.Motion] });
-        var change = ElementDisplacer.Run(_reduced, DisplacementWish.OfElements([.. elements]));
+        var change = ElementDisplacer.Run(_reduced, DisplacementWish.OfElements(elements));
         return change.IsUsable ? Restore(change.Value) : change;
     }
 
@@ -79,9 +82,9 @@ internal sealed class PathWithoutPoints
             }
         }
 
-        foreach (var (motion, center) in reduced.Centers)
+        foreach (var motion in reduced.ArcsWithCenter())
         {
-            change.SetCenter(_kept[motion], center);
+            change.SetCenter(_kept[motion], reduced.CenterOf(motion, _reduced.Motions[motion]));
         }
 
         return change;

@@ -8,7 +8,7 @@ internal sealed partial class WordEditor
     private void SetCircle(int index, in NcMotion motion)
     {
         var (start, end) = (Rounded(motion.Start, index, motion.Plane), Rounded(motion.End, index + 1, motion.Plane));
-        var exact = _change.Centers.TryGetValue(index, out var moved) ? moved : motion.Center;
+        var exact = _change.CenterOf(index, motion);
         if (IsShift(index, motion, exact - motion.Center))
         {
             ShiftCenter(index, motion);

@@ -11,8 +11,8 @@ internal sealed partial class WordEditor
     private readonly PathChange _change;
     private readonly NcPath _path;
     private readonly bool _keepRadii;
-    private readonly List<NcPatch> _patches = [];
-    private readonly List<int> _changedBlocks = [];
+    private readonly List<NcPatch> _patches;
+    private readonly List<int> _changedBlocks;
     private readonly BlockEdit _edit;
     private readonly bool _inch;
     private readonly int _decimals;
@@ -23,6 +23,9 @@ internal sealed partial class WordEditor
         _change = change;
         _keepRadii = keepRadii;
         _path = change.Path;
+
+        // In a plane, a motion has two coordinates.
+        (_patches, _changedBlocks) = (new(2 * affected.Count), new(affected.Count));
 
         // The control's least increment, or finer where the program itself is written finer.
         var dialect = _path.Dialect;

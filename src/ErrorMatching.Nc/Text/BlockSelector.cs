@@ -1,3 +1,4 @@
+using System.Collections;
 using System.Globalization;
 using System.Text;
 using System.Text.RegularExpressions;
@@ -56,16 +57,10 @@ public sealed class BlockSelector
 
         if (wanted.Count > 0)
         {
-            for (var i = 0; i < program.BlockCount; i++)
-            {
-                if (program.TryNumber(program[i], out var token) && wanted.TryGetValue(token.Number.Trim(), out var found))
-                {
-                    found.Add(i);
-                }
-            }
+            Find(program, wanted);
         }
 
-        var chosen = new SortedSet<int>();
+        var chosen = new BitArray(program.BlockCount);
         foreach (var selector in selectors)
         {
             if (selector.Collect(program, wanted, chosen) is { } refusal)
@@ -74,7 +69,34 @@ public sealed class BlockSelector
             }
         }
 
-        return chosen.ToArray();
+        var blocks = new List<int>();
+        for (var i = 0; i < chosen.Length; i++)
+        {
+            if (chosen[i])
+            {
+                blocks.Add(i);
+            }
+        }
+
+        return blocks.ToArray();
+    }
+
+    private static void Find(NcProgram program, Dictionary<NcNumber, List<int>> wanted)
+    {
+        // Most numbers are told from the wanted ones by their last bits alone.
+        var bits = 0UL;
+        foreach (var number in wanted.Keys)
+        {
+            bits |= 1UL << (int)(number.Digits & 63);
+        }
+
+        for (var i = 0; i < program.BlockCount; i++)
+        {
+            if (program.TryNumberValue(program[i], out var number) && number.Trim() is var trimmed && (bits >> (int)(trimmed.Digits & 63) & 1) != 0 && wanted.TryGetValue(trimmed, out var found))
+            {
+                found.Add(i);
+            }
+        }
     }
 
     private static NcNumber Number(string part, string whole)
@@ -105,7 +127,7 @@ public sealed class BlockSelector
         }
     }
 
-    private NcRefusal? Collect(NcProgram program, Dictionary<NcNumber, List<int>> wanted, SortedSet<int> chosen)
+    private NcRefusal? Collect(NcProgram program, Dictionary<NcNumber, List<int>> wanted, BitArray chosen)
     {
         if (_pattern is not null)
         {
@@ -130,13 +152,13 @@ public sealed class BlockSelector
 
         for (var i = from; i <= to; i++)
         {
-            chosen.Add(i);
+            chosen[i] = true;
         }
 
         return null;
     }
 
-    private NcRefusal? CollectByPattern(NcProgram program, Regex expression, SortedSet<int> chosen)
+    private NcRefusal? CollectByPattern(NcProgram program, Regex expression, BitArray chosen)
     {
         var any = false;
         for (var i = 0; i < program.BlockCount; i++)
@@ -146,7 +168,7 @@ public sealed class BlockSelector
                 if (expression.IsMatch(program.TextOf(program[i])))
                 {
                     any = true;
-                    chosen.Add(i);
+                    chosen[i] = true;
                 }
             }
             catch (RegexMatchTimeoutException)

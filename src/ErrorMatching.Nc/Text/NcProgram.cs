@@ -55,6 +55,13 @@ public sealed class NcProgram
         }
     }
 
+    /// <summary>The block that a byte belongs to.</summary>
+    internal int BlockAt(int position)
+    {
+        var at = Array.BinarySearch(_starts, 0, _count, position);
+        return at >= 0 ? at : ~at - 1;
+    }
+
     /// <summary>Finds the blocks of a program. The bytes are kept, not copied: do not change them afterwards.</summary>
     /// <param name="bytes">The program's bytes.</param>
     /// <param name="syntax">How it is spelled; <see cref="NcDialect.Syntax"/> of its dialect.</param>
@@ -110,6 +117,32 @@ public sealed class NcProgram
 
     /// <summary>How messages name a block: its N word if it has one, else its line.</summary>
     public string NameOf(NcBlock block) => NumberOf(block) is { Length: > 0 } number ? number : $"line {block.Line}";
+
+    /// <summary>The value of a block's N word, as <see cref="TryNumber"/> finds it.</summary>
+    internal bool TryNumberValue(NcBlock block, out NcNumber number)
+    {
+        // Nearly all blocks begin with N and a whole number, and then a space and another word: those take no tokenizer.
+        var bytes = BytesOf(block);
+        if (bytes.Length > 0 && (bytes[0] | 0x20) == 'n')
+        {
+            long digits = 0;
+            var at = 1;
+            for (; at < bytes.Length && at < NcNumber.MaxDigits && SyntaxBytes.IsDigit(bytes[at]); at++)
+            {
+                digits = (digits * 10) + (bytes[at] - '0');
+            }
+
+            if (at > 1 && (at == bytes.Length || (at + 1 < bytes.Length && bytes[at] == ' ' && SyntaxBytes.IsLetter(bytes[at + 1]))))
+            {
+                number = new(digits, 0);
+                return true;
+            }
+        }
+
+        var found = TryNumber(block, out var token);
+        number = token.Number;
+        return found;
+    }
 
     /// <summary>Finds the N word of a block: its first word, behind block skip and comments.</summary>
     public bool TryNumber(NcBlock block, out NcToken token)

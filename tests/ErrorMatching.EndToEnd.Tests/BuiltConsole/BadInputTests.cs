@@ -143,7 +143,7 @@ public sealed class BadInputTests
     [InlineData("N130 X-45.275", "N130 X#100", "expression|point-off-path")]
     [InlineData("N130 X-45.275", "N130 W5. X-45.275", "other-axis")]
     [InlineData("N120 X-34.995", "N115 G68 X0. Y0. R10.\nN120 X-34.995", "active-transform|unknown-state|point-off-path")]
-    [InlineData("N120 X-34.995", "N115 IF [#1 EQ 1] GOTO 120\nN120 X-34.995", "endless-loop|unknown-condition|unknown-state|point-off-path|expression")]
+    [InlineData("N120 X-34.995", "N115 IF [#500 EQ 1] GOTO 120\nN120 X-34.995", "endless-loop|unknown-condition|unknown-state|point-off-path|expression")]
     [InlineData("N140 G3", "N130 G3", "block-ambiguous")]
     [InlineData("I6. J0.", "I5. J0.", "bad-arc|point-off-path")]
     public async Task A_program_that_cannot_be_trusted_is_refused_with_its_block(string old, string replacement, string codes)

@@ -122,7 +122,7 @@ public sealed class RefusalMatchTests
     [InlineData("N40 G1", "N40 G68 X0. Y0. R30.\nN45 G1", NcRefusalCodes.ActiveTransform, "N50", 8)]
     [InlineData("N50 X50.", "N50 X50. A10.", NcRefusalCodes.OtherAxis, "N50", 7)]
     [InlineData("N70 G0", "N65 GOTO 50\nN70 G0", NcRefusalCodes.EndlessLoop, "N65", 9)]
-    [InlineData("N50 X50.", "N45 M98 P100\nN50 X50.", NcRefusalCodes.UnknownState, "N50", 8)]
+    [InlineData("N50 X50.", "N45 M98 P100\nN50 X50.", NcRefusalCodes.MissingProgram, "N45", 7)]
     [InlineData("N50 X50.", "N50 G2 X50. R1.", NcRefusalCodes.BadArc, "N50", 7)]
     public void What_a_control_computes_or_turns_cannot_be_rewritten(string found, string instead, string code, string block, int line)
     {

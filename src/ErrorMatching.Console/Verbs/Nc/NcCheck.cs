@@ -13,5 +13,8 @@ internal sealed class NcCheck : NcVerb
     }
 
     /// <inheritdoc/>
+    protected override bool ShowsWhatIsWrong => true;
+
+    /// <inheritdoc/>
     protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation) => new NcCheckAnswer(file, path, NcCensus.Of(path.Program));
 }

@@ -11,6 +11,9 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
     public override string Schema => "errormatch/nc-check/1";
 
     /// <inheritdoc/>
+    public override Failure? Failure => path.Refusal is { } refusal ? FailureOf.Refused(file, refusal) : null;
+
+    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("file", file);
@@ -29,6 +32,10 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
         }
 
         json.WriteEndArray();
+        if (Failure is { } failure)
+        {
+            OutcomeWriter.WriteErrors(json, failure);
+        }
     }
 
     /// <inheritdoc/>

@@ -26,8 +26,13 @@ internal sealed class NcDiff : Verb
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var (before, after, dialect) = (arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_dialect));
-        var (was, now) = (NcVerb.Interpret(before, dialect), NcVerb.Interpret(after, dialect));
+        var (was, now) = (NcVerb.Interpret(before, dialect, cancellation), NcVerb.Interpret(after, dialect, cancellation));
         cancellation.ThrowIfCancellationRequested();
+        if ((was.Refusal ?? now.Refusal) is { } refusal)
+        {
+            return FailureOf.Refused(was.Refusal is null ? after : before, refusal);
+        }
+
         var comparison = MotionComparison.Of(was, now);
         if (arguments.GetValue(_html) is { } html)
         {

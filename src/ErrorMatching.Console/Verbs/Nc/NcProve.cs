@@ -28,13 +28,18 @@ internal sealed class NcProve : Verb
         var (before, after, file) = (arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_wish));
         var wish = InputFile.Wish(file);
         cancellation.ThrowIfCancellationRequested();
-        var was = NcVerb.Interpret(before, wish.Dialect);
+        var was = NcVerb.Interpret(before, wish.Dialect, cancellation);
         if (!wish.IsAbout(was, file))
         {
             return FailureOf.OtherProgram(file, before, wish.BeforeSha256);
         }
 
-        var now = NcVerb.Interpret(after, wish.Dialect);
+        if (was.Refusal is { } refusal)
+        {
+            return FailureOf.Refused(before, refusal);
+        }
+
+        var now = NcVerb.Interpret(after, wish.Dialect, cancellation);
         cancellation.ThrowIfCancellationRequested();
         var proof = Prover.Check(was, now.Program, wish.Wish, wish.LeastIncrementMm, wish.Marker);
         return proof.Holds ? new NcProveAnswer(before, after, file, wish, proof, MotionComparison.Of(was, now)) : FailureOf.NotProved(before, after, proof);

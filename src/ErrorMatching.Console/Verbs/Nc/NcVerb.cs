@@ -29,20 +29,24 @@ internal abstract class NcVerb : Verb
     /// <exception cref="InputException">A file cannot be opened.</exception>
     /// <exception cref="NcException">The dialect is not known, or the program is too large.</exception>
     /// <exception cref="Json.JsonDocumentException">The dialect's file cannot be used.</exception>
-    public static NcPath Interpret(string file, string dialect)
+    /// <exception cref="OperationCanceledException">Ctrl+C was pressed.</exception>
+    public static NcPath Interpret(string file, string dialect, CancellationToken cancellation)
     {
         var known = InputFile.Dialect(dialect);
-        return NcInterpreter.Run(NcProgram.Read(InputFile.Program(file)), known);
+        return NcInterpreter.Run(NcProgram.Read(InputFile.Program(file)), known, new ProgramFolder(file).Find, cancellation);
     }
 
     /// <inheritdoc/>
     public sealed override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_program);
-        var path = Interpret(file, arguments.GetRequiredValue(_dialect));
+        var path = Interpret(file, arguments.GetRequiredValue(_dialect), cancellation);
         cancellation.ThrowIfCancellationRequested();
-        return Run(file, path, arguments, cancellation);
+        return path.Refusal is { } refusal && !ShowsWhatIsWrong ? FailureOf.Refused(file, refusal) : Run(file, path, arguments, cancellation);
     }
+
+    /// <summary>True if the verb says what is wrong with a program that cannot be followed to its end; the others refuse it.</summary>
+    protected virtual bool ShowsWhatIsWrong => false;
 
     /// <summary>Does the work.</summary>
     /// <param name="file">The program as the user named it.</param>

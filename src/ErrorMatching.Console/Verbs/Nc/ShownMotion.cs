@@ -20,6 +20,7 @@ internal sealed class ShownMotion
     public ShownMotion(NcPath path, int index)
     {
         _motion = path.Motions[index];
+        End = path.Motions.AssumedEnd(index);
         Index = index;
         Block = path.Program.NumberOf(path.Program[_motion.Block]);
         _center = _motion.IsArc ? _motion.Plane.Lift(_motion.Center, _motion.Plane.Height(_motion.Start)) : null;
@@ -41,7 +42,7 @@ internal sealed class ShownMotion
     public string Kind => KindOf(_motion.Kind);
 
     /// <summary>Where it ends.</summary>
-    public Point3 End => _motion.End;
+    public Point3 End { get; }
 
     /// <summary>Axes whose end the program does not say: x, y, z.</summary>
     public IEnumerable<string> Unknown => new[] { (AxisSet.X, "x"), (AxisSet.Y, "y"), (AxisSet.Z, "z") }.Where(a => (_motion.UnknownEnd & a.Item1) != AxisSet.None).Select(a => a.Item2);

@@ -1,0 +1,185 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Finds where a contour comes back to a place. A few searches walk along the contour; for many, all joints of the path are sorted by place once, so that the cost grows
+/// with the program and not with its square.
+/// </summary>
+internal sealed class ContourSearch
+{
+    /// <summary>As many searches walk rather than sort.</summary>
+    private const int Few = 8;
+
+    /// <summary>Places are sorted into cubes of this size, mm, whose middles lie on the grid that programs are written on.</summary>
+    private const double CellMm = 1e-4;
+
+    private readonly NcMotions _motions;
+    private readonly double _tolerance;
+    private readonly bool _isSorted;
+    private readonly int[] _breaks = [];
+    private ulong[]? _ends;
+    private ulong[]? _starts;
+
+    /// <summary>A search in a path.</summary>
+    /// <param name="motions">The path.</param>
+    /// <param name="tolerance">Places closer than this are one, mm; less than half of <see cref="CellMm"/>.</param>
+    /// <param name="searches">How many searches will follow.</param>
+    public ContourSearch(NcMotions motions, double tolerance, int searches)
+    {
+        (_motions, _tolerance, _isSorted) = (motions, tolerance, searches > Few);
+        if (_isSorted)
+        {
+            var breaks = new List<int>();
+            for (var i = 0; i < motions.Length; i++)
+            {
+                if (i == 0 || !motions.IsContour(i) || !motions.IsContour(i - 1) || !motions.IsComparable(i, i - 1))
+                {
+                    breaks.Add(i);
+                }
+            }
+
+            _breaks = [.. breaks];
+        }
+    }
+
+    /// <summary>The first motion from a position on that ends at a place, all between being cuts of one contour; -1 where there is none.</summary>
+    /// <param name="place">The place.</param>
+    /// <param name="from">Where to begin.</param>
+    /// <param name="like">A motion whose plane and frame the contour has.</param>
+    public int FirstEndingAt(Point3 place, int from, int like)
+    {
+        if (from >= _motions.Length || !Belongs(from, like))
+        {
+            return -1;
+        }
+
+        if (_isSorted)
+        {
+            _ends ??= Sort(_motions.EndOf);
+            return Find(_ends, _motions.EndOf, place, from, LastOf(from), ahead: true);
+        }
+
+        return WalkAhead(place, from, like);
+    }
+
+    /// <summary>The last motion up to a position that begins at a place, all between being cuts of one contour; -1 where there is none.</summary>
+    /// <param name="place">The place.</param>
+    /// <param name="from">Where to begin to search backwards.</param>
+    /// <param name="like">A motion whose plane and frame the contour has.</param>
+    public int LastStartingAt(Point3 place, int from, int like)
+    {
+        if (from < 0 || !Belongs(from, like))
+        {
+            return -1;
+        }
+
+        if (_isSorted)
+        {
+            _starts ??= Sort(_motions.StartOf);
+            return Find(_starts, _motions.StartOf, place, FirstOf(from), from, ahead: false);
+        }
+
+        return WalkBack(place, from, like);
+    }
+
+    private int WalkAhead(Point3 place, int from, int like)
+    {
+        for (var i = from; i < _motions.Length && Belongs(i, like); i++)
+        {
+            if (IsSame(_motions.EndOf(i), place))
+            {
+                return i;
+            }
+        }
+
+        return -1;
+    }
+
+    private int WalkBack(Point3 place, int from, int like)
+    {
+        for (var i = from; i >= 0 && Belongs(i, like); i--)
+        {
+            if (IsSame(_motions.StartOf(i), place))
+            {
+                return i;
+            }
+        }
+
+        return -1;
+    }
+
+    private bool Belongs(int motion, int like) => _motions.IsContour(motion) && _motions.IsComparable(motion, like);
+
+    private bool IsSame(Point3 a, Point3 b) => Math.Abs(a.X - b.X) < _tolerance && (a - b).Length < _tolerance;
+
+    private int FirstOf(int motion)
+    {
+        var at = Array.BinarySearch(_breaks, motion);
+        return _breaks[at >= 0 ? at : ~at - 1];
+    }
+
+    private int LastOf(int motion)
+    {
+        var at = Array.BinarySearch(_breaks, motion);
+        var next = at >= 0 ? at + 1 : ~at;
+        return next < _breaks.Length ? _breaks[next] - 1 : _motions.Length - 1;
+    }
+
+    // The cell in the upper half of a key, the motion in the lower: those of one cell stand together, in the order of the path.
+    private ulong[] Sort(Func<int, Point3> placeOf)
+    {
+        var keys = new ulong[_motions.Length];
+        for (var i = 0; i < keys.Length; i++)
+        {
+            var place = placeOf(i);
+            keys[i] = Key(Cell(place.X), Cell(place.Y), Cell(place.Z), i);
+        }
+
+        Array.Sort(keys);
+        return keys;
+    }
+
+    private int Find(ulong[] keys, Func<int, Point3> placeOf, Point3 place, int first, int last, bool ahead)
+    {
+        var best = -1;
+        for (var x = Cell(place.X - _tolerance); x <= Cell(place.X + _tolerance); x++)
+        {
+            for (var y = Cell(place.Y - _tolerance); y <= Cell(place.Y + _tolerance); y++)
+            {
+                for (var z = Cell(place.Z - _tolerance); z <= Cell(place.Z + _tolerance); z++)
+                {
+                    var found = FindInCell(keys, placeOf, place, Key(x, y, z, first), Key(x, y, z, last), ahead);
+                    best = best < 0 || (found >= 0 && (ahead ? found < best : found > best)) ? found : best;
+                }
+            }
+        }
+
+        return best;
+    }
+
+    private int FindInCell(ulong[] keys, Func<int, Point3> placeOf, Point3 place, ulong first, ulong last, bool ahead)
+    {
+        var at = Array.BinarySearch(keys, ahead ? first : last);
+        for (at = at >= 0 ? at : ahead ? ~at : ~at - 1; at >= 0 && at < keys.Length && keys[at] >= first && keys[at] <= last; at += ahead ? 1 : -1)
+        {
+            var motion = (int)(uint)keys[at];
+            if (IsSame(placeOf(motion), place))
+            {
+                return motion;
+            }
+        }
+
+        return -1;
+    }
+
+    // Far outside all machines, cells are one.
+    private static long Cell(double coordinate) => (long)Math.Clamp(Math.Floor((coordinate / CellMm) + 0.5), -1e18, 1e18);
+
+    private static ulong Key(long x, long y, long z, int motion)
+    {
+        const ulong Mix = 0x9E3779B97F4A7C15;
+        var hash = (((((ulong)x * Mix) + (ulong)y) * Mix) + (ulong)z) * Mix;
+        return (hash & 0xFFFFFFFF00000000) | (uint)motion;
+    }
+}

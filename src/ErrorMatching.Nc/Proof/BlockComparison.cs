@@ -1,0 +1,99 @@
+using System.Numerics;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Compares two programs byte by byte: runs of bytes that are the same are passed over at once, and a block that differs is held against what the new place of its motion can change in it.
+/// One comparison serves block after block.
+/// </summary>
+internal sealed class BlockComparison(NcPath before, NcPath after)
+{
+    private const uint AxisWords = (1u << ('X' - 'A')) | (1u << ('Y' - 'A')) | (1u << ('Z' - 'A'));
+    private const uint RadiusWords = (1u << ('R' - 'A')) | (1u << (NcAddress.CircleRadius - 'A'));
+
+    private readonly BlockRemainder _original = new(before.Program);
+    private readonly BlockRemainder _result = new(after.Program);
+
+    /// <summary>The first block from one on whose bytes, its line end included, are not those of the result; the end of the range where there is none.</summary>
+    /// <param name="first">Block of the original to begin with.</param>
+    /// <param name="behind">End of the range.</param>
+    /// <param name="linesBefore">How many lines further down the blocks stand in the result.</param>
+    public int NextDifference(int first, int behind, int linesBefore)
+    {
+        var (was, now) = (before.Program, after.Program);
+        while (first < behind)
+        {
+            var a = was.Bytes.Span[was[first].Start..EndOf(was, behind - 1)];
+            var b = now.Bytes.Span[now[first + linesBefore].Start..EndOf(now, behind - 1 + linesBefore)];
+            var same = a.CommonPrefixLength(b);
+            if (same == a.Length && same == b.Length)
+            {
+                return behind;
+            }
+
+            // Where a line ends can hang on the byte behind its end, so the block of the last byte that is the same is still in doubt.
+            first = same <= was[first].FullLength ? first : was.BlockAt(was[first].Start + same - 1);
+            if (!Bytes(was, first).SequenceEqual(Bytes(now, first + linesBefore)))
+            {
+                return first;
+            }
+
+            first++;
+        }
+
+        return behind;
+    }
+
+    /// <summary>True if nothing differs between two blocks but the values of words that the new place of a motion changes, and words that it needs or no longer needs.</summary>
+    /// <param name="motion">The motion, in both paths.</param>
+    /// <param name="block">Its block in the original.</param>
+    /// <param name="blockInResult">Its block in the result.</param>
+    public bool SameButCoordinates(int motion, int block, int blockInResult)
+    {
+        var (was, now) = (before.Motions[motion], after.Motions[motion]);
+        _original.Read(block);
+        _result.Read(blockInResult);
+        var changeable = Changeable(was);
+        var changed = 0u;
+        for (var rest = _original.Letters & _result.Letters & changeable; rest != 0; rest &= rest - 1)
+        {
+            var letter = BitOperations.TrailingZeroCount(rest);
+            changed |= _original.Number(letter).SameValue(_result.Number(letter)) ? 0 : 1u << letter;
+        }
+
+        var isRadiusReplaced = was.Has(MotionFlags.ByRadius) && !now.Has(MotionFlags.ByRadius);
+        var dropped = isRadiusReplaced ? _original.Letters & ~_result.Letters & changeable & RadiusWords : 0;
+        var inserted = 0u;
+        for (var rest = _result.Letters & ~_original.Letters & changeable; rest != 0; rest &= rest - 1)
+        {
+            var letter = BitOperations.TrailingZeroCount(rest);
+            inserted |= IsNeeded((byte)('A' + letter), _result.Number(letter), now, isRadiusReplaced) ? 1u << letter : 0;
+        }
+
+        return _original.Without(changed, dropped).SequenceEqual(_result.Without(changed, inserted));
+    }
+
+    private static int EndOf(NcProgram program, int block) => program[block].Start + program[block].FullLength;
+
+    private static ReadOnlySpan<byte> Bytes(NcProgram program, int block) => program.Bytes.Span.Slice(program[block].Start, program[block].FullLength);
+
+    private static uint Changeable(in NcMotion motion)
+    {
+        const uint I = 1u << ('I' - 'A');
+        const uint J = 1u << ('J' - 'A');
+        const uint K = 1u << ('K' - 'A');
+        return !motion.IsArc ? AxisWords
+            : AxisWords | RadiusWords | motion.Plane switch { CoordinatePlane.ZX => K | I, CoordinatePlane.YZ => J | K, _ => I | J };
+    }
+
+    // A word is inserted only where the axis moves now although it did not before, or for a center.
+    private static bool IsNeeded(byte letter, NcNumber value, in NcMotion now, bool isRadiusReplaced) => letter switch
+    {
+        (byte)'X' => Math.Abs(now.End.X - now.Start.X) > 1e-9,
+        (byte)'Y' => Math.Abs(now.End.Y - now.Start.Y) > 1e-9,
+        (byte)'Z' => Math.Abs(now.End.Z - now.Start.Z) > 1e-9,
+        (byte)'R' or NcAddress.CircleRadius => false,
+        _ => isRadiusReplaced || value.Digits != 0,
+    };
+}
