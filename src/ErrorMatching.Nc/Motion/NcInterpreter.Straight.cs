@@ -41,6 +41,11 @@ public sealed partial class NcInterpreter
 
         if ((_words.Present & LinearAxes) != 0)
         {
+            if (_countsIntegers && (_words.Integers & LinearAxes) != 0)
+            {
+                CountIntegers();
+            }
+
             var given = _words.Present & LinearAxes;
             var incremental = _state.Incremental ? given : 0;
             var at = _state.Position;

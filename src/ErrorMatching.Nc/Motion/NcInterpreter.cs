@@ -23,6 +23,7 @@ public sealed partial class NcInterpreter
     private readonly uint _otherAxes;
     private readonly uint _unknownLetters;
     private readonly uint _straightLetters;
+    private readonly uint _lengthLetters;
     private ModalState _state = ModalState.Initial;
 
     // The block that motions belong to: the one being executed, or the one in this file that called a program of another file.
@@ -35,12 +36,14 @@ public sealed partial class NcInterpreter
         _library = library;
         _cancellation = cancellation;
         _dialect = dialect;
+        _countsIntegers = dialect.NotesNumbersWithoutPoint;
         _motions = new(like);
         for (var letter = 'A'; letter <= 'Z'; letter++)
         {
             var role = dialect.RoleOf((byte)letter);
             _otherAxes |= role == LetterRole.OtherAxis ? BlockWords.Bit(letter) : 0;
             _unknownLetters |= role == LetterRole.Unknown ? BlockWords.Bit(letter) : 0;
+            _lengthLetters |= role is LetterRole.Axis or LetterRole.Center or LetterRole.Radius ? BlockWords.Bit(letter) : 0;
         }
 
         _straightLetters = StraightLetters & ~(_otherAxes | _unknownLetters);
@@ -90,6 +93,11 @@ public sealed partial class NcInterpreter
                     Forget();
                     break;
             }
+        }
+
+        if (_countsIntegers && _words.Integers != 0 && _use != AxisUse.Nothing)
+        {
+            CountIntegers();
         }
 
         if (_words.Has('F') && _use != AxisUse.Nothing)

@@ -23,6 +23,7 @@ internal sealed class NcMotionAnswer(string file, NcPath path) : DocumentAnswer
         }
 
         json.WriteEndArray();
+        ShownNotes.Write(json, (file, path));
     }
 
     /// <inheritdoc/>
