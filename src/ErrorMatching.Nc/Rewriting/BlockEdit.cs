@@ -26,6 +26,12 @@ internal sealed class BlockEdit
         _incrementDecimals = incrementDecimals;
     }
 
+    /// <summary>An edit of other blocks of the same program.</summary>
+    public BlockEdit(BlockEdit other)
+        : this(other._program, other._programIsFixed, other._incrementDecimals)
+    {
+    }
+
     /// <summary>Patches of the block, in ascending order.</summary>
     public List<NcPatch> Patches
     {
