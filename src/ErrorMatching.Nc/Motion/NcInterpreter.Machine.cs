@@ -11,16 +11,18 @@ public sealed partial class NcInterpreter
     private readonly Dictionary<int, (Point3 Place, AxisSet Unknown)> _references = [];
     private int _reference;
     private Vector3 _toolLength;
+    private bool _isToolLengthInInches;
 
-    // A length from the tool table is the machine's affair.
-    private AxisSet UnknownLength => _state.LengthOffset ? AxisSet.Z : AxisSet.None;
+    // A length from the tool table is the machine's affair. So is one that was stated in other units: LinuxCNC 2.9 keeps its number (measured with rs274).
+    private AxisSet UnknownLength =>
+        (_state.LengthOffset ? AxisSet.Z : AxisSet.None) | (_isToolLengthInInches != _state.Inch ? AxesAlong(_toolLength) : AxisSet.None);
 
     // G43.1: the tip is elsewhere from here on, by what the block says. What came from the table before is not known.
     private void SetToolLength()
     {
         var given = GivenAxes();
         var length = Given(default(Point3) + _toolLength, incremental: false) - default(Point3);
-        ChangeToolLength(length, (UnknownLength & given) | UnknownWords());
+        ChangeToolLength(length, (UnknownLength & (given | AxesAlong(_toolLength))) | UnknownWords());
         _state.LengthOffset &= (given & AxisSet.Z) == AxisSet.None;
     }
 
@@ -33,7 +35,7 @@ public sealed partial class NcInterpreter
 
     private void EndToolLength()
     {
-        ChangeToolLength(Vector3.Zero, AxisSet.None);
+        ChangeToolLength(Vector3.Zero, UnknownLength & AxesAlong(_toolLength));
         _state.LengthOffset = false;
     }
 
@@ -45,7 +47,7 @@ public sealed partial class NcInterpreter
         }
 
         var by = _toolLength - to;
-        _toolLength = to;
+        (_toolLength, _isToolLengthInInches) = (to, _state.Inch);
         DependOnPlace();
         var degrees = OriginOf(_workOffset).Degrees;
         MoveWork(WorkOrigin.Turned(by, -(degrees ?? 0)), degrees is null && (by.X != 0 || by.Y != 0) ? unknown | AxisSet.X | AxisSet.Y : degrees == 0 ? unknown : WorkOrigin.Mixed(unknown));
@@ -121,7 +123,15 @@ public sealed partial class NcInterpreter
         }
 
         named = named == AxisSet.None ? AxisSet.All : named;
-        var (end, unknownEnd) = _references.TryGetValue(_reference, out var stored) ? ToMachine(named, stored.Place, stored.Unknown) : (_state.Position, _state.Unknown | named);
-        Append((unknownEnd & named) == AxisSet.None ? MotionKind.Rapid : MotionKind.Reference, flags, end, unknownEnd);
+        if (!_references.TryGetValue(_reference, out var stored))
+        {
+            Append(MotionKind.Reference, flags, _state.Position, _state.Unknown | named);
+            return;
+        }
+
+        // The axes that are named are those of the work, however its offset is turned.
+        var (there, unknownThere) = ToMachine(AxisSet.All, stored.Place, stored.Unknown);
+        var end = _state.Position + Only(named, there - _state.Position);
+        Append((unknownThere & named) == AxisSet.None ? MotionKind.Rapid : MotionKind.Reference, flags, end, (_state.Unknown & ~named) | (unknownThere & named));
     }
 }
