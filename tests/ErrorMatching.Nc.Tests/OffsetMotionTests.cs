@@ -11,18 +11,24 @@ public sealed class OffsetMotionTests
     [InlineData("G55 G91 X5\nG90 Y2", "R?,?,? R?,2,?")]
 
     // G54 at (100, 50, 0), G55 at (110, 80, -5): the place (0, 0, 0) of G54 is (-10, -30, 5) of G55.
-    [InlineData("G10 L2 P1 X100 Y50 Z0\nX0 Y0 Z0\nG10 L2 P2 X110 Y80 Z-5\nG55\nG91 X1 Y1 Z1", "R0,0,0 R-9,-29,6")]
-    [InlineData("G10 L2 P1 X100 Y50 Z0\nX0 Y0 Z0\nG10 L2 P2 X110 Y80\nG55\nG91 X1 Y1 Z1", "R0,0,0 R-9,-29,?")]
+    [InlineData("G10 L2 P1 X100 Y50 Z0 R0\nX0 Y0 Z0\nG10 L2 P2 X110 Y80 Z-5 R0\nG55\nG91 X1 Y1 Z1", "R0,0,0 R-9,-29,6")]
+    [InlineData("G10 L2 P1 X100 Y50 Z0 R0\nX0 Y0 Z0\nG10 L2 P2 X110 Y80 R0\nG55\nG91 X1 Y1 Z1", "R0,0,0 R-9,-29,?")]
+
+    // An offset can be turned, and how G55 is turned is the machine's affair where the program does not say it.
+    [InlineData("G10 L2 P1 X100 Y50 Z0 R0\nX0 Y0 Z0\nG10 L2 P2 X110 Y80 Z-5\nG55\nG91 X1 Y1 Z1", "R0,0,0 R?,?,6")]
+
+    // A quarter turn: (10, 30) from the new origin back is (30, -10) along its axes.
+    [InlineData("G10 L2 P1 X100 Y50 Z0 R0\nX0 Y0 Z0\nG10 L2 P2 X90 Y20 Z0 R90\nG55\nG91 X1", "R0,0,0 R31,-10,0")]
 
     // P0 is the offset that is active; moving it by 2 makes the place smaller by 2.
-    [InlineData("G10 L2 P1 X100 Y50 Z0\nX5 Y5 Z5\nG10 L2 P0 X102\nG91 X0.5", "R5,5,5 R3.5,5,5")]
-    [InlineData("X5 Y5\nG10 L2 P1 X100\nG91 Y1", "R5,5,0 R?,6,0")]
+    [InlineData("G10 L2 P1 X100 Y50 Z0 R0\nX5 Y5 Z5\nG10 L2 P0 X102\nG91 X0.5", "R5,5,5 R3.5,5,5")]
+    [InlineData("X5 Y5\nG10 L2 P1 X100 R0\nG91 Y1", "R5,5,0 R?,?,0")]
 
     // L20 gives the tool its coordinates.
     [InlineData("X5 Y5\nG10 L20 P1 X1 Y2\nG91 X1 Y1", "R5,5,0 R2,3,0")]
-    [InlineData("G10 L2 P1 X100 Y50 Z0\nX5 Y5 Z0\nG10 L20 P2 X1\nG55 G91 X1 Y1", "R5,5,0 R2,?,?")]
+    [InlineData("G10 L2 P1 X100 Y50 Z0 R0\nX5 Y5 Z0\nG10 L20 P2 X1\nG55 G91 X1 Y1", "R5,5,0 R?,?,?")]
     [InlineData("G91\nG10 L20 P0 X1\nX1", "R2,0,0")]
-    [InlineData("G10 L2 P1 R30\nX5", "R5,?,?")]
+    [InlineData("G10 L2 P1 R30\nX5", "R5,?,0")]
 
     // G92 names the place where the tool stands.
     [InlineData("X10 Y20\nG92 X1 Y2\nG91 X1 Y1", "R10,20,0 R2,3,0")]
@@ -41,15 +47,15 @@ public sealed class OffsetMotionTests
 
     // Machine coordinates are work coordinates where the program has set the offset itself.
     [InlineData("G53 G0 Z0\nG90 X1", "M0,0,? R1,0,?")]
-    [InlineData("G10 L2 P1 X100 Y50 Z-200\nX0 Y0 Z0\nG53 G0 Z-10\nG91 Z-1", "R0,0,0 M0,0,190 R0,0,189")]
-    [InlineData("G10 L2 P1 X100 Y50 Z-200\nX0 Y0 Z0\nG92 X10\nG53 G0 X0\nG90 Y1", "R0,0,0 M-90,0,0 R-90,1,0")]
-    [InlineData("G10 L2 P1 X100 Y50 Z-200\nX0 Y0 Z0\nG43 H1\nG53 G0 Z-10\nX1", "R0,0,0 M0,0,? R1,0,?")]
+    [InlineData("G10 L2 P1 X100 Y50 Z-200 R0\nX0 Y0 Z0\nG53 G0 Z-10\nG91 Z-1", "R0,0,0 R0,0,190 R0,0,189")]
+    [InlineData("G10 L2 P1 X100 Y50 Z-200 R0\nX0 Y0 Z0\nG92 X10\nG53 G0 X0\nG90 Y1", "R0,0,0 R-90,0,0 R-90,1,0")]
+    [InlineData("G10 L2 P1 X100 Y50 Z-200 R0\nX0 Y0 Z0\nG43 H1\nG53 G0 Z-10\nX1", "R0,0,0 M0,0,? R1,0,?")]
 
     // Reference points are reached over the place that the block names.
     [InlineData("X1\nG28 X5 Y6\nX7", "R1,0,0 R5,6,0 M?,?,0 R7,?,0")]
-    [InlineData("G91 G28 Z0\nG90 X1", "M0,0,? R1,0,?")]
+    [InlineData("G91 G28 Z0\nG90 X1", "R0,0,0 M0,0,? R1,0,?")]
     [InlineData("G91 G28 Z5\nG90 X1", "R0,0,5 M0,0,? R1,0,?")]
-    [InlineData("G28\nX1 Z2", "M?,?,? R1,?,2")]
+    [InlineData("G28\nX1 Z2", "R0,0,0 M?,?,? R1,?,2")]
     [InlineData("G1 X5 F100\nG30 Z9\nX7", "L5,0,0 R5,0,9 M5,0,? L7,0,?")]
     public void LinuxCnc(string program, string moves) => Assert.Equal(moves, Moves.Of("linuxcnc", program));
 

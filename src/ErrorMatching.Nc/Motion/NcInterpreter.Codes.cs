@@ -30,6 +30,10 @@ public sealed partial class NcInterpreter
                     _state.Inch = meaning == NcMeaning.Inch;
                     _state.InchFeed = _dialect.ScalesFeed(tenths) ? _state.Inch : _state.InchFeed;
                     break;
+                case NcMeaning.ReferenceReturn or NcMeaning.StoreReference:
+                    _reference = tenths / 10;
+                    Obey(meaning, 0);
+                    break;
                 default:
                     Obey(meaning, _dialect.FamilyOf(tenths));
                     break;
@@ -62,6 +66,9 @@ public sealed partial class NcInterpreter
                 _use = AxisUse.Nothing;
                 EndTransform(meaning, family);
                 break;
+            case NcMeaning.StoreReference:
+                StoreReference();
+                break;
             case NcMeaning.MachineCoordinates or NcMeaning.SuppressFrames:
                 _use = AxisUse.MachineCoordinates;
                 break;
@@ -69,10 +76,10 @@ public sealed partial class NcInterpreter
                 _use = AxisUse.Nothing;
                 break;
             case NcMeaning.LengthOffset:
-                _state.LengthOffset = true;
+                TakeLengthOfTable();
                 break;
             case NcMeaning.LengthOffsetOff:
-                _state.LengthOffset = false;
+                EndToolLength();
                 EndTransform(NcMeaning.OpaqueTransformOff, family);
                 break;
             case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff:
@@ -91,7 +98,7 @@ public sealed partial class NcInterpreter
     }
 
     private static bool SetsOrigin(NcMeaning meaning) => meaning
-        is (>= NcMeaning.SetPosition and <= NcMeaning.SetOffset)
+        is (>= NcMeaning.SetPosition and <= NcMeaning.SetOffset) or NcMeaning.ToolLength
         or NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.Mirroring or NcMeaning.OpaqueTransform
         or (>= NcMeaning.FrameShift and <= NcMeaning.FrameMirrorMore);
 

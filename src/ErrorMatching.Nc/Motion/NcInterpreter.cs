@@ -80,6 +80,7 @@ public sealed partial class NcInterpreter
     {
         (_use, _code, _family, _probes, _hasUnknownCode) = (AxisUse.Motion, NcMeaning.Unknown, 0, false, false);
         var flags = ReadObstacles();
+        var inchFeed = _state.InchFeed;
         flags |= ReadCodes();
         foreach (var function in _words.Functions)
         {
@@ -102,13 +103,18 @@ public sealed partial class NcInterpreter
 
         if (_words.Has('F') && _use != AxisUse.Nothing)
         {
-            _state.Feed = _words.Value('F') * (_state.InchFeed && !_state.InverseTime ? MmPerInch : 1);
+            // LinuxCNC takes the feed of a block before its units.
+            inchFeed = _dialect.Syntax == NcSyntax.LinuxCnc ? inchFeed : _state.InchFeed;
+            _state.Feed = _words.Value('F') * (inchFeed && !_state.InverseTime ? MmPerInch : 1);
         }
 
         switch (_use)
         {
-            case AxisUse.Motion or AxisUse.MachineCoordinates when MovesAxes():
-                Move(flags, _use == AxisUse.MachineCoordinates);
+            case AxisUse.Motion when MovesAxes():
+                Move(flags);
+                break;
+            case AxisUse.MachineCoordinates when MovesAxes():
+                MoveInMachine(flags);
                 break;
             case AxisUse.Reference:
                 ReturnToReference(flags);
@@ -166,6 +172,7 @@ public sealed partial class NcInterpreter
         _state.Unsure = Unsure.All;
         _state.Unknown = AxisSet.All;
         _state.Cycle = NcMeaning.Unknown;
+        ForgetOrigins();
     }
 
     private AxisSet GivenAxes() => AxesOf(_words.Present | _words.Computed);

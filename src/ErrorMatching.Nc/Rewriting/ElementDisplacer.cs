@@ -26,40 +26,50 @@ internal sealed partial class ElementDisplacer
 
     private readonly NcPath _path;
     private readonly PathChange _change;
+    private readonly IReadOnlyList<ElementWish> _wishes;
+    private readonly MotionRuns _asked = new();
+
+    // What was asked for and the fillets that go along; their wishes, and those that had to be made exact.
     private readonly MotionRuns _named = new();
-    private readonly List<ElementWish> _wishes;
+    private readonly Dictionary<int, ElementWish> _otherWishes = [];
     private readonly Dictionary<int, Carrier> _rounded = [];
     private readonly HashSet<int> _shrunk = [];
     private readonly BitArray _smoothJoints;
 
-    private ElementDisplacer(NcPath path, int wishes)
+    private ElementDisplacer(NcPath path, IReadOnlyList<ElementWish> wishes)
     {
         _path = path;
         _change = new(path);
-        _wishes = new(wishes);
+        _wishes = wishes;
         _smoothJoints = new(path.Motions.Length + 1);
     }
 
     /// <summary>Computes the new joints and centers for a wish.</summary>
     public static NcOutcome<PathChange> Run(NcPath path, DisplacementWish wish)
     {
-        var displacer = new ElementDisplacer(path, wish.Elements.Count);
-        return displacer.Displace(wish.Elements) is { } refusal ? refusal : displacer._change;
+        var displacer = new ElementDisplacer(path, wish.Elements);
+        return displacer.Displace() is { } refusal ? refusal : displacer._change;
     }
 
-    private NcRefusal? Displace(IReadOnlyList<ElementWish> elements)
+    private NcRefusal? Displace()
     {
-        foreach (var element in WithNeighborFillets(elements))
+        var fillets = new List<ElementWish>();
+        foreach (var element in WithNeighborFillets(_wishes))
         {
             if (Add(element) is { } refusal)
             {
                 return refusal;
             }
+
+            if (element.IsFillet)
+            {
+                fillets.Add(element);
+            }
         }
 
-        foreach (var element in _wishes)
+        foreach (var element in fillets)
         {
-            if (element.IsFillet && Round(element) is { } refusal)
+            if (Round(element) is { } refusal)
             {
                 return refusal;
             }
@@ -99,7 +109,11 @@ internal sealed partial class ElementDisplacer
         // Both ends of a full circle are one place, to the last bit.
         var isClosed = motion.PlaneStart.DistanceTo(motion.PlaneEnd) < 1e-9 && (element.End - element.Start).Length < 1e-9;
         _named.Add(element.Motion);
-        _wishes.Add(isClosed ? element with { End = element.Start } : element);
+        if (isClosed)
+        {
+            _otherWishes[element.Motion] = element with { End = element.Start };
+        }
+
         if (carrier.Circle is { } circle)
         {
             _change.SetCenter(element.Motion, circle.Center);
@@ -113,10 +127,11 @@ internal sealed partial class ElementDisplacer
     {
         for (var i = 0; i < elements.Count; i++)
         {
+            _asked.Add(elements[i].Motion);
             yield return elements[i];
             var first = elements[i].Motion + 1;
             var behind = i + 1 < elements.Count ? elements[i + 1].Motion : first;
-            if (behind == first || Fillet.Around(_path, first) is not { } fillet || fillet != (first, behind - 1))
+            if (behind == first || Fillet.Around(_path, first) is not { } around || around != (first, behind - 1))
             {
                 continue;
             }
@@ -124,7 +139,9 @@ internal sealed partial class ElementDisplacer
             var (from, to) = (elements[i].End, elements[i + 1].Start);
             for (var motion = first; motion < behind; motion++)
             {
-                yield return new(motion, from, (from + to) / 2, to, IsFillet: true);
+                var fillet = new ElementWish(motion, from, (from + to) / 2, to, IsFillet: true);
+                _otherWishes.Add(motion, fillet);
+                yield return fillet;
             }
         }
     }
@@ -341,7 +358,7 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    private ElementWish WishOf(int motion) => _wishes[_named.IndexOf(motion)];
+    private ElementWish WishOf(int motion) => _otherWishes.Count > 0 && _otherWishes.TryGetValue(motion, out var other) ? other : _wishes[_asked.IndexOf(motion)];
 
     private Carrier CarrierOf(int motion) => _rounded.TryGetValue(motion, out var fillet) ? fillet : Carrier.Displaced(_path.Motions[motion], WishOf(motion))!.Value;
 
