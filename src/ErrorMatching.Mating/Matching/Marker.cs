@@ -64,7 +64,9 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     internal byte[] InsertInto(NcProgram program)
     {
         ArgumentNullException.ThrowIfNull(program);
-        var at = HeadLength(program);
+
+        // A UTF-8 mark is one only at the very beginning, so what comes first stays first.
+        var at = Math.Max(HeadLength(program), program.Bytes.Span.StartsWith("\uFEFF"u8) ? 1 : 0);
         var start = at < program.BlockCount ? program[at].Start : program.Bytes.Length;
         var lineEnd = LineEnd(program);
         var text = Encoding.ASCII.GetBytes(TextIn(program.Syntax));

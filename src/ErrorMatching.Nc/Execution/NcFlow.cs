@@ -80,6 +80,7 @@ internal sealed partial class NcFlow
         get
         {
             var text = _program.BlockCount == 0 ? default : _program.BytesOf(_program[0]);
+            text = text[SyntaxBytes.MarkLength(text)..];
             if (_syntax == NcSyntax.Siemens && text.Length > 0 && text[0] == '%' && text.IndexOf("_MPF"u8) < 0)
             {
                 _resumed = Unit.First;

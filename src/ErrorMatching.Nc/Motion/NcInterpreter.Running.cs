@@ -31,7 +31,7 @@ public sealed partial class NcInterpreter
 
     private NcPath Run()
     {
-        _at = _dialect.Syntax == NcSyntax.Siemens && _program.Bytes.Span is [(byte)'%', ..] ? Flow.First : 0;
+        _at = _dialect.Syntax == NcSyntax.Siemens && _program.Bytes.Span[SyntaxBytes.MarkLength(_program.Bytes.Span)..] is [(byte)'%', ..] ? Flow.First : 0;
         while (!_ended)
         {
             if (_at < _text.BlockCount)

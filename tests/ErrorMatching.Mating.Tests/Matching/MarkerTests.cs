@@ -43,6 +43,13 @@ public sealed class MarkerTests
         Assert.Equal("%\nO1000\n" + Text + "\n(COVER)\n" + Body, Inserted("%\nO1000\n(COVER)\n" + Body));
 
     [Fact]
+    public void Behind_a_mark_of_UTF_8_the_first_block_stays_first()
+    {
+        var program = NcProgram.FromText("\uFEFFN10 G21\n" + Body);
+        Assert.Equal("\uFEFFN10 G21\n" + Text + "\n" + Body, Encoding.UTF8.GetString(new Marker(new('a', 64), new('b', 64)).InsertInto(program)));
+    }
+
+    [Fact]
     public void Behind_a_last_line_without_end_it_begins_a_new_one()
     {
         Assert.Equal("%\r\nO1000\r\n" + Text, Inserted("%\r\nO1000"));
