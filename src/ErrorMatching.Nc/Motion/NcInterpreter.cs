@@ -34,6 +34,7 @@ public sealed partial class NcInterpreter
         _library = library;
         _cancellation = cancellation;
         _dialect = dialect;
+        _state.RetractsToR = dialect.Syntax == NcSyntax.LinuxCnc;
         _motions = new(like);
         for (var letter = 'A'; letter <= 'Z'; letter++)
         {
@@ -98,6 +99,10 @@ public sealed partial class NcInterpreter
             case AxisUse.Motion when MovesAxes():
                 Move(flags);
                 break;
+            case AxisUse.Motion when GoesNowhere && StatesStraightMotion():
+                // LinuxCNC goes where it stands.
+                Append(_state.Mode, flags, _state.Position, _state.Unknown);
+                break;
             case AxisUse.MachineCoordinates when MovesAxes():
                 MoveInMachine(flags);
                 break;
@@ -129,7 +134,20 @@ public sealed partial class NcInterpreter
     {
         var given = _words.Present | _words.Computed;
         var arc = _state.Mode is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise && _state.Cycle == NcMeaning.Unknown;
-        return (given & (LinearAxes | _otherAxes)) != 0 || (arc && (given & CenterWords) != 0);
+        return (given & (LinearAxes | _otherAxes)) != 0 || _words.IsPolar || (arc && (given & CenterWords) != 0);
+    }
+
+    private bool StatesStraightMotion()
+    {
+        foreach (var code in _words.Codes)
+        {
+            if (_dialect.MeaningOf(code) is NcMeaning.Rapid or NcMeaning.Line)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     private void Append(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd, Point2 center = default, int turns = 0)
