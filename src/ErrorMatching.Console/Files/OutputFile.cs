@@ -21,7 +21,18 @@ internal static class OutputFile
     /// <param name="cancellation">Looked at last before the first file appears.</param>
     /// <exception cref="OutputException">A file is an input or another of the outputs, or cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Nothing was written.</exception>
-    public static void WriteAll(IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, IReadOnlyCollection<string> inputs, CancellationToken cancellation)
+    public static void WriteAll(IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, IReadOnlyCollection<string> inputs, CancellationToken cancellation) =>
+        WriteAll(files, inputs, () => true, cancellation);
+
+    /// <summary>Writes files that belong together, if they may appear once they are written beside their places: all of them, in their order, or none.</summary>
+    /// <param name="files">The files and their contents.</param>
+    /// <param name="inputs">The files that were read: none of them is ever replaced, not even through a link.</param>
+    /// <param name="mayAppear">Asked last before the first file appears. After a no nothing is left behind.</param>
+    /// <param name="cancellation">Looked at before the first file appears.</param>
+    /// <returns>True if the files are in their places.</returns>
+    /// <exception cref="OutputException">A file is an input or another of the outputs, or cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">Nothing was written.</exception>
+    public static bool WriteAll(IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, IReadOnlyCollection<string> inputs, Func<bool> mayAppear, CancellationToken cancellation)
     {
         var targets = new List<string>();
         foreach (var (path, _) in files)
@@ -46,6 +57,11 @@ internal static class OutputFile
             Try(path, () => batch.Stage(path, bytes.Span));
         }
 
+        if (!mayAppear())
+        {
+            return false;
+        }
+
         cancellation.ThrowIfCancellationRequested();
         foreach (var (path, _) in files)
         {
@@ -53,6 +69,7 @@ internal static class OutputFile
         }
 
         batch.Keep();
+        return true;
     }
 
     /// <summary>Writes a file that is not there yet.</summary>

@@ -21,7 +21,18 @@ internal sealed class WishOption : Option<string>
     /// <param name="inputs">The files that were read.</param>
     /// <param name="cancellation">Looked at last before the first file appears.</param>
     public void WriteWith(
-        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, Func<WishFile> wish, ParseResult arguments, IReadOnlyCollection<string> inputs, CancellationToken cancellation)
+        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, Func<WishFile> wish, ParseResult arguments, IReadOnlyCollection<string> inputs, CancellationToken cancellation) =>
+        WriteWith(files, wish, arguments, inputs, () => true, cancellation);
+
+    /// <summary>The same, if the files may appear once they are written beside their places.</summary>
+    /// <param name="files">The outputs; the last one is the program.</param>
+    /// <param name="wish">Makes the wish.</param>
+    /// <param name="arguments">What the user typed.</param>
+    /// <param name="inputs">The files that were read.</param>
+    /// <param name="mayAppear">Asked last before the first file appears.</param>
+    /// <param name="cancellation">Looked at before the first file appears.</param>
+    public void WriteWith(
+        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, Func<WishFile> wish, ParseResult arguments, IReadOnlyCollection<string> inputs, Func<bool> mayAppear, CancellationToken cancellation)
     {
         if (arguments.GetValue(this) is { } file)
         {
@@ -32,7 +43,7 @@ internal sealed class WishOption : Option<string>
 
         if (files.Count > 0)
         {
-            OutputFile.WriteAll(files, inputs, cancellation);
+            OutputFile.WriteAll(files, inputs, mayAppear, cancellation);
         }
     }
 }

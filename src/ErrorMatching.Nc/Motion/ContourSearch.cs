@@ -60,15 +60,7 @@ internal sealed class ContourSearch
             return Find(_ends, _motions.EndOf, place, from, LastOf(from), ahead: true);
         }
 
-        for (var i = from; i < _motions.Length && Belongs(i, like); i++)
-        {
-            if (IsSame(_motions.EndOf(i), place))
-            {
-                return i;
-            }
-        }
-
-        return -1;
+        return WalkAhead(place, from, like);
     }
 
     /// <summary>The last motion up to a position that begins at a place, all between being cuts of one contour; -1 where there is none.</summary>
@@ -88,6 +80,24 @@ internal sealed class ContourSearch
             return Find(_starts, _motions.StartOf, place, FirstOf(from), from, ahead: false);
         }
 
+        return WalkBack(place, from, like);
+    }
+
+    private int WalkAhead(Point3 place, int from, int like)
+    {
+        for (var i = from; i < _motions.Length && Belongs(i, like); i++)
+        {
+            if (IsSame(_motions.EndOf(i), place))
+            {
+                return i;
+            }
+        }
+
+        return -1;
+    }
+
+    private int WalkBack(Point3 place, int from, int like)
+    {
         for (var i = from; i >= 0 && Belongs(i, like); i--)
         {
             if (IsSame(_motions.StartOf(i), place))
@@ -101,7 +111,7 @@ internal sealed class ContourSearch
 
     private bool Belongs(int motion, int like) => _motions.IsContour(motion) && _motions.IsComparable(motion, like);
 
-    private bool IsSame(Point3 a, Point3 b) => (a - b).Length < _tolerance;
+    private bool IsSame(Point3 a, Point3 b) => Math.Abs(a.X - b.X) < _tolerance && (a - b).Length < _tolerance;
 
     private int FirstOf(int motion)
     {

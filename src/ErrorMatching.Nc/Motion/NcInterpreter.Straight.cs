@@ -1,4 +1,4 @@
-using System.Runtime.CompilerServices;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
@@ -10,7 +10,6 @@ public sealed partial class NcInterpreter
     private const uint StraightLetters = LinearAxes | (1u << ('N' - 'A')) | (1u << ('F' - 'A'));
 
     // Runs the block whose plain words were just read; false where more than a straight move may be in it, and nothing has been done then.
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private bool TryRunStraight()
     {
         if ((_words.Present & ~_straightLetters) != 0 || _words.Repeated != 0 || _words.Functions.Length != 0 || !IsStraight())
@@ -42,7 +41,11 @@ public sealed partial class NcInterpreter
 
         if ((_words.Present & LinearAxes) != 0)
         {
-            var (end, unknown) = Target();
+            var given = _words.Present & LinearAxes;
+            var incremental = _state.Incremental ? given : 0;
+            var at = _state.Position;
+            var end = new Point3(Axis('X', at.X, given, incremental), Axis('Y', at.Y, given, incremental), Axis('Z', at.Z, given, incremental));
+            var unknown = _state.Unknown & ~AxesOf(given & ~incremental);
             _motions.AddStraight(_block, _state, ModeFlags(), end, unknown);
             _state.Position = end;
             _state.Unknown = unknown;

@@ -1,5 +1,4 @@
 using System.Collections;
-using System.Runtime.CompilerServices;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
@@ -8,7 +7,8 @@ namespace ErrorMatching.Nc;
 public sealed class NcMotions : IReadOnlyList<NcMotion>
 {
     private readonly Chunks<StoredMotion> _motions;
-    private readonly List<MotionSetting> _settings = [];
+    private MotionSetting[] _settings = new MotionSetting[16];
+    private int _settingCount;
     private readonly Chunks<StoredArc> _arcs;
     private readonly Dictionary<int, (Point3 Place, AxisSet Unknown)> _starts = [];
     private int _lastBlock = -1;
@@ -84,6 +84,15 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
             return true;
         }
 
+        if (m.Plane == CoordinatePlane.XY && index > 0 && (m.Flags & MotionFlags.StartsElsewhere) == MotionFlags.None)
+        {
+            ref readonly var before = ref _motions[index - 1];
+            if ((before.UnknownEnd | m.UnknownEnd) == AxisSet.None)
+            {
+                return before.X != m.X || before.Y != m.Y;
+            }
+        }
+
         var (start, unknown) = StartOf(index, m.Flags);
         return m.Plane.Project(unknown.KnownPartOf(start)) != m.Plane.Project(m.UnknownEnd.KnownPartOf(m.End)) || ((unknown ^ m.UnknownEnd) & m.Plane.Axes()) != AxisSet.None;
     }
@@ -101,7 +110,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     {
         ref readonly var a = ref _motions[index];
         ref readonly var b = ref other._motions[index];
-        if (!a.SameAs(b) || a.Block + linesBefore != b.Block || _settings[a.Setting] != other._settings[b.Setting] || (a.Arc < 0) != (b.Arc < 0))
+        if (!a.SameAs(b) || a.Block + linesBefore != b.Block || !_settings[a.Setting].SameAs(other._settings[b.Setting]) || (a.Arc < 0) != (b.Arc < 0))
         {
             return false;
         }
@@ -154,22 +163,24 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     }
 
     /// <summary>Appends a straight move from where the tool is.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    internal void AddStraight(int block, in ModalState state, MotionFlags flags, Point3 end, AxisSet unknownEnd)
+    internal void AddStraight(int block, in ModalState state, MotionFlags flags, in Point3 end, AxisSet unknownEnd)
     {
-        var index = Length;
-        var start = state.Position;
-        var (before, unknownBefore) = StartOf(index, flags);
-        if (start != before || state.Unknown != unknownBefore)
+        if (Length == 0 || (state.Unknown | unknownEnd) != AxisSet.None || !StartsAtLast(state.Position))
         {
-            flags |= MotionFlags.StartsElsewhere;
-            _starts[index] = (start, state.Unknown);
+            Add(new(block, state.Mode, state.Plane, flags, state.Position, end, default, 0, state.Feed, state.Frame, state.Unknown, unknownEnd));
+            return;
         }
 
-        HasPoints |= state.Mode == MotionKind.Line && start == end;
+        HasPoints |= state.Mode == MotionKind.Line && state.Position.X == end.X && state.Position.Y == end.Y && state.Position.Z == end.Z;
         FollowBlocks &= block >= _lastBlock;
         _lastBlock = block;
-        _motions.Add(new(block, state.Mode, state.Plane, flags, end, unknownEnd, SettingOf(state.Feed, state.Frame), -1));
+        _motions.Add(new(block, state.Mode, state.Plane, flags, end, AxisSet.None, SettingOf(state.Feed, state.Frame), -1));
+    }
+
+    private bool StartsAtLast(in Point3 place)
+    {
+        ref readonly var last = ref _motions[Length - 1];
+        return last.X == place.X && last.Y == place.Y && last.Z == place.Z && last.UnknownEnd == AxisSet.None;
     }
 
     /// <summary>Moves the end of the motion that was added last; what follows begins there.</summary>
@@ -181,13 +192,18 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
 
     private int SettingOf(double feed, int frame)
     {
-        if (_settings.Count == 0 || _feed != feed || _frame != frame)
+        if (_settingCount == 0 || _feed != feed || _frame != frame)
         {
             (_feed, _frame) = (feed, frame);
-            _settings.Add(new(feed, frame));
+            if (_settingCount == _settings.Length)
+            {
+                Array.Resize(ref _settings, _settingCount * 2);
+            }
+
+            _settings[_settingCount++] = new(feed, frame);
         }
 
-        return _settings.Count - 1;
+        return _settingCount - 1;
     }
 
     private (Point3 Place, AxisSet Unknown) StartOf(int index, MotionFlags flags)

@@ -81,7 +81,15 @@ public sealed class NcPath
     }
 
     /// <summary>Position of a block's first motion, or -1 where it has none.</summary>
-    public int MotionOf(int block) => MotionsOf(block) is { Length: > 0 } motions ? motions[0] : -1;
+    public int MotionOf(int block) => RunOf(block, 0);
+
+    /// <summary>One of the motions of a block, by its place among them; -1 behind the last.</summary>
+    internal int RunOf(int block, int run)
+    {
+        var order = Motions.FollowBlocks ? null : _byBlock ??= OrderByBlock();
+        var place = FirstFrom(order, block) + run;
+        return place < Motions.Length && BlockAt(order, place) == block ? order is null ? place : order[place] : -1;
+    }
 
     private int[] OrderByBlock()
     {

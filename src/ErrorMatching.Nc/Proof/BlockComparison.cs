@@ -1,3 +1,4 @@
+using System.Numerics;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
@@ -8,16 +9,11 @@ namespace ErrorMatching.Nc;
 /// </summary>
 internal sealed class BlockComparison(NcPath before, NcPath after)
 {
-    /// <summary>Stands for a value that changed; no program has this byte in a word.</summary>
-    private const byte ChangedValue = 0xFF;
-
     private const uint AxisWords = (1u << ('X' - 'A')) | (1u << ('Y' - 'A')) | (1u << ('Z' - 'A'));
     private const uint RadiusWords = (1u << ('R' - 'A')) | (1u << (NcAddress.CircleRadius - 'A'));
 
-    private readonly NcNumber[] _original = new NcNumber[32];
-    private readonly NcNumber[] _result = new NcNumber[32];
-    private byte[] _originalRest = [];
-    private byte[] _resultRest = [];
+    private readonly BlockRemainder _original = new(before.Program);
+    private readonly BlockRemainder _result = new(after.Program);
 
     /// <summary>The first block from one on whose bytes, its line end included, are not those of the result; the end of the range where there is none.</summary>
     /// <param name="first">Block of the original to begin with.</param>
@@ -56,46 +52,31 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
     public bool SameButCoordinates(int motion, int block, int blockInResult)
     {
         var (was, now) = (before.Motions[motion], after.Motions[motion]);
-        var (a, b) = (before.Program[block], after.Program[blockInResult]);
-        var (inOriginal, inResult) = (WordsOf(before.Program, a, _original), WordsOf(after.Program, b, _result));
-        var both = inOriginal & inResult & Changeable(was);
+        _original.Read(block);
+        _result.Read(blockInResult);
+        var changeable = Changeable(was);
         var changed = 0u;
-        for (var rest = both; rest != 0; rest &= rest - 1)
+        for (var rest = _original.Letters & _result.Letters & changeable; rest != 0; rest &= rest - 1)
         {
-            var letter = System.Numerics.BitOperations.TrailingZeroCount(rest);
-            changed |= _original[letter].SameValue(_result[letter]) ? 0 : 1u << letter;
+            var letter = BitOperations.TrailingZeroCount(rest);
+            changed |= _original.Number(letter).SameValue(_result.Number(letter)) ? 0 : 1u << letter;
         }
 
         var isRadiusReplaced = was.Has(MotionFlags.ByRadius) && !now.Has(MotionFlags.ByRadius);
-        var dropped = isRadiusReplaced ? inOriginal & ~inResult & Changeable(was) & RadiusWords : 0;
+        var dropped = isRadiusReplaced ? _original.Letters & ~_result.Letters & changeable & RadiusWords : 0;
         var inserted = 0u;
-        for (var rest = inResult & ~inOriginal & Changeable(was); rest != 0; rest &= rest - 1)
+        for (var rest = _result.Letters & ~_original.Letters & changeable; rest != 0; rest &= rest - 1)
         {
-            var letter = System.Numerics.BitOperations.TrailingZeroCount(rest);
-            inserted |= IsNeeded((byte)('A' + letter), _result[letter], now, isRadiusReplaced) ? 1u << letter : 0;
+            var letter = BitOperations.TrailingZeroCount(rest);
+            inserted |= IsNeeded((byte)('A' + letter), _result.Number(letter), now, isRadiusReplaced) ? 1u << letter : 0;
         }
 
-        return Remainder(before.Program, a, changed, dropped, ref _originalRest).SequenceEqual(Remainder(after.Program, b, changed, inserted, ref _resultRest));
+        return _original.Without(changed, dropped).SequenceEqual(_result.Without(changed, inserted));
     }
 
     private static int EndOf(NcProgram program, int block) => program[block].Start + program[block].FullLength;
 
     private static ReadOnlySpan<byte> Bytes(NcProgram program, int block) => program.Bytes.Span.Slice(program[block].Start, program[block].FullLength);
-
-    private static uint WordsOf(NcProgram program, NcBlock block, NcNumber[] numbers)
-    {
-        var letters = 0u;
-        foreach (var token in program.Tokens(block))
-        {
-            if (token.Kind == NcTokenKind.Word)
-            {
-                letters |= 1u << (token.Letter - 'A');
-                numbers[token.Letter - 'A'] = token.Number;
-            }
-        }
-
-        return letters;
-    }
 
     private static uint Changeable(in NcMotion motion)
     {
@@ -115,51 +96,4 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
         (byte)'R' or NcAddress.CircleRadius => false,
         _ => isRadiusReplaced || value.Digits != 0,
     };
-
-    // The block with changed values masked, and words that only one program has left out together with the one space that separates them.
-    private static ReadOnlySpan<byte> Remainder(NcProgram program, NcBlock block, uint changed, uint leftOut, ref byte[] buffer)
-    {
-        // A value that changed is one byte at least, and so is the mask.
-        buffer = buffer.Length < block.FullLength ? new byte[block.FullLength * 2] : buffer;
-        var bytes = program.Bytes.Span;
-        var rest = buffer.AsSpan();
-        var (length, skipSpace) = (0, false);
-        foreach (var token in program.Tokens(block))
-        {
-            var letter = token.Kind == NcTokenKind.Word ? 1u << (token.Letter - 'A') : 0;
-            if ((letter & changed) != 0)
-            {
-                length += Copy(bytes[token.Start..token.ValueStart], rest[length..]);
-                rest[length++] = ChangedValue;
-                length += Copy(bytes[(token.ValueStart + token.ValueLength)..token.End], rest[length..]);
-            }
-            else if ((letter & leftOut) != 0)
-            {
-                if (length > 0 && rest[length - 1] == ' ')
-                {
-                    length--;
-                }
-                else
-                {
-                    skipSpace = length == 0;
-                    continue;
-                }
-            }
-            else if (!(skipSpace && token is { Kind: NcTokenKind.Space, Length: 1 }))
-            {
-                length += Copy(bytes.Slice(token.Start, token.Length), rest[length..]);
-            }
-
-            skipSpace = false;
-        }
-
-        length += Copy(bytes[block.End..(block.Start + block.FullLength)], rest[length..]);
-        return rest[..length];
-    }
-
-    private static int Copy(ReadOnlySpan<byte> from, Span<byte> to)
-    {
-        from.CopyTo(to);
-        return from.Length;
-    }
 }

@@ -3,16 +3,18 @@ namespace ErrorMatching.Nc;
 /// <content>Every byte outside the values of words that had to change must be the original's.</content>
 public sealed partial class Prover
 {
-    private bool CompareBytes(int markerBlock)
+    private (bool Identical, List<NcRefusal> Failures) CompareBytes(int markerBlock)
     {
         var blocks = _before.Program.BlockCount;
         var compared = new BlockComparison(_before, _after);
+        var failures = new List<NcRefusal>();
         var border = markerBlock < 0 ? blocks : markerBlock;
-        return CompareBytes(compared, 0, border, 0) & CompareBytes(compared, border, blocks, 1);
+        var identical = CompareBytes(compared, 0, border, 0, failures) & CompareBytes(compared, border, blocks, 1, failures);
+        return (identical, failures);
     }
 
     // Blocks of the original that stand a number of lines further down in the result.
-    private bool CompareBytes(BlockComparison compared, int first, int behind, int linesBefore)
+    private bool CompareBytes(BlockComparison compared, int first, int behind, int linesBefore, List<NcRefusal> failures)
     {
         var identical = true;
         for (var i = compared.NextDifference(first, behind, linesBefore); i < behind; i = compared.NextDifference(i + 1, behind, linesBefore))
@@ -20,12 +22,12 @@ public sealed partial class Prover
             var motion = _before.MotionOf(i);
             if (motion < 0 || !compared.SameButCoordinates(motion, i, i + linesBefore))
             {
-                Fail(i, "something other than the words of its new place changed in it.");
+                failures.Add(Failure(i, "something other than the words of its new place changed in it."));
                 identical = false;
             }
             else if (Obstacles.Of(_before, motion) is { } obstacle)
             {
-                Fail(i, $"it changed although {obstacle.Message}");
+                failures.Add(Failure(i, $"it changed although {obstacle.Message}"));
             }
         }
 

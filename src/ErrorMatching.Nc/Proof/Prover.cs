@@ -13,6 +13,9 @@ public sealed partial class Prover
     /// <summary>How far a vertex may go, in multiples of the largest displacement asked for: a corner of 10 degrees needs 11.5.</summary>
     private const double FurthestCorner = 13;
 
+    /// <summary>From so many changed motions on, a second core is worth its start.</summary>
+    private const int Many = 10_000;
+
     /// <summary>Places closer than this are one, mm.</summary>
     private const double SamePlace = 1e-9;
 
@@ -74,14 +77,19 @@ public sealed partial class Prover
 
         if (_failures.Count == 0 && SameStructure(markerBlock))
         {
+            // The two look at different things and need nothing of each other, so a long program has them beside each other.
+            var bytes = _different.Count < Many ? null : Task.Run(() => CompareBytes(markerBlock));
             moved = CompareMotions();
-            bytesIdentical = CompareBytes(markerBlock);
+            (bytesIdentical, var failures) = bytes?.GetAwaiter().GetResult() ?? CompareBytes(markerBlock);
+            _failures.AddRange(failures);
         }
 
         return new(_failures.Count == 0, _before.Motions.Length, moved, _neighbors, _marker, _maxDeviation, bytesIdentical, _failures);
     }
 
-    private void Fail(int block, string what) => _failures.Add(NcRefusal.At(_before.Program, block, NcRefusalCodes.ProofFailed, what));
+    private void Fail(int block, string what) => _failures.Add(Failure(block, what));
+
+    private NcRefusal Failure(int block, string what) => NcRefusal.At(_before.Program, block, NcRefusalCodes.ProofFailed, what);
 
     // The line that holds the marker in the result, or -1 where none was asked for.
     private int FindMarker()

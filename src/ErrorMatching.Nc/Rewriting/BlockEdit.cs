@@ -5,10 +5,13 @@ internal sealed class BlockEdit
 {
     private readonly NcProgram _program;
     private readonly PatchText _text = new();
-    private readonly List<NcToken> _words = [];
+    private readonly int[] _placeOf = new int[32];
     private readonly List<NcPatch> _patches = [];
     private readonly bool _programIsFixed;
     private readonly int _incrementDecimals;
+    private NcToken[] _words = new NcToken[16];
+    private int _wordCount;
+    private bool _isSorted = true;
     private bool _spaced;
     private bool _lowerCase;
 
@@ -23,12 +26,23 @@ internal sealed class BlockEdit
         _incrementDecimals = incrementDecimals;
     }
 
+    /// <summary>An edit of other blocks of the same program.</summary>
+    public BlockEdit(BlockEdit other)
+        : this(other._program, other._programIsFixed, other._incrementDecimals)
+    {
+    }
+
     /// <summary>Patches of the block, in ascending order.</summary>
     public List<NcPatch> Patches
     {
         get
         {
-            _patches.Sort((a, b) => a.Start.CompareTo(b.Start));
+            if (!_isSorted)
+            {
+                _patches.Sort((a, b) => a.Start.CompareTo(b.Start));
+                _isSorted = true;
+            }
+
             return _patches;
         }
     }
@@ -36,50 +50,84 @@ internal sealed class BlockEdit
     /// <summary>Begins with another block.</summary>
     public void Open(NcBlock block)
     {
-        _words.Clear();
         _patches.Clear();
-        (_spaced, _lowerCase) = (false, false);
+        Array.Clear(_placeOf);
+        (_wordCount, _isSorted, _spaced, _lowerCase) = (0, true, false, false);
         foreach (var token in _program.Tokens(block))
         {
             if (token.Kind is NcTokenKind.Word or NcTokenKind.ExpressionWord)
             {
-                _lowerCase |= _words.Count == 0 && _program.Bytes.Span[token.Start] >= 'a';
-                _words.Add(token);
+                _lowerCase |= _wordCount == 0 && _program.Bytes.Span[token.Start] >= 'a';
+                Add(token);
             }
             else
             {
-                _spaced |= token.Kind == NcTokenKind.Space && _words.Count > 0;
+                _spaced |= token.Kind == NcTokenKind.Space && _wordCount > 0;
             }
         }
 
         // A block of a single word does not show how it separates words; a space is always read.
-        _spaced |= _words.Count < 2;
+        _spaced |= _wordCount < 2;
+    }
+
+    // The first word of a letter is found by its place, from 1.
+    private void Add(in NcToken token)
+    {
+        if (_wordCount == _words.Length)
+        {
+            Array.Resize(ref _words, _wordCount * 2);
+        }
+
+        _words[_wordCount++] = token;
+        var letter = token.Letter - 'A';
+        if (token.Kind == NcTokenKind.Word && (uint)letter < (uint)_placeOf.Length && _placeOf[letter] == 0)
+        {
+            _placeOf[letter] = _wordCount;
+        }
     }
 
     /// <summary>The value of a letter's word, or null where it has none.</summary>
-    public NcNumber? Number(byte letter) => Find(letter) is { } token ? ValueOf(token) : null;
+    public NcNumber? Number(byte letter) => PlaceOf(letter) is >= 0 and var place ? ValueOf(_words[place]) : null;
+
+    /// <summary>How a word counts whose value the control computes; null where the letter has no such word.</summary>
+    public WordDistance? Computed(byte letter)
+    {
+        foreach (ref readonly var word in _words.AsSpan(0, _wordCount))
+        {
+            if (word.Kind == NcTokenKind.ExpressionWord && word.Letter == letter)
+            {
+                return word.Distance;
+            }
+        }
+
+        return null;
+    }
 
     /// <summary>What a letter's word itself says about how it counts.</summary>
-    public WordDistance Distance(byte letter) => Find(letter)?.Distance ?? WordDistance.Modal;
+    public WordDistance Distance(byte letter) => PlaceOf(letter) is >= 0 and var place ? _words[place].Distance : WordDistance.Modal;
 
     /// <summary>Gives a letter a new value: changes its word, or inserts one. A word that has the value already stays as it is spelled.</summary>
     public void Set(byte letter, NcNumber value)
     {
-        if (Find(letter) is not { } token)
+        var place = PlaceOf(letter);
+        if (place < 0)
         {
             Insert(letter, value);
+            return;
         }
-        else if (!ValueOf(token).SameValue(value))
+
+        ref readonly var token = ref _words[place];
+        if (!ValueOf(token).SameValue(value))
         {
             Span<byte> text = stackalloc byte[NumberStyle.LongestText];
-            _patches.Add(new(token.ValueStart, token.ValueLength, _text.Keep(text[..Format(token, value, text)])));
+            Patch(new(token.ValueStart, token.ValueLength, _text.Keep(text[..Format(token, value, text)])));
         }
     }
 
     /// <summary>Replaces a letter's word by two others.</summary>
     public void Replace(byte letter, (byte Letter, NcNumber Value) first, (byte Letter, NcNumber Value) second)
     {
-        var token = Find(letter)!.Value;
+        var token = _words[PlaceOf(letter)];
         Span<byte> text = stackalloc byte[2 * (NumberStyle.LongestText + 2)];
         var length = Spell(first.Letter, text);
         length += Format(token, first.Value, text[length..]);
@@ -90,15 +138,15 @@ internal sealed class BlockEdit
 
         length += Spell(second.Letter, text[length..]);
         length += Format(token, second.Value, text[length..]);
-        _patches.Add(new(token.Start, token.Length, _text.Keep(text[..length])));
+        Patch(new(token.Start, token.Length, _text.Keep(text[..length])));
     }
 
-    private NcNumber ValueOf(NcToken token) => CountsIncrements(token) ? new(token.Number.Digits, _incrementDecimals) : token.Number;
+    private NcNumber ValueOf(in NcToken token) => CountsIncrements(token) ? new(token.Number.Digits, _incrementDecimals) : token.Number;
 
-    private bool CountsIncrements(NcToken token) => _incrementDecimals >= 0 && token.Number.Decimals == 0 && !_program.Bytes.Span.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.');
+    private bool CountsIncrements(in NcToken token) => _incrementDecimals >= 0 && token.Number.Decimals == 0 && !_program.Bytes.Span.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.');
 
     // A number that counts increments goes on doing so; if it cannot, it gets a point.
-    private int Format(NcToken like, NcNumber value, Span<byte> text)
+    private int Format(in NcToken like, NcNumber value, Span<byte> text)
     {
         var style = NumberStyle.Of(_program.Bytes.Span.Slice(like.ValueStart, like.ValueLength), _programIsFixed);
         style = style.FixedDecimals > 0 ? style : style with { FixedDecimals = -1 };
@@ -116,17 +164,12 @@ internal sealed class BlockEdit
         return style.Write(value, text);
     }
 
-    private NcToken? Find(byte letter)
-    {
-        foreach (var token in System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_words))
-        {
-            if (token.Letter == letter && token.Kind == NcTokenKind.Word)
-            {
-                return token;
-            }
-        }
+    private int PlaceOf(byte letter) => (uint)(letter - 'A') < (uint)_placeOf.Length ? _placeOf[letter - 'A'] - 1 : -1;
 
-        return null;
+    private void Patch(NcPatch patch)
+    {
+        _isSorted &= _patches.Count == 0 || _patches[^1].Start < patch.Start;
+        _patches.Add(patch);
     }
 
     private int Spell(byte letter, Span<byte> text)
@@ -140,7 +183,7 @@ internal sealed class BlockEdit
     {
         var order = Order(letter);
         var (behind, like) = (-1, -1);
-        for (var i = 0; i < _words.Count; i++)
+        for (var i = 0; i < _wordCount; i++)
         {
             behind = Order(_words[i].Letter) < order ? i : behind;
             like = like < 0 && _words[i].Kind == NcTokenKind.Word && Order(_words[i].Letter) is >= 1 and <= 7 ? i : like;
@@ -162,7 +205,7 @@ internal sealed class BlockEdit
             text[length++] = (byte)' ';
         }
 
-        _patches.Add(new(behind >= 0 ? _words[behind].End : _words[0].Start, 0, _text.Keep(text[..length])));
+        Patch(new(behind >= 0 ? _words[behind].End : _words[0].Start, 0, _text.Keep(text[..length])));
     }
 
     private static int Order(byte letter) => letter switch

@@ -28,15 +28,7 @@ public sealed class DisplacementWish
     {
         ElementWish[] sorted = [.. elements];
         Array.Sort(sorted, (a, b) => a.Motion.CompareTo(b.Motion));
-        for (var i = 1; i < sorted.Length; i++)
-        {
-            if (sorted[i].Motion == sorted[i - 1].Motion)
-            {
-                throw new ArgumentException("A motion has two wishes.", nameof(elements));
-            }
-        }
-
-        return new(sorted, [], Vector3.Zero);
+        return IsAscending(sorted) ? new(sorted, [], Vector3.Zero) : throw new ArgumentException("A motion has two wishes.", nameof(elements));
     }
 
     /// <summary>A wish for end points: the ends of the named motions move by one vector.</summary>
@@ -52,9 +44,9 @@ public sealed class DisplacementWish
     public static NcOutcome<DisplacementWish> Normal(NcPath path, IReadOnlyList<int> blocks, double left)
     {
         var elements = new List<ElementWish>(blocks.Count);
-        foreach (var block in blocks.Distinct())
+        foreach (var block in InOrder(blocks) ? blocks : blocks.Distinct())
         {
-            foreach (var motion in path.MotionsOf(block))
+            for (var run = 0; path.RunOf(block, run) is >= 0 and var motion; run++)
             {
                 var m = path.Motions[motion];
                 if (m is not { IsCut: true, MovesInPlane: true })
@@ -71,7 +63,7 @@ public sealed class DisplacementWish
             }
         }
 
-        return elements.Count > 0 ? OfElements(elements) : NoMotion(path, blocks);
+        return elements.Count == 0 ? NoMotion(path, blocks) : IsAscending(elements) ? new DisplacementWish(elements, [], Vector3.Zero) : OfElements(elements);
     }
 
     /// <summary>The wish to move the end points of all motions of some blocks by one vector.</summary>
@@ -85,6 +77,32 @@ public sealed class DisplacementWish
         }
 
         return motions.Count > 0 ? OfEndPoints(motions, by) : NoMotion(path, blocks);
+    }
+
+    private static bool InOrder(IReadOnlyList<int> blocks)
+    {
+        for (var i = 1; i < blocks.Count; i++)
+        {
+            if (blocks[i - 1] >= blocks[i])
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    private static bool IsAscending(IReadOnlyList<ElementWish> elements)
+    {
+        for (var i = 1; i < elements.Count; i++)
+        {
+            if (elements[i - 1].Motion >= elements[i].Motion)
+            {
+                return false;
+            }
+        }
+
+        return true;
     }
 
     private static NcRefusal NoMotion(NcPath path, IReadOnlyList<int> blocks) => path.Refusal is { } stopped ? stopped : blocks.Count > 0

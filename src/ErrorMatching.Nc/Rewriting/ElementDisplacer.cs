@@ -26,41 +26,50 @@ internal sealed partial class ElementDisplacer
 
     private readonly NcPath _path;
     private readonly PathChange _change;
+    private readonly IReadOnlyList<ElementWish> _wishes;
+    private readonly MotionRuns _asked = new();
+
+    // What was asked for and the fillets that go along; their wishes, and those that had to be made exact.
     private readonly MotionRuns _named = new();
-    private readonly List<ElementWish> _wishes;
-    private readonly List<Carrier> _carriers;
+    private readonly Dictionary<int, ElementWish> _otherWishes = [];
+    private readonly Dictionary<int, Carrier> _rounded = [];
     private readonly HashSet<int> _shrunk = [];
     private readonly BitArray _smoothJoints;
 
-    private ElementDisplacer(NcPath path, int wishes)
+    private ElementDisplacer(NcPath path, IReadOnlyList<ElementWish> wishes)
     {
         _path = path;
         _change = new(path);
-        _wishes = new(wishes);
-        _carriers = new(wishes);
+        _wishes = wishes;
         _smoothJoints = new(path.Motions.Length + 1);
     }
 
     /// <summary>Computes the new joints and centers for a wish.</summary>
     public static NcOutcome<PathChange> Run(NcPath path, DisplacementWish wish)
     {
-        var displacer = new ElementDisplacer(path, wish.Elements.Count);
-        return displacer.Displace(wish.Elements) is { } refusal ? refusal : displacer._change;
+        var displacer = new ElementDisplacer(path, wish.Elements);
+        return displacer.Displace() is { } refusal ? refusal : displacer._change;
     }
 
-    private NcRefusal? Displace(IReadOnlyList<ElementWish> elements)
+    private NcRefusal? Displace()
     {
-        foreach (var element in WithNeighborFillets(elements))
+        var fillets = new List<ElementWish>();
+        foreach (var element in WithNeighborFillets(_wishes))
         {
             if (Add(element) is { } refusal)
             {
                 return refusal;
             }
+
+            if (element.IsFillet)
+            {
+                fillets.Add(element);
+            }
         }
 
-        foreach (var element in _wishes)
+        foreach (var element in fillets)
         {
-            if (element.IsFillet && Round(element) is { } refusal)
+            if (Round(element) is { } refusal)
             {
                 return refusal;
             }
@@ -76,7 +85,6 @@ internal sealed partial class ElementDisplacer
             }
         }
 
-        SetCenters();
         return FollowWithArcs() ?? CheckSense();
     }
 
@@ -101,8 +109,16 @@ internal sealed partial class ElementDisplacer
         // Both ends of a full circle are one place, to the last bit.
         var isClosed = motion.PlaneStart.DistanceTo(motion.PlaneEnd) < 1e-9 && (element.End - element.Start).Length < 1e-9;
         _named.Add(element.Motion);
-        _wishes.Add(isClosed ? element with { End = element.Start } : element);
-        _carriers.Add(carrier);
+        if (isClosed)
+        {
+            _otherWishes[element.Motion] = element with { End = element.Start };
+        }
+
+        if (carrier.Circle is { } circle)
+        {
+            _change.SetCenter(element.Motion, circle.Center);
+        }
+
         return null;
     }
 
@@ -111,10 +127,11 @@ internal sealed partial class ElementDisplacer
     {
         for (var i = 0; i < elements.Count; i++)
         {
+            _asked.Add(elements[i].Motion);
             yield return elements[i];
             var first = elements[i].Motion + 1;
             var behind = i + 1 < elements.Count ? elements[i + 1].Motion : first;
-            if (behind == first || Fillet.Around(_path, first) is not { } fillet || fillet != (first, behind - 1))
+            if (behind == first || Fillet.Around(_path, first) is not { } around || around != (first, behind - 1))
             {
                 continue;
             }
@@ -122,7 +139,9 @@ internal sealed partial class ElementDisplacer
             var (from, to) = (elements[i].End, elements[i + 1].Start);
             for (var motion = first; motion < behind; motion++)
             {
-                yield return new(motion, from, (from + to) / 2, to, IsFillet: true);
+                var fillet = new ElementWish(motion, from, (from + to) / 2, to, IsFillet: true);
+                _otherWishes.Add(motion, fillet);
+                yield return fillet;
             }
         }
     }
@@ -132,7 +151,7 @@ internal sealed partial class ElementDisplacer
     // Both flanks offset by the new radius meet in the new center; its feet on them are the new tangent points. Joints between arcs of the fillet keep their direction from the center.
     private NcRefusal? Round(ElementWish element)
     {
-        if (_change.HasCenter(element.Motion) || Fillet.Around(_path, element.Motion) is not { } fillet
+        if (_rounded.ContainsKey(element.Motion) || Fillet.Around(_path, element.Motion) is not { } fillet
             || !_named.Contains(fillet.First - 1) || !_named.Contains(fillet.Last + 1)
             || CarrierOf(fillet.First - 1).Line is not { } first || CarrierOf(fillet.Last + 1).Line is not { } second)
         {
@@ -154,11 +173,7 @@ internal sealed partial class ElementDisplacer
         for (var i = fillet.First; i <= fillet.Last; i++)
         {
             var end = _path.Motions[i].PlaneEnd;
-            if (_named.IndexOf(i) is >= 0 and var named)
-            {
-                _carriers[named] = new(null, new(c, radius));
-            }
-
+            _rounded.Add(i, new(null, new(c, radius)));
             _change.SetCenter(i, c);
             _change.Move(i + 1, motion.Plane, (i == fillet.Last ? second.Foot(c) : c + ((end - arc.Center).Normalize() * radius)) - end);
         }
@@ -298,17 +313,6 @@ internal sealed partial class ElementDisplacer
 
     private static bool IsNear(Point2 point, Point2 joint, double amount) => point.DistanceTo(joint) <= (Nearby * amount) + 1e-6;
 
-    private void SetCenters()
-    {
-        for (var i = 0; i < _wishes.Count; i++)
-        {
-            if (_carriers[i].Circle is { } circle)
-            {
-                _change.SetCenter(_wishes[i].Motion, circle.Center);
-            }
-        }
-    }
-
     // Arcs that were not named and whose ends left their circle: a lead-in that is an arc, or an arc beside a run that it does not meet.
     private NcRefusal? FollowWithArcs()
     {
@@ -354,9 +358,9 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    private ElementWish WishOf(int motion) => _wishes[_named.IndexOf(motion)];
+    private ElementWish WishOf(int motion) => _otherWishes.Count > 0 && _otherWishes.TryGetValue(motion, out var other) ? other : _wishes[_asked.IndexOf(motion)];
 
-    private Carrier CarrierOf(int motion) => _carriers[_named.IndexOf(motion)];
+    private Carrier CarrierOf(int motion) => _rounded.TryGetValue(motion, out var fillet) ? fillet : Carrier.Displaced(_path.Motions[motion], WishOf(motion))!.Value;
 
     private NcRefusal At(in NcMotion motion, string code, string message) => NcRefusal.At(_path.Program, motion.Block, code, message);
 }

@@ -8,11 +8,14 @@ namespace ErrorMatching.Nc;
 /// </summary>
 internal sealed partial class WordEditor
 {
+    /// <summary>From so many blocks on, a second core is worth its start.</summary>
+    private const int Many = 10_000;
+
     private readonly PathChange _change;
     private readonly NcPath _path;
     private readonly bool _keepRadii;
-    private readonly List<NcPatch> _patches = [];
-    private readonly List<int> _changedBlocks = [];
+    private readonly List<NcPatch> _patches;
+    private readonly List<int> _changedBlocks;
     private readonly BlockEdit _edit;
     private readonly bool _inch;
     private readonly int _decimals;
@@ -24,13 +27,23 @@ internal sealed partial class WordEditor
         _keepRadii = keepRadii;
         _path = change.Path;
 
+        // In a plane, a motion has two coordinates.
+        (_patches, _changedBlocks) = (new(2 * affected.Count), new(affected.Count));
+
         // The control's least increment, or finer where the program itself is written finer.
         var dialect = _path.Dialect;
         _inch = _path.Motions[affected.Find(i => change.IsSet(i + 1))].Has(MotionFlags.Inch);
         var least = _inch ? dialect.InchDecimals : dialect.MetricDecimals;
-        (_decimals, var programIsFixed) = Spelling(affected, least);
+        (_decimals, var programIsFixed) = affected.Count < Many ? Spelling(affected, least) : SpellingOfMany(affected, least);
         _increment = Math.Pow(10, -_decimals) * Unit;
         _edit = new(_path.Program, programIsFixed, dialect.IntegersAreIncrements ? least : -1);
+    }
+
+    // One that edits other blocks of the same change.
+    private WordEditor(WordEditor other)
+    {
+        (_change, _keepRadii, _path, _inch, _decimals, _increment) = (other._change, other._keepRadii, other._path, other._inch, other._decimals, other._increment);
+        (_patches, _changedBlocks, _edit) = (new(other._patches.Capacity / 2), new(other._changedBlocks.Capacity / 2), new(other._edit));
     }
 
     private double Unit => _inch ? 25.4 : 1;
@@ -46,13 +59,23 @@ internal sealed partial class WordEditor
 
     private NcOutcome<Rewrite> Run(List<int> affected)
     {
-        if ((_path.Motions.FollowBlocks ? EditOnce(affected) : EditRepeated(affected)) is { } refusal)
+        if ((!_path.Motions.FollowBlocks ? EditRepeated(affected) : affected.Count < Many ? EditOnce(affected) : EditMany(affected)) is { } refusal)
         {
             return refusal;
         }
 
         var program = _patches.Count == 0 ? _path.Program : NcProgram.Read(NcPatch.Apply(_path.Program.Bytes.Span, _patches), _path.Program.Syntax);
         return new Rewrite(program, _patches, _changedBlocks, _patches.Count, _increment);
+    }
+
+    // The same as for one half after the other.
+    private (int Decimals, bool IsFixed) SpellingOfMany(List<int> affected, int decimals)
+    {
+        var half = affected.Count / 2;
+        var behind = Task.Run(() => Spelling(affected[half..], decimals));
+        var before = Spelling(affected[..half], decimals);
+        var (more, isFixed) = behind.GetAwaiter().GetResult();
+        return (Math.Max(before.Decimals, more), before.IsFixed || isFixed);
     }
 
     private (int Decimals, bool IsFixed) Spelling(List<int> affected, int decimals)
@@ -71,6 +94,24 @@ internal sealed partial class WordEditor
         }
 
         return (decimals, isFixed);
+    }
+
+    // Blocks are edited each for itself, so that two halves beside each other give what one after the other would.
+    private NcRefusal? EditMany(List<int> affected)
+    {
+        var half = affected.Count / 2;
+        while (half > 0 && _path.Motions.BlockOf(affected[half - 1]) == _path.Motions.BlockOf(affected[half]))
+        {
+            half--;
+        }
+
+        var other = new WordEditor(this);
+        var behind = Task.Run(() => other.EditOnce(affected[half..]));
+        var refusal = EditOnce(affected[..half]);
+        refusal ??= behind.GetAwaiter().GetResult();
+        _patches.AddRange(other._patches);
+        _changedBlocks.AddRange(other._changedBlocks);
+        return refusal;
     }
 
     private NcRefusal? EditOnce(List<int> affected)
@@ -152,6 +193,14 @@ internal sealed partial class WordEditor
                 if (steps != 0)
                 {
                     _edit.Set(axis, number + new NcNumber(steps, _decimals));
+                }
+            }
+            else if (from != to && _edit.Computed(axis) is { } distance)
+            {
+                // A computed position stays; a computed increment, or a position that would move, cannot be written.
+                if (to != 0 || distance == WordDistance.Incremental || (distance == WordDistance.Modal && motion.Has(MotionFlags.Incremental)))
+                {
+                    return Obstacles.Of(_path, index);
                 }
             }
             else if (from != to)

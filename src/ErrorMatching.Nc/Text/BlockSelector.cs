@@ -18,6 +18,9 @@ public sealed class BlockSelector
     /// <summary>Longest time an expression may take on one block.</summary>
     public static readonly TimeSpan PatternLimit = TimeSpan.FromMilliseconds(250);
 
+    /// <summary>From so many blocks on, a second core is worth its start.</summary>
+    private const int Many = 100_000;
+
     private readonly NcNumber? _first;
     private readonly NcNumber? _last;
     private readonly Regex? _pattern;
@@ -90,13 +93,27 @@ public sealed class BlockSelector
             bits |= 1UL << (int)(number.Digits & 63);
         }
 
-        for (var i = 0; i < program.BlockCount; i++)
+        // A long program is searched in two halves beside each other.
+        var half = program.BlockCount < Many ? program.BlockCount : program.BlockCount / 2;
+        var behind = half < program.BlockCount ? Task.Run(() => Find(program, half, program.BlockCount, wanted, bits)) : null;
+        foreach (var (number, block) in Find(program, 0, half, wanted, bits).Concat(behind?.GetAwaiter().GetResult() ?? []))
         {
-            if (program.TryNumberValue(program[i], out var number) && number.Trim() is var trimmed && (bits >> (int)(trimmed.Digits & 63) & 1) != 0 && wanted.TryGetValue(trimmed, out var found))
+            wanted[number].Add(block);
+        }
+    }
+
+    private static List<(NcNumber Number, int Block)> Find(NcProgram program, int first, int behind, Dictionary<NcNumber, List<int>> wanted, ulong bits)
+    {
+        var found = new List<(NcNumber Number, int Block)>();
+        for (var i = first; i < behind; i++)
+        {
+            if (program.TryNumberValue(program[i], out var number) && number.Trim() is var trimmed && (bits >> (int)(trimmed.Digits & 63) & 1) != 0 && wanted.ContainsKey(trimmed))
             {
-                found.Add(i);
+                found.Add((trimmed, i));
             }
         }
+
+        return found;
     }
 
     private static NcNumber Number(string part, string whole)

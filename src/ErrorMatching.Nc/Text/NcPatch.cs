@@ -18,7 +18,7 @@ public readonly record struct NcPatch(int Start, int Length, ReadOnlyMemory<byte
             length += patch.Bytes.Length - patch.Length;
         }
 
-        var result = new byte[length];
+        var result = GC.AllocateUninitializedArray<byte>(length);
         var (from, to) = (0, 0);
         foreach (var patch in patches)
         {

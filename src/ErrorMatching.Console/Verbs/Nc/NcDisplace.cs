@@ -74,16 +74,32 @@ internal sealed class NcDisplace : NcVerb
             return FailureOf.Refused(file, rewrite.Refusal);
         }
 
-        var proof = Prover.Check(path, rewrite.Value.Program, wish, rewrite.Value.LeastIncrementMm);
-        if (!proof.Holds)
-        {
-            return FailureOf.Refused(file, proof.Failures);
-        }
-
         var output = arguments.GetRequiredValue(_out);
         string[] inputs = [file, .. path.Dialect.Files.Select(f => f.File), .. arguments.GetValue(_along) is { } along ? [along] : Array.Empty<string>()];
-        _wish.WriteWith([(output, rewrite.Value.Program.Bytes)], () => WishFile.Of(path, wish, rewrite.Value.LeastIncrementMm), arguments, inputs, cancellation);
-        return new NcDisplaceAnswer(file, output, path, rewrite.Value, proof, misfit);
+
+        // The program goes to the disk while it is proved, and appears when the proof holds. A missing folder is made only then.
+        var proving = Task.Run(() => Prover.Check(path, rewrite.Value.Program, wish, rewrite.Value.LeastIncrementMm), CancellationToken.None);
+        if (!Directory.Exists(Path.GetDirectoryName(Path.GetFullPath(output))))
+        {
+            proving.Wait(CancellationToken.None);
+        }
+
+        if (!proving.IsCompleted || Proof().Holds)
+        {
+            try
+            {
+                _wish.WriteWith(
+                    [(output, rewrite.Value.Program.Bytes)], () => WishFile.Of(path, wish, rewrite.Value.LeastIncrementMm), arguments, inputs, () => Proof().Holds, cancellation);
+            }
+            catch (OutputException) when (!Proof().Holds)
+            {
+                // A program that must not be used is the reason to name, not where it cannot be put.
+            }
+        }
+
+        return Proof() is { Holds: true } proof ? new NcDisplaceAnswer(file, output, path, rewrite.Value, proof, misfit) : FailureOf.Refused(file, Proof().Failures);
+
+        NcProof Proof() => proving.GetAwaiter().GetResult();
     }
 
     private static List<DisplacedPoint> Points(string file)
