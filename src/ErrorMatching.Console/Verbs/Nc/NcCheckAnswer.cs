@@ -7,6 +7,8 @@ namespace ErrorMatching.Console;
 /// <summary>What a program is made of, and what of it is not understood.</summary>
 internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) : DocumentAnswer
 {
+    private const int MostShown = 200;
+
     /// <inheritdoc/>
     public override string Schema => "errormatch/nc-check/1";
 
@@ -62,7 +64,12 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
             return;
         }
 
-        page.Table(["line", "block", "what is not understood, or good to know"], path.Problems.Select(p => (IReadOnlyList<string>)[Count(p.Block + 1), NumberOf(p), p.Message]));
+        page.Table(["line", "block", "what is not understood, or good to know"], path.Problems.Take(MostShown).Select(p => (IReadOnlyList<string>)[Count(p.Block + 1), NumberOf(p), p.Message]));
+        if (path.Problems.Count > MostShown)
+        {
+            page.Line();
+            page.Line($"... and {Count(path.Problems.Count - MostShown)} more; --json lists them all.");
+        }
     }
 
     // What a reader of the motions must know: they are the programmed path, not the one that the machine drives.
