@@ -6,6 +6,7 @@ internal static class FlowTrigger
     /// <summary>True if a block must be given to <see cref="NcFlow.Before"/>. Answering true for another block costs time and nothing else.</summary>
     public static bool Concerns(ReadOnlySpan<byte> text, NcSyntax syntax)
     {
+        var closes = true;
         for (var at = 0; at < text.Length; at++)
         {
             var c = text[at];
@@ -14,10 +15,16 @@ internal static class FlowTrigger
                 return false;
             }
 
-            if (c == '(' && syntax != NcSyntax.Siemens && text[at..].IndexOf((byte)')') is > 0 and var close)
+            if (c == '(' && closes && syntax != NcSyntax.Siemens)
             {
-                at += close;
-                continue;
+                // Once none closes, none behind it does, and a line of a million of them is not searched a million times.
+                var close = text[at..].IndexOf((byte)')');
+                closes = close > 0;
+                if (closes)
+                {
+                    at += close;
+                    continue;
+                }
             }
 
             if (c is (byte)'#' or (byte)'%' || (syntax == NcSyntax.Siemens && c is (byte)'=' or (byte)':' or (byte)'_'))

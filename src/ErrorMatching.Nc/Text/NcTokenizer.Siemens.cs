@@ -168,6 +168,12 @@ public ref partial struct NcTokenizer
 
     private readonly int OperandEnd(int at)
     {
+        // NOT stands before an operand, any number of times.
+        while (NameEnd(at) is var behind && Ascii.EqualsIgnoreCase(_bytes[at..behind], "NOT"u8))
+        {
+            at = SkipSpaces(behind);
+        }
+
         if (at >= _end || _bytes[at] == ';')
         {
             return at;
@@ -187,11 +193,6 @@ public ref partial struct NcTokenizer
         while (end < _end && (SyntaxBytes.IsNamePart(_bytes[end]) || _bytes[end] == '.' || (_bytes[end] is (byte)'-' or (byte)'+' && IsExponentSign(at, end))))
         {
             end++;
-        }
-
-        if (Ascii.EqualsIgnoreCase(_bytes[at..end], "NOT"u8))
-        {
-            return OperandEnd(SkipSpaces(end));
         }
 
         while (end < _end && _bytes[end] is (byte)'(' or (byte)'[')
