@@ -78,7 +78,7 @@ internal sealed class FunctionWords(NcPath path)
         LetterRole.Number => false,
         LetterRole.Feed => dwells,
         LetterRole.Axis => !moves,
-        LetterRole.Center or LetterRole.Radius => !turns,
+        LetterRole.Center or LetterRole.Radius or LetterRole.OpeningAngle or LetterRole.MoreTurns or LetterRole.IntermediatePoint => !turns,
         LetterRole.G => Meaning(token) is not (NcMeaning.Rapid or NcMeaning.Line or NcMeaning.ArcClockwise or NcMeaning.ArcCounterClockwise
             or NcMeaning.PlaneXY or NcMeaning.PlaneZX or NcMeaning.PlaneYZ or NcMeaning.Inch or NcMeaning.Metric or NcMeaning.Absolute or NcMeaning.Incremental
             or NcMeaning.AbsoluteCenters or NcMeaning.IncrementalCenters),

@@ -74,8 +74,16 @@ public sealed class NcDialect
     /// <param name="tenths">The code times ten.</param>
     public bool ScalesFeed(int tenths) => (uint)tenths >= (uint)_tables.IsForLengthsOnly.Length || !_tables.IsForLengthsOnly[tenths];
 
-    /// <summary>What an upper-case letter stands for.</summary>
-    public LetterRole RoleOf(byte letter) => _tables.RoleOf[letter - 'A'];
+    /// <summary>What an upper-case letter, or an address of <see cref="NcAddress"/>, stands for.</summary>
+    public LetterRole RoleOf(byte letter) => letter switch
+    {
+        >= (byte)'A' and <= (byte)'Z' => _tables.RoleOf[letter - 'A'],
+        NcAddress.CircleRadius => LetterRole.Radius,
+        NcAddress.OpeningAngle => LetterRole.OpeningAngle,
+        NcAddress.Turn => LetterRole.MoreTurns,
+        NcAddress.ThroughX or NcAddress.ThroughY or NcAddress.ThroughZ => LetterRole.IntermediatePoint,
+        _ => LetterRole.Unknown,
+    };
 
     /// <summary>What an address of several letters stands for. A lookup without allocation.</summary>
     /// <param name="address">The word before the equals sign, in any case: <c>CR</c>, <c>TURN</c>, <c>I1</c>.</param>

@@ -24,15 +24,26 @@ internal sealed partial class NcFlow
             case FlowKind.While: return Condition(statement, text, out var goesOn) ? Jump(block, goesOn ? block + 1 : end.Block + 1) : FlowAction.Stop;
             case FlowKind.EndWhile: return Jump(block, start.Block);
             case FlowKind.EndLoop: return Jump(block, start.Block + 1);
+            case FlowKind.Until when _breaking: return LeaveUntil(block);
             case FlowKind.Until: return Condition(statement, text, out var holds) ? Jump(block, holds == (_syntax == NcSyntax.LinuxCnc) ? start.Block + 1 : block + 1) : FlowAction.Stop;
             case FlowKind.Repeat: return BeginRepeat(statement, text, end);
             case FlowKind.EndRepeat: return EndRepeat(statement, start);
             case FlowKind.For: return For(statement, text, end, begins: true);
             case FlowKind.EndFor: return For(start, Program.BytesOf(Program[start.Block]), statement, begins: false);
-            case FlowKind.Break: return Jump(block, end.Block + 1);
+            case FlowKind.Break:
+                _breaking = _syntax == NcSyntax.LinuxCnc && start.Kind == FlowKind.While;
+                return Jump(block, end.Block + 1);
             case FlowKind.Continue: return Jump(block, start.Kind == FlowKind.While ? start.Block : end.Block);
             default: return FlowAction.Continue;
         }
+    }
+
+    // Measured with rs274: a break out of a while loop still counts at the next end of a do loop, which is left whatever its condition says.
+    private FlowAction LeaveUntil(int block)
+    {
+        _breaking = false;
+        Note("loop-left", block, "LinuxCNC 2.9 leaves this loop whatever its condition says, since a break out of a while loop before it still counts here. Set a variable for the while loop's condition instead of the break.");
+        return Jump(block, block + 1);
     }
 
     private bool Condition(FlowStatement statement, ReadOnlySpan<byte> text, out bool truth)

@@ -26,6 +26,7 @@ internal sealed partial class NcFlow
     private long _steps;
     private int _resumed;
     private bool _hasEnded;
+    private bool _breaking;
 
     public NcFlow(NcProgram program, NcSyntax syntax, FlowSettings? settings = null)
     {

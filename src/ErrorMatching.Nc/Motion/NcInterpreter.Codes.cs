@@ -26,6 +26,10 @@ public sealed partial class NcInterpreter
                     _state.Inch = meaning == NcMeaning.Inch;
                     _state.InchFeed = _dialect.ScalesFeed(tenths) ? _state.Inch : _state.InchFeed;
                     break;
+                case NcMeaning.ReferenceReturn or NcMeaning.StoreReference:
+                    _reference = tenths / 10;
+                    Obey(meaning, 0);
+                    break;
                 default:
                     Obey(meaning, _dialect.FamilyOf(tenths));
                     break;
@@ -44,6 +48,9 @@ public sealed partial class NcInterpreter
             case NcMeaning.ReferenceReturn:
                 _use = AxisUse.Reference;
                 break;
+            case NcMeaning.StoreReference:
+                StoreReference();
+                break;
             case NcMeaning.MachineCoordinates or NcMeaning.SuppressFrames:
                 _use = AxisUse.MachineCoordinates;
                 break;
@@ -51,10 +58,10 @@ public sealed partial class NcInterpreter
                 _use = AxisUse.Nothing;
                 break;
             case NcMeaning.LengthOffset:
-                _state.LengthOffset = true;
+                TakeLengthOfTable();
                 break;
             case NcMeaning.LengthOffsetOff:
-                _state.LengthOffset = false;
+                EndToolLength();
                 EndTransform(NcMeaning.OpaqueTransformOff, family);
                 break;
             case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.MirroringOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff:
@@ -73,7 +80,7 @@ public sealed partial class NcInterpreter
     }
 
     private static bool SetsOrigin(NcMeaning meaning) => meaning
-        is NcMeaning.SetPosition or NcMeaning.ClearPosition or NcMeaning.RestorePosition or NcMeaning.LocalShift or NcMeaning.SetOffset
+        is NcMeaning.SetPosition or NcMeaning.ClearPosition or NcMeaning.SuspendPosition or NcMeaning.RestorePosition or NcMeaning.LocalShift or NcMeaning.SetOffset or NcMeaning.ToolLength
         or NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.Mirroring or NcMeaning.Polar or NcMeaning.OpaqueTransform
         or (>= NcMeaning.FrameShift and <= NcMeaning.FrameMirrorMore);
 

@@ -90,37 +90,52 @@ public sealed partial class NcInterpreter
         var plane = _state.Plane;
         var (bottom, top) = (_cycle.Depth, _cycle.Plane);
         var clear = _state.RetractsToR ? top : Math.Max(_cycleInitial, top);
-        if (first && plane.Height(_state.Position) < top)
+        var height = plane.Height(_state.Position);
+        if (first && GoesNowhere)
+        {
+            // LinuxCNC asks where the cycle began, not where the tool is.
+            if (_cycleInitial < top)
+            {
+                Append(MotionKind.Rapid, flags, plane.Lift(plane.Project(_state.Position), top), _state.Unknown);
+                height = top;
+            }
+
+            height = Math.Max(height, clear);
+        }
+        else if (first && height < top)
+        {
+            ToHeight(MotionKind.Rapid, flags, top);
+            height = top;
+        }
+
+        if (GoesNowhere || plane.Project(_state.Position) != place || _state.Unknown != unknown)
+        {
+            Append(MotionKind.Rapid, flags, plane.Lift(place, height), unknown);
+        }
+
+        if (height != top)
         {
             ToHeight(MotionKind.Rapid, flags, top);
         }
-        else if (first && _cycleInitial < top && plane.Height(_state.Position) == top && _dialect.Syntax == NcSyntax.LinuxCnc)
-        {
-            // LinuxCNC asks where the cycle began, not where the tool is: a rapid that leads nowhere.
-            Append(MotionKind.Rapid, flags, _state.Position, _state.Unknown);
-        }
 
-        if (plane.Project(_state.Position) != place || _state.Unknown != unknown)
-        {
-            Append(MotionKind.Rapid, flags, plane.Lift(place, plane.Height(_state.Position)), unknown);
-        }
-
-        ToHeight(MotionKind.Rapid, flags, top);
         Pecks(flags, bottom, top);
         ToHeight(MotionKind.Line, flags, bottom);
+        if (_state.Cycle == NcMeaning.FeedOutToClearCycle)
+        {
+            ToHeight(MotionKind.Line, flags, clear);
+            return;
+        }
+
         if (_state.Cycle == NcMeaning.FeedOutCycle)
         {
             ToHeight(MotionKind.Line, flags, top);
-
-            // LinuxCNC's has a rapid behind its way out even where that leads nowhere.
-            if (clear == top && _dialect.Syntax == NcSyntax.LinuxCnc)
-            {
-                Append(MotionKind.Rapid, flags, plane.Lift(place, top), unknown);
-            }
         }
 
         ToHeight(MotionKind.Rapid, flags, clear);
     }
+
+    // LinuxCNC has a motion for each step of a cycle even where it leads nowhere.
+    private bool GoesNowhere => _dialect.Syntax == NcSyntax.LinuxCnc;
 
     private double PecksOfHole() => _state.Cycle is NcMeaning.PeckCycle or NcMeaning.ChipBreakCycle && _cycle.Peck > 0
         ? Math.Max(0, Math.Ceiling((_cycle.Plane - _cycle.Depth) / _cycle.Peck))
@@ -145,7 +160,7 @@ public sealed partial class NcInterpreter
     private void ToHeight(MotionKind kind, MotionFlags flags, double height)
     {
         var plane = _state.Plane;
-        if (plane.Height(_state.Position) != height)
+        if (GoesNowhere || plane.Height(_state.Position) != height)
         {
             Append(kind, flags, plane.Lift(plane.Project(_state.Position), height), _state.Unknown);
         }

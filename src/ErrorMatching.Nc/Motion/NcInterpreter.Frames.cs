@@ -8,35 +8,55 @@ namespace ErrorMatching.Nc;
 /// </content>
 public sealed partial class NcInterpreter
 {
-    private readonly Dictionary<(int Code, int Number), (Vector3 Origin, AxisSet Unknown)> _origins = [];
-    private readonly List<NcFrame> _frames = [new(0, 540, 0, Vector3.Zero, AxisSet.All, Vector3.Zero, AxisSet.None, Vector3.Zero, false)];
+    private readonly Dictionary<(int Code, int Number), WorkOrigin> _origins = [];
+    private readonly List<NcFrame> _frames = [new(0, 540, 0, Vector3.Zero, AxisSet.All, null, Vector3.Zero, AxisSet.None, Vector3.Zero, false)];
     private (int Code, int Number) _workOffset = (540, 0);
+    private bool _isWorkOffsetUnsure;
     private Vector3 _shift;
     private AxisSet _unknownShift;
-    private (Vector3 Shift, AxisSet Unknown) _suspendedShift;
 
-    private (Vector3 Origin, AxisSet Unknown) OriginOf((int Code, int Number) offset) => _origins.TryGetValue(offset, out var known) ? known : (Vector3.Zero, AxisSet.All);
+    // What G92.3 brings back: before the program has set a shift itself, only the machine knows it.
+    private (Vector3 Shift, AxisSet Unknown) _keptShift = (Vector3.Zero, AxisSet.All);
+
+    // Only LinuxCNC's work offsets turn.
+    private WorkOrigin OriginOf((int Code, int Number) offset) =>
+        _origins.TryGetValue(offset, out var known) ? known : new(Vector3.Zero, AxisSet.All, _dialect.Syntax == NcSyntax.LinuxCnc ? null : 0);
 
     private void NextFrame()
     {
         _flow?.Variables.ForgetMachine();
         _state.Frame++;
-        var (origin, unknown) = OriginOf(_workOffset);
-        _frames.Add(new(_block, _workOffset.Code, _workOffset.Number, origin, unknown, _shift, _unknownShift, IsTransformed ? Vector3.Zero : _frame?.ShiftOnly ?? Vector3.Zero, IsTransformed));
+        var origin = OriginOf(_workOffset);
+        _frames.Add(new(_block, _workOffset.Code, _workOffset.Number, origin.Place, origin.Unknown, origin.Degrees, _shift, _unknownShift, IsTransformed ? Vector3.Zero : _frame?.ShiftOnly ?? Vector3.Zero, IsTransformed));
+    }
+
+    // Whatever ran unseen could have written offsets and stored places, and chosen another offset.
+    private void ForgetOrigins()
+    {
+        _origins.Clear();
+        _references.Clear();
+        (_isWorkOffsetUnsure, _unknownShift, _keptShift) = (true, AxisSet.All, (Vector3.Zero, AxisSet.All));
     }
 
     private void ChooseWorkOffset(int tenths)
     {
         var chosen = (tenths, _words.Has('P') ? (int)Math.Clamp(_words.Value('P'), 0, 1000) : 0);
-        if (chosen == _workOffset && (_words.Unknown & BlockWords.Bit('P')) == 0)
+        if (chosen == _workOffset && !_isWorkOffsetUnsure && (_words.Unknown & BlockWords.Bit('P')) == 0)
         {
             return;
         }
 
         var (was, now) = (OriginOf(_workOffset), OriginOf(chosen));
-        _workOffset = chosen;
-        MoveWork(was.Origin - now.Origin, was.Unknown | now.Unknown);
+        (_workOffset, _isWorkOffsetUnsure) = (chosen, false);
+        SeeFrom(was, now, was.Unknown | now.Unknown, _shift);
         NextFrame();
+    }
+
+    private void SeeFrom(WorkOrigin was, WorkOrigin now, AxisSet unknownDifference, Vector3 shift)
+    {
+        var (place, unknown) = Work(_state.Position, _state.Unknown);
+        (place, unknown) = WorkOrigin.Reseen(place, unknown, was, now, unknownDifference, shift, _unknownShift);
+        SetWork(place, unknown);
     }
 
     // The coordinates of the place where the tool stands change by this much.
@@ -52,29 +72,40 @@ public sealed partial class NcInterpreter
         {
             case NcMeaning.SetPosition:
                 SetPosition();
+                _keptShift = (_shift, _unknownShift);
                 break;
             case NcMeaning.ClearPosition:
-                (_suspendedShift, var (by, unknown)) = ((_shift, _unknownShift), (_shift, _unknownShift));
-                (_shift, _unknownShift) = (Vector3.Zero, AxisSet.None);
-                MoveWork(by, unknown);
-                NextFrame();
+                ChangeShift(Vector3.Zero, AxisSet.None);
+                _keptShift = (_shift, _unknownShift);
+                break;
+            case NcMeaning.SuspendPosition:
+                ChangeShift(Vector3.Zero, AxisSet.None);
                 break;
             case NcMeaning.RestorePosition:
-                var (was, wasUnknown) = (_shift, _unknownShift);
-                (_shift, _unknownShift) = _suspendedShift;
-                MoveWork(was - _shift, wasUnknown | _unknownShift);
-                NextFrame();
+                ChangeShift(_keptShift.Shift, _keptShift.Unknown);
                 break;
             case NcMeaning.LocalShift:
                 ShiftLocally();
+                _keptShift = (_shift, _unknownShift);
                 break;
             case NcMeaning.SetOffset:
                 SetOffset();
+                break;
+            case NcMeaning.ToolLength:
+                SetToolLength();
                 break;
             default:
                 BeginTransform(meaning);
                 break;
         }
+    }
+
+    private void ChangeShift(Vector3 to, AxisSet unknown)
+    {
+        var (by, unknownBy) = (_shift - to, _unknownShift | unknown);
+        (_shift, _unknownShift) = (to, unknown);
+        MoveWork(by, unknownBy);
+        NextFrame();
     }
 
     private void SetPosition()
@@ -103,68 +134,6 @@ public sealed partial class NcInterpreter
         _unknownShift = (_unknownShift & ~given) | UnknownWords();
         MoveWork(by, unknown);
         NextFrame();
-    }
-
-    // G10 L2 writes an offset; LinuxCNC's L20 writes it so that the tool gets the given coordinates. Other tables (tools) move no origin.
-    private void SetOffset()
-    {
-        var table = _words.Has('L') ? (int)Math.Clamp(_words.Value('L'), -1, 10_000) : 2;
-        var isLinuxCnc = _dialect.Syntax == NcSyntax.LinuxCnc;
-        if (table is not (2 or 20))
-        {
-            _state.Unknown |= _state.LengthOffset ? AxisSet.Z : AxisSet.None;
-            return;
-        }
-
-        var number = _words.Has('P') ? (int)Math.Clamp(_words.Value('P'), -1, 10_000) : -1;
-        var offset = number switch
-        {
-            0 when isLinuxCnc => _workOffset,
-            >= 1 and <= 6 when table == 2 || isLinuxCnc => (530 + (10 * number), 0),
-            >= 7 and <= 9 when isLinuxCnc => (584 + number, 0),
-            >= 1 when table == 20 => (541, number),
-            _ => default,
-        };
-        if (offset == default || (_words.Unknown & (BlockWords.Bit('P') | BlockWords.Bit('L'))) != 0 || _words.Has('R'))
-        {
-            // An external offset, a rotation, or one that only the machine knows.
-            NextFrame();
-            _state.Unknown = AxisSet.All;
-            return;
-        }
-
-        var given = GivenAxes();
-        var (was, wasUnknown) = OriginOf(offset);
-        var isCurrent = offset == _workOffset;
-        Vector3 now;
-        AxisSet nowUnknown;
-        if (table == 20 && isLinuxCnc)
-        {
-            var (place, unknown) = Work(_state.Position, _state.Unknown);
-            var (current, currentUnknown) = OriginOf(_workOffset);
-            now = was + Only(given, current + (place - Given(place, incremental: false)) - was);
-            nowUnknown = (wasUnknown & ~given) | ((unknown | currentUnknown) & given) | UnknownWords();
-            if (isCurrent)
-            {
-                _origins[offset] = (now, nowUnknown);
-                SetWork(Given(place, incremental: false), (unknown & ~given) | UnknownWords());
-                NextFrame();
-                return;
-            }
-        }
-        else
-        {
-            var incremental = _state.Incremental && !isLinuxCnc;
-            now = Given(default(Point3) + was, incremental) - default(Point3);
-            nowUnknown = (incremental ? wasUnknown : wasUnknown & ~given) | UnknownWords();
-        }
-
-        _origins[offset] = (now, nowUnknown);
-        if (isCurrent)
-        {
-            MoveWork(was - now, (_state.Incremental && !isLinuxCnc ? AxisSet.None : wasUnknown & given) | UnknownWords());
-            NextFrame();
-        }
     }
 
     // A place with the coordinates that the block's axis words give.

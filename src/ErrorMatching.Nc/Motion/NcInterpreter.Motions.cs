@@ -5,23 +5,22 @@ namespace ErrorMatching.Nc;
 /// <content>How a block's words become motions.</content>
 public sealed partial class NcInterpreter
 {
-    private void Move(MotionFlags flags, bool machineCoordinates)
+    private void Move(MotionFlags flags)
     {
-        if (_state.Cycle != NcMeaning.Unknown && !machineCoordinates)
+        if (_state.Cycle != NcMeaning.Unknown)
         {
             Drill(flags);
             return;
         }
 
-        var kind = machineCoordinates ? MotionKind.Reference : _state.Mode;
-        var (end, unknown) = machineCoordinates ? MachineTarget() : Target();
+        var kind = _state.Mode;
+        var (end, unknown) = Target();
         if (kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
         {
             Turn(kind, flags, end, unknown);
         }
         else
         {
-            flags |= machineCoordinates ? MotionFlags.MachineMove : MotionFlags.None;
             flags |= SwitchCompensation(_state.Plane.Project(_state.Position) != _state.Plane.Project(end));
             Corner(kind, flags, end, unknown, null);
             Append(kind, flags, end, unknown);
@@ -82,39 +81,5 @@ public sealed partial class NcInterpreter
         var unknown = (inPlane ? (missing != AxisSet.None || _state.Incremental ? plane.Axes() : AxisSet.None) : _state.Unknown & plane.Axes())
             | (_words.Has(third) && !_state.Incremental ? AxisSet.None : _state.Unknown & ~plane.Axes());
         return (plane.Lift(end, newHeight), unknown | UnknownWords());
-    }
-
-    // Machine coordinates say a place of the work only as far as the program itself has set the work offset.
-    private (Point3 End, AxisSet Unknown) MachineTarget()
-    {
-        var (origin, unknownOrigin) = OriginOf(_workOffset);
-        var (work, unknown) = Work(_state.Position, _state.Unknown);
-        var given = GivenAxes();
-        var machine = Given(work + origin + _shift, incremental: false);
-        var target = work + Only(given, machine - (work + origin + _shift));
-        var targetUnknown = (unknown & ~given) | ((unknownOrigin | _unknownShift) & given) | UnknownWords();
-        var end = _inverse?.Apply(target) ?? target;
-        return (Known(end, targetUnknown), targetUnknown);
-    }
-
-    // Coordinates that are not known keep what was last said.
-    private Point3 Known(Point3 end, AxisSet unknown)
-    {
-        var at = _state.Position;
-        return new((unknown & AxisSet.X) == AxisSet.None ? end.X : at.X, (unknown & AxisSet.Y) == AxisSet.None ? end.Y : at.Y, (unknown & AxisSet.Z) == AxisSet.None ? end.Z : at.Z);
-    }
-
-    // Over the point that the block names to a place that only the machine knows.
-    private void ReturnToReference(MotionFlags flags)
-    {
-        var named = GivenAxes();
-        var (over, unknown) = Target();
-        flags |= MotionFlags.MachineMove;
-        if (named != AxisSet.None && (over != _state.Position || unknown != _state.Unknown))
-        {
-            Append(MotionKind.Rapid, flags, over, unknown);
-        }
-
-        Append(MotionKind.Reference, flags, _state.Position, _state.Unknown | (named == AxisSet.None ? AxisSet.All : named));
     }
 }

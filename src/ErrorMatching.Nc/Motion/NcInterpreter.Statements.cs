@@ -92,6 +92,7 @@ public sealed partial class NcInterpreter
     // Offsets of the control could be anything from here on.
     private void LoseOrigin()
     {
+        ForgetOrigins();
         NextFrame();
         _state.Unknown = AxisSet.All;
         DependOnPlace();

@@ -3,6 +3,8 @@ namespace ErrorMatching.Nc;
 /// <content>Words that stand in the way of knowing, or of changing, what a block does.</content>
 public sealed partial class NcInterpreter
 {
+    private const int LongestShown = 60;
+
     private MotionFlags ReadObstacles()
     {
         var flags = MotionFlags.None;
@@ -43,5 +45,8 @@ public sealed partial class NcInterpreter
 
     private MotionFlags UnknownWord(string what) => Problem("unknown-word", $"\"{what}\" is not known to the dialect {_dialect.Name}.", MotionFlags.UnknownWord);
 
-    private string TextOf(NcToken token) => NcText.Decode(_text.Bytes.Span.Slice(token.Start, token.Length));
+    // The beginning of a word that is longer than anybody wants to read.
+    private string TextOf(NcToken token) => token.Length <= LongestShown
+        ? NcText.Decode(_text.Bytes.Span.Slice(token.Start, token.Length))
+        : NcText.Decode(_text.Bytes.Span.Slice(token.Start, LongestShown)) + "...";
 }

@@ -76,6 +76,7 @@ public sealed partial class NcInterpreter
     {
         (_use, _code, _family) = (AxisUse.Motion, NcMeaning.Unknown, 0);
         var flags = ReadObstacles();
+        var inchFeed = _state.InchFeed;
         ReadCodes();
         foreach (var function in _words.Functions)
         {
@@ -87,13 +88,18 @@ public sealed partial class NcInterpreter
 
         if (_words.Has('F') && _use != AxisUse.Nothing)
         {
-            _state.Feed = _words.Value('F') * (_state.InchFeed && !_state.InverseTime ? MmPerInch : 1);
+            // LinuxCNC takes the feed of a block before its units.
+            inchFeed = _dialect.Syntax == NcSyntax.LinuxCnc ? inchFeed : _state.InchFeed;
+            _state.Feed = _words.Value('F') * (inchFeed && !_state.InverseTime ? MmPerInch : 1);
         }
 
         switch (_use)
         {
-            case AxisUse.Motion or AxisUse.MachineCoordinates when MovesAxes():
-                Move(flags, _use == AxisUse.MachineCoordinates);
+            case AxisUse.Motion when MovesAxes():
+                Move(flags);
+                break;
+            case AxisUse.MachineCoordinates when MovesAxes():
+                MoveInMachine(flags);
                 break;
             case AxisUse.Reference:
                 ReturnToReference(flags);
@@ -149,6 +155,7 @@ public sealed partial class NcInterpreter
         _state.Unsure = Unsure.All;
         _state.Unknown = AxisSet.All;
         _state.Cycle = NcMeaning.Unknown;
+        ForgetOrigins();
     }
 
     private AxisSet GivenAxes() => AxesOf(_words.Present | _words.Computed);

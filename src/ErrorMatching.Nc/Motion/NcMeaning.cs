@@ -69,8 +69,11 @@ public enum NcMeaning : byte
     /// <summary>Says which coordinates the tool has where it stands (G92); its axis words are not a motion.</summary>
     SetPosition,
 
-    /// <summary>Takes such a shift back (G92.1, G92.2).</summary>
+    /// <summary>Takes such a shift back for good (G92.1).</summary>
     ClearPosition,
+
+    /// <summary>Takes such a shift back until it is restored (G92.2).</summary>
+    SuspendPosition,
 
     /// <summary>Brings such a shift back (G92.3).</summary>
     RestorePosition,
@@ -84,14 +87,20 @@ public enum NcMeaning : byte
     /// <summary>Return to or over a reference point.</summary>
     ReferenceReturn,
 
+    /// <summary>Stores where the tool stands for a later return (G28.1, G30.1).</summary>
+    StoreReference,
+
     /// <summary>The block's coordinates are the machine's.</summary>
     MachineCoordinates,
 
     /// <summary>Leaves out all offsets and frames in its block (G153, SUPA).</summary>
     SuppressFrames,
 
-    /// <summary>Takes tool length into account.</summary>
+    /// <summary>Takes tool length into account, from the machine's table.</summary>
     LengthOffset,
+
+    /// <summary>Takes the tool length that the block's axis words state (G43.1); they are not a motion.</summary>
+    ToolLength,
 
     /// <summary>Leaves tool length out of account.</summary>
     LengthOffsetOff,
@@ -164,6 +173,9 @@ public enum NcMeaning : byte
 
     /// <summary>Canned cycle: feed to depth and out (G84, G74, G85, G89).</summary>
     FeedOutCycle,
+
+    /// <summary>Canned cycle: feed to depth and out to where a cycle retracts to, not to its R plane first (LinuxCNC's G74, G84, G89).</summary>
+    FeedOutToClearCycle,
 
     /// <summary>Canned cycle: feed to depth, spindle stop, rapid out (G86).</summary>
     StopOutCycle,

@@ -188,9 +188,20 @@ public sealed partial class Prover
     // Near half a turn a radius that is right to an increment leaves the middle of the arc wherever the rounding puts it.
     private bool HasFittingRadius(in NcMotion was, in NcMotion now, Point2 middle)
     {
-        var wanted = Circle2.Through(now.PlaneStart, middle, now.PlaneEnd).Radius;
-        var isKept = Math.Abs(now.Arc.Radius - was.Arc.Radius) < 1e-6 && Math.Abs(now.Arc.Sweep.Radians - was.Arc.Sweep.Radians) < 0.02 * Math.Abs(was.Arc.Sweep.Radians);
-        return isKept || Math.Abs(now.Arc.Radius - wanted) <= (1.5 * _increment) + 1e-6;
+        if (Math.Abs(now.Arc.Radius - was.Arc.Radius) < 1e-6 && Math.Abs(now.Arc.Sweep.Radians - was.Arc.Sweep.Radians) < 0.02 * Math.Abs(was.Arc.Sweep.Radians))
+        {
+            return true;
+        }
+
+        try
+        {
+            return Math.Abs(now.Arc.Radius - Circle2.Through(now.PlaneStart, middle, now.PlaneEnd).Radius) <= (1.5 * _increment) + 1e-6;
+        }
+        catch (GeometryException)
+        {
+            // On one line: no radius is right.
+            return false;
+        }
     }
 
     // A block that runs several times is one neighbor, named with the furthest that it moved.

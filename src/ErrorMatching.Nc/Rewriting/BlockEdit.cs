@@ -89,6 +89,20 @@ internal sealed class BlockEdit
     /// <summary>The value of a letter's word, or null where it has none.</summary>
     public NcNumber? Number(byte letter) => PlaceOf(letter) is >= 0 and var place ? ValueOf(_words[place]) : null;
 
+    /// <summary>How a word counts whose value the control computes; null where the letter has no such word.</summary>
+    public WordDistance? Computed(byte letter)
+    {
+        foreach (ref readonly var word in _words.AsSpan(0, _wordCount))
+        {
+            if (word.Kind == NcTokenKind.ExpressionWord && word.Letter == letter)
+            {
+                return word.Distance;
+            }
+        }
+
+        return null;
+    }
+
     /// <summary>What a letter's word itself says about how it counts.</summary>
     public WordDistance Distance(byte letter) => PlaceOf(letter) is >= 0 and var place ? _words[place].Distance : WordDistance.Modal;
 

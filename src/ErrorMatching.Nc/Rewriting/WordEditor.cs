@@ -194,6 +194,14 @@ internal sealed partial class WordEditor
                     _edit.Set(axis, number + new NcNumber(steps, _decimals));
                 }
             }
+            else if (from != to && _edit.Computed(axis) is { } distance)
+            {
+                // A computed position stays; a computed increment, or a position that would move, cannot be written.
+                if (to != 0 || distance == WordDistance.Incremental || (distance == WordDistance.Modal && motion.Has(MotionFlags.Incremental)))
+                {
+                    return Obstacles.Of(_path, index);
+                }
+            }
             else if (from != to)
             {
                 if (!incremental && (motion.UnknownEnd & Axis(axis)) != AxisSet.None)

@@ -29,8 +29,8 @@ public sealed class NcTests
         var names = csv[0].Split(',');
         foreach (var (line, motion) in csv.Skip(1).Zip(motions.EnumerateArray()))
         {
-            Assert.Equal([.. names, "unknown"], motion.EnumerateObject().Select(p => p.Name));
-            Assert.Equal(line.Split(','), motion.EnumerateObject().SkipLast(1).Select(p => p.Value.ToString()));
+            Assert.Equal([.. names, "unknown", "words"], motion.EnumerateObject().Select(p => p.Name));
+            Assert.Equal(line.Split(','), motion.EnumerateObject().SkipLast(2).Select(p => p.Value.ToString()));
         }
 
         // N60 comes before any Z; G91 G28 Z0 ends where only the machine knows.

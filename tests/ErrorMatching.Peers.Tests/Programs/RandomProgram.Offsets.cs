@@ -7,6 +7,8 @@ internal sealed partial class RandomProgram
 {
     private static readonly string[] Systems = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
 
+    private readonly HashSet<string> _stored = [];
+
     private void WriteWorkOffset(bool rotated)
     {
         switch (Below(3))
@@ -118,9 +120,15 @@ internal sealed partial class RandomProgram
         switch (Below(4))
         {
             case 0:
-                Block(Any("G28.1", "G30.1"));
-                Block("#5161=1 #5162=2 #5163=3 #5181=4 #5182=5 #5183=6");
-                Block(Any("G28", "G30") + (Chance(0.5) ? SomeAxes() : ""));
+                // A place that the program has not stored itself only the machine knows; parameters would give one in the machine's unit.
+                var home = Any("G28", "G30");
+                if (_stored.Add(home) || Chance(0.4))
+                {
+                    Block(home + ".1");
+                    WriteMotion();
+                }
+
+                Block(home + (Chance(0.5) ? SomeAxes() : ""));
                 Shifted();
                 break;
             default:

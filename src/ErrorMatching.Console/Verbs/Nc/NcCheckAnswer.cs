@@ -7,6 +7,8 @@ namespace ErrorMatching.Console;
 /// <summary>What a program is made of, and what of it is not understood.</summary>
 internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) : DocumentAnswer
 {
+    private const int MostShown = 200;
+
     /// <inheritdoc/>
     public override string Schema => "errormatch/nc-check/1";
 
@@ -62,7 +64,12 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
             return;
         }
 
-        page.Table(["line", "block", "what is not understood"], path.Problems.Select(p => (IReadOnlyList<string>)[Count(p.Block + 1), NumberOf(p), p.Message]));
+        page.Table(["line", "block", "what is not understood, or good to know"], path.Problems.Take(MostShown).Select(p => (IReadOnlyList<string>)[Count(p.Block + 1), NumberOf(p), p.Message]));
+        if (path.Problems.Count > MostShown)
+        {
+            page.Line();
+            page.Line($"... and {Count(path.Problems.Count - MostShown)} more; --json lists them all.");
+        }
     }
 
     // What a reader of the motions must know: they are the programmed path, not the one that the machine drives.
@@ -82,6 +89,12 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
         Note(cycles, "belong to cycles that are not followed: only their positions are known");
         Note(references, "go to a position of the machine, which the program does not say");
         Note(unknown, "end where at least one coordinate is not said by the program");
+        if (!path.Motions.FollowBlocks)
+        {
+            var runs = Enumerable.Range(0, path.Program.BlockCount).Select(b => path.MotionsOf(b).Length).ToArray();
+            Note(path.Motions.Length - runs.Count(r => r > 0), "come from blocks that run again, in loops and subprograms");
+        }
+
         return notes;
 
         void Note(int count, string what)

@@ -14,15 +14,35 @@ internal sealed class NcMotionAnswer(string file, NcPath path) : DocumentAnswer
     {
         json.WriteString("file", file);
         json.WriteString("dialect", path.Dialect.Name);
+        var words = new CoordinateWords(path);
         json.WriteStartArray("motions");
         for (var i = 0; i < path.Motions.Length; i++)
         {
             json.WriteStartObject();
             new ShownMotion(path, i).Write(json);
+            WriteWords(json, words, i);
             json.WriteEndObject();
         }
 
         json.WriteEndArray();
+    }
+
+    // Which word of which line says each coordinate of the end.
+    private static void WriteWords(Utf8JsonWriter json, CoordinateWords words, int motion)
+    {
+        json.WriteStartObject("words");
+        foreach (var (axis, name) in new[] { ('X', "x"), ('Y', "y"), ('Z', "z") })
+        {
+            if (words.Behind(motion, axis) is { } word)
+            {
+                json.WriteStartObject(name);
+                json.WriteNumber("line", word.Block + 1);
+                json.WriteString("word", word.Text);
+                json.WriteEndObject();
+            }
+        }
+
+        json.WriteEndObject();
     }
 
     /// <inheritdoc/>

@@ -1,0 +1,39 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Finds the words behind the coordinates of a motion's end: where its own block has no word for an axis, the coordinate still stands from the last block before it, in the order in
+/// which blocks are executed, that has one. Asked motion after motion, the whole path costs one pass over its words.
+/// </summary>
+/// <param name="path">The path.</param>
+public sealed class CoordinateWords(NcPath path)
+{
+    private readonly CoordinateWord?[] _last = new CoordinateWord?[3];
+    private int _next;
+
+    /// <summary>The word behind a coordinate of a motion's end; null where no motion so far had one.</summary>
+    /// <param name="motion">Position of the motion; not before one that was asked for earlier.</param>
+    /// <param name="axis">X, Y or Z.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The motion lies before one that was asked for earlier, or the axis is none of the three.</exception>
+    public CoordinateWord? Behind(int motion, char axis)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(motion, _next - 1);
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)(axis - 'X'), 3u, nameof(axis));
+        for (; _next <= motion; _next++)
+        {
+            Read(path.Motions.BlockOf(_next));
+        }
+
+        return _last[axis - 'X'];
+    }
+
+    private void Read(int block)
+    {
+        foreach (var token in path.Program.Tokens(path.Program[block]))
+        {
+            if (token.Kind is NcTokenKind.Word or NcTokenKind.ExpressionWord && token.Letter is >= (byte)'X' and <= (byte)'Z')
+            {
+                _last[token.Letter - 'X'] = new(block, NcText.Decode(path.Program.Bytes.Span.Slice(token.Start, token.Length)));
+            }
+        }
+    }
+}
