@@ -47,10 +47,20 @@ public sealed partial class NcInterpreter
             case NcMeaning.CycleCall:
                 CallCycle(statement);
                 return MotionFlags.None;
+            case NcMeaning.OpaqueTransform when HasNoArguments(statement):
+                Obey(NcMeaning.OpaqueTransformOff, _dialect.FamilyOf(name));
+                return MotionFlags.None;
             case var meaning:
                 Obey(meaning, _dialect.FamilyOf(name));
                 return MotionFlags.None;
         }
+    }
+
+    // CYCLE800() takes back what CYCLE800(..) set.
+    private bool HasNoArguments(NcToken statement)
+    {
+        var bytes = _text.Bytes.Span.Slice(statement.Start, statement.Length);
+        return bytes.IndexOf((byte)'(') is > 0 and var open && bytes[open..].IndexOfAnyExcept("() \t"u8) < 0;
     }
 
     private MotionFlags ReadAssignment(NcToken statement)
