@@ -15,6 +15,11 @@ public sealed partial class PackageProgramTests
     // Programs that are not compared, each with the reason.
     private static readonly Dictionary<string, string> Excluded = new(StringComparer.Ordinal)
     {
+        ["gmoccapy_2_tools_with_cutter_radius_compensation.ngc"] = "rs274 takes the tool's length from its own tool table.",
+        ["lathe_g70_71_demo.ngc"] = "Turning cycles are not followed: the dialect states so.",
+        ["lathe_g7x_face_boring.ngc"] = "Turning cycles are not followed: the dialect states so.",
+        ["lathe_g7x_quadrants.ngc"] = "Turning cycles are not followed: the dialect states so.",
+        ["smartprobe.ngc"] = "It loops on the result of probing, which only the machine knows; it is refused.",
     };
 
     [Fact]
@@ -38,7 +43,8 @@ public sealed partial class PackageProgramTests
             }
 
             compared++;
-            if (Agreement.FirstDifference(peer.Motions, NcInterpreter.Run(NcProgram.Read(bytes, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc), mostUnknown: 1, peerStops: peer.Refusal is not null) is { } difference)
+            var path = NcInterpreter.Run(NcProgram.Read(bytes, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc, name => InFolder(Path.GetDirectoryName(file)!, name), TestContext.Current.CancellationToken);
+            if (Agreement.FirstDifference(peer.Motions, path, mostUnknown: 1, peerStops: peer.Refusal is not null) is { } difference)
             {
                 differences.Add($"{file}: {difference}");
             }
@@ -46,6 +52,13 @@ public sealed partial class PackageProgramTests
 
         Assert.True(compared >= FewestPrograms, $"rs274 moves in only {compared} of {files.Length} programs.");
         Assert.True(differences.Count == 0, $"{differences.Count} of {compared} programs differ:\n{string.Join('\n', differences)}");
+    }
+
+    // The peer looks for called programs where it runs.
+    private static NcProgram? InFolder(string folder, string name)
+    {
+        var file = Path.Combine(folder, name + ".ngc");
+        return File.Exists(file) ? NcProgram.Read(File.ReadAllBytes(file), NcDialects.LinuxCnc.Syntax) : null;
     }
 
     // The peer prints the N word of a motion's block: each block gets its line as one. Compensation is blanked, since ours is the programmed path.

@@ -124,7 +124,13 @@ internal sealed partial class BlockWords
                 case NcTokenKind.CommaWord:
                     Corner = token.Letter;
                     CornerIsInteger = !bytes.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.');
-                    CornerValue = token.Number == default && !IsZero(bytes, token) ? compute(token) ?? double.NaN : token.Number.Value;
+                    CornerValue = ValueOf(bytes, token, compute);
+                    break;
+                case NcTokenKind.PolarWord when token.Letter == '@':
+                    PolarDistance = ValueOf(bytes, token, compute);
+                    break;
+                case NcTokenKind.PolarWord:
+                    PolarAngle = ValueOf(bytes, token, compute);
                     break;
                 case NcTokenKind.Keyword or NcTokenKind.Assignment or NcTokenKind.Expression:
                     _statements.Add(token);
@@ -139,7 +145,10 @@ internal sealed partial class BlockWords
         }
     }
 
-    // A corner word of a plain zero; a computed one has no number either.
+    private static double ValueOf(ReadOnlySpan<byte> bytes, NcToken token, Func<NcToken, double?> compute) =>
+        token.Number == default && !IsZero(bytes, token) ? compute(token) ?? double.NaN : token.Number.Value;
+
+    // A word of a plain zero; a computed one has no number either.
     private static bool IsZero(ReadOnlySpan<byte> bytes, NcToken token) => !bytes.Slice(token.ValueStart, token.ValueLength).ContainsAnyExcept(ZeroBytes);
 
     private void AddDistance(NcToken token)

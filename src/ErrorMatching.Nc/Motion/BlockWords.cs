@@ -43,6 +43,15 @@ internal sealed partial class BlockWords
     /// <summary>Angle of a rotation in the plane (RPL=), degrees; NaN where only the machine knows it, null where the block has none.</summary>
     public double? PlaneAngle { get; set; }
 
+    /// <summary>Distance from the origin in the plane XY (@), as programmed; NaN where only the machine knows it, null where the block has none.</summary>
+    public double? PolarDistance { get; private set; }
+
+    /// <summary>Angle about the origin in the plane XY (^), degrees; NaN where only the machine knows it, null where the block has none.</summary>
+    public double? PolarAngle { get; private set; }
+
+    /// <summary>True if the block has a polar coordinate.</summary>
+    public bool IsPolar => PolarDistance is not null || PolarAngle is not null;
+
     /// <summary>Assignments, words of several letters, strings and expressions that stand alone, in their order.</summary>
     public IReadOnlyList<NcToken> Statements => _statements;
 
@@ -79,7 +88,7 @@ internal sealed partial class BlockWords
     {
         (Present, Computed, Unknown, Repeated, Integers, Absolute, Incremental) = (0, 0, 0, 0, 0, 0, 0);
         (_codeCount, _functionCount, Corner, CornerValue, Invalid, IsSkipped) = (0, 0, 0, 0, default, false);
-        PlaneAngle = null;
+        (PlaneAngle, PolarDistance, PolarAngle) = (null, null, null);
         _statements.Clear();
     }
 

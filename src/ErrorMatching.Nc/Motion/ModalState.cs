@@ -7,7 +7,7 @@ internal struct ModalState
 {
     public MotionKind Mode;
 
-    /// <summary>A spline, an arc through a point, or a tangential arc, where the mode is one of these; else unknown.</summary>
+    /// <summary>A thread, a spline, an arc through a point, or a tangential arc, where the mode is one of these; else unknown.</summary>
     public NcMeaning Form;
 
     public CoordinatePlane Plane;

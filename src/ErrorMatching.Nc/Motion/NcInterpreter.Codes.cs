@@ -108,6 +108,10 @@ public sealed partial class NcInterpreter
         {
             case NcMeaning.Rapid: Mode(MotionKind.Rapid); break;
             case NcMeaning.Line: Mode(MotionKind.Line); break;
+            case NcMeaning.ThreadCut:
+                Mode(MotionKind.Line);
+                _state.Form = meaning;
+                break;
             case NcMeaning.ArcClockwise: Mode(MotionKind.ArcClockwise); break;
             case NcMeaning.ArcCounterClockwise: Mode(MotionKind.ArcCounterClockwise); break;
             case NcMeaning.Probe: Mode(MotionKind.Probe); break;

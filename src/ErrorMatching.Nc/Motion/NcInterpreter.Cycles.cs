@@ -57,7 +57,9 @@ public sealed partial class NcInterpreter
         var step = plane.Project(target) - plane.Project(_state.Position);
         for (var i = 0; i < times; i++)
         {
-            var place = i == 0 || !_state.Incremental ? plane.Project(target) : plane.Project(_state.Position) + step;
+            var place = i == 0 || !_state.Incremental ? plane.Project(target)
+                : _words.IsPolar ? plane.Project(PolarWordsTarget(_state.Position, _state.Unknown).End)
+                : plane.Project(_state.Position) + step;
             Hole(flags, place, unknown & plane.Axes(), i == 0);
         }
     }

@@ -48,7 +48,6 @@ public sealed partial class NcInterpreter
 
         var by = _toolLength - to;
         (_toolLength, _isToolLengthInInches) = (to, _state.Inch);
-        DependOnPlace();
         var degrees = OriginOf(_workOffset).Degrees;
         MoveWork(WorkOrigin.Turned(by, -(degrees ?? 0)), degrees is null && (by.X != 0 || by.Y != 0) ? unknown | AxisSet.X | AxisSet.Y : degrees == 0 ? unknown : WorkOrigin.Mixed(unknown));
         NextFrame();
@@ -57,7 +56,11 @@ public sealed partial class NcInterpreter
     private static AxisSet AxesAlong(Vector3 v) =>
         (v.X != 0 ? AxisSet.X : AxisSet.None) | (v.Y != 0 ? AxisSet.Y : AxisSet.None) | (v.Z != 0 ? AxisSet.Z : AxisSet.None);
 
-    private void StoreReference() => _references[_reference] = MachinePlace();
+    private void StoreReference()
+    {
+        DependOnPlace();
+        _references[_reference] = MachinePlace();
+    }
 
     private (Point3 Place, AxisSet Unknown) MachinePlace()
     {

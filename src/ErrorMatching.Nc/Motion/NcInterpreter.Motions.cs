@@ -14,6 +14,8 @@ public sealed partial class NcInterpreter
             return;
         }
 
+        flags |= _words.IsPolar ? MotionFlags.Transformed : MotionFlags.None;
+        flags |= _state.Form == NcMeaning.ThreadCut ? MotionFlags.Cycle : MotionFlags.None;
         var kind = _probes ? MotionKind.Probe : _state.Mode;
         var (end, unknown) = Target();
         if (kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
@@ -53,12 +55,33 @@ public sealed partial class NcInterpreter
             return PolarTarget();
         }
 
+        if (_words.IsPolar)
+        {
+            return PolarWordsTarget(_state.Position, _state.Unknown);
+        }
+
         var at = _state.Position;
         var (given, unknown) = (_words.Present, _state.Unknown);
         var incremental = ((_state.Incremental ? LinearAxes : 0) & ~_words.Absolute) | _words.Incremental;
         var end = (given & LinearAxes) == 0 ? at : new(Axis('X', at.X, given, incremental), Axis('Y', at.Y, given, incremental), Axis('Z', at.Z, given, incremental));
         unknown &= ~AxesOf(given & ~incremental);
         return (end, _hasUnknownCode ? AxisSet.All : unknown | UnknownWords());
+    }
+
+    // LinuxCNC's @ and ^ are the polar coordinates of the end in the plane XY, or how much they grow; what is not said stays.
+    private (Point3 End, AxisSet Unknown) PolarWordsTarget(Point3 at, AxisSet unknown)
+    {
+        var from = new Vector2(at.X, at.Y);
+        var (distance, degrees) = (from.Length, Math.Atan2(from.Y, from.X) * 180 / Math.PI);
+        var (grown, turned) = (_words.PolarDistance * (_state.Inch ? MmPerInch : 1), _words.PolarAngle);
+        distance = _state.Incremental ? distance + (grown ?? 0) : grown ?? distance;
+        degrees = _state.Incremental ? degrees + (turned ?? 0) : turned ?? degrees;
+        var flat = AxisSet.X | AxisSet.Y;
+        var isUnknown = double.IsNaN(distance) || double.IsNaN(degrees) || ((_state.Incremental || grown is null || turned is null) && (unknown & flat) != AxisSet.None);
+        var (sin, cos) = Math.SinCos(degrees * Math.PI / 180);
+        var z = _words.Has('Z') ? (_state.Incremental ? Sum(at.Z, Length('Z')) : Length('Z')) : at.Z;
+        var unknownZ = _words.Has('Z') && !_state.Incremental ? AxisSet.None : unknown & AxisSet.Z;
+        return isUnknown ? (new(at.X, at.Y, z), flat | unknownZ | UnknownWords()) : (new(distance * cos, distance * sin, z), unknownZ | UnknownWords());
     }
 
     private double Axis(char letter, double at, uint given, uint incremental)

@@ -217,7 +217,7 @@ public sealed partial class NcInterpreter
     // Values of words that move nothing are not asked for: tool names, angles of rotary axes, offsets.
     private double? ValueOf(NcToken token)
     {
-        var role = _dialect.RoleOf(token.Letter);
+        var role = token.Kind == NcTokenKind.PolarWord ? LetterRole.Axis : _dialect.RoleOf(token.Letter);
         var matters = role is LetterRole.Axis or LetterRole.Center or LetterRole.Radius or LetterRole.Feed or LetterRole.G or LetterRole.M
             or LetterRole.OpeningAngle or LetterRole.MoreTurns or LetterRole.IntermediatePoint
             || token.Letter is (byte)'P' or (byte)'Q' or (byte)'L' or (byte)'R' or (byte)'K';

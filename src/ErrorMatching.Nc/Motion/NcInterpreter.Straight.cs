@@ -22,7 +22,7 @@ public sealed partial class NcInterpreter
         if (codes.Length > 0)
         {
             var meaning = _dialect.MeaningOf(codes[0]);
-            if (codes.Length > 1 || meaning is not (NcMeaning.Rapid or NcMeaning.Line))
+            if (codes.Length > 1 || meaning is not (NcMeaning.Rapid or NcMeaning.Line) || (GoesNowhere && (_words.Present & LinearAxes) == 0))
             {
                 return false;
             }
@@ -61,6 +61,6 @@ public sealed partial class NcInterpreter
 
     // True if a straight move is nothing else: no cycle or macro waits for it, no corner and no entry of compensation, and work coordinates are those programmed.
     private bool IsStraight() =>
-        _state.Cycle == NcMeaning.Unknown && !_hasUnknownCode && !_state.CompensationSwitched && _state.ModalRounding == 0 && _corner.Letter == 0
+        _state.Cycle == NcMeaning.Unknown && _state.Form == NcMeaning.Unknown && !_hasUnknownCode && !_state.CompensationSwitched && _state.ModalRounding == 0 && _corner.Letter == 0
         && _frame is null && _transforms == Transforms.None && _cycleCall is null && _modalCycle is null && !_nextCycleIsModal && _flow is not { HasModalCall: true };
 }

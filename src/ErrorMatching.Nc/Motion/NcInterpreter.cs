@@ -37,6 +37,7 @@ public sealed partial class NcInterpreter
         _cancellation = cancellation;
         _dialect = dialect;
         _countsIntegers = dialect.NotesNumbersWithoutPoint;
+        _state.RetractsToR = dialect.Syntax == NcSyntax.LinuxCnc;
         _motions = new(like);
         for (var letter = 'A'; letter <= 'Z'; letter++)
         {
@@ -113,6 +114,10 @@ public sealed partial class NcInterpreter
             case AxisUse.Motion when MovesAxes():
                 Move(flags);
                 break;
+            case AxisUse.Motion when GoesNowhere && StatesStraightMotion():
+                // LinuxCNC goes where it stands.
+                Append(_state.Mode, flags, _state.Position, _state.Unknown);
+                break;
             case AxisUse.MachineCoordinates when MovesAxes():
                 MoveInMachine(flags);
                 break;
@@ -145,7 +150,20 @@ public sealed partial class NcInterpreter
         var given = _words.Present | _words.Computed;
         var arc = _state.Mode is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise && _state.Cycle == NcMeaning.Unknown;
         var axes = _state.Cycle == NcMeaning.Unknown ? LinearAxes : LinearAxes | BlockWords.Bit('R');
-        return (given & (axes | _otherAxes)) != 0 || (arc && (given & CenterWords) != 0);
+        return (given & (axes | _otherAxes)) != 0 || _words.IsPolar || (arc && (given & CenterWords) != 0);
+    }
+
+    private bool StatesStraightMotion()
+    {
+        foreach (var code in _words.Codes)
+        {
+            if (_dialect.MeaningOf(code) is NcMeaning.Rapid or NcMeaning.Line)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     private void Append(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd, Point2 center = default, int turns = 0)

@@ -213,6 +213,9 @@ public enum NcMeaning : byte
     /// <summary>An arc that continues the path tangentially (CT).</summary>
     TangentArc,
 
+    /// <summary>A straight cut in step with the spindle (G33); it is not displaced.</summary>
+    ThreadCut,
+
     /// <summary>A spline (G5, G5.1, G5.2): its end is known, its way is not followed.</summary>
     Spline,
 

@@ -15,6 +15,9 @@ public enum NcTokenKind : byte
     /// <summary>A comma word: <c>,R5.</c> or <c>,C2.</c> (corner rounding and chamfer).</summary>
     CommaWord,
 
+    /// <summary>A polar coordinate of LinuxCNC: <c>@5.</c> a distance from the origin, <c>^30</c> an angle in degrees.</summary>
+    PolarWord,
+
     /// <summary>An assignment to a variable: <c>#100=5.</c></summary>
     Assignment,
 

@@ -90,6 +90,9 @@ public ref partial struct NcTokenizer
             case (byte)',':
                 ReadCommaWord();
                 break;
+            case (byte)'@' or (byte)'^' when _syntax == NcSyntax.LinuxCnc:
+                ReadPolarWord(c);
+                break;
             case (byte)'#':
                 Plain(NcTokenKind.Assignment, _syntax == NcSyntax.LinuxCnc ? AssignmentEnd(_position) : ToCommentOrEnd(_position + 1));
                 break;
@@ -179,6 +182,24 @@ public ref partial struct NcTokenizer
         }
 
         Plain(NcTokenKind.Invalid, _position + 1);
+    }
+
+    private void ReadPolarWord(byte sign)
+    {
+        var valueAt = SkipSpaces(_position + 1);
+        if (!ReadNumber(valueAt, out var behind, out var number))
+        {
+            behind = valueAt < _end ? ComputedEnd(valueAt) : 0;
+        }
+
+        if (behind <= valueAt)
+        {
+            Plain(NcTokenKind.Invalid, _position + 1);
+            return;
+        }
+
+        Current = new(NcTokenKind.PolarWord, sign, _position, behind - _position, valueAt, behind - valueAt, number, WordDistance.Modal);
+        _position = behind;
     }
 
     private void ReadLetter(byte letter)

@@ -9,11 +9,14 @@ namespace ErrorMatching.Nc.Tests;
 /// </summary>
 public sealed class HostileInputTests
 {
-    // What one reading in one dialect may take: a constant, since a block of a few bytes may stand for a hundred thousand pecks, and so much for each byte of the program.
+    // What one reading in one dialect may take: a constant, since a block of a few bytes may stand for a hundred thousand pecks, or for a loop that is given up after
+    // two million blocks, and so much for each byte of the program. A machine that is busy with something else gets another try.
     private const double SecondsAtMost = 2;
     private const double SecondsPerByte = 1e-6;
-    private const long BytesAtMost = 32 << 20;
+    private const long BytesAtMost = 512 << 20;
     private const long BytesPerByte = 400;
+    private const int Tries = 5;
+    private const int MostFailures = 20;
 
     private static readonly long Count = Setting("ERRORMATCH_MUTATIONS", 20_000);
     private static readonly long FirstSeed = Setting("ERRORMATCH_MUTATION_SEED", 1);
@@ -24,7 +27,8 @@ public sealed class HostileInputTests
     [Fact]
     public void No_damaged_program_throws_hangs_or_changes_elsewhere()
     {
-        for (var seed = FirstSeed; seed < FirstSeed + Count; seed++)
+        var failures = new List<string>();
+        for (var seed = FirstSeed; seed < FirstSeed + Count && failures.Count < MostFailures; seed++)
         {
             var bytes = new Mutator(seed).Next();
             try
@@ -35,9 +39,11 @@ public sealed class HostileInputTests
             {
                 var file = Path.Combine(Path.GetTempPath(), $"errormatch-mutation-{seed}.nc");
                 File.WriteAllBytes(file, bytes);
-                throw new InvalidOperationException($"Seed {seed}, written to {file}: {e.Message}", e);
+                failures.Add($"Seed {seed}, written to {file}: {e}");
             }
         }
+
+        Assert.True(failures.Count == 0, string.Join("\n", failures));
     }
 
     private static void Abuse(byte[] bytes, long seed)
@@ -45,11 +51,9 @@ public sealed class HostileInputTests
         var draw = new Mutator(-seed);
         foreach (var dialect in NcDialects.All)
         {
-            var (watch, allocated) = (Stopwatch.StartNew(), GC.GetAllocatedBytesForCurrentThread());
             var program = NcProgram.Read(bytes, dialect.Syntax);
             Assert.True(NcCensus.Of(program).RoundTrips, $"{dialect.Name}: the tokens are not the program.");
-            var path = NcInterpreter.Run(program, dialect);
-            Within(bytes.Length, watch, allocated, $"{dialect.Name}: reading");
+            var path = Within(bytes.Length, $"{dialect.Name}: reading", () => NcInterpreter.Run(program, dialect));
             if (program.BlockCount > 0)
             {
                 Displace(path, draw);
@@ -59,20 +63,24 @@ public sealed class HostileInputTests
 
     private static void Displace(NcPath path, Mutator draw)
     {
-        var (watch, allocated) = (Stopwatch.StartNew(), GC.GetAllocatedBytesForCurrentThread());
         var blocks = Blocks(path.Program, draw);
         var d = (draw.Below(61) - 30) / 100.0;
-        var wish = draw.Below(2) == 0 ? DisplacementWish.Normal(path, blocks, d) : DisplacementWish.EndsBy(path, blocks, new Vector3(d, -d, draw.Below(3) == 0 ? d / 2 : 0));
-        if (wish.IsUsable && Rewriter.Apply(path, wish.Value) is { IsUsable: true, Value: var rewrite })
+        var (isNormal, isLevel) = (draw.Below(2) == 0, draw.Below(3) != 0);
+        var (wish, rewrite) = Within(path.Program.Bytes.Length, $"{path.Dialect.Name}: displacing", () =>
         {
-            var proof = Prover.Check(path, rewrite.Program, wish.Value, rewrite.LeastIncrementMm);
-            if (proof.Holds)
-            {
-                OnlyTheseDiffer(path.Program, rewrite.Program, [.. blocks, .. proof.Neighbors.Select(n => n.Line - 1)]);
-            }
+            var wish = isNormal ? DisplacementWish.Normal(path, blocks, d) : DisplacementWish.EndsBy(path, blocks, new Vector3(d, -d, isLevel ? 0 : d / 2));
+            return (wish, Rewrite: wish.IsUsable ? Rewriter.Apply(path, wish.Value) : null);
+        });
+        if (wish.Value is not { } wanted || rewrite is not { IsUsable: true, Value: { } result })
+        {
+            return;
         }
 
-        Within(path.Program.Bytes.Length, watch, allocated, $"{path.Dialect.Name}: displacing");
+        var proof = Within(path.Program.Bytes.Length, $"{path.Dialect.Name}: proving", () => Prover.Check(path, result.Program, wanted, result.LeastIncrementMm));
+        if (proof.Holds)
+        {
+            OnlyTheseDiffer(path.Program, result.Program, [.. blocks, .. proof.Neighbors.Select(n => n.Line - 1)]);
+        }
     }
 
     private static int[] Blocks(NcProgram program, Mutator draw)
@@ -102,11 +110,21 @@ public sealed class HostileInputTests
         }
     }
 
-    private static void Within(int length, Stopwatch watch, long allocated, string what)
+    private static T Within<T>(int length, string what, Func<T> work)
     {
-        var (seconds, used) = (watch.Elapsed.TotalSeconds, GC.GetAllocatedBytesForCurrentThread() - allocated);
-        Assert.True(seconds <= SecondsAtMost + (SecondsPerByte * length), $"{what} {length} bytes took {seconds} s.");
-        Assert.True(used <= BytesAtMost + (BytesPerByte * length), $"{what} {length} bytes allocated {used} bytes.");
+        for (var attempt = 1; ; attempt++)
+        {
+            var (watch, allocated) = (Stopwatch.StartNew(), GC.GetAllocatedBytesForCurrentThread());
+            var result = work();
+            var (seconds, used) = (watch.Elapsed.TotalSeconds, GC.GetAllocatedBytesForCurrentThread() - allocated);
+            Assert.True(used <= BytesAtMost + (BytesPerByte * length), $"{what} {length} bytes allocated {used} bytes.");
+            if (seconds <= SecondsAtMost + (SecondsPerByte * length))
+            {
+                return result;
+            }
+
+            Assert.True(attempt < Tries, $"{what} {length} bytes took {seconds} s.");
+        }
     }
 
     private static long Setting(string name, long otherwise) => Environment.GetEnvironmentVariable(name) is { } text ? long.Parse(text, CultureInfo.InvariantCulture) : otherwise;

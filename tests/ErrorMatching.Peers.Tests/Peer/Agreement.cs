@@ -48,7 +48,9 @@ internal static class Agreement
             return null;
         }
 
-        if (peer.Kind != ours.Kind)
+        // Where the peer's machine has stored a place, ours goes by rapid to one that only the machine knows.
+        var kind = ours.Kind == MotionKind.Reference && ours.UnknownEnd != AxisSet.None ? MotionKind.Rapid : ours.Kind;
+        if (peer.Kind != kind)
         {
             return "kind";
         }
@@ -75,7 +77,7 @@ internal static class Agreement
             return "turns";
         }
 
-        return ours.Kind != MotionKind.Rapid && peer.Feed is { } feed && !(Math.Abs(feed - ours.Feed) <= tolerance) ? "feed" : null;
+        return kind != MotionKind.Rapid && peer.Feed is { } feed && !(Math.Abs(feed - ours.Feed) <= tolerance) ? "feed" : null;
 
         bool Agree(AxisSet axis, double theirs, double own) => (ours.UnknownEnd & axis) != AxisSet.None || Math.Abs(theirs - own) <= tolerance;
     }
