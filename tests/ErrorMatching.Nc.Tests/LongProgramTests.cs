@@ -9,7 +9,7 @@ namespace ErrorMatching.Nc.Tests;
 /// <summary>What serves long programs gives what a plain walk gives.</summary>
 public sealed class LongProgramTests
 {
-    private static readonly Gen<string> Paths = Gen.Elements("G1 X{0}. Y{1}.", "G1 X{0}. Y{1}.", "G1 X{0}.0001 Y{1}.", "G0 X{0}. Y{1}.", "G3 X{0}. Y{1}. R9.", "G1 Z{0}.", "G55", "G41 G1 X{0}. Y{1}.", "G40 G1 X{0}. Y{1}.")
+    private static readonly Gen<string> Paths = Gen.Elements("G1 X{0}. Y{1}.", "G1 X{0}. Y{1}.", "G1 X{0}.0001 Y{1}.", "G1 X{0}.00005 Y{1}.", "G1 X{0}.0000496 Y{1}.", "G0 X{0}. Y{1}.", "G3 X{0}. Y{1}. R9.", "G1 Z{0}.", "G55", "G41 G1 X{0}. Y{1}.", "G40 G1 X{0}. Y{1}.")
         .Zip(Gen.Choose(0, 3).Two()).Select(p => p.Item1.Replace("{0}", p.Item2.Item1.ToString(CultureInfo.InvariantCulture), StringComparison.Ordinal).Replace("{1}", p.Item2.Item2.ToString(CultureInfo.InvariantCulture), StringComparison.Ordinal))
         .ArrayOf().Select(l => "G90 G17 G21 G54\nG0 X0 Y0 Z0\n" + string.Join('\n', l));
 
