@@ -31,13 +31,13 @@ internal static class PeerBenchmark
             File.WriteAllBytes(file, program);
             var console = Repository.PathTo("artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
             Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{count} blocks, {program.Length / 1e6:0.0} MB, best of {Runs} runs"));
-            var reference = Process("rs274 -g, whole process", peer, ["-g", file], folder);
+            var reference = Measurement.OfProcess(Runs, "rs274 -g, whole process", peer, ["-g", file], folder);
             var read = NcProgram.Read(program, NcDialects.LinuxCnc.Syntax);
             NcInterpreter.Run(read, NcDialects.LinuxCnc);
             Measurement[] ours =
             [
-                Process("errormatch nc motion, whole process", console, ["nc", "motion", file, "--dialect", "linuxcnc"], folder),
-                Process("errormatch nc check, whole process", console, ["nc", "check", file, "--dialect", "linuxcnc"], folder),
+                Measurement.OfProcess(Runs, "errormatch nc motion, whole process", console, ["nc", "motion", file, "--dialect", "linuxcnc"], folder),
+                Measurement.OfProcess(Runs, "errormatch nc check, whole process", console, ["nc", "check", file, "--dialect", "linuxcnc"], folder),
                 Memory("the library, from bytes in memory to motions", () => NcInterpreter.Run(NcProgram.Read(program, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc)),
                 Memory("the library, interpreting alone", () => NcInterpreter.Run(read, NcDialects.LinuxCnc)),
             ];
@@ -70,35 +70,6 @@ internal static class PeerBenchmark
         return Encoding.ASCII.GetBytes(text.Append("M2\n").ToString());
     }
 
-    private static Measurement Process(string name, string executable, string[] arguments, string home)
-    {
-        var best = new Measurement(name, double.MaxValue, 0);
-        for (var run = 0; run < Runs; run++)
-        {
-            var start = new ProcessStartInfo(executable, arguments) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true };
-            start.Environment["HOME"] = home;
-            var watch = Stopwatch.StartNew();
-            using var process = System.Diagnostics.Process.Start(start)!;
-            var (output, error) = (process.StandardOutput.BaseStream.CopyToAsync(Stream.Null), process.StandardError.ReadToEndAsync());
-            var peak = 0L;
-            while (!process.WaitForExit(5))
-            {
-                peak = Math.Max(peak, PeakOf(process.Id));
-            }
-
-            Task.WaitAll(output, error);
-            var seconds = watch.Elapsed.TotalSeconds;
-            if (process.ExitCode != 0)
-            {
-                throw new InvalidOperationException($"{name} ended with {process.ExitCode}: {error.Result}");
-            }
-
-            best = best with { Seconds = Math.Min(best.Seconds, seconds), PeakBytes = Math.Max(best.PeakBytes, peak) };
-        }
-
-        return best;
-    }
-
     // In memory the peak is what one run allocates: nothing of it is collected before the end.
     private static Measurement Memory(string name, Action work)
     {
@@ -117,25 +88,7 @@ internal static class PeerBenchmark
         return new(name, best, allocated);
     }
 
-    // The kernel's own high-water mark, read until the process is gone.
-    private static long PeakOf(int id)
-    {
-        var status = $"/proc/{id}/status";
-        try
-        {
-            var line = File.Exists(status) ? File.ReadLines(status).FirstOrDefault(l => l.StartsWith("VmHWM:", StringComparison.Ordinal)) : null;
-            return line is null ? 0 : 1024 * long.Parse(line.Split(' ', StringSplitOptions.RemoveEmptyEntries)[1], CultureInfo.InvariantCulture);
-        }
-        catch (IOException)
-        {
-            // It ended between the two calls; the marks before stand.
-            return 0;
-        }
-    }
-
     private static string? Find() => (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries)
         .Select(f => Path.Combine(f, "rs274"))
         .FirstOrDefault(File.Exists);
-
-    private sealed record Measurement(string Name, double Seconds, long PeakBytes);
 }

@@ -11,5 +11,15 @@ if (args is ["rs274", .. var blocks])
     return PeerBenchmark.Run(blocks.FirstOrDefault());
 }
 
+if (args is ["million", .. var million])
+{
+    return MillionBlocks.Run(million.FirstOrDefault());
+}
+
+if (args is ["huge"])
+{
+    return HugeFiles.Run();
+}
+
 BenchmarkSwitcher.FromAssembly(typeof(MatchBenchmarks).Assembly).Run(args);
 return 0;

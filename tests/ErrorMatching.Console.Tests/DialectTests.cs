@@ -46,6 +46,27 @@ public class DialectTests
         Assert.Equal("ours", document.Text("dialect"));
     }
 
+    [Theory]
+    [InlineData("check")]
+    [InlineData("motion")]
+    [InlineData("displace", "--blocks", "N20", "--normal", "0.1", "--out", "OUT")]
+    [InlineData("diff", "PROGRAM")]
+    public void Each_answer_about_a_program_notes_numbers_without_a_point(string verb, params string[] more)
+    {
+        using var folder = new TemporaryFolder();
+        var program = folder.File("p.nc", "G90 G17 G40 G0 X0 Y0 Z0\nN10 G1 X10 F100\nN20 Y10.\nN30 X20\n");
+        string[] arguments = ["nc", verb, program, .. more.Select(m => m == "OUT" ? folder["o.nc"] : m == "PROGRAM" ? program : m), "--dialect", "fanuc"];
+        var note = Shell.Json(0, $"errormatch/nc-{verb}/1", arguments).GetProperty("notes").EnumerateArray().First();
+        Assert.Equal(("number-without-point", 2, 2, "N10"), (note.Text("code"), note.GetProperty("count").GetInt32(), note.GetProperty("line").GetInt32(), note.Text("block")));
+        if (verb != "motion")
+        {
+            Assert.Contains("2 coordinates are written without a point, the first in N10.", Shell.Run(arguments).Output, StringComparison.Ordinal);
+        }
+
+        arguments[^1] = "linuxcnc";
+        Assert.Empty(Shell.Json(0, $"errormatch/nc-{verb}/1", arguments).GetProperty("notes").EnumerateArray());
+    }
+
     [Fact]
     public void A_mistake_in_a_file_is_named_by_its_place()
     {

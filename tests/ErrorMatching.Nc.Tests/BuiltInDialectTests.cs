@@ -116,7 +116,7 @@ public sealed class BuiltInDialectTests
     [InlineData("CYCLE800", NcMeaning.OpaqueTransform)]
     [InlineData("MCALL", NcMeaning.ModalCycle)]
     [InlineData("MSG", NcMeaning.Harmless)]
-    [InlineData("MEAS", NcMeaning.Probe)]
+    [InlineData("MEAS", NcMeaning.ProbeInBlock)]
     [InlineData("CYCLE8", NcMeaning.Unknown)]
     [InlineData("", NcMeaning.Unknown)]
     public void Siemens_words_have_meanings_whatever_their_case(string word, NcMeaning meaning) => Assert.Equal(meaning, NcDialects.Siemens840D.MeaningOf(Encoding.ASCII.GetBytes(word)));

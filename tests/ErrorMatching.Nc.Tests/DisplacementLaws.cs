@@ -59,6 +59,28 @@ public sealed class DisplacementLaws
         });
     }
 
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Spelling_of_a_contour_makes_no_difference_to_where_it_goes(bool byRadius) => ForAll((contour, seed) =>
+    {
+        var (iso, siemens, d) = (Bench.Read(contour.Spell(seed % 2 == 0, byRadius: byRadius)), Bench.Read(contour.SpellSiemens(byRadius), NcDialects.Siemens840D), Distance(contour));
+        var (a, b) = (TryDisplace(iso, DisplacementWish.Normal(iso, Named(iso, contour), d).Value!), TryDisplace(siemens, DisplacementWish.Normal(siemens, Named(siemens, contour), d).Value!));
+        Assert.Equal(a is null, b is null);
+        if (a is null || b is null)
+        {
+            return;
+        }
+
+        var (one, other) = (NcInterpreter.Run(a.Program, iso.Dialect).Motions, NcInterpreter.Run(b.Program, siemens.Dialect).Motions);
+        for (var i = 0; i < contour.Count + 3; i++)
+        {
+            Assert.Equal(one[i].Kind, other[i].Kind);
+            Assert.InRange((one[i].End - other[i].End).Length, 0, 1e-9);
+            Assert.InRange(one[i].IsArc ? one[i].Arc.Middle.DistanceTo(other[i].Arc.Middle) : 0, 0, 0.001);
+        }
+    });
+
     [Fact]
     public void Displacement_there_and_back_restores_the_motions() => ForAll((contour, _) =>
     {

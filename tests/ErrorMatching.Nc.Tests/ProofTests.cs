@@ -273,6 +273,21 @@ public sealed class ProofTests
         Assert.InRange(checkedDigits, 100, 200);
     }
 
+    [Theory]
+    [InlineData("X=IC(10.1)", "X=IC(10.1]")]
+    [InlineData("X=IC(10.1)", "X=AC(10.1)")]
+    [InlineData("X=IC(10.1)", "X=IC(10.1 )")]
+    [InlineData("CR=4.9", "CR=4.8")]
+    [InlineData("CR=4.9", "CR=4.9 ;")]
+    public void Tampered_addresses_of_several_letters_do_not_hold(string was, string now)
+    {
+        var path = Bench.Read("G90 G17 G71\nG0 X0. Y-10. Z5.\nN9 G1 Y0. F100\nN10 X=IC(10.) Y0.\nN20 G3 X=AC(15.) Y=AC(5.) CR=5.\nN30 G1 Y15.\nG0 Z5.\n", NcDialects.Siemens840D);
+        var wish = Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, "N9..N30"), 0.1));
+        var good = Bench.Text(Bench.Rewritten(path, wish).Program);
+        Assert.True(good.Contains(was, StringComparison.Ordinal), good);
+        Assert.False(Prover.Check(path, NcProgram.FromText(good.Replace(was, now, StringComparison.Ordinal), NcSyntax.Siemens), wish, 0.001).Holds);
+    }
+
     private static NcProof Prove(string result, double left, string? marker = null)
     {
         var path = Bench.Read(Crlf(Before));

@@ -68,6 +68,25 @@ internal sealed class RandomContour
         return text.Append(CultureInfo.InvariantCulture, $"G90 G0 {z}5.\n{x}0. {y}0.\nM30\n").ToString();
     }
 
+    /// <summary>The same contour and blocks in Siemens spelling: ends as increments of their own, centers as places or radii by CR=.</summary>
+    public string SpellSiemens(bool byRadius)
+    {
+        var first = _elements[0].Start;
+        var text = new StringBuilder();
+        text.Append(CultureInfo.InvariantCulture, $"G71 G40 G90 G17\nG0 X={first.X:0.0##} Y={first.Y:0.0##} Z5\nG1 Z-1 F500\n");
+        for (var n = 0; n < _elements.Count; n++)
+        {
+            var (e, to) = (_elements[n], _elements[n].End - _elements[n].Start);
+            text.Append(CultureInfo.InvariantCulture, $"N{n + 1} {(e.IsArc ? e.CounterClockwise ? "G3" : "G2" : "G1")} X=IC({to.X:0.0##}) Y=IC({to.Y:0.0##})");
+            text.Append(!e.IsArc ? "" : byRadius
+                ? string.Create(CultureInfo.InvariantCulture, $" CR={e.Start.DistanceTo(e.Center):0.000}")
+                : string.Create(CultureInfo.InvariantCulture, $" I=AC({e.Center.X:0.0##}) J=AC({e.Center.Y:0.0##})"));
+            text.Append('\n');
+        }
+
+        return text.Append("G0 Z5\nX0 Y0\nM30\n").ToString();
+    }
+
     /// <summary>A number between two others; the same on every run.</summary>
     public double Uniform(double low, double high)
     {

@@ -32,6 +32,27 @@ public sealed class RefusalTests
         { NcRefusalCodes.PlaneChange, "N10 G1 X10. Z0. F100\nG18\nN20 G1 X20. Z5.\n", "N10..N20", 5, "N20" },
         { NcRefusalCodes.NotASimpleMove, "G91\nN10 G1 X10. F100\nN20 G81 X5. Y5. Z-5. R2.\n", "N10", 5, "N20" },
         { NcRefusalCodes.UnknownState, "N10 G1 X10. F100\nG20\nN20 X0. Y2.\n", "N10..N20", 5, "N20" },
+        { NcRefusalCodes.UnknownState, "G187 X5.\nG1 G90 G17 G40 X0. F100\nN10 G1 X10.\n", "N10", 5, "N10" },
+        { NcRefusalCodes.UnknownWord, "N10 G187 G90 G17 G40 G1 X10. Y0. Z0. F100\n", "N10", 3, "N10" },
+
+        // From one unknown place to another: not to be left out in silence.
+        { NcRefusalCodes.UnknownState, "G55\nG91\nN10 G1 X10. F100\nG90 G0 X0. Y0. Z0.\nN20 G1 X10.\n", "N10..N20", 5, "N10" },
+        { NcRefusalCodes.Expression, "G55\nN10 G1 X#1000 Y#1001 F100\nG0 X0. Y0. Z0.\nN20 G1 X10.\n", "N10..N20", 4, "N10" },
+
+        // The entry from (0, 0.6) would be 0.1 long.
+        { NcRefusalCodes.CompensationEntry, "G0 Y0.6\nG41 D1 G1 Y0. F100\nN10 X10.\nN20 Y-10.\n", "N10", 4, "line 4" },
+
+        // The subprogram's block is entered square at its first run and at another angle at its second.
+        { NcRefusalCodes.RunsDiffer, "G1 Y5. F100\nM98 P7\nG1 X20. Y10.\nM98 P7\nM30\nO7\nN10 G91 G1 X10.\nG90\nM99\n", "N10", 9, "N10" },
+    };
+
+    public static TheoryData<string, string, string, int, string> SiemensNormals => new()
+    {
+        { NcRefusalCodes.ArcForm, "N10 G3 X10 Y0 AR=90 F100\n", "N10", 3, "N10" },
+        { NcRefusalCodes.ArcForm, "N10 CIP X10 Y0 I1=5 J1=5 F100\n", "N10", 3, "N10" },
+        { NcRefusalCodes.ArcForm, "N10 G1 X10 F100\nN20 CT X15 Y5\n", "N10..N20", 4, "N20" },
+        { NcRefusalCodes.ActiveTransform, "TRAORI\nN10 G1 X10 Y0 Z0 F100\n", "N10", 4, "N10" },
+        { NcRefusalCodes.CornerWord, "N10 G1 X10 RND=2 F100\nN20 Y10\n", "N20", 3, "N10" },
     };
 
     public static TheoryData<string, string, string, int, string> EndPoints => new()
@@ -42,11 +63,19 @@ public sealed class RefusalTests
         { NcRefusalCodes.NotASimpleMove, "N10 G81 X5. Y5. Z-5. R2. F100\n", "N10", 3, "N10" },
         { NcRefusalCodes.ElementFlips, "N10 G3 I-10. F100\n", "N10", 3, "N10" },
         { NcRefusalCodes.UnknownState, "G55 G90\nN10 G0 Z5.\n", "N10", 4, "N10" },
+
+        // Eighteen digits are exact: fifteen and three decimals are one too many above nine hundred billions.
+        { NcRefusalCodes.NumberTooLong, "N10 G1 X999999999999999. F100\n", "N10", 3, "N10" },
     };
 
     [Theory]
     [MemberData(nameof(Normals))]
     public void Displaced_elements_are_refused(string code, string program, string named, int line, string block) => AssertRefusal(code, line, block, Bench.RefusedNormal(Head + program, 0.5, named));
+
+    [Theory]
+    [MemberData(nameof(SiemensNormals))]
+    public void Displaced_elements_of_Siemens_are_refused(string code, string program, string named, int line, string block) =>
+        AssertRefusal(code, line, block, Bench.RefusedNormal("G90 G17 G71 G40\nG0 X0 Y0 Z0\n" + program, 0.5, named, NcDialects.Siemens840D));
 
     [Theory]
     [MemberData(nameof(EndPoints))]
@@ -77,7 +106,7 @@ public sealed class RefusalTests
             NcRefusalCodes.EndlessLoop, NcRefusalCodes.MissingProgram, NcRefusalCodes.MissingLabel, NcRefusalCodes.UnknownCondition, NcRefusalCodes.BadExpression, NcRefusalCodes.CallTooDeep,
         ];
         var codes = typeof(NcRefusalCodes).GetFields(BindingFlags.Public | BindingFlags.Static).Select(f => (string)f.GetRawConstantValue()!);
-        Assert.Equal(codes.Order(StringComparer.Ordinal), Normals.Select(r => r.Data.Item1).Concat(EndPoints.Select(r => r.Data.Item1)).Concat(elsewhere).Distinct().Order(StringComparer.Ordinal));
+        Assert.Equal(codes.Order(StringComparer.Ordinal), Normals.Concat(SiemensNormals).Select(r => r.Data.Item1).Concat(EndPoints.Select(r => r.Data.Item1)).Concat(elsewhere).Distinct().Order(StringComparer.Ordinal));
     }
 
     private static void AssertRefusal(string code, int line, string block, NcRefusal refusal)

@@ -160,7 +160,7 @@ public static class MatchReporter
 
     private static List<string> Notes(MatchResult result)
     {
-        var notes = new List<string>();
+        List<string> notes = [.. result.Before.Notes.Select(n => n.Message)];
         foreach (var (label, height) in result.Part.StandsOut)
         {
             notes.Add(string.Create(CultureInfo.InvariantCulture, $"Point {label} stands {height:+0.000;-0.000} mm out of its feature's plane."));

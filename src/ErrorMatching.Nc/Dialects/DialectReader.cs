@@ -31,6 +31,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         {
             case "syntax": tables.Syntax = (NcSyntax)Syntaxes[value.Text]; break;
             case "integersAreIncrements": tables.IntegersAreIncrements = value.Flag; break;
+            case "notesNumbersWithoutPoint": tables.NotesNumbersWithoutPoint = value.Flag; break;
             case "metricDecimals": tables.MetricDecimals = (int)value.Number; break;
             case "inchDecimals": tables.InchDecimals = (int)value.Number; break;
             case "arcMismatchMm": tables.ArcMismatchMm = value.Number; break;

@@ -17,6 +17,8 @@ internal sealed class DialectTables
 
     public bool IntegersAreIncrements { get; set; }
 
+    public bool NotesNumbersWithoutPoint { get; set; }
+
     public int MetricDecimals { get; set; }
 
     public int InchDecimals { get; set; }

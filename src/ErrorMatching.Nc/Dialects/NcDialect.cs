@@ -29,6 +29,9 @@ public sealed class NcDialect
     /// <summary>True if a coordinate without a point counts least increments (<c>X100</c> is 0.1 mm), false if it counts millimetres or inches.</summary>
     public bool IntegersAreIncrements => _tables.IntegersAreIncrements;
 
+    /// <summary>True if results say how coordinates without a point were read: machines of the kind differ there, or the dialect's own file has them count increments.</summary>
+    public bool NotesNumbersWithoutPoint => _tables.NotesNumbersWithoutPoint || _tables.IntegersAreIncrements;
+
     /// <summary>Decimals of the least increment in millimetres.</summary>
     public int MetricDecimals => _tables.MetricDecimals;
 

@@ -10,7 +10,7 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
     /// <summary>Reads the head of a block.</summary>
     public static BlockHead Read(ReadOnlySpan<byte> text, NcSyntax syntax)
     {
-        var (at, number, labelAt, labelLength) = (0, -1L, 0, 0);
+        var (at, number, labelAt, labelLength) = (SyntaxBytes.MarkLength(text), -1L, 0, 0);
         while (at < text.Length)
         {
             var c = text[at];

@@ -6,6 +6,7 @@ internal static class FlowTrigger
     /// <summary>True if a block must be given to <see cref="NcFlow.Before"/>. Answering true for another block costs time and nothing else.</summary>
     public static bool Concerns(ReadOnlySpan<byte> text, NcSyntax syntax)
     {
+        var lastClose = text.LastIndexOf((byte)')');
         for (var at = 0; at < text.Length; at++)
         {
             var c = text[at];
@@ -14,8 +15,15 @@ internal static class FlowTrigger
                 return false;
             }
 
-            if (c == '(' && syntax != NcSyntax.Siemens && text[at..].IndexOf((byte)')') is > 0 and var close)
+            if (c == '(' && syntax != NcSyntax.Siemens && at < lastClose)
             {
+                // What stands behind a comment in a comment can be either; the tokens decide.
+                var close = text[at..].IndexOf((byte)')');
+                if (text.Slice(at + 1, close).Contains((byte)'('))
+                {
+                    return true;
+                }
+
                 at += close;
                 continue;
             }

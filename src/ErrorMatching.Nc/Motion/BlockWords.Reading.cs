@@ -123,6 +123,7 @@ internal sealed partial class BlockWords
                     break;
                 case NcTokenKind.CommaWord:
                     Corner = token.Letter;
+                    CornerIsInteger = !bytes.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.');
                     CornerValue = ValueOf(bytes, token, compute);
                     break;
                 case NcTokenKind.PolarWord when token.Letter == '@':

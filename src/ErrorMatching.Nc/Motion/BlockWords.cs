@@ -37,6 +37,9 @@ internal sealed partial class BlockWords
     /// <summary>Value of the corner word; NaN where it is computed.</summary>
     public double CornerValue { get; private set; }
 
+    /// <summary>True if the corner word's number has no point.</summary>
+    public bool CornerIsInteger { get; private set; }
+
     /// <summary>Angle of a rotation in the plane (RPL=), degrees; NaN where only the machine knows it, null where the block has none.</summary>
     public double? PlaneAngle { get; set; }
 
@@ -97,11 +100,11 @@ internal sealed partial class BlockWords
             (digits, decimals) = (digits / 10, decimals - 1);
         }
 
+        // One code too many is none that a dialect knows.
         var tenths = decimals == 0 ? digits * 10 : digits;
-        if (_codeCount < _codes.Length)
-        {
-            _codes[_codeCount++] = decimals <= 1 && tenths is >= 0 and < 10_000 ? (int)tenths : -1;
-        }
+        var isCode = _codeCount < _codes.Length && decimals <= 1 && tenths is >= 0 and < 10_000;
+        _codeCount = Math.Min(_codeCount + 1, _codes.Length);
+        _codes[_codeCount - 1] = isCode ? (int)tenths : -1;
     }
 
     // Functions are whole numbers; M30. and M030 are M30.
@@ -112,10 +115,9 @@ internal sealed partial class BlockWords
             (digits, decimals) = (digits / 10, decimals - 1);
         }
 
-        if (_functionCount < _functions.Length)
-        {
-            _functions[_functionCount++] = decimals == 0 && digits is >= 0 and < int.MaxValue ? (int)digits : -1;
-        }
+        var isFunction = _functionCount < _functions.Length && decimals == 0 && digits is >= 0 and < int.MaxValue;
+        _functionCount = Math.Min(_functionCount + 1, _functions.Length);
+        _functions[_functionCount - 1] = isFunction ? (int)digits : -1;
     }
 
     private void AddNumber(int letter, double value, bool isInteger)

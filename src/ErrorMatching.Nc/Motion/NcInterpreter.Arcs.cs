@@ -12,7 +12,7 @@ public sealed partial class NcInterpreter
         var plane = _state.Plane;
         var (start, to) = (plane.Project(_state.Position), plane.Project(end));
         var isKnown = ((_state.Unknown | unknownEnd) & plane.Axes()) == AxisSet.None;
-        var arc = FindArc(kind, start, to, isKnown);
+        var arc = FindArc(kind, start, to, plane.Height(end), isKnown);
         if (arc.End is { } found)
         {
             end = plane.Lift(found, plane.Height(end));
@@ -29,7 +29,6 @@ public sealed partial class NcInterpreter
         }
 
         Corner(turned, flags, end, unknownEnd, center);
-
         Append(turned, flags, end, unknownEnd, center, Turns());
     }
 
@@ -40,11 +39,16 @@ public sealed partial class NcInterpreter
         : _dialect.TurnsLetter != 0 && _words.Has(_dialect.TurnsLetter) ? (int)Math.Clamp(_words.Value(_dialect.TurnsLetter) - 1, 0, 100_000)
         : 0;
 
-    private FoundArc FindArc(MotionKind kind, Point2 start, Point2 end, bool isKnown)
+    private FoundArc FindArc(MotionKind kind, Point2 start, Point2 end, double endHeight, bool isKnown)
     {
+        if ((_words.Unknown & GeometryWords & ~LinearAxes) != 0)
+        {
+            return new(kind, start.Lerp(end, 0.5), MotionFlags.BadArc);
+        }
+
         if (_state.Form == NcMeaning.ArcThrough)
         {
-            return Through(start, end, isKnown);
+            return Through(start, end, endHeight, isKnown);
         }
 
         if (_state.Form == NcMeaning.TangentArc)
@@ -71,8 +75,7 @@ public sealed partial class NcInterpreter
 
         if (!hasCenter)
         {
-            var computed = (_words.Computed & GeometryWords & ~LinearAxes) != 0;
-            return new(kind, start.Lerp(end, 0.5), computed ? MotionFlags.BadArc : BadArc($"the arc has neither a radius nor {first} and {second}"));
+            return new(kind, start.Lerp(end, 0.5), BadArc($"the arc has neither a radius nor {first} and {second}"));
         }
 
         var center = Center(start, first, second);
@@ -121,15 +124,18 @@ public sealed partial class NcInterpreter
             : new(kind, start, isKnown ? BadArc("start and end are one place") : MotionFlags.BadArc);
     }
 
-    private FoundArc Through(Point2 start, Point2 end, bool isKnown)
+    private FoundArc Through(Point2 start, Point2 end, double endHeight, bool isKnown)
     {
         var at = _state.Position;
-        var incremental = _state.Incremental;
-        var way = new Point3(
-            Way(NcAddress.ThroughX, at.X, incremental), Way(NcAddress.ThroughY, at.Y, incremental), Way(NcAddress.ThroughZ, at.Z, incremental));
-        var through = _state.Plane.Project(way);
+        var way = new Point3(Way(NcAddress.ThroughX, at.X), Way(NcAddress.ThroughY, at.Y), Way(NcAddress.ThroughZ, at.Z));
+        var (through, height) = (_state.Plane.Project(way), _state.Plane.Height(at));
         var side = (through - start).Cross(end - through);
         var kind = side < 0 ? MotionKind.ArcClockwise : MotionKind.ArcCounterClockwise;
+        if (_state.Plane.Height(way) != height || endHeight != height)
+        {
+            return new(kind, start.Lerp(end, 0.5), isKnown ? BadArc("its three points lie at different heights; an arc in space is not followed") : MotionFlags.BadArc);
+        }
+
         try
         {
             return new(kind, Circle2.Through(start, through, end).Center, MotionFlags.OtherArcForm);
@@ -140,7 +146,12 @@ public sealed partial class NcInterpreter
         }
     }
 
-    private double Way(byte letter, double at, bool incremental) => _words.Has(letter) ? (incremental ? at : 0) + Length(letter) : at;
+    private double Way(byte letter, double at)
+    {
+        var bit = BlockWords.Bit(letter);
+        var incremental = (_state.Incremental && (_words.Absolute & bit) == 0) || (_words.Incremental & bit) != 0;
+        return _words.Has(letter) ? (incremental ? at : 0) + Length(letter) : at;
+    }
 
     private FoundArc Tangent(Point2 start, Point2 end, bool isKnown)
     {

@@ -7,17 +7,21 @@ public sealed partial class NcInterpreter
 {
     private AxisUse _use;
     private NcMeaning _code;
+    private bool _hasUnknownCode;
+    private bool _probes;
 
-    private void ReadCodes()
+    private MotionFlags ReadCodes()
     {
+        var flags = MotionFlags.None;
         foreach (var tenths in _words.Codes)
         {
             var meaning = _dialect.MeaningOf(tenths);
             switch (meaning)
             {
                 case NcMeaning.Unknown:
-                    Problem("unknown-code", $"G{(tenths / 10m).ToString(System.Globalization.CultureInfo.InvariantCulture)} is not known to the dialect {_dialect.Name}.", MotionFlags.UnknownWord);
+                    flags |= Problem("unknown-code", $"G{(tenths / 10m).ToString(System.Globalization.CultureInfo.InvariantCulture)} is not known to the dialect {_dialect.Name}.", MotionFlags.UnknownWord);
                     Forget();
+                    _hasUnknownCode = true;
                     break;
                 case NcMeaning.WorkOffset:
                     ChooseWorkOffset(tenths);
@@ -35,6 +39,8 @@ public sealed partial class NcInterpreter
                     break;
             }
         }
+
+        return flags;
     }
 
     // What a code or a keyword means; the family tells transformations apart that have an end of their own.
@@ -45,8 +51,20 @@ public sealed partial class NcInterpreter
             case NcMeaning.Dwell:
                 _use = AxisUse.Nothing;
                 break;
-            case NcMeaning.ReferenceReturn:
-                _use = AxisUse.Reference;
+            case NcMeaning.ReferenceReturn or NcMeaning.ReferenceReturnOfAxes:
+                (_use, _code) = (AxisUse.Reference, meaning);
+                break;
+            case NcMeaning.ProbeInBlock:
+                _probes = true;
+                break;
+            case NcMeaning.Polar:
+                // Axis words beside it are polar already.
+                BeginTransform(meaning);
+                break;
+            case NcMeaning.MirroringOff:
+                // Its axis words say which axes; they are no motion.
+                _use = AxisUse.Nothing;
+                EndTransform(meaning, family);
                 break;
             case NcMeaning.StoreReference:
                 StoreReference();
@@ -64,7 +82,7 @@ public sealed partial class NcInterpreter
                 EndToolLength();
                 EndTransform(NcMeaning.OpaqueTransformOff, family);
                 break;
-            case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.MirroringOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff:
+            case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff:
                 EndTransform(meaning, family);
                 break;
             case NcMeaning.Smoothing:
@@ -80,8 +98,8 @@ public sealed partial class NcInterpreter
     }
 
     private static bool SetsOrigin(NcMeaning meaning) => meaning
-        is NcMeaning.SetPosition or NcMeaning.ClearPosition or NcMeaning.SuspendPosition or NcMeaning.RestorePosition or NcMeaning.LocalShift or NcMeaning.SetOffset or NcMeaning.ToolLength
-        or NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.Mirroring or NcMeaning.Polar or NcMeaning.OpaqueTransform
+        is (>= NcMeaning.SetPosition and <= NcMeaning.SetOffset) or NcMeaning.ToolLength
+        or NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.Mirroring or NcMeaning.OpaqueTransform
         or (>= NcMeaning.FrameShift and <= NcMeaning.FrameMirrorMore);
 
     private void SwitchMode(NcMeaning meaning)

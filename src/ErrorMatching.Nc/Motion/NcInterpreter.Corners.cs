@@ -10,51 +10,60 @@ public sealed partial class NcInterpreter
     private void KeepCorner(MotionKind kind)
     {
         var letter = _words.Corner;
-        if (letter == 'M')
-        {
-            _state.ModalRounding = _words.CornerValue;
-        }
-
         var inPlane = kind is MotionKind.Line or MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise;
-        _corner = !inPlane ? default : letter is (byte)'R' or (byte)'C' or (byte)'F' ? (letter, _words.CornerValue) : _state.ModalRounding > 0 ? ((byte)'R', _state.ModalRounding) : default;
+        _corner = !inPlane ? default : letter is (byte)'R' or (byte)'C' or (byte)'F' ? (letter, CornerLength()) : _state.ModalRounding != 0 ? ((byte)'R', _state.ModalRounding) : default;
     }
 
-    // Called with the motion that follows, before it is appended: its start moves to the end of the corner.
+    private double CornerLength() => _words.CornerValue / (_dialect.IntegersAreIncrements && _words.CornerIsInteger ? Math.Pow(10, LeastDecimals) : 1);
+
+    // Called with the motion that follows, before it is appended: its start moves to the end of the corner. All places are those of the work, the center too.
     private void Corner(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd, Point2? center)
     {
         var (letter, value) = _corner;
         var plane = _state.Plane;
-        if (letter == 0 || (kind is MotionKind.Line && plane.Project(end) == plane.Project(_state.Position)))
+        if (letter == 0)
         {
+            return;
+        }
+
+        if (_dialect.Syntax == NcSyntax.Siemens && kind is MotionKind.Line or MotionKind.Rapid && plane.Project(end) == plane.Project(_state.Position))
+        {
+            // Siemens inserts nothing where the next motion leaves the plane.
+            _corner = default;
             return;
         }
 
         var before = _motions[_motions.Length - 1];
-        value *= _state.Inch ? MmPerInch : 1;
-        var isCut = kind is MotionKind.Line or MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise;
-        var (start, unknownStart) = Work(_state.Position, _state.Unknown);
-        var (to, unknownTo) = Work(end, unknownEnd);
-        var height = plane.Height(start);
-        var behind = new NcMotion(_block, kind, plane, flags, start, to, center ?? default, 0, 0, _state.Frame, unknownStart, unknownTo);
-        if (!isCut || !before.MovesInPlane || !behind.MovesInPlane || !(_frame?.OnCircles(plane).StayCircles ?? true) || !(value > 0) || before.Plane != plane || !before.IsKnownInPlane || !behind.IsKnownInPlane || before.Has(MotionFlags.BadArc) || plane.Height(to) != height
-            || Between(before, behind, letter, value) is not { } corner)
+        var behind = new NcMotion(_block, kind, plane, flags, Work(_state.Position, AxisSet.None).Place, Work(end, AxisSet.None).Place, center ?? default, 0, 0, _state.Frame, _state.Unknown, unknownEnd);
+        var isPlain = behind is { IsCut: true, MovesInPlane: true, IsKnownInPlane: true } && before is { MovesInPlane: true, IsKnownInPlane: true } && !before.Has(MotionFlags.BadArc) && !flags.HasFlag(MotionFlags.BadArc);
+        var isLevel = before.Plane == plane && before.Frame == behind.Frame && plane.Height(behind.End) == plane.Height(behind.Start) && (_frame?.OnCircles(plane).StayCircles ?? true);
+        value *= (_state.Inch ? MmPerInch : 1) * (_frame?.FactorIn(plane) ?? 1);
+        if (!isPlain || !isLevel || !(value > 0) || Between(before, behind, letter, value) is not { } corner)
         {
-            Problem("corner-word", "The corner word of the block before cannot be followed here: it needs two cuts in one plane that are long enough for it.", MotionFlags.None);
-            Unknow(plane);
+            LoseCorner();
             return;
         }
 
-        var block = _block;
+        var (block, height) = (_block, plane.Height(behind.Start));
         _block = before.Block;
         _motions.MoveLastEnd(plane.Lift(corner.Start, height));
-        SetWork(plane.Lift(corner.Start, height), AxisSet.None);
+        _state.Position = Programmed(plane.Lift(corner.Start, height));
         Append(corner.Kind, MotionFlags.CornerWord, Programmed(plane.Lift(corner.End, height)), AxisSet.None, corner.Center);
         _block = block;
     }
 
-    private Point3 Programmed(Point3 work) => _inverse?.Apply(work) ?? work;
+    // A corner that is asked for and cannot be followed: where the tool leaves the element before is not known.
+    private void LoseCorner()
+    {
+        if (_corner.Letter != 0)
+        {
+            Problem("corner-word", "The corner word of the block before cannot be followed here: it needs two cuts in one plane that are long enough for it.", MotionFlags.None);
+            _state.Unknown |= _state.Plane.Axes();
+            _corner = default;
+        }
+    }
 
-    private void Unknow(CoordinatePlane plane) => _state.Unknown |= plane.Axes();
+    private Point3 Programmed(Point3 work) => _inverse?.Apply(work) ?? work;
 
     private static (MotionKind Kind, Point2 Start, Point2 End, Point2 Center)? Between(in NcMotion before, in NcMotion behind, byte letter, double value)
     {

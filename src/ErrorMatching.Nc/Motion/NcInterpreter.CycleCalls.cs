@@ -14,12 +14,17 @@ public sealed partial class NcInterpreter
     private CycleCall? _cycleCall;
     private bool _nextCycleIsModal;
 
-    // A cycle with the values that its arguments have where it stands; a modal one keeps them.
-    private sealed record CycleCall(string Name, List<double?> Arguments);
+    /// <summary>A call, with its arguments as they were when it was read: null where nothing stands, NaN where only the machine knows the value.</summary>
+    private sealed record CycleCall(string Name, int Number, IReadOnlyList<double?> Arguments)
+    {
+        public double? this[int index] => index < Arguments.Count ? Arguments[index] : null;
+    }
 
     private void CallCycle(NcToken token)
     {
-        var call = new CycleCall(Encoding.ASCII.GetString(NameOf(token)).ToUpperInvariant(), ArgumentsOf(token));
+        var name = NameOf(token);
+        var number = name.Length > 5 && Ascii.EqualsIgnoreCase(name[..5], "CYCLE"u8) && int.TryParse(name[5..], NumberStyles.None, CultureInfo.InvariantCulture, out var n) ? n : 0;
+        var call = new CycleCall(Encoding.ASCII.GetString(name).ToUpperInvariant(), number, ArgumentsOf(token));
         if (_nextCycleIsModal)
         {
             (_modalCycle, _nextCycleIsModal) = (call, false);
@@ -44,20 +49,18 @@ public sealed partial class NcInterpreter
 
     private void RunCycle(CycleCall call)
     {
-        var (name, arguments) = call;
-        var number = name.StartsWith("CYCLE", StringComparison.Ordinal) && int.TryParse(name.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var n) ? n : 0;
+        // It leaves the plane first, so that no corner is rounded.
+        _corner = default;
         var plane = _state.Plane;
         var toolAxis = AxisSet.All & ~plane.Axes();
-        var (top, reference, safety) = (Argument(arguments, 0), Argument(arguments, 1), Argument(arguments, 2) ?? 0);
-        var depth = Argument(arguments, 3) ?? (Argument(arguments, 4) is { } below ? reference - Math.Abs(below) : null);
-        var feedsOut = number is 84 or 840 or 85 or 89;
-        var isFollowed = number is 81 or 82 or 84 or 840 or 85 or 86 or 87 or 88 or 89;
-        if (isFollowed && top is { } t && reference is { } r && depth is { } d && !double.IsNaN(t + r + d + safety))
+        var unit = _state.Inch ? MmPerInch : 1;
+        var (top, reference, safety) = (call[0] * unit, call[1] * unit, Math.Abs(call[2] ?? 0) * unit);
+        if (IsFollowed(call) && top is { } t && reference is { } r && DepthOf(call) * unit is { } d && !double.IsNaN(t + r + d + safety))
         {
-            var start = r + (d < r ? Math.Abs(safety) : -Math.Abs(safety));
+            var start = Sum(r, d < r ? safety : -safety);
             ToKnownHeight(MotionKind.Rapid, start, toolAxis);
             ToKnownHeight(MotionKind.Line, d, toolAxis);
-            if (feedsOut)
+            if (call.Number is 84 or 840 or 85 or 89)
             {
                 ToKnownHeight(MotionKind.Line, start, toolAxis);
             }
@@ -66,12 +69,28 @@ public sealed partial class NcInterpreter
             return;
         }
 
-        Note("cycle-not-followed", $"{name} is not followed: what it does is the control's affair.");
-        var isPattern = number is 0 or >= 800 or < 81;
-        var height = top is { } known && !double.IsNaN(known) && !isPattern ? known : plane.Height(_state.Position);
-        var unknown = isPattern ? AxisSet.All : top is null || double.IsNaN(top.Value) ? _state.Unknown | toolAxis : _state.Unknown & ~toolAxis;
+        // Drilling cycles end over their hole at the return plane; of patterns, pockets and the like not even that is known.
+        Note("cycle-not-followed", $"{call.Name} is not followed: what it does is the control's affair.");
+        var isDrilling = call.Number is (>= 81 and <= 89) or 840;
+        var height = isDrilling && top is { } known && !double.IsNaN(known) ? known : (double?)null;
+        var unknown = isDrilling ? height is null ? _state.Unknown | toolAxis : _state.Unknown & ~toolAxis : AxisSet.All;
         DependOnPlace();
-        Append(MotionKind.Cycle, MotionFlags.Cycle, plane.Lift(plane.Project(_state.Position), height), unknown);
+        Append(MotionKind.Cycle, MotionFlags.Cycle, plane.Lift(plane.Project(_state.Position), height ?? plane.Height(_state.Position)), unknown);
+    }
+
+    // Boring with an oriented spindle (86) lifts off sideways where it is told to.
+    private static bool IsFollowed(CycleCall call) => call.Number switch
+    {
+        81 or 82 or 84 or 840 or 85 or 87 or 88 or 89 => true,
+        86 => (call[7] ?? 0) == 0 && (call[8] ?? 0) == 0,
+        _ => false,
+    };
+
+    // The depth is given as a place or below the reference plane; what two values mean that disagree hangs on the version of the cycle.
+    private static double? DepthOf(CycleCall call)
+    {
+        var below = call[1] - Math.Abs(call[4] ?? double.NaN);
+        return call[4] is null ? call[3] : call[3] is not { } depth || Math.Abs(depth - below ?? 0) < 1e-9 ? below : null;
     }
 
     private void ToKnownHeight(MotionKind kind, double height, AxisSet toolAxis)
@@ -82,8 +101,6 @@ public sealed partial class NcInterpreter
             Append(kind, MotionFlags.Cycle, plane.Lift(plane.Project(_state.Position), height), _state.Unknown & ~toolAxis);
         }
     }
-
-    private static double? Argument(List<double?> arguments, int index) => index < arguments.Count ? arguments[index] : null;
 
     // One value a comma, null where nothing stands; NaN where only the machine knows it.
     private List<double?> ArgumentsOf(NcToken call)

@@ -54,7 +54,7 @@ public sealed partial class NcInterpreter
             return;
         }
 
-        var times = _words.Has('L') ? _words.Value('L') : _words.Has('K') && plane == CoordinatePlane.XY ? _words.Value('K') : 1;
+        var times = _words.Has('L') ? _words.Value('L') : _words.Has('K') ? _words.Value('K') : 1;
         _cycleSteps += times * (1 + PecksOfHole());
         if (!(_cycleSteps <= MostSteps))
         {

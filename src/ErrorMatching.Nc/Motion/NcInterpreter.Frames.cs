@@ -15,6 +15,9 @@ public sealed partial class NcInterpreter
     private Vector3 _shift;
     private AxisSet _unknownShift;
 
+    // The part of the shift that is G52's.
+    private (Vector3 Vector, AxisSet Unknown) _localShift;
+
     // What G92.3 brings back: before the program has set a shift itself, only the machine knows it.
     private (Vector3 Shift, AxisSet Unknown) _keptShift = (Vector3.Zero, AxisSet.All);
 
@@ -35,7 +38,7 @@ public sealed partial class NcInterpreter
     {
         _origins.Clear();
         _references.Clear();
-        (_isWorkOffsetUnsure, _unknownShift, _keptShift) = (true, AxisSet.All, (Vector3.Zero, AxisSet.All));
+        (_isWorkOffsetUnsure, _unknownShift, _keptShift, _localShift) = (true, AxisSet.All, (Vector3.Zero, AxisSet.All), (Vector3.Zero, AxisSet.All));
     }
 
     private void ChooseWorkOffset(int tenths)
@@ -68,6 +71,7 @@ public sealed partial class NcInterpreter
 
     private void SetOrigin(NcMeaning meaning)
     {
+        LoseCorner();
         switch (meaning)
         {
             case NcMeaning.SetPosition:
@@ -120,19 +124,23 @@ public sealed partial class NcInterpreter
         var target = Given(place, incremental: false);
         _shift += Only(given, place - target);
         _unknownShift |= unknown & given;
+        _localShift = (_localShift.Vector - Only(given, _localShift.Vector), _localShift.Unknown & ~given);
         SetWork(target, (unknown & ~given) | UnknownWords());
         NextFrame();
     }
 
+    // LinuxCNC has one shift for G52 and G92; elsewhere that of G52 lies on top and is kept apart.
     private void ShiftLocally()
     {
         var given = GivenAxes();
-        var target = Given(default(Point3) + _shift, incremental: false) - default(Point3);
-        var by = Only(given, _shift - target);
-        var unknown = (_unknownShift & given) | UnknownWords();
-        _shift = _shift - by;
-        _unknownShift = (_unknownShift & ~given) | UnknownWords();
-        MoveWork(by, unknown);
+        var isOnly = _dialect.Syntax == NcSyntax.LinuxCnc;
+        var (was, wasUnknown) = isOnly ? (_shift, _unknownShift) : _localShift;
+        var by = Only(given, was - (Given(default(Point3) + was, incremental: false) - default(Point3)));
+        var nowUnknown = (wasUnknown & ~given) | UnknownWords();
+        _shift -= by;
+        _unknownShift = isOnly ? nowUnknown : _unknownShift | UnknownWords();
+        _localShift = isOnly ? _localShift : (was - by, nowUnknown);
+        MoveWork(by, (wasUnknown & given) | UnknownWords());
         NextFrame();
     }
 
@@ -142,7 +150,8 @@ public sealed partial class NcInterpreter
         _words.Has('Y') ? (incremental ? place.Y : 0) + Length('Y') : place.Y,
         _words.Has('Z') ? (incremental ? place.Z : 0) + Length('Z') : place.Z);
 
-    private AxisSet UnknownWords() => AxesOf(_words.Unknown);
+    // Of a word that stands twice nobody knows which one counts.
+    private AxisSet UnknownWords() => AxesOf(_words.Unknown | _words.Repeated);
 
     private static Vector3 Only(AxisSet axes, Vector3 v) => new(
         (axes & AxisSet.X) != AxisSet.None ? v.X : 0, (axes & AxisSet.Y) != AxisSet.None ? v.Y : 0, (axes & AxisSet.Z) != AxisSet.None ? v.Z : 0);

@@ -100,11 +100,11 @@ public sealed partial class NcInterpreter
         return new((unknown & AxisSet.X) == AxisSet.None ? end.X : at.X, (unknown & AxisSet.Y) == AxisSet.None ? end.Y : at.Y, (unknown & AxisSet.Z) == AxisSet.None ? end.Z : at.Z);
     }
 
-    // A cut stays a cut. A rapid to a place that only the machine knows is a move of its own kind.
+    // Increments are no places of the machine. A cut stays a cut. A rapid to a place that only the machine knows is a move of its own kind.
     private void MoveInMachine(MotionFlags flags)
     {
         var named = GivenAxes();
-        var (end, unknown) = ToMachine(named, Given(default, incremental: false), UnknownWords());
+        var (end, unknown) = ToMachine(named, Given(default, incremental: false), _state.Incremental ? AxisSet.All : UnknownWords());
         var kind = _state.Mode == MotionKind.Line && _dialect.Syntax != NcSyntax.Iso ? MotionKind.Line
             : (unknown & named) == AxisSet.None ? MotionKind.Rapid
             : MotionKind.Reference;
@@ -117,10 +117,11 @@ public sealed partial class NcInterpreter
     // Over the point that the block names to the stored place, which only the machine knows unless the program itself has stored it.
     private void ReturnToReference(MotionFlags flags)
     {
+        LoseCorner();
         var named = GivenAxes();
         var (over, unknown) = Target();
         flags |= MotionFlags.MachineMove;
-        if (GoesNowhere || (named != AxisSet.None && (over != _state.Position || unknown != _state.Unknown)))
+        if (_code == NcMeaning.ReferenceReturn && (GoesNowhere || (named != AxisSet.None && (over != _state.Position || unknown != _state.Unknown))))
         {
             Append(MotionKind.Rapid, flags, over, unknown);
         }

@@ -9,13 +9,14 @@ public sealed partial class NcInterpreter
     {
         if (_state.Cycle != NcMeaning.Unknown)
         {
+            LoseCorner();
             Drill(flags);
             return;
         }
 
         flags |= _words.IsPolar ? MotionFlags.Transformed : MotionFlags.None;
         flags |= _state.Form == NcMeaning.ThreadCut ? MotionFlags.Cycle : MotionFlags.None;
-        var kind = _state.Mode;
+        var kind = _probes ? MotionKind.Probe : _state.Mode;
         var (end, unknown) = Target();
         if (kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
         {
@@ -64,7 +65,7 @@ public sealed partial class NcInterpreter
         var incremental = ((_state.Incremental ? LinearAxes : 0) & ~_words.Absolute) | _words.Incremental;
         var end = (given & LinearAxes) == 0 ? at : new(Axis('X', at.X, given, incremental), Axis('Y', at.Y, given, incremental), Axis('Z', at.Z, given, incremental));
         unknown &= ~AxesOf(given & ~incremental);
-        return (end, unknown | UnknownWords());
+        return (end, _hasUnknownCode ? AxisSet.All : unknown | UnknownWords());
     }
 
     // LinuxCNC's @ and ^ are the polar coordinates of the end in the plane XY, or how much they grow; what is not said stays.
@@ -97,7 +98,7 @@ public sealed partial class NcInterpreter
         var (at, height) = (plane.Project(_state.Position), plane.Height(_state.Position));
         var inPlane = _words.Has(first) || _words.Has(second);
         var radius = _words.Has(first) ? Length(first) : at.DistanceTo(Point2.Origin);
-        var angle = _words.Has(second) ? Angle.FromDegrees(_words.Value(second)) : (at - Point2.Origin).Direction;
+        var angle = _words.Has(second) ? Angle.FromDegrees(Degrees(second)) : (at - Point2.Origin).Direction;
         var end = inPlane ? Point2.Origin + (Vector2.FromDirection(angle) * radius) : at;
         var newHeight = _words.Has(third) ? (_state.Incremental ? Sum(height, Length(third)) : Length(third)) : height;
         var missing = inPlane && !(_words.Has(first) && _words.Has(second)) ? _state.Unknown & plane.Axes() : AxisSet.None;

@@ -55,7 +55,7 @@ public sealed partial class NcInterpreter
             _problems.Sort((a, b) => a.Block.CompareTo(b.Block));
         }
 
-        return new(_program, _dialect, _motions, _problems, _placeDependents, _frames, _flow?.Refusal, _library);
+        return new(_program, _dialect, _motions, _problems, _placeDependents, _frames, Notes(), _flow?.Refusal, _library);
     }
 
     private void RunBlock(NcBlock block)

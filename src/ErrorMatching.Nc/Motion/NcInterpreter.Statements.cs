@@ -40,6 +40,12 @@ public sealed partial class NcInterpreter
         {
             case NcMeaning.Unknown:
                 Forget();
+                if (_nextCycleIsModal)
+                {
+                    // Whatever it is, it runs behind every motion.
+                    CallCycle(statement);
+                }
+
                 return UnknownWord(TextOf(statement).ToUpperInvariant());
             case NcMeaning.ModalCycle:
                 (_modalCycle, _nextCycleIsModal) = (null, true);
@@ -66,8 +72,18 @@ public sealed partial class NcInterpreter
     private MotionFlags ReadAssignment(NcToken statement)
     {
         var bytes = _text.Bytes.Span.Slice(statement.Start, statement.Length);
-        if (_dialect.Syntax != NcSyntax.Siemens || bytes[0] == '$')
+        if (_dialect.Syntax != NcSyntax.Siemens)
         {
+            return MotionFlags.None;
+        }
+
+        if (bytes[0] == '$')
+        {
+            if (!IsHarmlessMachineVariable(bytes))
+            {
+                LoseOrigin();
+            }
+
             return MotionFlags.None;
         }
 
@@ -96,7 +112,28 @@ public sealed partial class NcInterpreter
             return MotionFlags.None;
         }
 
-        return IsVariable(name) ? MotionFlags.None : UnknownWord(TextOf(statement));
+        if (IsVariable(name))
+        {
+            return MotionFlags.None;
+        }
+
+        // It could be an axis by another name.
+        _state.Unknown = AxisSet.All;
+        return UnknownWord(TextOf(statement));
+    }
+
+    // Tool data, outputs and markers; all others can be offsets and settings.
+    private static bool IsHarmlessMachineVariable(ReadOnlySpan<byte> name)
+    {
+        foreach (var prefix in (ReadOnlySpan<string>)["$TC_", "$A_", "$AC_MARKER", "$AC_PARAM", "$AC_TIMER"])
+        {
+            if (name.Length >= prefix.Length && Ascii.EqualsIgnoreCase(name[..prefix.Length], prefix))
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     // Offsets of the control could be anything from here on.

@@ -41,6 +41,11 @@ public sealed partial class NcInterpreter
 
         if ((_words.Present & LinearAxes) != 0)
         {
+            if (_countsIntegers && (_words.Integers & LinearAxes) != 0)
+            {
+                CountIntegers();
+            }
+
             var given = _words.Present & LinearAxes;
             var incremental = _state.Incremental ? given : 0;
             var at = _state.Position;
@@ -56,6 +61,6 @@ public sealed partial class NcInterpreter
 
     // True if a straight move is nothing else: no cycle or macro waits for it, no corner and no entry of compensation, and work coordinates are those programmed.
     private bool IsStraight() =>
-        _state.Cycle == NcMeaning.Unknown && _state.Form == NcMeaning.Unknown && !_state.CompensationSwitched && _state.ModalRounding == 0 && _corner.Letter == 0
+        _state.Cycle == NcMeaning.Unknown && _state.Form == NcMeaning.Unknown && !_hasUnknownCode && !_state.CompensationSwitched && _state.ModalRounding == 0 && _corner.Letter == 0
         && _frame is null && _transforms == Transforms.None && _cycleCall is null && _modalCycle is null && !_nextCycleIsModal && _flow is not { HasModalCall: true };
 }

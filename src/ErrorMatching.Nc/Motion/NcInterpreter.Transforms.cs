@@ -7,6 +7,7 @@ public sealed partial class NcInterpreter
 {
     private readonly double?[] _mirrors = new double?[3];
     private Transforms _transforms;
+    private bool _isFlat;
     private ulong _opaqueFamilies;
     private int _family;
     private ProgramFrame? _rotation;
@@ -30,7 +31,7 @@ public sealed partial class NcInterpreter
     }
 
     // A programmable shift alone changes no increment and no arc.
-    private bool IsTransformed => _transforms != Transforms.None && !(_transforms == Transforms.Programmable && (_frame is null || _frame.ShiftOnly is not null));
+    private bool IsTransformed => _transforms != Transforms.None && (_isFlat || !(_transforms == Transforms.Programmable && (_frame is null || _frame.ShiftOnly is not null)));
 
     private (Point3 Place, AxisSet Unknown) Work(Point3 programmed, AxisSet unknown)
     {
@@ -57,7 +58,7 @@ public sealed partial class NcInterpreter
             case NcMeaning.Rotation:
                 var (plane, center) = (_state.Plane, Center(_state.Plane.Axes(), ref isKnown));
                 isKnown &= _words.Has('R');
-                _rotation = ProgramFrame.Rotation(plane, center, _words.Value('R') * (_words.Has('R') ? 1 : 0));
+                _rotation = ProgramFrame.Rotation(plane, center, _words.Has('R') ? Degrees('R') : 0);
                 Switch(Transforms.Rotation, on: true);
                 break;
             case NcMeaning.Scaling:
@@ -79,6 +80,7 @@ public sealed partial class NcInterpreter
                 Note("opaque-transform", "From here on the control transforms the coordinates in a way that is not followed: they are shown as programmed, and no block is changed.");
                 _opaqueFamilies |= 1ul << _family;
                 Switch(Transforms.Opaque, on: true);
+                isKnown = false;
                 break;
             default:
                 _programmable = FrameOf(meaning, ref isKnown);
@@ -149,8 +151,10 @@ public sealed partial class NcInterpreter
         if (inverse is null)
         {
             Problem("zero-scale", "A factor of zero makes all places one.", MotionFlags.None);
-            Switch(Transforms.Opaque, on: true);
+            work.Unknown = AxisSet.All;
         }
+
+        _isFlat = inverse is null;
 
         (_frame, _inverse) = frame.IsIdentity || inverse is null ? (null, null) : (frame, inverse);
         SetWork(work.Place, work.Unknown);

@@ -16,7 +16,7 @@ public sealed partial class NcInterpreter
         if (_words.Invalid.Length > 0)
         {
             flags |= UnknownWord(TextOf(_words.Invalid));
-            _state.Unsure = Unsure.All;
+            Forget();
         }
 
         var given = _words.Present | _words.Computed;
@@ -40,6 +40,7 @@ public sealed partial class NcInterpreter
 
         flags |= (_words.Computed & GeometryWords) != 0 ? MotionFlags.Expression : MotionFlags.None;
         flags |= _words.Corner != 0 ? MotionFlags.CornerWord : MotionFlags.None;
+        _state.ModalRounding = _words.Corner == 'M' ? CornerLength() : _state.ModalRounding;
         return flags | ((given & _otherAxes) != 0 ? MotionFlags.OtherAxis : MotionFlags.None);
     }
 

@@ -18,11 +18,13 @@ public sealed partial class NcInterpreter
     private readonly BlockWords _words = new();
     private readonly List<NcProblem> _problems = [];
     private readonly HashSet<NcProblem> _said = [];
+    private readonly HashSet<string> _noted = new(StringComparer.Ordinal);
     private readonly List<(int Block, int Joint)> _placeDependents = [];
     private readonly NcMotions _motions;
     private readonly uint _otherAxes;
     private readonly uint _unknownLetters;
     private readonly uint _straightLetters;
+    private readonly uint _lengthLetters;
     private ModalState _state = ModalState.Initial;
 
     // The block that motions belong to: the one being executed, or the one in this file that called a program of another file.
@@ -35,6 +37,7 @@ public sealed partial class NcInterpreter
         _library = library;
         _cancellation = cancellation;
         _dialect = dialect;
+        _countsIntegers = dialect.NotesNumbersWithoutPoint;
         _state.RetractsToR = dialect.Syntax == NcSyntax.LinuxCnc;
         _motions = new(like);
         for (var letter = 'A'; letter <= 'Z'; letter++)
@@ -42,6 +45,7 @@ public sealed partial class NcInterpreter
             var role = dialect.RoleOf((byte)letter);
             _otherAxes |= role == LetterRole.OtherAxis ? BlockWords.Bit(letter) : 0;
             _unknownLetters |= role == LetterRole.Unknown ? BlockWords.Bit(letter) : 0;
+            _lengthLetters |= role is LetterRole.Axis or LetterRole.Center or LetterRole.Radius ? BlockWords.Bit(letter) : 0;
         }
 
         _straightLetters = StraightLetters & ~(_otherAxes | _unknownLetters);
@@ -76,16 +80,27 @@ public sealed partial class NcInterpreter
 
     private void Step()
     {
-        (_use, _code, _family) = (AxisUse.Motion, NcMeaning.Unknown, 0);
+        (_use, _code, _family, _probes, _hasUnknownCode) = (AxisUse.Motion, NcMeaning.Unknown, 0, false, false);
         var flags = ReadObstacles();
         var inchFeed = _state.InchFeed;
-        ReadCodes();
+        flags |= ReadCodes();
         foreach (var function in _words.Functions)
         {
-            if (_dialect.FunctionOf(function) == FunctionRole.Unsure)
+            switch (_dialect.FunctionOf(function))
             {
-                Forget();
+                case FunctionRole.Unsure:
+                    Forget();
+                    break;
+                case FunctionRole.Unknown:
+                    flags |= Problem("unknown-code", $"An M function is not known to the dialect {_dialect.Name}.", MotionFlags.UnknownWord);
+                    Forget();
+                    break;
             }
+        }
+
+        if (_countsIntegers && _words.Integers != 0 && _use != AxisUse.Nothing)
+        {
+            CountIntegers();
         }
 
         if (_words.Has('F') && _use != AxisUse.Nothing)
@@ -135,7 +150,8 @@ public sealed partial class NcInterpreter
     {
         var given = _words.Present | _words.Computed;
         var arc = _state.Mode is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise && _state.Cycle == NcMeaning.Unknown;
-        return (given & (LinearAxes | _otherAxes)) != 0 || _words.IsPolar || (arc && (given & CenterWords) != 0);
+        var axes = _state.Cycle == NcMeaning.Unknown ? LinearAxes : LinearAxes | BlockWords.Bit('R');
+        return (given & (axes | _otherAxes)) != 0 || _words.IsPolar || (arc && (given & CenterWords) != 0);
     }
 
     private bool StatesStraightMotion()
@@ -166,6 +182,7 @@ public sealed partial class NcInterpreter
         | (_state.AbsoluteCenters ? MotionFlags.AbsoluteCenter : MotionFlags.None)
         | _state.Compensation
         | (IsTransformed ? MotionFlags.Transformed : MotionFlags.None)
+        | (_state.ModalRounding != 0 ? MotionFlags.CornerWord : MotionFlags.None)
         | (_state.Unsure != Unsure.None ? MotionFlags.UnsureMode : MotionFlags.None);
 
     // After a call or an unknown statement nothing is certain until it is stated again.
@@ -187,7 +204,7 @@ public sealed partial class NcInterpreter
         var value = _words.Value(letter);
         if (_dialect.IntegersAreIncrements && (_words.Integers & BlockWords.Bit(letter)) != 0)
         {
-            value /= _state.Inch ? 1e4 : 1e3;
+            value /= Math.Pow(10, LeastDecimals);
         }
 
         return _state.Inch ? Sum(0, value * MmPerInch) : value;
@@ -195,13 +212,19 @@ public sealed partial class NcInterpreter
 
     private double Length(char letter) => Length((byte)letter);
 
+    /// <summary>A word as an angle in degrees; without a point it counts thousandths, or finer, where lengths do.</summary>
+    private double Degrees(char letter) =>
+        _words.Value(letter) / (_dialect.IntegersAreIncrements && (_words.Integers & BlockWords.Bit(letter)) != 0 ? Math.Pow(10, _dialect.MetricDecimals) : 1);
+
+    private int LeastDecimals => _state.Inch ? _dialect.InchDecimals : _dialect.MetricDecimals;
+
     // Sums of increments, as exact as the control's: the double nearest to the decimal, ten digits behind the point.
     private static double Sum(double start, double increment) => Math.Round(start + increment, 10);
 
     // Said once, where it is first true.
     private void Note(string code, string message)
     {
-        if (!_problems.Exists(p => p.Code == code))
+        if (_noted.Add(code))
         {
             _problems.Add(new(code, _block, message));
         }

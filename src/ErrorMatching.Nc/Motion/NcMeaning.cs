@@ -21,8 +21,11 @@ public enum NcMeaning : byte
     /// <summary>Counter-clockwise arc.</summary>
     ArcCounterClockwise,
 
-    /// <summary>Probing move.</summary>
+    /// <summary>Probing move; modal.</summary>
     Probe,
+
+    /// <summary>The motion of its block is a probing move (G31, MEAS).</summary>
+    ProbeInBlock,
 
     /// <summary>Moves nothing although it has axis words: a wait, whose X is a time, or limits of travel.</summary>
     Dwell,
@@ -75,7 +78,7 @@ public enum NcMeaning : byte
     /// <summary>Takes such a shift back until it is restored (G92.2).</summary>
     SuspendPosition,
 
-    /// <summary>Brings such a shift back (G92.3).</summary>
+    /// <summary>Brings a suspended shift back (G92.3).</summary>
     RestorePosition,
 
     /// <summary>Shifts the origin of the work offsets (G52).</summary>
@@ -84,8 +87,11 @@ public enum NcMeaning : byte
     /// <summary>Writes offsets (G10); its axis words are not a motion.</summary>
     SetOffset,
 
-    /// <summary>Return to or over a reference point.</summary>
+    /// <summary>Return to a reference point over the place that the block names.</summary>
     ReferenceReturn,
+
+    /// <summary>Return to a reference point; axis words say which axes return, not where to (G74, G75 of Siemens).</summary>
+    ReferenceReturnOfAxes,
 
     /// <summary>Stores where the tool stands for a later return (G28.1, G30.1).</summary>
     StoreReference,

@@ -10,10 +10,12 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     private MotionSetting[] _settings = new MotionSetting[16];
     private int _settingCount;
     private readonly Chunks<StoredArc> _arcs;
+    private readonly RankedBits _newSettings = new();
+    private readonly RankedBits _areArcs = new();
     private readonly Dictionary<int, (Point3 Place, AxisSet Unknown)> _starts = [];
     private int _lastBlock = -1;
-    private double _feed;
-    private int _frame;
+    private double _lastFeed;
+    private int _lastFrame;
 
     internal NcMotions(NcMotions? like = null)
     {
@@ -40,8 +42,8 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
             ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)index, (uint)Length, nameof(index));
             ref readonly var m = ref _motions[index];
             var (start, unknown) = StartOf(index, m.Flags);
-            var setting = _settings[m.Setting];
-            var arc = m.Arc < 0 ? default : _arcs[m.Arc];
+            var setting = SettingAt(index);
+            var arc = m.IsArc ? ArcAt(index) : default;
             return new(m.Block, m.Kind, m.Plane, m.Flags, unknown.KnownPartOf(start), m.UnknownEnd.KnownPartOf(m.End), arc.Center, arc.Turns, setting.Feed, setting.Frame, unknown, m.UnknownEnd);
         }
     }
@@ -102,7 +104,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     {
         ref readonly var a = ref _motions[index];
         ref readonly var b = ref _motions[other];
-        return a.Plane == b.Plane && (a.Setting == b.Setting || _settings[a.Setting].Frame == _settings[b.Setting].Frame);
+        return a.Plane == b.Plane && (_lastFrame == 0 || SettingAt(index).Frame == SettingAt(other).Frame);
     }
 
     /// <summary>True if a motion is the same in another list, to the last bit of each of its values, but for the lines that were inserted before its block.</summary>
@@ -110,12 +112,12 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     {
         ref readonly var a = ref _motions[index];
         ref readonly var b = ref other._motions[index];
-        if (!a.SameAs(b) || a.Block + linesBefore != b.Block || !_settings[a.Setting].SameAs(other._settings[b.Setting]) || (a.Arc < 0) != (b.Arc < 0))
+        if (!a.SameAs(b) || a.Block + linesBefore != b.Block || !SettingAt(index).SameAs(other.SettingAt(index)))
         {
             return false;
         }
 
-        if (a.Arc >= 0 && _arcs[a.Arc] != other._arcs[b.Arc])
+        if (a.IsArc && ArcAt(index) != other.ArcAt(index))
         {
             return false;
         }
@@ -139,11 +141,9 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     /// <summary>Appends a motion. Coordinates that are not known are kept as they would be on a control that begins at the origin.</summary>
     internal void Add(in NcMotion motion)
     {
-        var setting = SettingOf(motion.Feed, motion.Frame);
-        var arc = -1;
+        Share(motion.Feed, motion.Frame, motion.IsArc);
         if (motion.IsArc)
         {
-            arc = _arcs.Count;
             _arcs.Add(new(motion.Center, motion.Turns));
         }
 
@@ -159,7 +159,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         HasPoints |= PathWithoutPoints.IsPoint(motion);
         FollowBlocks &= motion.Block >= _lastBlock;
         _lastBlock = motion.Block;
-        _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.End, motion.UnknownEnd, setting, arc));
+        _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.End, motion.UnknownEnd));
     }
 
     /// <summary>Appends a straight move from where the tool is.</summary>
@@ -174,7 +174,8 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         HasPoints |= state.Mode == MotionKind.Line && state.Position.X == end.X && state.Position.Y == end.Y && state.Position.Z == end.Z;
         FollowBlocks &= block >= _lastBlock;
         _lastBlock = block;
-        _motions.Add(new(block, state.Mode, state.Plane, flags, end, AxisSet.None, SettingOf(state.Feed, state.Frame), -1));
+        Share(state.Feed, state.Frame, isArc: false);
+        _motions.Add(new(block, state.Mode, state.Plane, flags, end, AxisSet.None));
     }
 
     private bool StartsAtLast(in Point3 place)
@@ -190,11 +191,13 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         (last.X, last.Y, last.Z) = (end.X, end.Y, end.Z);
     }
 
-    private int SettingOf(double feed, int frame)
+    // What the next motion shares with others.
+    private void Share(double feed, int frame, bool isArc)
     {
-        if (_settingCount == 0 || _feed != feed || _frame != frame)
+        var isNew = _settingCount == 0 || _lastFeed != feed || _lastFrame != frame;
+        if (isNew)
         {
-            (_feed, _frame) = (feed, frame);
+            (_lastFeed, _lastFrame) = (feed, frame);
             if (_settingCount == _settings.Length)
             {
                 Array.Resize(ref _settings, _settingCount * 2);
@@ -203,8 +206,13 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
             _settings[_settingCount++] = new(feed, frame);
         }
 
-        return _settingCount - 1;
+        _newSettings.Add(isNew);
+        _areArcs.Add(isArc);
     }
+
+    private MotionSetting SettingAt(int index) => _settings[_newSettings.CountTo(index) - 1];
+
+    private StoredArc ArcAt(int index) => _arcs[_areArcs.CountTo(index) - 1];
 
     private (Point3 Place, AxisSet Unknown) StartOf(int index, MotionFlags flags)
     {

@@ -9,7 +9,7 @@ public sealed class NcPath
     private int[]? _byBlock;
     private int _recent;
 
-    internal NcPath(NcProgram program, NcDialect dialect, NcMotions motions, IReadOnlyList<NcProblem> problems, IReadOnlyList<(int Block, int Joint)> placeDependents, IReadOnlyList<NcFrame> frames, NcRefusal? refusal, Func<string, NcProgram?>? library)
+    internal NcPath(NcProgram program, NcDialect dialect, NcMotions motions, IReadOnlyList<NcProblem> problems, IReadOnlyList<(int Block, int Joint)> placeDependents, IReadOnlyList<NcFrame> frames, IReadOnlyList<NcNote> notes, NcRefusal? refusal, Func<string, NcProgram?>? library)
     {
         Program = program;
         Dialect = dialect;
@@ -17,6 +17,7 @@ public sealed class NcPath
         Frames = frames;
         Problems = problems;
         PlaceDependents = placeDependents;
+        Notes = notes;
         Refusal = refusal;
         Library = library;
     }
@@ -35,6 +36,9 @@ public sealed class NcPath
 
     /// <summary>Unknown words, arcs that do not close, unterminated comments and the like, in the order of the blocks.</summary>
     public IReadOnlyList<NcProblem> Problems { get; }
+
+    /// <summary>How something was read that another machine could read differently. Every result of the program shows them.</summary>
+    public IReadOnlyList<NcNote> Notes { get; }
 
     /// <summary>Why the program could not be followed to its end: a program that is missing, a loop without end, a branch on what only the machine knows. Null where it was.</summary>
     public NcRefusal? Refusal { get; }

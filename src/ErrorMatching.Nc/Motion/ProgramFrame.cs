@@ -80,6 +80,9 @@ internal sealed class ProgramFrame
         return (round, u.Cross(v) < 0);
     }
 
+    /// <summary>By how much lengths along the first axis of a plane grow.</summary>
+    public double FactorIn(CoordinatePlane plane) => (plane switch { CoordinatePlane.ZX => _z, CoordinatePlane.YZ => _y, _ => _x }).Length;
+
     private static ProgramFrame About(Point3 center, ProgramFrame map)
     {
         var c = center - default(Point3);

@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// A motion in 40 bytes: where it ends, and indexes of what many motions share. Its start is the end of the one before, unless it says otherwise.
+/// A motion in 32 bytes: where it ends. Its start is the end of the one before, unless it says otherwise; what many motions share, and what only arcs have, is kept beside.
 /// </summary>
 internal struct StoredMotion
 {
@@ -15,15 +15,13 @@ internal struct StoredMotion
     public double Y;
     public double Z;
     public int Block;
-    public int Setting;
-    public int Arc;
 
     // Flags in 24 bits, then kind in 3, plane in 2, unknown axes in 3.
     private readonly uint _packed;
 
-    public StoredMotion(int block, MotionKind kind, CoordinatePlane plane, MotionFlags flags, Point3 end, AxisSet unknownEnd, int setting, int arc)
+    public StoredMotion(int block, MotionKind kind, CoordinatePlane plane, MotionFlags flags, Point3 end, AxisSet unknownEnd)
     {
-        (X, Y, Z, Block, Setting, Arc) = (end.X, end.Y, end.Z, block, setting, arc);
+        (X, Y, Z, Block) = (end.X, end.Y, end.Z, block);
         _packed = (uint)flags | ((uint)kind << KindShift) | ((uint)plane << PlaneShift) | ((uint)unknownEnd << UnknownShift);
     }
 
@@ -32,6 +30,8 @@ internal struct StoredMotion
     public readonly MotionFlags Flags => (MotionFlags)(_packed & 0xFFFFFF);
 
     public readonly MotionKind Kind => (MotionKind)((_packed >> KindShift) & 7);
+
+    public readonly bool IsArc => Kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise;
 
     public readonly CoordinatePlane Plane => (CoordinatePlane)((_packed >> PlaneShift) & 3);
 

@@ -47,7 +47,7 @@ internal sealed class BlockRemainder(NcProgram program)
         // A value that changed is one byte at least, and so is the mask.
         if (_rest.Length < _block.FullLength)
         {
-            _rest = new byte[_block.FullLength * 2];
+            _rest = new byte[_block.FullLength];
         }
 
         var bytes = program.Bytes.Span;

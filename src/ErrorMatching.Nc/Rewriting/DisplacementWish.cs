@@ -49,7 +49,7 @@ public sealed class DisplacementWish
             for (var run = 0; path.RunOf(block, run) is >= 0 and var motion; run++)
             {
                 var m = path.Motions[motion];
-                if (m is not { IsCut: true, MovesInPlane: true })
+                if (!m.IsCut || !MayMoveInPlane(path, motion, m))
                 {
                     continue;
                 }
@@ -65,6 +65,11 @@ public sealed class DisplacementWish
 
         return elements.Count == 0 ? NoMotion(path, blocks) : IsAscending(elements) ? new DisplacementWish(elements, [], Vector3.Zero) : OfElements(elements);
     }
+
+    // Between unknown places a motion does not show that it moves; its words do.
+    private static bool MayMoveInPlane(NcPath path, int motion, in NcMotion m) => m.MovesInPlane
+        || (!m.IsKnownInPlane && (m.Has(MotionFlags.Expression | MotionFlags.UnknownWord)
+            || (motion > 0 && m.Plane.Project(path.Motions.AssumedEnd(motion)) != m.Plane.Project(path.Motions.AssumedEnd(motion - 1)))));
 
     /// <summary>The wish to move the end points of all motions of some blocks by one vector.</summary>
     /// <returns>The wish, or a refusal where the blocks hold no motion.</returns>

@@ -44,7 +44,7 @@ internal sealed class PathWithoutPoints
         }
 
         var dependents = path.PlaceDependents.Select(d => (d.Block, kept.BinarySearch(d.Joint) is var at && at < 0 ? ~at : at)).ToArray();
-        return new(path, new(path.Program, path.Dialect, motions, path.Problems, dependents, path.Frames, path.Refusal, path.Library), [.. kept]);
+        return new(path, new(path.Program, path.Dialect, motions, path.Problems, dependents, path.Frames, path.Notes, path.Refusal, path.Library), [.. kept]);
     }
 
     /// <summary>Displaces elements. A wish for a point is a wish for nothing and is left out.</summary>

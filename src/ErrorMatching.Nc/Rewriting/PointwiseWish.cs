@@ -47,17 +47,63 @@ public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm
         }
 
         var runs = RunsOf(path, motions);
+        var tree = new PathTree(path, motions);
+        var feet = new List<PathFoot>();
         foreach (var point in points)
         {
-            var (distance, nearest) = runs.Select(r => r.NearestTo(point.Place)).MinBy(n => n.DistanceMm);
-            if (!(distance <= FurthestMm))
+            tree.Collect(point.Place, FurthestMm, feet);
+            if (feet.Count == 0)
             {
+                var nearest = tree.NearestTo(point.Place);
                 return NcRefusal.At(
-                    path.Program, path.Motions[nearest].Block, NcRefusalCodes.PointOffPath, string.Create(CultureInfo.InvariantCulture, $"the point {point.Place} lies {distance:0.000} mm from the path of the named blocks, more than {FurthestMm} mm. Give points on the programmed path, and name all blocks that cut it."));
+                    path.Program, path.Motions[nearest.Motion].Block, NcRefusalCodes.PointOffPath, string.Create(CultureInfo.InvariantCulture, $"the point {point.Place} lies {nearest.DistanceMm:0.000} mm from the path of the named blocks, more than {FurthestMm} mm. Give points on the programmed path, and name all blocks that cut it."));
             }
+
+            Share(point, feet, runs);
         }
 
         return Combine(runs, points);
+    }
+
+    // A point belongs to every run that it lies on, at the nearest motion of each.
+    private static void Share(DisplacedPoint point, List<PathFoot> feet, List<WishedRun> runs)
+    {
+        var (run, best) = (-1, default(PathFoot));
+        foreach (var foot in feet)
+        {
+            var its = RunOf(foot.Motion, runs);
+            if (its != run)
+            {
+                Give();
+                (run, best) = (its, foot);
+            }
+            else if (foot.DistanceMm < best.DistanceMm)
+            {
+                best = foot;
+            }
+        }
+
+        Give();
+
+        void Give()
+        {
+            if (run >= 0)
+            {
+                runs[run].Add(point, best);
+            }
+        }
+    }
+
+    private static int RunOf(int motion, List<WishedRun> runs)
+    {
+        var (low, high) = (0, runs.Count - 1);
+        while (low < high)
+        {
+            var middle = (low + high + 1) / 2;
+            (low, high) = runs[middle].First <= motion ? (middle, high) : (low, middle - 1);
+        }
+
+        return low;
     }
 
     private static NcOutcome<PointwiseWish> Combine(List<WishedRun> runs, IReadOnlyList<DisplacedPoint> points)
@@ -66,7 +112,7 @@ public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm
         var (misfit, worst) = (0.0, points[0]);
         foreach (var run in runs)
         {
-            if (run.Take(points, FurthestMm) is { } refusal)
+            if (run.Sort() is { } refusal)
             {
                 return refusal;
             }

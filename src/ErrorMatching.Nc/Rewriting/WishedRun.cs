@@ -25,22 +25,17 @@ internal sealed class WishedRun
         }
     }
 
-    /// <summary>How far a place is from the run, and from which of its motions.</summary>
-    public (double DistanceMm, int Motion) NearestTo(Point2 place) => Foot(place) is var foot ? (foot.DistanceMm, foot.Motion) : default;
+    /// <summary>Its first motion.</summary>
+    public int First => _first;
 
-    /// <summary>Takes the points that lie on the run.</summary>
+    /// <summary>Takes a point that lies on the run.</summary>
+    public void Add(DisplacedPoint point, PathFoot foot) =>
+        _feet.Add((_starts[foot.Motion - _first] + (foot.Fraction * _path.Motions[foot.Motion].PlaneLength), foot.Motion, foot.Fraction, point));
+
+    /// <summary>Puts the points in their order along the run.</summary>
     /// <returns>A refusal where there are none, or where two of them disagree.</returns>
-    public NcRefusal? Take(IReadOnlyList<DisplacedPoint> points, double furthestMm)
+    public NcRefusal? Sort()
     {
-        foreach (var point in points)
-        {
-            var (distance, motion, fraction) = Foot(point.Place);
-            if (distance <= furthestMm)
-            {
-                _feet.Add((_starts[motion - _first] + (fraction * _path.Motions[motion].PlaneLength), motion, fraction, point));
-            }
-        }
-
         _feet.Sort((a, b) => a.Along.CompareTo(b.Along));
         for (var i = 1; i < _feet.Count; i++)
         {
@@ -75,27 +70,16 @@ internal sealed class WishedRun
         }
     }
 
-    private (double DistanceMm, int Motion, double Fraction) Foot(Point2 place)
-    {
-        var best = (DistanceMm: double.PositiveInfinity, Motion: _first, Fraction: 0.0);
-        for (var i = 0; i + 1 < _starts.Length; i++)
-        {
-            var motion = _path.Motions[_first + i];
-            var fraction = motion.IsArc ? motion.Arc.NearestFraction(place) : motion.Segment.NearestFraction(place);
-            var distance = motion.PlaneAt(fraction).DistanceTo(place);
-            if (distance < best.DistanceMm)
-            {
-                best = (distance, _first + i, fraction);
-            }
-        }
-
-        return best;
-    }
-
     private Vector2 At(double along)
     {
-        var next = _feet.FindIndex(f => f.Along >= along);
-        if (next < 0)
+        var (next, behind) = (0, _feet.Count);
+        while (next < behind)
+        {
+            var middle = (next + behind) / 2;
+            (next, behind) = _feet[middle].Along >= along ? (next, middle) : (middle + 1, behind);
+        }
+
+        if (next == _feet.Count)
         {
             return _feet[^1].Point.By;
         }

@@ -27,8 +27,7 @@ internal sealed partial class WordEditor
         _keepRadii = keepRadii;
         _path = change.Path;
 
-        // In a plane, a motion has two coordinates.
-        (_patches, _changedBlocks) = (new(2 * affected.Count), new(affected.Count));
+        (_patches, _changedBlocks) = (new(affected.Count), new(affected.Count));
 
         // The control's least increment, or finer where the program itself is written finer.
         var dialect = _path.Dialect;

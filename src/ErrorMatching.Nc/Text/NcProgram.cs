@@ -106,8 +106,8 @@ public sealed class NcProgram
     /// <summary>The block's bytes without its line end.</summary>
     public ReadOnlySpan<byte> BytesOf(NcBlock block) => Bytes.Span.Slice(block.Start, block.Length);
 
-    /// <summary>The block's text without its line end, for people: UTF-8 where it is valid, else Latin-1.</summary>
-    public string TextOf(NcBlock block) => NcText.Decode(BytesOf(block));
+    /// <summary>The block's text without its line end and the file's UTF-8 mark, for people and patterns: UTF-8 where it is valid, else Latin-1.</summary>
+    public string TextOf(NcBlock block) => NcText.Decode(BytesOf(block)[(block.Start == 0 ? SyntaxBytes.MarkLength(BytesOf(block)) : 0)..]);
 
     /// <summary>The tokens of a block, in order, without gap.</summary>
     public NcTokenizer Tokens(NcBlock block) => new(Bytes.Span, block.Start, block.End, Syntax);

@@ -21,7 +21,8 @@ public ref partial struct NcTokenizer
         var name = _bytes[_position..nameEnd];
         var at = SkipSpaces(nameEnd);
         var next = at < _end ? _bytes[at] : (byte)0;
-        if (next == '[')
+        var isIndexed = next == '[';
+        if (isIndexed)
         {
             at = SyntaxBytes.BehindBracket(_bytes, at, _end);
             nameEnd = at;
@@ -31,7 +32,7 @@ public ref partial struct NcTokenizer
 
         if (IsEquals(at))
         {
-            ReadValue(name.Length == 1 ? letter : NcAddress.Of(name), name, at);
+            ReadValue(isIndexed ? IndexedLetter(letter, name) : name.Length == 1 ? letter : NcAddress.Of(name), name, at);
         }
         else if (next == '(')
         {
@@ -68,7 +69,7 @@ public ref partial struct NcTokenizer
         if (number.Decimals == 0 && at < _end && IsEquals(at) && SyntaxBytes.IsDigit(_bytes[next - 1]))
         {
             var name = _bytes[_position..next];
-            ReadValue(NcAddress.Of(name) is not 0 and var code ? code : letter is (byte)'S' or (byte)'M' or (byte)'H' or (byte)'T' or (byte)'D' ? letter : (byte)0, name, at);
+            ReadValue(NcAddress.Of(name) is not 0 and var code ? code : IndexedLetter(letter, name[..1]), name, at);
         }
         else if (at < _end && _bytes[at] == ':' && at == next)
         {
@@ -87,6 +88,10 @@ public ref partial struct NcTokenizer
         return true;
     }
 
+    // S2=1000 and S[2]=1000 are the speed of a spindle; R1=5 and R[1]=5 are a variable.
+    private static byte IndexedLetter(byte letter, ReadOnlySpan<byte> name) =>
+        name.Length == 1 && letter is (byte)'S' or (byte)'M' or (byte)'H' or (byte)'T' or (byte)'D' ? letter : (byte)0;
+
     // What stands behind the equals sign. Letter 0: a variable or an address that the dialect must know.
     private void ReadValue(byte letter, ReadOnlySpan<byte> name, int equals)
     {
@@ -102,7 +107,7 @@ public ref partial struct NcTokenizer
             Current = new(corner == 0 ? NcTokenKind.Word : NcTokenKind.CommaWord, corner == 0 ? letter : corner, _position, end - _position, value, end - value, number, WordDistance.Modal);
             _position = end;
         }
-        else if (Distance(value, end, out var inside) is not WordDistance.Modal and var distance)
+        else if (corner == 0 && Distance(value, end, out var inside) is not WordDistance.Modal and var distance)
         {
             if (ReadNumber(inside, out next, out number) && SkipSpaces(next) == end - 1)
             {
@@ -168,6 +173,11 @@ public ref partial struct NcTokenizer
 
     private readonly int OperandEnd(int at)
     {
+        for (var name = NameEnd(at); Ascii.EqualsIgnoreCase(_bytes[at..name], "NOT"u8); name = NameEnd(at))
+        {
+            at = SkipSpaces(name);
+        }
+
         if (at >= _end || _bytes[at] == ';')
         {
             return at;
@@ -183,17 +193,12 @@ public ref partial struct NcTokenizer
             return SyntaxBytes.BehindBracket(_bytes, at, _end);
         }
 
-        var end = at;
-        while (end < _end && (SyntaxBytes.IsNamePart(_bytes[end]) || _bytes[end] == '.' || (_bytes[end] is (byte)'-' or (byte)'+' && IsExponentSign(at, end))))
+        if (SyntaxBytes.IsDigit(_bytes[at]) || _bytes[at] == '.')
         {
-            end++;
+            return ConstantEnd(at);
         }
 
-        if (Ascii.EqualsIgnoreCase(_bytes[at..end], "NOT"u8))
-        {
-            return OperandEnd(SkipSpaces(end));
-        }
-
+        var end = NameEnd(at);
         while (end < _end && _bytes[end] is (byte)'(' or (byte)'[')
         {
             end = SyntaxBytes.BehindBracket(_bytes, end, _end);
@@ -202,9 +207,29 @@ public ref partial struct NcTokenizer
         return end;
     }
 
-    // 1.5EX-3
-    private readonly bool IsExponentSign(int start, int at) =>
-        at - 2 > start && (_bytes[at - 1] & ~0x20) == 'X' && (_bytes[at - 2] & ~0x20) == 'E' && SyntaxBytes.IsDigit(_bytes[start]);
+    // 10, 1.5 or 1.5EX-3. A letter behind it begins the next word: X=10Y=5.
+    private readonly int ConstantEnd(int at)
+    {
+        var end = DigitsEnd(at);
+        if (end + 1 < _end && (_bytes[end] & ~0x20) == 'E' && (_bytes[end + 1] & ~0x20) == 'X')
+        {
+            var sign = end + 2 < _end && _bytes[end + 2] is (byte)'+' or (byte)'-' ? 1 : 0;
+            var exponent = DigitsEnd(end + 2 + sign);
+            return exponent > end + 2 + sign ? exponent : end;
+        }
+
+        return end;
+    }
+
+    private readonly int DigitsEnd(int at)
+    {
+        while (at < _end && (SyntaxBytes.IsDigit(_bytes[at]) || _bytes[at] == '.'))
+        {
+            at++;
+        }
+
+        return at;
+    }
 
     private readonly int OperatorEnd(int at)
     {
@@ -214,12 +239,13 @@ public ref partial struct NcTokenizer
         }
 
         var length = 0;
-        while (at + length < _end && _bytes[at + length] is (byte)'+' or (byte)'-' or (byte)'*' or (byte)'/' or (byte)'<' or (byte)'>' or (byte)'=' && length < 2)
+        while (at + length < _end && length < 2 && _bytes[at + length] is (byte)'+' or (byte)'-' or (byte)'*' or (byte)'/' or (byte)'<' or (byte)'>' or (byte)'=')
         {
             length++;
         }
 
-        if (length > 0)
+        // A single equals sign assigns; it compares nothing.
+        if (length == 2 || (length == 1 && _bytes[at] != '='))
         {
             return at + length;
         }

@@ -11,6 +11,7 @@ public ref partial struct NcTokenizer
     private readonly NcSyntax _syntax;
     private int _position;
     private bool _atStart;
+    private bool _hasUnpaired;
 
     internal NcTokenizer(ReadOnlySpan<byte> bytes, int start, int end, NcSyntax syntax)
     {
@@ -19,6 +20,7 @@ public ref partial struct NcTokenizer
         _syntax = syntax;
         _position = start;
         _atStart = true;
+        _hasUnpaired = false;
         Current = default;
     }
 
@@ -103,6 +105,13 @@ public ref partial struct NcTokenizer
             case (byte)'"':
                 Plain(_syntax == NcSyntax.Siemens ? NcTokenKind.Expression : NcTokenKind.Invalid, SyntaxBytes.BehindString(_bytes, _position, _end));
                 break;
+            case 0xEF when _position == 0 && SyntaxBytes.MarkLength(_bytes) is > 0 and var mark:
+                Plain(NcTokenKind.Space, mark);
+                break;
+            case 0 or SyntaxBytes.EndOfFile:
+                var filled = SyntaxBytes.BehindPadding(_bytes, _position, _end);
+                Plain(SyntaxBytes.IsFiller(_bytes, _position, filled, _end) ? NcTokenKind.Space : NcTokenKind.Invalid, filled);
+                break;
             default:
                 Plain(NcTokenKind.Invalid, _position + 1);
                 break;
@@ -123,25 +132,32 @@ public ref partial struct NcTokenizer
 
     private readonly int SkipSpaces(int at) => SyntaxBytes.SkipSpaces(_bytes, at, _end);
 
+    // Without a partner for every parenthesis of the block the first closing one ends a comment, as most controls read it.
     private void ReadComment()
     {
-        var depth = 0;
-        for (var at = _position; at < _end; at++)
+        var close = _hasUnpaired ? -1 : PartnerOf(_position);
+        if (close < 0)
         {
-            if (_bytes[at] == '(')
+            _hasUnpaired = true;
+            close = _bytes[_position.._end].IndexOf((byte)')') is >= 0 and var first ? _position + first : -1;
+        }
+
+        Plain(close < 0 ? NcTokenKind.Invalid : NcTokenKind.Comment, close < 0 ? _end : close + 1);
+    }
+
+    private readonly int PartnerOf(int open)
+    {
+        var depth = 0;
+        for (var at = open; at < _end; at++)
+        {
+            depth += _bytes[at] == '(' ? 1 : _bytes[at] == ')' ? -1 : 0;
+            if (depth == 0)
             {
-                depth++;
-            }
-            else if (_bytes[at] == ')' && --depth == 0)
-            {
-                Plain(NcTokenKind.Comment, at + 1);
-                return;
+                return at;
             }
         }
 
-        // Without a partner for every parenthesis the first closing one ends the comment, as most controls read it.
-        var close = _bytes[_position.._end].IndexOf((byte)')');
-        Plain(close < 0 ? NcTokenKind.Invalid : NcTokenKind.Comment, close < 0 ? _end : _position + close + 1);
+        return -1;
     }
 
     private void ReadCommaWord()
@@ -154,6 +170,13 @@ public ref partial struct NcTokenizer
             {
                 Current = new(NcTokenKind.CommaWord, (byte)(_bytes[letterAt] & ~0x20), _position, next - _position, valueAt, next - valueAt, number, WordDistance.Modal);
                 _position = next;
+                return;
+            }
+
+            if (valueAt < _end && ComputedEnd(valueAt) is > 0 and var behind)
+            {
+                Current = new(NcTokenKind.CommaWord, (byte)(_bytes[letterAt] & ~0x20), _position, behind - _position, valueAt, behind - valueAt, default, WordDistance.Modal);
+                _position = behind;
                 return;
             }
         }

@@ -3,6 +3,27 @@ namespace ErrorMatching.Nc;
 /// <summary>Bytes as all controls read them, and stretches that brackets enclose.</summary>
 internal static class SyntaxBytes
 {
+    /// <summary>The end-of-file sign of old file systems, which some senders still append.</summary>
+    public const byte EndOfFile = 0x1A;
+
+    /// <summary>Behind an end-of-file sign at most this much filling is looked at.</summary>
+    private const int LongestTail = 1 << 12;
+
+    private static readonly System.Buffers.SearchValues<byte> Fill = System.Buffers.SearchValues.Create("\0\x1A\r\n \t"u8);
+
+    /// <summary>Length of the UTF-8 mark at the start of a file; 0 where it has none.</summary>
+    public static int MarkLength(ReadOnlySpan<byte> bytes) => bytes.StartsWith("\uFEFF"u8) ? 3 : 0;
+
+    /// <summary>The place behind zero bytes and end-of-file signs.</summary>
+    public static int BehindPadding(ReadOnlySpan<byte> bytes, int at, int end) =>
+        bytes[at..end].IndexOfAnyExcept((byte)0, EndOfFile) is >= 0 and var length ? at + length : end;
+
+    /// <summary>
+    /// True for what controls pass over: zero bytes at the end of a block, as paper tapes and file systems have them, and an end-of-file sign with nothing behind it.
+    /// </summary>
+    public static bool IsFiller(ReadOnlySpan<byte> bytes, int start, int end, int blockEnd) => end == blockEnd
+        && (bytes[start..end].IndexOf(EndOfFile) < 0 || (bytes.Length - end <= LongestTail && bytes[end..].IndexOfAnyExcept(Fill) < 0));
+
     public static bool IsDigit(byte c) => (uint)(c - '0') < 10;
 
     public static bool IsLetter(byte c) => (uint)((c | 0x20) - 'a') < 26;

@@ -34,6 +34,7 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
         }
 
         json.WriteEndArray();
+        ShownNotes.Write(json, (file, path));
         if (Failure is { } failure)
         {
             OutcomeWriter.WriteErrors(json, failure);
@@ -56,6 +57,8 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
         {
             page.Line("Note: " + note);
         }
+
+        ShownNotes.Write(page, (file, path));
 
         page.Line();
         if (path.Problems.Count == 0)

@@ -42,6 +42,7 @@ internal sealed class NcDiffAnswer(string before, string after, MotionComparison
 
         json.WriteEndArray();
         WriteFunctions(json, "functionsAtEnd", comparison.AtEnd);
+        ShownNotes.Write(json, (before, comparison.Before), (after, comparison.After));
     }
 
     /// <inheritdoc/>
@@ -52,6 +53,7 @@ internal sealed class NcDiffAnswer(string before, string after, MotionComparison
             : string.Create(CultureInfo.InvariantCulture, $"{comparison.Differences.Count} motions differ between {before} and {after}"));
         page.Line();
         page.Facts([.. Facts()]);
+        ShownNotes.Write(page, (before, comparison.Before), (after, comparison.After));
         if (comparison.Differences.Count > 0)
         {
             page.Line();

@@ -45,6 +45,7 @@ internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, 
             json.Number("maxPointMisfitMm", misfit);
         }
 
+        ShownNotes.Write(json, (file, path));
         ShownProof.Write(json, proof);
     }
 
@@ -66,6 +67,7 @@ internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, 
         }
 
         ShownProof.Write(page, proof);
+        ShownNotes.Write(page, (file, path));
         if (misfitMm is > 0.0005 and var misfit)
         {
             page.Line($"Warning: at one of the points the element goes {Show.Mm(misfit)} mm beside what was asked, since a line cannot bend between its ends. Split the block, or ask for less.");

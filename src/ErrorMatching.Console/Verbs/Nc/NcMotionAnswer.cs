@@ -25,6 +25,7 @@ internal sealed class NcMotionAnswer(string file, NcPath path) : DocumentAnswer
         }
 
         json.WriteEndArray();
+        ShownNotes.Write(json, (file, path));
     }
 
     // Which word of which line says each coordinate of the end.

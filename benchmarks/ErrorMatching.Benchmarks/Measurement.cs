@@ -1,0 +1,54 @@
+using System.Diagnostics;
+using System.Globalization;
+
+namespace ErrorMatching.Benchmarks;
+
+/// <summary>How long something took at best, and how much memory it had at most.</summary>
+internal sealed record Measurement(string Name, double Seconds, long PeakBytes)
+{
+    /// <summary>Runs a process several times, from its start to its exit.</summary>
+    public static Measurement OfProcess(int runs, string name, string executable, string[] arguments, string home)
+    {
+        var best = new Measurement(name, double.MaxValue, 0);
+        for (var run = 0; run < runs; run++)
+        {
+            var start = new ProcessStartInfo(executable, arguments) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true };
+            start.Environment["HOME"] = home;
+            var watch = Stopwatch.StartNew();
+            using var process = Process.Start(start)!;
+            var (output, error) = (process.StandardOutput.BaseStream.CopyToAsync(Stream.Null), process.StandardError.ReadToEndAsync());
+            var peak = 0L;
+            while (!process.WaitForExit(5))
+            {
+                peak = Math.Max(peak, PeakOf(process.Id));
+            }
+
+            Task.WaitAll(output, error);
+            var seconds = watch.Elapsed.TotalSeconds;
+            if (process.ExitCode != 0)
+            {
+                throw new InvalidOperationException($"{name} ended with {process.ExitCode}: {error.Result}");
+            }
+
+            best = best with { Seconds = Math.Min(best.Seconds, seconds), PeakBytes = Math.Max(best.PeakBytes, peak) };
+        }
+
+        return best;
+    }
+
+    // The kernel's own high-water mark, read until the process is gone.
+    private static long PeakOf(int id)
+    {
+        var status = $"/proc/{id}/status";
+        try
+        {
+            var line = File.Exists(status) ? File.ReadLines(status).FirstOrDefault(l => l.StartsWith("VmHWM:", StringComparison.Ordinal)) : null;
+            return line is null ? 0 : 1024 * long.Parse(line.Split(' ', StringSplitOptions.RemoveEmptyEntries)[1], CultureInfo.InvariantCulture);
+        }
+        catch (IOException)
+        {
+            // It ended between the two calls; the marks before stand.
+            return 0;
+        }
+    }
+}

@@ -1,0 +1,42 @@
+using System.Text.Json;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Console;
+
+/// <summary>How programs were read where another machine could read them differently: in every answer about a program.</summary>
+internal static class ShownNotes
+{
+    /// <summary>Writes them as the array <c>notes</c>.</summary>
+    public static void Write(Utf8JsonWriter json, params ReadOnlySpan<(string File, NcPath Path)> programs)
+    {
+        json.WriteStartArray("notes");
+        foreach (var (file, path) in programs)
+        {
+            foreach (var note in path.Notes)
+            {
+                json.WriteStartObject();
+                json.WriteString("file", file);
+                json.WriteString("code", note.Code);
+                json.WriteNumber("count", note.Count);
+                json.WriteNumber("line", note.Block + 1);
+                json.WriteString("block", path.Program.NumberOf(path.Program[note.Block]));
+                json.WriteString("message", note.Message);
+                json.WriteEndObject();
+            }
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <summary>Writes them as lines.</summary>
+    public static void Write(Page page, params ReadOnlySpan<(string File, NcPath Path)> programs)
+    {
+        foreach (var (file, path) in programs)
+        {
+            foreach (var note in path.Notes)
+            {
+                page.Line($"Note: {(programs.Length > 1 ? file + ": " : "")}{note.Message}");
+            }
+        }
+    }
+}
