@@ -117,6 +117,20 @@ public sealed class ProofTests
         { "O0001", "O0002" },
     };
 
+    // No circle runs through the ends and the middle of such an arc, as far as doubles tell.
+    [Theory]
+    [InlineData(0.1)]
+    [InlineData(2)]
+    public void An_arc_that_is_all_but_straight_is_proved_or_refused(double by)
+    {
+        var path = Bench.Read("G21 G17 G90 G54\nG0 X0 Y0 Z5\nG1 Z-1 F300\nN10 G1 X30 Y5\nN20 G3 X40 Y5 R2147483647\nN30 G1 X50 Y0\n");
+        var wish = Bench.Usable(DisplacementWish.EndsBy(path, Bench.Blocks(path, "N10"), new(by, -by, 0)));
+        if (Rewriter.Apply(path, wish) is { IsUsable: true, Value: var rewrite })
+        {
+            Assert.Empty(Prover.Check(path, rewrite.Program, wish, rewrite.LeastIncrementMm).Failures);
+        }
+    }
+
     [Fact]
     public void Good_result_holds_and_names_what_moved()
     {

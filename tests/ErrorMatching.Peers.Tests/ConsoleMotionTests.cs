@@ -13,6 +13,11 @@ public sealed class ConsoleMotionTests
     [InlineData(Topic.Turns)]
     [InlineData(Topic.Planes)]
     [InlineData(Topic.Units)]
+    [InlineData(Topic.RotatedOffsets)]
+    [InlineData(Topic.References)]
+    [InlineData(Topic.CyclesInPlanes)]
+    [InlineData(Topic.Subprograms)]
+    [InlineData(Topic.Polar)]
     public async Task Printed_motions_agree_with_rs274(Topic topic)
     {
         Rs274.IsNeeded();

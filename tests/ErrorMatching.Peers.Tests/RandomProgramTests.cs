@@ -37,6 +37,8 @@ public sealed class RandomProgramTests
     [InlineData(Topic.Probes)]
     [InlineData(Topic.Splines)]
     [InlineData(Topic.Compensation)]
+    [InlineData(Topic.Polar)]
+    [InlineData(Topic.OddBlocks)]
     [InlineData(Topic.Everything)]
     public void Motions_agree_with_rs274(Topic topic)
     {

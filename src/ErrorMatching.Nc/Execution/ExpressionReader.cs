@@ -172,7 +172,7 @@ internal ref partial struct ExpressionReader
             return Fail("a text has no sign");
         }
 
-        return negative && value.IsNumber ? NcValue.Of(0 - value.Number) : value;
+        return negative && value.IsNumber ? NcValue.Of(-value.Number) : value;
     }
 
     private NcValue Word()

@@ -192,7 +192,7 @@ internal sealed partial class BlockWords
         else
         {
             Present |= bit;
-            _values[token.Letter - 'A'] = number;
+            _values[token.Letter - 'A'] = number + 0.0;
         }
     }
 }

@@ -37,6 +37,14 @@ public sealed partial class NcInterpreter
         var toolAxis = AxisSet.All & ~plane.Axes();
         var (target, unknown) = Target();
         ReadCycleWords(axis, toolAxis);
+        if (_state.Cycle == NcMeaning.TapCycle && plane != CoordinatePlane.XY)
+        {
+            // Measured with rs274: its feeds go along other axes than its rapids.
+            Problem("tap-plane", "LinuxCNC 2.9 taps along the wrong axes in G18 and G19: what it does here is not followed.", MotionFlags.None);
+            Append(MotionKind.Cycle, flags, target, AxisSet.All);
+            return;
+        }
+
         var isKnown = (_state.Unknown & toolAxis) == AxisSet.None && (_cycleUnknown & toolAxis) == AxisSet.None && _cycle.HasPlane;
         if (!isKnown || _state.Cycle == NcMeaning.OpaqueCycle)
         {
@@ -122,7 +130,7 @@ public sealed partial class NcInterpreter
 
         Pecks(flags, bottom, top);
         ToHeight(MotionKind.Line, flags, bottom);
-        if (_state.Cycle == NcMeaning.FeedOutToClearCycle)
+        if (_state.Cycle is NcMeaning.FeedOutToClearCycle or NcMeaning.TapCycle)
         {
             ToHeight(MotionKind.Line, flags, clear);
             return;

@@ -7,8 +7,8 @@ namespace ErrorMatching.Nc;
 /// </content>
 public sealed partial class NcInterpreter
 {
-    /// <summary>How many blocks may run before a program counts as one that never ends: about a second's work, and more for a long file.</summary>
-    private const long LeastSteps = 2_000_000;
+    /// <summary>How many blocks may run before a program counts as one that never ends: some tenths of a second's work, and more for a long file.</summary>
+    private const long LeastSteps = 500_000;
 
     private const long StepsPerBlock = 10;
 

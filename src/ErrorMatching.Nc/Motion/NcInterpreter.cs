@@ -17,6 +17,7 @@ public sealed partial class NcInterpreter
     private readonly NcDialect _dialect;
     private readonly BlockWords _words = new();
     private readonly List<NcProblem> _problems = [];
+    private readonly HashSet<NcProblem> _said = [];
     private readonly HashSet<string> _noted = new(StringComparer.Ordinal);
     private readonly List<(int Block, int Joint)> _placeDependents = [];
     private readonly NcMotions _motions;
@@ -231,7 +232,13 @@ public sealed partial class NcInterpreter
 
     private MotionFlags Problem(string code, string message, MotionFlags flag)
     {
-        _problems.Add(new(code, _block, message));
+        // Once, however often the block runs.
+        var problem = new NcProblem(code, _block, message);
+        if (_said.Add(problem))
+        {
+            _problems.Add(problem);
+        }
+
         return flag;
     }
 }

@@ -180,8 +180,11 @@ public enum NcMeaning : byte
     /// <summary>Canned cycle: feed to depth and out (G84, G74, G85, G89).</summary>
     FeedOutCycle,
 
-    /// <summary>Canned cycle: feed to depth and out to where a cycle retracts to, not to its R plane first (LinuxCNC's G74, G84, G89).</summary>
+    /// <summary>Canned cycle: feed to depth and out to where a cycle retracts to, not to its R plane first (LinuxCNC's G89).</summary>
     FeedOutToClearCycle,
+
+    /// <summary>Tapping like that, in the plane XY only (LinuxCNC's G74, G84).</summary>
+    TapCycle,
 
     /// <summary>Canned cycle: feed to depth, spindle stop, rapid out (G86).</summary>
     StopOutCycle,

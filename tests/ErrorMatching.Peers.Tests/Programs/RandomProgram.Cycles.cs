@@ -10,7 +10,9 @@ internal sealed partial class RandomProgram
         var scale = _inch ? 25.4 : 1;
         var (third, first, second) = _plane switch { CoordinatePlane.ZX => ("Y", "Z", "X"), CoordinatePlane.YZ => ("X", "Y", "Z"), _ => ("Z", "X", "Y") };
         var plane = new[] { Grid(Uniform(-5, 5) / scale), Grid(Uniform(3, 9) / scale), Grid(Uniform(10, 30) / scale) };
-        var code = Any("G81", "G82", "G83", "G73", "G85", "G86", "G89");
+
+        // Outside the plane XY the peer taps along the wrong axes.
+        var code = _plane == CoordinatePlane.XY && Chance(0.1) ? "G84" : Any("G81", "G82", "G83", "G73", "G85", "G86", "G89");
         _incremental = Chance(0.3);
 
         // In increments R is from where the tool stands, the bottom from R.
@@ -41,6 +43,54 @@ internal sealed partial class RandomProgram
         _motion = "G0";
 
         double Place() => _incremental ? Grid(Uniform(-9, 9) / scale) : Length();
+    }
+
+    // Polar coordinates of the end, and holes on a circle.
+    private void WritePolar()
+    {
+        switch (Below(4))
+        {
+            case 0:
+                Restate();
+                Block($"{Any("G90", "G91")} {Any("G0", "G1")} {Any($"@{Number(Math.Abs(Length()))}", $"^{Number(Uniform(-200, 200))}", $"@{Number(Math.Abs(Length()))} ^{Number(Uniform(-200, 200))}")}");
+                Restate();
+                break;
+            case 1:
+                Restate();
+                Block($"G90 G0 Z{Number(Grid(Uniform(20, 30) / (_inch ? 25.4 : 1)))}");
+                Block($"G91 {Any("G98", "G99")} G81 ^[360/{3 + Below(5)}] Z-1 R-0.5 L{1 + Below(5)}");
+                Block("G80");
+                Restate();
+                break;
+            default:
+                WriteMotion();
+                break;
+        }
+    }
+
+    // A wait beside a motion, a motion code that stands alone, a thread.
+    private void WriteOddBlock()
+    {
+        switch (Below(5))
+        {
+            case 0:
+                Restate();
+                Block($"G4 P0.1 {Any("G0", "G1")} X{Number(Length())}");
+                Restate();
+                break;
+            case 1:
+                Block(Any("G0", "G1", "G00 G90"));
+                Restate();
+                break;
+            case 2:
+                Restate();
+                Block($"G33 Z{Number(Length())} K0.1");
+                Restate();
+                break;
+            default:
+                WriteMotion();
+                break;
+        }
     }
 
     private void WriteProbe()

@@ -99,7 +99,20 @@ internal sealed partial class RandomProgram
             case Topic.Probes: WriteProbe(); break;
             case Topic.Splines: WriteSpline(); break;
             case Topic.Compensation: WriteCompensation(); break;
+            case Topic.Polar: WriteInPlaneXY(WritePolar); break;
+            case Topic.OddBlocks: WriteOddBlock(); break;
         }
+    }
+
+    private void WriteInPlaneXY(Action write)
+    {
+        if (_plane != CoordinatePlane.XY)
+        {
+            _plane = CoordinatePlane.XY;
+            Block("G17");
+        }
+
+        write();
     }
 
     // Any simple motion: what comes between the blocks of a topic.

@@ -75,6 +75,12 @@ public enum Topic
     /// <summary>G41, G42 and G40; the peer gets them blanked out.</summary>
     Compensation,
 
+    /// <summary>Polar words @ and ^.</summary>
+    Polar,
+
+    /// <summary>Blocks that are rarely written: a wait beside a motion, a motion code alone, threads.</summary>
+    OddBlocks,
+
     /// <summary>Everything in one program.</summary>
     Everything,
 }
