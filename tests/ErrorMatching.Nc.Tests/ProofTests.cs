@@ -117,6 +117,18 @@ public sealed class ProofTests
         { "O0001", "O0002" },
     };
 
+    // All motions are of one block, so that the path never goes back to an earlier one.
+    [Fact]
+    public void A_loop_around_a_single_motion_is_changed_once_or_refused()
+    {
+        var path = Bench.Read("G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F300\n#1=0\no1 while [#1 LT 5]\nN10 Y1\n#1=[#1+1]\no1 endwhile\nN20 X30\nG0 Z5\n", NcDialects.LinuxCnc);
+        var wish = Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, "N20"), 0.1));
+        if (Rewriter.Apply(path, wish) is { IsUsable: true, Value: var rewrite })
+        {
+            Assert.Empty(Prover.Check(path, rewrite.Program, wish, rewrite.LeastIncrementMm).Failures);
+        }
+    }
+
     // No circle runs through the ends and the middle of such an arc, as far as doubles tell.
     [Theory]
     [InlineData(0.1)]

@@ -58,13 +58,28 @@ internal sealed partial class WordEditor
 
     private NcOutcome<Rewrite> Run(List<int> affected)
     {
-        if ((!_path.Motions.FollowBlocks ? EditRepeated(affected) : affected.Count < Many ? EditOnce(affected) : EditMany(affected)) is { } refusal)
+        if ((!_path.Motions.FollowBlocks || RunAgain(affected) ? EditRepeated(affected) : affected.Count < Many ? EditOnce(affected) : EditMany(affected)) is { } refusal)
         {
             return refusal;
         }
 
         var program = _patches.Count == 0 ? _path.Program : NcProgram.Read(NcPatch.Apply(_path.Program.Bytes.Span, _patches), _path.Program.Syntax);
         return new Rewrite(program, _patches, _changedBlocks, _patches.Count, _increment);
+    }
+
+    // A loop around a single motion follows its blocks, and runs one of them several times.
+    private bool RunAgain(List<int> affected)
+    {
+        foreach (var motion in affected)
+        {
+            var block = _path.Motions.BlockOf(motion);
+            if ((motion > 0 && _path.Motions.BlockOf(motion - 1) == block) || (motion + 1 < _path.Motions.Length && _path.Motions.BlockOf(motion + 1) == block))
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     // The same as for one half after the other.
