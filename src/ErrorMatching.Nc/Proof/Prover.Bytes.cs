@@ -25,6 +25,11 @@ public sealed partial class Prover
                 failures.Add(Failure(i, "something other than the words of its new place changed in it."));
                 identical = false;
             }
+            else if (!Moved(i))
+            {
+                failures.Add(Failure(i, "its words changed although its motion, as far as the program says where it is, did not."));
+                identical = false;
+            }
             else if (Obstacles.Of(_before, motion) is { } obstacle)
             {
                 failures.Add(Failure(i, $"it changed although {obstacle.Message}"));
@@ -32,5 +37,19 @@ public sealed partial class Prover
         }
 
         return identical;
+    }
+
+    private bool Moved(int block)
+    {
+        foreach (var i in _before.MotionsOf(block))
+        {
+            var (was, now) = (_before.Motions[i], _after.Motions[i]);
+            if (was.Start != now.Start || was.End != now.End || was.Center != now.Center)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 }

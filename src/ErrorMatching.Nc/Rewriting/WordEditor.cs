@@ -202,6 +202,12 @@ internal sealed partial class WordEditor
             var (from, to) = (Steps(index, axis), Steps(index + 1, axis));
             var incremental = _edit.Distance(axis) switch { WordDistance.Absolute => false, WordDistance.Incremental => true, _ => motion.Has(MotionFlags.Incremental) };
             var steps = incremental ? to - from : to;
+            if (steps != 0 && incremental && motion.Has(MotionFlags.StartsElsewhere) && (motion.UnknownStart & Axis(axis)) != AxisSet.None)
+            {
+                // Something unseen lies between the place that moved and this increment.
+                return Obstacles.UnknownPlace(_path, index);
+            }
+
             if (_edit.Number(axis) is { } number)
             {
                 if (steps != 0)

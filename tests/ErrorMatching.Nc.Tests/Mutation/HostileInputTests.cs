@@ -13,7 +13,7 @@ public sealed class HostileInputTests
     // half a million blocks, and so much for each byte of the program. A machine that is busy with something else gets another try.
     private const double SecondsAtMost = 2;
     private const double SecondsPerByte = 1e-6;
-    private const long BytesAtMost = 384 << 20;
+    private const long BytesAtMost = 512 << 20;
     private const long BytesPerByte = 400;
     private const int Tries = 5;
     private const int MostFailures = 20;
