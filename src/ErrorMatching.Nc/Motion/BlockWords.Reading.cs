@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace ErrorMatching.Nc;
 
 /// <content>
@@ -20,6 +22,7 @@ internal sealed partial class BlockWords
     }
 
     /// <summary>Reads letters with numbers, and spaces between them. False at anything else.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private bool ReadPlain(ReadOnlySpan<byte> text, bool spacesInNumbers)
     {
         var at = 0;

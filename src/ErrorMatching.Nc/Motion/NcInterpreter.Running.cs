@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Text;
 
 namespace ErrorMatching.Nc;
@@ -58,6 +59,7 @@ public sealed partial class NcInterpreter
         return new(_program, _dialect, _motions, _problems, _placeDependents, _frames, Notes(), _flow?.Refusal, _library);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void RunBlock(NcBlock block)
     {
         var bytes = _text.Bytes.Span;

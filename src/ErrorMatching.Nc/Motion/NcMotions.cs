@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Collections;
 using ErrorMatching.Geometry;
 
@@ -163,6 +164,7 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     }
 
     /// <summary>Appends a straight move from where the tool is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     internal void AddStraight(int block, in ModalState state, MotionFlags flags, in Point3 end, AxisSet unknownEnd)
     {
         if (Length == 0 || (state.Unknown | unknownEnd) != AxisSet.None || !StartsAtLast(state.Position))

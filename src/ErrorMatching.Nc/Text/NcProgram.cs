@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Text;
 
 namespace ErrorMatching.Nc;
@@ -66,6 +67,7 @@ public sealed class NcProgram
     /// <param name="bytes">The program's bytes.</param>
     /// <param name="syntax">How it is spelled; <see cref="NcDialect.Syntax"/> of its dialect.</param>
     /// <exception cref="NcException">The program is larger than <see cref="MaxBytes"/>.</exception>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static NcProgram Read(ReadOnlyMemory<byte> bytes, NcSyntax syntax = NcSyntax.Iso)
     {
         if (bytes.Length > MaxBytes)
