@@ -1,6 +1,5 @@
-using ErrorMatching.Geometry;
-
 using System.Text;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
