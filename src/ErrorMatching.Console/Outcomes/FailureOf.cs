@@ -34,6 +34,14 @@ internal static class FailureOf
         Path = "$.beforeSha256",
     });
 
+    /// <summary>A wish that was written in another dialect.</summary>
+    public static Failure OtherDialect(string wish, string dialect, string expected) => new(ExitCode.WrongInput, new ErrorItem(
+        "wish-of-other-dialect", $"{wish} was written in the dialect {expected}, and {dialect} is another. Name the file of {expected} with --dialect.")
+    {
+        File = wish,
+        Path = "$.dialect",
+    });
+
     /// <summary>Points of a file without a usable answer.</summary>
     public static Failure Geometry(GeometryException e, string file) => new(ExitCode.WrongInput, new ErrorItem(CodeOf(e.Error), $"{file}: {e.Message}") { File = file, Problem = e.Message });
 

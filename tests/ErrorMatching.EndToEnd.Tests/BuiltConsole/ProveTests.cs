@@ -85,6 +85,17 @@ public sealed class ProveTests
     }
 
     [Fact]
+    public async Task A_wish_in_a_shop_s_own_dialect_is_proved_with_its_file()
+    {
+        using var shop = new Workshop();
+        await shop.Run("nc displace samples/own-dialect/pocket.nc --dialect samples/own-dialect/our-mill.json --blocks /X/ --by 0.1,0 --out after.nc --wish wish.json");
+        var prove = "nc prove samples/own-dialect/pocket.nc after.nc --wish wish.json --json";
+        Assert.Equal(0, (await shop.Run($"{prove} --dialect samples/own-dialect/our-mill.json")).Exit);
+        Assert.Equal("unknown-dialect", (await shop.Run(prove)).SingleError.GetProperty("code").GetString());
+        Assert.Equal("wish-of-other-dialect", (await shop.Run($"{prove} --dialect fanuc")).SingleError.GetProperty("code").GetString());
+    }
+
+    [Fact]
     public async Task Another_original_is_a_wrong_input()
     {
         using var shop = new Workshop();

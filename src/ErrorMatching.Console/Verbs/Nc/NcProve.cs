@@ -10,6 +10,12 @@ internal sealed class NcProve : Verb
     private readonly Argument<string> _after = new("AFTER") { Description = "The result." };
     private readonly Option<string> _wish = new("--wish") { Description = "What was asked, as match and nc displace write it.", HelpName = "FILE", Required = true };
 
+    private readonly Option<string> _dialect = new("--dialect")
+    {
+        Description = "The file of the dialect that the wish names, where that is one of your own.",
+        HelpName = "FILE.json",
+    };
+
     /// <summary>The verb.</summary>
     public NcProve()
         : base(
@@ -20,6 +26,7 @@ internal sealed class NcProve : Verb
         Arguments.Add(_before);
         Arguments.Add(_after);
         Options.Add(_wish);
+        Options.Add(_dialect);
     }
 
     /// <inheritdoc/>
@@ -28,7 +35,13 @@ internal sealed class NcProve : Verb
         var (before, after, file) = (arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_wish));
         var wish = InputFile.Wish(file);
         cancellation.ThrowIfCancellationRequested();
-        var was = NcVerb.Interpret(before, wish.Dialect, cancellation);
+        var dialect = arguments.GetValue(_dialect) ?? wish.Dialect;
+        var was = NcVerb.Interpret(before, dialect, cancellation);
+        if (was.Dialect.Name != wish.Dialect)
+        {
+            return FailureOf.OtherDialect(file, dialect, wish.Dialect);
+        }
+
         if (!wish.IsAbout(was, file))
         {
             return FailureOf.OtherProgram(file, before, wish.BeforeSha256);
@@ -39,7 +52,7 @@ internal sealed class NcProve : Verb
             return FailureOf.Refused(before, refusal);
         }
 
-        var now = NcVerb.Interpret(after, wish.Dialect, cancellation);
+        var now = NcVerb.Interpret(after, dialect, cancellation);
         cancellation.ThrowIfCancellationRequested();
         var proof = Prover.Check(was, now.Program, wish.Wish, wish.LeastIncrementMm, wish.Marker);
         return proof.Holds ? new NcProveAnswer(before, after, file, wish, proof, MotionComparison.Of(was, now)) : FailureOf.NotProved(before, after, proof);
