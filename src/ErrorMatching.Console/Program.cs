@@ -3,22 +3,29 @@ using System.Text;
 using ErrorMatching.Console;
 
 using var cancellation = new CancellationTokenSource();
+
+// Not disposed: at the end of the process the thread of a Ctrl+C may just begin to wait for it.
+var ended = new ManualResetEventSlim();
 using var registration = PosixSignalRegistration.Create(PosixSignal.SIGINT, signal =>
 {
     // The first Ctrl+C asks the work to stop and, should it be waiting for a file, ends the process soon; the second one ends it at once. Outputs are whole either way.
     signal.Cancel = !cancellation.IsCancellationRequested;
     cancellation.Cancel();
-    new Thread(EndSoon) { IsBackground = true }.Start();
+    new Thread(() => EndAtLatest(ended)) { IsBackground = true }.Start();
 });
 
 // Neither writer is disposed: the application flushes, and a second flush of a broken pipe would hide its exit code.
 var output = new StreamWriter(Console.OpenStandardOutput(), new UTF8Encoding(false)) { NewLine = "\n" };
 var error = new StreamWriter(Console.OpenStandardError(), new UTF8Encoding(false)) { NewLine = "\n", AutoFlush = true };
 var hasColor = Terminal.WantsColor(Console.IsOutputRedirected, Environment.GetEnvironmentVariable("NO_COLOR"), Environment.GetEnvironmentVariable("TERM"));
-return Application.Run(args, new Terminal(output, error, hasColor), cancellation.Token);
+var exit = Application.Run(args, new Terminal(output, error, hasColor), cancellation.Token);
+ended.Set();
+return exit;
 
-static void EndSoon()
+static void EndAtLatest(ManualResetEventSlim ended)
 {
-    Thread.Sleep(TimeSpan.FromSeconds(2));
-    Environment.Exit((int)ExitCode.Cancelled);
+    if (!ended.Wait(TimeSpan.FromSeconds(2)))
+    {
+        Environment.Exit((int)ExitCode.Cancelled);
+    }
 }

@@ -123,7 +123,7 @@ public sealed class LinuxCncMotionTests
     {
         var path = Run("#1=0\no1 while [#1 LT 5]\n#1=[#1+1]\no2 if [#1 GT 1]\no1 break\no2 endif\no1 endwhile\n#1=0\no3 do\nG0 X#1\n#1=[#1+1]\no3 while [#1 LT 3]\n#1=0\no4 do\nG0 Y#1\n#1=[#1+1]\no4 while [#1 LT 3]");
         Assert.Equal(["0 0 10", "0 0 10", "0 1 10", "0 2 10"], Shown(path)[1..]);
-        Assert.Single(path.Problems, p => p.Code == "loop-left");
+        Assert.Single(path.Notes, n => n.Code == "loop-left");
     }
 
     [Fact]

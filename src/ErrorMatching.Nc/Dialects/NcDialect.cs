@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>A control's language as data: what its codes, words and letters mean, its increments and tolerances. No rule of a control lives in code elsewhere.</summary>
+/// <summary>A control's language as data: what its codes, words and letters mean, its increments and tolerances. What goes with a whole family that spells alike (<see cref="NcSyntax"/>) is in the interpreter; what tells controls apart is here.</summary>
 /// <remarks>Immutable. Built-in ones come from <see cref="NcDialects.Named"/>, a shop's own from <see cref="NcDialects.Read"/>; both are JSON files of one form (<see cref="NcDialects.Schema"/>).</remarks>
 public sealed class NcDialect
 {

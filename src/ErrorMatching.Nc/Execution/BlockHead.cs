@@ -20,7 +20,7 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
             }
             else if (c == '/')
             {
-                at += at + 1 < text.Length && IsDigit(text[at + 1]) ? 2 : 1;
+                at += at + 1 < text.Length && SyntaxBytes.IsDigit(text[at + 1]) ? 2 : 1;
             }
             else if (c == '(' && syntax != NcSyntax.Siemens && text[at..].IndexOf((byte)')') is > 0 and var close)
             {
@@ -48,7 +48,7 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
     public static int NameLength(ReadOnlySpan<byte> text, int at)
     {
         var end = at;
-        while (end < text.Length && (IsLetter(text[end]) || text[end] == '_' || (end > at && IsDigit(text[end]))))
+        while (end < text.Length && (SyntaxBytes.IsLetter(text[end]) || text[end] == '_' || (end > at && SyntaxBytes.IsDigit(text[end]))))
         {
             end++;
         }
@@ -65,7 +65,7 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
         }
 
         var (start, value) = (at, 0L);
-        for (; at < text.Length && IsDigit(text[at]) && value < 1_000_000_000_000; at++)
+        for (; at < text.Length && SyntaxBytes.IsDigit(text[at]) && value < 1_000_000_000_000; at++)
         {
             value = (value * 10) + (text[at] - '0');
         }
@@ -76,8 +76,4 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
     /// <summary>True if a word stands at a place, in any case.</summary>
     public static bool Stands(ReadOnlySpan<byte> text, int at, ReadOnlySpan<byte> word) =>
         text.Length - at >= word.Length && System.Text.Ascii.EqualsIgnoreCase(text.Slice(at, word.Length), word);
-
-    public static bool IsDigit(byte c) => (uint)(c - '0') < 10;
-
-    public static bool IsLetter(byte c) => (uint)((c | 0x20) - 'a') < 26;
 }

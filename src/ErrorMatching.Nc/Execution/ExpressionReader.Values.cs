@@ -45,7 +45,7 @@ internal ref partial struct ExpressionReader
         return Position(number, start) is { } position ? VariablePlace.Numbered(position) : VariablePlace.Machine;
     }
 
-    private static bool IsNamePart(byte c) => IsLetter(c) || IsDigit(c);
+    private static bool IsNamePart(byte c) => BeginsName(c) || SyntaxBytes.IsDigit(c);
 
     private NcValue ReadVariable()
     {
@@ -238,7 +238,7 @@ internal ref partial struct ExpressionReader
     {
         Span<byte> digits = stackalloc byte[64];
         var (start, length, points) = (_at, 0, 0);
-        for (; IsDigit(Peek()) || Peek() == '.' || (_syntax.Syntax == NcSyntax.LinuxCnc && SpaceInNumber()); _at++)
+        for (; SyntaxBytes.IsDigit(Peek()) || Peek() == '.' || (_syntax.Syntax == NcSyntax.LinuxCnc && SpaceInNumber()); _at++)
         {
             if (Peek() is (byte)' ' or (byte)'\t')
             {
@@ -258,7 +258,7 @@ internal ref partial struct ExpressionReader
         {
             digits[length++] = (byte)'E';
             _at += 2;
-            for (var first = _at; (IsDigit(Peek()) || (_at == first && Peek() is (byte)'-' or (byte)'+')) && _at - first < 5; _at++)
+            for (var first = _at; (SyntaxBytes.IsDigit(Peek()) || (_at == first && Peek() is (byte)'-' or (byte)'+')) && _at - first < 5; _at++)
             {
                 digits[length++] = Peek();
             }
@@ -273,7 +273,7 @@ internal ref partial struct ExpressionReader
     private readonly bool SpaceInNumber()
     {
         var behind = BehindSpaces(0);
-        return behind > _at && behind < _text.Length && (IsDigit(_text[behind]) || _text[behind] == '.');
+        return behind > _at && behind < _text.Length && (SyntaxBytes.IsDigit(_text[behind]) || _text[behind] == '.');
     }
 
     private NcValue Quoted()
@@ -302,7 +302,7 @@ internal ref partial struct ExpressionReader
 
         foreach (var c in digits)
         {
-            var digit = IsDigit(c) ? c - '0' : (c | 0x20) is >= 'a' and <= 'f' ? (c | 0x20) - 'a' + 10 : radix;
+            var digit = SyntaxBytes.IsDigit(c) ? c - '0' : (c | 0x20) is >= 'a' and <= 'f' ? (c | 0x20) - 'a' + 10 : radix;
             if (digit >= radix)
             {
                 return Fail("this is no number");

@@ -67,7 +67,7 @@ internal ref partial struct ExpressionReader
             (byte)'\'' when IsSiemens => Coded(),
             (byte)'$' when IsSiemens => ReadVariable(),
             var c when c == _syntax.Open => Bracket(),
-            var c when IsLetter(c) => Word(),
+            var c when BeginsName(c) => Word(),
             0 when _at >= _text.Length => Fail("a value is missing at the end"),
             _ => Fail("a value is expected here"),
         };
@@ -111,9 +111,7 @@ internal ref partial struct ExpressionReader
         return false;
     }
 
-    private static bool IsLetter(byte c) => (uint)((c | 0x20) - 'a') < 26 || c == '_';
-
-    private static bool IsDigit(byte c) => (uint)(c - '0') < 10;
+    private static bool BeginsName(byte c) => SyntaxBytes.IsLetter(c) || c == '_';
 
     private readonly byte Peek(int ahead = 0) => _at + ahead < _text.Length ? _text[_at + ahead] : (byte)0;
 

@@ -26,7 +26,7 @@ internal sealed partial class FlowIndex
         }
         else
         {
-            for (var depth = 0; end < text.Length && (depth > 0 || !BlockHead.IsLetter(text[end])); end++)
+            for (var depth = 0; end < text.Length && (depth > 0 || !SyntaxBytes.IsLetter(text[end])); end++)
             {
                 depth += text[end] == '[' ? 1 : text[end] == ']' ? -1 : 0;
             }
@@ -151,7 +151,7 @@ internal sealed partial class FlowIndex
                 return false;
             }
 
-            if (!quoted && BlockHead.Stands(text, at, word) && !BlockHead.IsLetter(text[at - 1]))
+            if (!quoted && BlockHead.Stands(text, at, word) && !SyntaxBytes.IsLetter(text[at - 1]))
             {
                 return true;
             }

@@ -33,7 +33,7 @@ internal static class FlowTrigger
                 return true;
             }
 
-            if (BlockHead.IsLetter(c) && ConcernsWord(text, at, (byte)(c & ~0x20), syntax))
+            if (SyntaxBytes.IsLetter(c) && ConcernsWord(text, at, (byte)(c & ~0x20), syntax))
             {
                 return true;
             }
@@ -52,7 +52,7 @@ internal static class FlowTrigger
             (byte)'M' => number.Length == 0 || number.Value is 2 or 17 or 30 or 98 or 99,
             (byte)'G' => syntax == NcSyntax.Iso && (number.Length == 0 || number.Value is 65 or 66 or 67),
             (byte)'L' => syntax == NcSyntax.Siemens,
-            _ => BlockHead.IsLetter(next),
+            _ => SyntaxBytes.IsLetter(next),
         };
     }
 }

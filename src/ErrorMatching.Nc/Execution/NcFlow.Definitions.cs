@@ -154,7 +154,7 @@ internal sealed partial class NcFlow
     // A name that stands alone or with arguments: two letters at least, or L with a number.
     private static bool IsCall(ReadOnlySpan<byte> text, int at, int length)
     {
-        if (length < 2 || (BlockHead.IsDigit(text[at + 1]) && (text[at] | 0x20) != 'l'))
+        if (length < 2 || (SyntaxBytes.IsDigit(text[at + 1]) && (text[at] | 0x20) != 'l'))
         {
             return false;
         }

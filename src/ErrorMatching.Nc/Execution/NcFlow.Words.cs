@@ -34,7 +34,7 @@ internal sealed partial class NcFlow
                     return FlowAction.Stop;
                 }
             }
-            else if (BlockHead.IsLetter(c) || (c is (byte)'@' or (byte)'^' && _syntax == NcSyntax.LinuxCnc))
+            else if (SyntaxBytes.IsLetter(c) || (c is (byte)'@' or (byte)'^' && _syntax == NcSyntax.LinuxCnc))
             {
                 ReadWord(text, ref reader);
             }

@@ -20,7 +20,7 @@ internal sealed partial class NcFlow
     private readonly Dictionary<string, FlowIndex?> _library = new(StringComparer.Ordinal);
     private readonly Dictionary<(FlowIndex, int), long> _jumps = [];
     private readonly List<(VariablePlace Place, NcValue Value)> _pending = [];
-    private readonly List<NcProblem> _notes = [];
+    private readonly List<NcNote> _notes = [];
     private readonly List<ModalCall> _modalCalls = [];
     private long _changes;
     private long _steps;
@@ -50,7 +50,7 @@ internal sealed partial class NcFlow
     public NcRefusal? Refusal { get; private set; }
 
     /// <summary>What is worth knowing of how the program ran.</summary>
-    public IReadOnlyList<NcProblem> Notes => _notes;
+    public IReadOnlyList<NcNote> Notes => _notes;
 
     public NcVariables Variables { get; }
 
@@ -207,7 +207,7 @@ internal sealed partial class NcFlow
 
     // Structures begin with a word of letters, or with an O word.
     private bool MayBeStructure(ReadOnlySpan<byte> text, int at) =>
-        at + 1 < text.Length && BlockHead.IsLetter(text[at]) && (BlockHead.IsLetter(text[at + 1]) || (_syntax == NcSyntax.LinuxCnc && (text[at] | 0x20) == 'o'));
+        at + 1 < text.Length && SyntaxBytes.IsLetter(text[at]) && (SyntaxBytes.IsLetter(text[at + 1]) || (_syntax == NcSyntax.LinuxCnc && (text[at] | 0x20) == 'o'));
 
     private FlowAction Statement(int block, ReadOnlySpan<byte> text, BlockHead head) => _syntax switch
     {
@@ -231,17 +231,40 @@ internal sealed partial class NcFlow
 
     private FlowAction Refuse(string code, int block, string message)
     {
-        var place = ReferenceEquals(Program, _program) ? "" : $"in {(Unit.Name.Length > 0 ? Unit.Name : "the called program")}: ";
-        Refusal ??= Program.BlockCount == 0 ? new(code, "", 0, message) : NcRefusal.At(Program, Math.Clamp(block, 0, Program.BlockCount - 1), code, place + message);
+        var main = InProgram(block);
+        if (ReferenceEquals(Program, _program))
+        {
+            Refusal ??= _program.BlockCount == 0 ? new(code, "", 0, message) : NcRefusal.At(_program, Math.Clamp(main, 0, _program.BlockCount - 1), code, message);
+        }
+        else
+        {
+            // The file that the setter named has the block that calls; the message says where in the other one.
+            var name = Unit.Name.Length > 0 ? Unit.Name : "the called program";
+            var where = Program.BlockCount == 0 ? "" : $", {Program.NameOf(Program[Math.Clamp(block, 0, Program.BlockCount - 1)])}";
+            Refusal ??= NcRefusal.At(_program, main, code, $"in {name}{where}: {message}");
+        }
+
         return FlowAction.Stop;
     }
 
     private void Note(string code, int block, string message)
     {
+        block = InProgram(block);
         if (!_notes.Exists(n => n.Code == code && n.Block == block))
         {
-            _notes.Add(new(code, block, message));
+            _notes.Add(new(code, block, 1, message));
         }
+    }
+
+    // A block of a program in another file stands for the block of this one that called it.
+    private int InProgram(int block)
+    {
+        foreach (var frame in _frames)
+        {
+            block = ReferenceEquals(frame.Unit.Index.Program, _program) ? block : frame.Caller;
+        }
+
+        return block;
     }
 
     private FlowAction Assigned(int block, VariablePlace place, NcValue value, int column)

@@ -101,7 +101,7 @@ public sealed partial class NcInterpreter
         var (bottom, top) = (_cycle.Depth, _cycle.Plane);
         var clear = _state.RetractsToR ? top : Math.Max(_cycleInitial, top);
         var height = plane.Height(_state.Position);
-        if (first && GoesNowhere)
+        if (first && ListsIdleMoves)
         {
             // LinuxCNC asks where the cycle began, not where the tool is.
             if (_cycleInitial < top)
@@ -118,7 +118,7 @@ public sealed partial class NcInterpreter
             height = top;
         }
 
-        if (GoesNowhere || plane.Project(_state.Position) != place || _state.Unknown != unknown)
+        if (ListsIdleMoves || plane.Project(_state.Position) != place || _state.Unknown != unknown)
         {
             Append(MotionKind.Rapid, flags, plane.Lift(place, height), unknown);
         }
@@ -145,7 +145,7 @@ public sealed partial class NcInterpreter
     }
 
     // LinuxCNC has a motion for each step of a cycle even where it leads nowhere.
-    private bool GoesNowhere => _dialect.Syntax == NcSyntax.LinuxCnc;
+    private bool ListsIdleMoves => _dialect.Syntax == NcSyntax.LinuxCnc;
 
     private double PecksOfHole() => _state.Cycle is NcMeaning.PeckCycle or NcMeaning.ChipBreakCycle && _cycle.Peck > 0
         ? Math.Max(0, Math.Ceiling((_cycle.Plane - _cycle.Depth) / _cycle.Peck))
@@ -170,7 +170,7 @@ public sealed partial class NcInterpreter
     private void ToHeight(MotionKind kind, MotionFlags flags, double height)
     {
         var plane = _state.Plane;
-        if (GoesNowhere || plane.Height(_state.Position) != height)
+        if (ListsIdleMoves || plane.Height(_state.Position) != height)
         {
             Append(kind, flags, plane.Lift(plane.Project(_state.Position), height), _state.Unknown);
         }

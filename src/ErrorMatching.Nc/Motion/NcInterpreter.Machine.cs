@@ -121,7 +121,7 @@ public sealed partial class NcInterpreter
         var named = GivenAxes();
         var (over, unknown) = Target();
         flags |= MotionFlags.MachineMove;
-        if (_code == NcMeaning.ReferenceReturn && (GoesNowhere || (named != AxisSet.None && (over != _state.Position || unknown != _state.Unknown))))
+        if (_code == NcMeaning.ReferenceReturn && (ListsIdleMoves || (named != AxisSet.None && (over != _state.Position || unknown != _state.Unknown))))
         {
             Append(MotionKind.Rapid, flags, over, unknown);
         }

@@ -50,12 +50,6 @@ public sealed partial class NcInterpreter
         }
 
         _cancellation.ThrowIfCancellationRequested();
-        if (_flow is { Notes.Count: > 0 })
-        {
-            _problems.AddRange(_flow.Notes.Where(n => n.Block < _program.BlockCount));
-            _problems.Sort((a, b) => a.Block.CompareTo(b.Block));
-        }
-
         return new(_program, _dialect, _motions, _problems, _placeDependents, _frames, Notes(), _flow?.Refusal, _library);
     }
 

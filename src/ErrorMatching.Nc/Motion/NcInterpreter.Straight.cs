@@ -24,7 +24,7 @@ public sealed partial class NcInterpreter
         if (codes.Length > 0)
         {
             var meaning = _dialect.MeaningOf(codes[0]);
-            if (codes.Length > 1 || meaning is not (NcMeaning.Rapid or NcMeaning.Line) || (GoesNowhere && (_words.Present & LinearAxes) == 0))
+            if (codes.Length > 1 || meaning is not (NcMeaning.Rapid or NcMeaning.Line) || (ListsIdleMoves && (_words.Present & LinearAxes) == 0))
             {
                 return false;
             }

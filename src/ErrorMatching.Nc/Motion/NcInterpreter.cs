@@ -18,7 +18,6 @@ public sealed partial class NcInterpreter
     private readonly BlockWords _words = new();
     private readonly List<NcProblem> _problems = [];
     private readonly HashSet<NcProblem> _said = [];
-    private readonly HashSet<string> _noted = new(StringComparer.Ordinal);
     private readonly List<(int Block, int Joint)> _placeDependents = [];
     private readonly NcMotions _motions;
     private readonly uint _otherAxes;
@@ -115,7 +114,7 @@ public sealed partial class NcInterpreter
             case AxisUse.Motion when MovesAxes():
                 Move(flags);
                 break;
-            case AxisUse.Motion when GoesNowhere && StatesStraightMotion():
+            case AxisUse.Motion when ListsIdleMoves && StatesStraightMotion():
                 // LinuxCNC goes where it stands.
                 Append(_state.Mode, flags, _state.Position, _state.Unknown);
                 break;
@@ -139,7 +138,6 @@ public sealed partial class NcInterpreter
         {
             RunCycleCalls();
         }
-
     }
 
     private bool Moved => _use == AxisUse.Motion && MovesAxes();
@@ -220,15 +218,6 @@ public sealed partial class NcInterpreter
 
     // Sums of increments, as exact as the control's: the double nearest to the decimal, ten digits behind the point.
     private static double Sum(double start, double increment) => Math.Round(start + increment, 10);
-
-    // Said once, where it is first true.
-    private void Note(string code, string message)
-    {
-        if (_noted.Add(code))
-        {
-            _problems.Add(new(code, _block, message));
-        }
-    }
 
     private MotionFlags Problem(string code, string message, MotionFlags flag)
     {

@@ -42,6 +42,16 @@ public sealed class NcTests
     }
 
     [Fact]
+    public async Task A_displacement_warns_that_the_control_smooths_the_path()
+    {
+        using var shop = new Workshop();
+        await File.WriteAllTextAsync(shop["smooth.mpf"], "N10 G17 G90 G71 G641 ADIS=0.1\nN20 G0 X0 Y0 Z5\nN30 G1 X10 F100\n", TestContext.Current.CancellationToken);
+        var run = await shop.Run("nc displace smooth.mpf --dialect siemens-840d --blocks N30 --by 1,0 --out out.mpf --json");
+        Assert.Equal(0, run.Exit);
+        Assert.Equal("smoothing", Assert.Single(run.Json.GetProperty("notes").EnumerateArray()).GetProperty("code").GetString());
+    }
+
+    [Fact]
     public async Task A_check_counts_and_copies()
     {
         using var shop = new Workshop();
