@@ -28,8 +28,8 @@ public class NotesTests
     public void A_refusal_in_another_file_names_the_block_that_called_and_the_place_there()
     {
         var program = NcProgram.FromText("G90 G21\nN20 M98 P7\nM30\n");
-        var path = NcInterpreter.Run(program, NcDialects.Generic, n => n == "O7" ? NcProgram.FromText("O7\nX1.\nX2.\nN40 M98 P8\nM99\n") : null, CancellationToken.None);
+        var path = NcInterpreter.Run(program, NcDialects.Generic, n => n == "O0007" ? NcProgram.FromText("O7\nX1.\nX2.\nN40 M98 P8\nM99\n") : null, CancellationToken.None);
         Assert.Equal(("missing-program", "N20", 2), (path.Refusal!.Code, path.Refusal.Block, path.Refusal.Line));
-        Assert.Contains("in O7, N40: ", path.Refusal.Message, StringComparison.Ordinal);
+        Assert.Contains("in O0007, N40: ", path.Refusal.Message, StringComparison.Ordinal);
     }
 }
