@@ -26,4 +26,10 @@ public enum GeometryError
 
     /// <summary>A curve turns back over its chord, so that it is no function of the place along the chord.</summary>
     FoldedCurve,
+
+    /// <summary>A degree or knots that no B-spline can have.</summary>
+    BadKnots,
+
+    /// <summary>Poles or weights that do not fit the knots, or weights that are not positive.</summary>
+    BadPoles,
 }

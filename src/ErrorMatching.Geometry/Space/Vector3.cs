@@ -20,4 +20,21 @@ public readonly record struct Vector3(double X, double Y, double Z)
 
     /// <summary>A multiple of a displacement.</summary>
     public static Vector3 operator *(Vector3 a, double factor) => new(a.X * factor, a.Y * factor, a.Z * factor);
+
+    /// <summary>The opposite displacement.</summary>
+    public static Vector3 operator -(Vector3 v) => new(-v.X, -v.Y, -v.Z);
+
+    /// <summary>Scalar product.</summary>
+    public double Dot(Vector3 other) => (X * other.X) + (Y * other.Y) + (Z * other.Z);
+
+    /// <summary>Vector product, perpendicular to both and turning from this to the other counter-clockwise.</summary>
+    public Vector3 Cross(Vector3 other) => new((Y * other.Z) - (Z * other.Y), (Z * other.X) - (X * other.Z), (X * other.Y) - (Y * other.X));
+
+    /// <summary>The vector of length 1 in the same direction.</summary>
+    /// <exception cref="GeometryException">The vector has no direction.</exception>
+    public Vector3 Normalize()
+    {
+        var length = Length;
+        return length > 0 && double.IsFinite(length) ? this * (1 / length) : throw new GeometryException(GeometryError.CoincidentPoints, "a direction of length zero");
+    }
 }

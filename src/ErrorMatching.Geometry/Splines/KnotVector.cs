@@ -1,0 +1,276 @@
+namespace ErrorMatching.Geometry;
+
+/// <summary>The degree of a B-spline and its knots: where its polynomial pieces meet, and how smoothly.</summary>
+/// <remarks>
+/// The knots do not decrease, and none is repeated more than the degree plus one times; n poles of degree p need n + p + 1 knots. The parameter runs from knot p to knot n (<see cref="Start"/> to <see cref="End"/>).
+/// Algorithms and their numbers: Piegl and Tiller, The NURBS Book, 2nd edition, chapter 2.
+/// </remarks>
+public sealed class KnotVector : IEquatable<KnotVector>
+{
+    /// <summary>The highest degree that is read or made: beyond it a B-spline loses digits, and no exchange format writes it.</summary>
+    public const int MaxDegree = 25;
+
+    private readonly double[] _values;
+
+    /// <summary>Knots of a degree.</summary>
+    /// <param name="degree">1 to <see cref="MaxDegree"/>.</param>
+    /// <param name="values">At least 2 (degree + 1) finite numbers that do not decrease.</param>
+    /// <exception cref="GeometryException">The degree or the knots are none that a B-spline can have.</exception>
+    public KnotVector(int degree, ReadOnlySpan<double> values)
+    {
+        if (degree is < 1 or > MaxDegree)
+        {
+            throw new GeometryException(GeometryError.BadKnots, $"a B-spline of degree {degree}; degrees 1 to {MaxDegree} are expected");
+        }
+
+        if (values.Length < 2 * (degree + 1))
+        {
+            throw new GeometryException(GeometryError.BadKnots, $"{values.Length} knots for degree {degree}; at least {2 * (degree + 1)} are expected");
+        }
+
+        Check(degree, values);
+        Degree = degree;
+        _values = values.ToArray();
+        if (!(Start < End))
+        {
+            throw new GeometryException(GeometryError.BadKnots, "the first and the last parameter of the B-spline are the same");
+        }
+    }
+
+    /// <summary>Degree of the polynomial pieces.</summary>
+    public int Degree { get; }
+
+    /// <summary>All knots, each as often as it counts.</summary>
+    public ReadOnlySpan<double> Values => _values;
+
+    /// <summary>How many poles belong to these knots.</summary>
+    public int PoleCount => _values.Length - Degree - 1;
+
+    /// <summary>First parameter.</summary>
+    public double Start => _values[Degree];
+
+    /// <summary>Last parameter.</summary>
+    public double End => _values[PoleCount];
+
+    /// <summary>True if the B-spline begins and ends at its first and last pole.</summary>
+    public bool IsClamped => _values[0] == Start && _values[^1] == End;
+
+    /// <summary>The parameters at which pieces begin and end, each once, from <see cref="Start"/> to <see cref="End"/>.</summary>
+    public IReadOnlyList<double> Breaks
+    {
+        get
+        {
+            var breaks = new List<double>();
+            for (var i = Degree; i <= PoleCount; i++)
+            {
+                if (breaks.Count == 0 || _values[i] > breaks[^1])
+                {
+                    breaks.Add(_values[i]);
+                }
+            }
+
+            return breaks;
+        }
+    }
+
+    /// <summary>Clamped knots with given breaks, the inner ones repeated alike.</summary>
+    /// <param name="degree">1 to <see cref="MaxDegree"/>.</param>
+    /// <param name="breaks">At least two parameters in rising order; the first and the last are repeated degree + 1 times.</param>
+    /// <param name="multiplicity">How often each inner break counts, 1 to degree.</param>
+    /// <exception cref="GeometryException">The degree or the breaks are none that a B-spline can have.</exception>
+    public static KnotVector Clamped(int degree, ReadOnlySpan<double> breaks, int multiplicity = 1)
+    {
+        var values = new List<double>();
+        for (var i = 0; i < breaks.Length; i++)
+        {
+            var times = i == 0 || i == breaks.Length - 1 ? degree + 1 : multiplicity;
+            values.AddRange(Enumerable.Repeat(breaks[i], times));
+        }
+
+        return new(degree, values.ToArray());
+    }
+
+    /// <summary>The number of the knot at which the piece begins that holds a parameter; parameters outside belong to the first or the last piece.</summary>
+    public int SpanAt(double t)
+    {
+        if (t >= End)
+        {
+            var last = PoleCount - 1;
+            while (_values[last] == _values[last + 1])
+            {
+                last--;
+            }
+
+            return last;
+        }
+
+        var (low, high) = (Degree, PoleCount);
+        while (high - low > 1)
+        {
+            var middle = (low + high) >> 1;
+            if (t >= _values[middle])
+            {
+                low = middle;
+            }
+            else
+            {
+                high = middle;
+            }
+        }
+
+        return low;
+    }
+
+    /// <summary>How often a value is among the knots.</summary>
+    public int Multiplicity(double value)
+    {
+        var count = 0;
+        foreach (var knot in _values)
+        {
+            count += knot == value ? 1 : 0;
+        }
+
+        return count;
+    }
+
+    /// <summary>The mean of the degree knots that follow knot <paramref name="pole"/>: where the pole has most weight (Greville's abscissa).</summary>
+    public double Greville(int pole)
+    {
+        var sum = 0.0;
+        for (var i = 1; i <= Degree; i++)
+        {
+            sum += _values[pole + i];
+        }
+
+        return Math.Clamp(sum / Degree, Start, End);
+    }
+
+    /// <inheritdoc/>
+    public bool Equals(KnotVector? other) => other is not null && Degree == other.Degree && Values.SequenceEqual(other.Values);
+
+    /// <inheritdoc/>
+    public override bool Equals(object? obj) => Equals(obj as KnotVector);
+
+    /// <inheritdoc/>
+    public override int GetHashCode() => HashCode.Combine(Degree, _values.Length, Start, End);
+
+    /// <summary>The basis functions that do not vanish in a piece, and their derivatives, at a parameter (The NURBS Book, A2.2 and A2.3).</summary>
+    /// <param name="span">The piece, from <see cref="SpanAt"/>.</param>
+    /// <param name="t">The parameter.</param>
+    /// <param name="order">Highest derivative wanted; those above the degree are zero.</param>
+    /// <param name="result">(order + 1) rows of degree + 1 numbers: row k holds the k-th derivatives for poles span - degree to span.</param>
+    internal void Basis(int span, double t, int order, Span<double> result)
+    {
+        var p = Degree;
+        var width = p + 1;
+        Span<double> triangle = stackalloc double[width * width];
+        Span<double> left = stackalloc double[width];
+        Span<double> right = stackalloc double[width];
+        triangle[0] = 1;
+        for (var j = 1; j <= p; j++)
+        {
+            left[j] = t - _values[span + 1 - j];
+            right[j] = _values[span + j] - t;
+            var saved = 0.0;
+            for (var r = 0; r < j; r++)
+            {
+                var width2 = right[r + 1] + left[j - r];
+                triangle[(j * width) + r] = width2;
+                var part = triangle[(r * width) + j - 1] / width2;
+                triangle[(r * width) + j] = saved + (right[r + 1] * part);
+                saved = left[j - r] * part;
+            }
+
+            triangle[(j * width) + j] = saved;
+        }
+
+        for (var j = 0; j <= p; j++)
+        {
+            result[j] = triangle[(j * width) + p];
+        }
+
+        if (order > 0)
+        {
+            Derivatives(triangle, order, result);
+        }
+    }
+
+    private static void Check(int degree, ReadOnlySpan<double> values)
+    {
+        var run = 1;
+        for (var i = 0; i < values.Length; i++)
+        {
+            if (!double.IsFinite(values[i]))
+            {
+                throw new GeometryException(GeometryError.NotFinite, $"knot {i + 1} is no finite number");
+            }
+
+            if (i == 0)
+            {
+                continue;
+            }
+
+            if (values[i] < values[i - 1])
+            {
+                throw new GeometryException(GeometryError.BadKnots, $"knot {i + 1} is smaller than the one before it");
+            }
+
+            run = values[i] == values[i - 1] ? run + 1 : 1;
+            if (run > degree + 1)
+            {
+                throw new GeometryException(GeometryError.BadKnots, $"knot {i + 1} is repeated more than {degree + 1} times");
+            }
+        }
+    }
+
+    private void Derivatives(ReadOnlySpan<double> triangle, int order, Span<double> result)
+    {
+        var p = Degree;
+        var width = p + 1;
+        result[width..((order + 1) * width)].Clear();
+        Span<double> a = stackalloc double[2 * width];
+        for (var r = 0; r <= p; r++)
+        {
+            var (s1, s2) = (0, width);
+            a[0] = 1;
+            for (var k = 1; k <= Math.Min(order, p); k++)
+            {
+                var d = 0.0;
+                var (rk, pk) = (r - k, p - k);
+                if (r >= k)
+                {
+                    a[s2] = a[s1] / triangle[((pk + 1) * width) + rk];
+                    d = a[s2] * triangle[(rk * width) + pk];
+                }
+
+                var first = rk >= -1 ? 1 : -rk;
+                var last = r - 1 <= pk ? k - 1 : p - r;
+                for (var j = first; j <= last; j++)
+                {
+                    a[s2 + j] = (a[s1 + j] - a[s1 + j - 1]) / triangle[((pk + 1) * width) + rk + j];
+                    d += a[s2 + j] * triangle[((rk + j) * width) + pk];
+                }
+
+                if (r <= pk)
+                {
+                    a[s2 + k] = -a[s1 + k - 1] / triangle[((pk + 1) * width) + r];
+                    d += a[s2 + k] * triangle[(r * width) + pk];
+                }
+
+                result[(k * width) + r] = d;
+                (s1, s2) = (s2, s1);
+            }
+        }
+
+        var factor = (double)p;
+        for (var k = 1; k <= Math.Min(order, p); k++)
+        {
+            for (var j = 0; j <= p; j++)
+            {
+                result[(k * width) + j] *= factor;
+            }
+
+            factor *= p - k;
+        }
+    }
+}

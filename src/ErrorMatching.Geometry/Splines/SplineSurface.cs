@@ -1,0 +1,145 @@
+namespace ErrorMatching.Geometry;
+
+/// <summary>A tensor-product B-spline surface in space, rational if it has weights. Lengths in millimetres.</summary>
+/// <remarks>Pole (i, j) has number i * CountV + j. Parameters outside the knots continue the outermost pieces.</remarks>
+public sealed partial class SplineSurface
+{
+    private readonly Point3[] _poles;
+    private readonly double[]? _weights;
+
+    /// <summary>A surface of its knots and poles.</summary>
+    /// <param name="knotsU">Degree and knots along u.</param>
+    /// <param name="knotsV">Degree and knots along v.</param>
+    /// <param name="poles">As many finite points as the knots need, v running faster.</param>
+    /// <param name="weights">One positive number a pole; empty for a surface that is not rational.</param>
+    /// <exception cref="GeometryException">The counts do not fit, or a number is not finite or a weight not positive.</exception>
+    public SplineSurface(KnotVector knotsU, KnotVector knotsV, ReadOnlySpan<Point3> poles, ReadOnlySpan<double> weights = default)
+    {
+        ArgumentNullException.ThrowIfNull(knotsU);
+        ArgumentNullException.ThrowIfNull(knotsV);
+        SplinePoles.Check(knotsU.PoleCount * knotsV.PoleCount, poles, weights);
+        (KnotsU, KnotsV) = (knotsU, knotsV);
+        _poles = poles.ToArray();
+        _weights = SplinePoles.Weights(weights);
+    }
+
+    /// <summary>Degree and knots along u.</summary>
+    public KnotVector KnotsU { get; }
+
+    /// <summary>Degree and knots along v.</summary>
+    public KnotVector KnotsV { get; }
+
+    /// <summary>Number of poles along u.</summary>
+    public int CountU => KnotsU.PoleCount;
+
+    /// <summary>Number of poles along v.</summary>
+    public int CountV => KnotsV.PoleCount;
+
+    /// <summary>The poles, v running faster.</summary>
+    public ReadOnlySpan<Point3> Poles => _poles;
+
+    /// <summary>One weight a pole, v running faster; empty if the surface is not rational.</summary>
+    public ReadOnlySpan<double> Weights => _weights;
+
+    /// <summary>True if the poles have weights that differ.</summary>
+    public bool IsRational => _weights is not null;
+
+    /// <summary>The point at a pair of parameters.</summary>
+    public Point3 PointAt(double u, double v)
+    {
+        Span<Vector3> value = stackalloc Vector3[1];
+        Derivatives(u, v, 0, value);
+        return new(value[0].X, value[0].Y, value[0].Z);
+    }
+
+    /// <summary>The place at a pair of parameters, with first and second derivatives.</summary>
+    public SurfacePoint At(double u, double v)
+    {
+        Span<Vector3> d = stackalloc Vector3[9];
+        Derivatives(u, v, 2, d);
+        return new(u, v, new(d[0].X, d[0].Y, d[0].Z), d[3], d[1], d[6], d[4], d[2]);
+    }
+
+    /// <summary>Position and derivatives at a pair of parameters.</summary>
+    /// <param name="u">First parameter.</param>
+    /// <param name="v">Second parameter.</param>
+    /// <param name="order">Highest order wanted in each direction.</param>
+    /// <param name="result">(order + 1)^2 vectors; number a * (order + 1) + b receives the derivative of order a by u and b by v if a + b does not exceed the order. Number 0 is the position as a vector from the origin.</param>
+    public void Derivatives(double u, double v, int order, Span<Vector3> result)
+    {
+        var (p, q) = (KnotsU.Degree, KnotsV.Degree);
+        var (spanU, spanV) = (KnotsU.SpanAt(u), KnotsV.SpanAt(v));
+        var rows = order + 1;
+        Span<double> basisU = stackalloc double[rows * (p + 1)];
+        Span<double> basisV = stackalloc double[rows * (q + 1)];
+        KnotsU.Basis(spanU, u, order, basisU);
+        KnotsV.Basis(spanV, v, order, basisV);
+        Span<double> w = stackalloc double[rows * rows];
+        result[..(rows * rows)].Clear();
+        for (var i = 0; i <= p; i++)
+        {
+            var first = ((spanU - p + i) * CountV) + spanV - q;
+            for (var b = 0; b <= order; b++)
+            {
+                var (x, y, z, h) = (0.0, 0.0, 0.0, 0.0);
+                for (var j = 0; j <= q; j++)
+                {
+                    var factor = basisV[(b * (q + 1)) + j] * (_weights is null ? 1 : _weights[first + j]);
+                    ref readonly var pole = ref _poles[first + j];
+                    x += pole.X * factor;
+                    y += pole.Y * factor;
+                    z += pole.Z * factor;
+                    h += factor;
+                }
+
+                for (var a = 0; a + b <= order; a++)
+                {
+                    var factor = basisU[(a * (p + 1)) + i];
+                    result[(a * rows) + b] += new Vector3(x * factor, y * factor, z * factor);
+                    w[(a * rows) + b] += h * factor;
+                }
+            }
+        }
+
+        if (_weights is not null)
+        {
+            Project(w, order, result);
+        }
+    }
+
+    /// <summary>From the derivatives of the weighted surface to those of the surface (The NURBS Book, equation 4.20).</summary>
+    private static void Project(ReadOnlySpan<double> w, int order, Span<Vector3> result)
+    {
+        var rows = order + 1;
+        for (var k = 0; k <= order; k++)
+        {
+            for (var l = 0; l + k <= order; l++)
+            {
+                var value = result[(k * rows) + l];
+                for (var i = 0; i <= k; i++)
+                {
+                    for (var j = 0; j <= l; j++)
+                    {
+                        if (i + j > 0)
+                        {
+                            value -= result[((k - i) * rows) + l - j] * (Binomial(k, i) * Binomial(l, j) * w[(i * rows) + j]);
+                        }
+                    }
+                }
+
+                result[(k * rows) + l] = value * (1 / w[0]);
+            }
+        }
+    }
+
+    private static double Binomial(int n, int k)
+    {
+        var result = 1.0;
+        for (var i = 1; i <= k; i++)
+        {
+            result = result * (n - i + 1) / i;
+        }
+
+        return result;
+    }
+}
