@@ -1,0 +1,111 @@
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Makes a job of a document that keeps the schema, and collects what a schema cannot say.</summary>
+internal sealed class FreeformJobReader(JsonItem root)
+{
+    public List<JsonProblem> Problems { get; } = [];
+
+    public FreeformJob Read(string file, string sha256) => new()
+    {
+        File = file,
+        Sha256 = sha256,
+        Name = root["name"].Text,
+        WorkOrder = root.Find("workOrder")?.Text,
+        Surface = new(root["surface"].Text, root.Find("surfaceEntity")?.Text, root.Find("outside")?.Text != "-z"),
+        Stock = ReadStock(),
+        Tool = ReadTool(),
+        Measuring = ReadMeasuring(root["measuring"]),
+        Fit = ReadFit(),
+        Toolpath = ReadToolpath(root["toolpath"]),
+        Compensation = ReadMirror(),
+    };
+
+    private JobStock ReadStock()
+    {
+        if (root.Find("stockMm") is not { } item)
+        {
+            return JobStock.Default;
+        }
+
+        var stock = new JobStock(item["roughing"].Number, item["semiFinishing"].Number);
+        if (stock.RoughingMm < stock.SemiFinishingMm)
+        {
+            Refuse(item["roughing"], "stock-grows", $"{item["roughing"].Text} mm, less than the {item["semiFinishing"].Text} mm of semi-finishing", "at least the stock of semi-finishing");
+        }
+
+        return stock;
+    }
+
+    private JobTool ReadTool() => new(root["tool"]["diameterMm"].Number, (int)(root["tool"].Find("flutes")?.Number ?? 2), root["spindleRpm"].Number, root["feedMmPerMin"].Number);
+
+    private JobMeasuring ReadMeasuring(JsonItem item)
+    {
+        var (curves, each, all, error) = (Count(item, "curves"), Count(item, "pointsPerCurve"), Count(item, "points"), item.Find("reconstructionErrorMm")?.Number);
+        if (error is null && (curves is null || (each is null && all is null)))
+        {
+            Refuse(item, "points-missing", "no number of measuring points", "\"curves\" with \"pointsPerCurve\" or \"points\", or \"reconstructionErrorMm\"");
+        }
+        else if (error is not null && (curves ?? each ?? all) is not null)
+        {
+            Refuse(item["reconstructionErrorMm"], "points-twice", "a wanted error beside numbers of points", "one or the other");
+        }
+        else if (each is not null && all is not null)
+        {
+            Refuse(item["points"], "points-twice", "\"points\" beside \"pointsPerCurve\"", "one or the other");
+        }
+        else if (all < 2 * curves)
+        {
+            Refuse(item["points"], "too-few-points", $"{all} points on {curves} curves", $"at least {2 * curves}: both ends of each curve");
+        }
+
+        return new()
+        {
+            Curves = curves,
+            PointsPerCurve = each,
+            Points = all,
+            ReconstructionErrorMm = error,
+            StylusDiameterMm = item["stylusDiameterMm"].Number,
+            ApproachMm = item.Find("approachMm")?.Number ?? 2,
+            OvertravelMm = item.Find("overtravelMm")?.Number ?? 2,
+            ClearanceMm = item.Find("clearanceMm")?.Number ?? 10,
+            FeedMmPerMin = item.Find("feedMmPerMin")?.Number ?? 100,
+            Dialect = item["dialect"].Text,
+            Template = item.Find("template")?.Text,
+            ReportsStylusCenter = item.Find("reports")?.Text == "stylus-center",
+            After = item.Find("measuredAfter")?.Text == "finishing" ? CuttingStage.Finishing : CuttingStage.SemiFinishing,
+            UncertaintyMm = item.Find("uncertaintyMm")?.Number ?? 0.000125,
+            BestFit = item.Find("alignment")?.Text == "best-fit",
+        };
+    }
+
+    private JobFit ReadFit() => root.Find("fit") is not { } item
+        ? JobFit.Default
+        : new(
+            item.Find("method") is { } method ? FitMethods.Named(method.Text)!.Value : JobFit.Default.Method,
+            item.Find("of")?.Text != "points",
+            item.Find("curveToleranceMm")?.Number ?? JobFit.Default.CurveToleranceMm);
+
+    private static JobToolpath ReadToolpath(JsonItem item) => new()
+    {
+        AlongU = item.Find("direction")?.Text != "v",
+        Zigzag = item.Find("passes")?.Text == "zigzag",
+        ScallopMm = item.Find("scallopMm")?.Number ?? 0.001,
+        ChordMm = item.Find("chordMm")?.Number ?? 0.001,
+        ClearanceMm = item.Find("clearanceMm")?.Number ?? 10,
+        ProgramsTip = item.Find("programs")?.Text == "tip",
+        Dialect = item["dialect"].Text,
+    };
+
+    private JobMirror ReadMirror() => root.Find("compensation") is not { } item
+        ? JobMirror.Default
+        : new(
+            item.Find("method")?.Text != "tool-radius",
+            item.Find("gain")?.Number ?? JobMirror.Default.Gain,
+            item.Find("limitMm")?.Number ?? JobMirror.Default.LimitMm);
+
+    private static int? Count(JsonItem item, string key) => (int?)item.Find(key)?.Number;
+
+    private void Refuse(JsonItem item, string code, string found, string expected) => Problems.Add(JsonProblem.At(item, code, found, expected));
+}
