@@ -11,6 +11,9 @@ public sealed class PlanCsvTests
         var lines = Encoding.UTF8.GetString(PlanCsv.Write(plan)).Split('\n');
         Assert.Equal("point,i,j,x,y,z,nx,ny,nz,reason", lines[0]);
         Assert.Equal(6, lines.Length);
-        Assert.Equal("1,0,0,0.000000,0.000000,0.000000,-0.707106781,0.000000000,0.707106781,end", lines[1]);
+
+        // The shortest way goes along the two sides of 63 mm.
+        Assert.Equal("1,0,1,0.000000,63.000000,0.000000,-0.707106781,0.000000000,0.707106781,end", lines[1]);
+        Assert.Equal("2,0,0,0.000000,0.000000,0.000000,-0.707106781,0.000000000,0.707106781,end", lines[2]);
     }
 }

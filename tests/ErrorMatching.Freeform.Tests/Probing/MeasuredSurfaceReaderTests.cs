@@ -2,7 +2,8 @@ using System.Globalization;
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
-using FsCheck.Xunit;
+using FsCheck;
+using FsCheck.Fluent;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -10,8 +11,10 @@ public sealed class MeasuredSurfaceReaderTests
 {
     private static readonly MeasuringPlan Plan = Programs.Plan(Surfaces.Three);
 
-    [Property(MaxTest = 50)]
-    public void Centers_become_the_contacts_that_they_came_of_wherever_the_ball_touched(int seed)
+    [Fact]
+    public void Centers_become_the_contacts_that_they_came_of_wherever_the_ball_touched() => Check.One(Config.QuickThrowOnFailure.WithMaxTest(50), Prop.ForAll<int>(IsExact));
+
+    private static void IsExact(int seed)
     {
         // The ball touches a surface that lies 0.2 mm and an error over the nominal one, up to half a millimeter aside of where it was sent.
         var random = new Random(seed);
@@ -157,8 +160,10 @@ public sealed class MeasuredSurfaceReaderTests
     [InlineData("P1 C X1 Y2 Z1.2.3")]
     public void A_line_of_a_log_that_is_no_point_is_refused_with_its_line(string line) => Refused(Log().Split('\n')[0] + "\n" + line, "bad-log", 2, "expected a point such as");
 
-    [Property(MaxTest = 200)]
-    public void Whatever_bytes_come_nothing_but_the_library_s_errors_does(byte[] bytes)
+    [Fact]
+    public void Whatever_bytes_come_nothing_but_the_library_s_errors_does() => Check.One(Config.QuickThrowOnFailure.WithMaxTest(200), Prop.ForAll<byte[]>(Survives));
+
+    private static void Survives(byte[] bytes)
     {
         try
         {
