@@ -1,10 +1,10 @@
 using System.Globalization;
 using System.Text;
 
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Reporting;
 
 /// <summary>Turns text from files, names and programs into text that a browser shows and never obeys.</summary>
-internal static class HtmlEscape
+public static class HtmlEscape
 {
     /// <summary>
     /// The text with markup characters as entities. Characters that XML does not know and lone surrogates become U+FFFD, marks that would turn the direction of what follows are spelled out:

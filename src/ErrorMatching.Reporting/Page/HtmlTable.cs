@@ -1,7 +1,7 @@
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Reporting;
 
 /// <summary>A table with caption and heads, in a region of its own that scrolls where the window is too small for it, by keyboard too.</summary>
-internal static class HtmlTable
+public static class HtmlTable
 {
     /// <summary>Writes a table.</summary>
     /// <param name="html">Where to.</param>

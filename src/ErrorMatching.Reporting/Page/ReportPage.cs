@@ -1,7 +1,7 @@
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Reporting;
 
 /// <summary>The frame of a report: one file that fetches nothing and runs nothing.</summary>
-internal static class ReportPage
+public static class ReportPage
 {
     private static readonly Lazy<string> Css = new(ReadCss);
 

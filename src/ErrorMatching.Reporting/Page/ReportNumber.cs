@@ -1,9 +1,9 @@
 using System.Globalization;
 
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Reporting;
 
 /// <summary>Numbers as reports show them: a fixed number of decimals, so that those of a column stand under each other, never a negative zero.</summary>
-internal static class ReportNumber
+public static class ReportNumber
 {
     /// <summary>What stands where there is no number.</summary>
     public const string None = "–";

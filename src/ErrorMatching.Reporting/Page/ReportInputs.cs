@@ -1,7 +1,7 @@
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Reporting;
 
 /// <summary>The section about the files that a report was made from, and how to make it again.</summary>
-internal static class ReportInputs
+public static class ReportInputs
 {
     /// <summary>As many digits of a hash as a person compares.</summary>
     public static string ShortHash(string sha256) => sha256.Length > 12 ? sha256[..12] : sha256;

@@ -1,11 +1,12 @@
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Reporting;
 
 /// <summary>Writes the cells of a row.</summary>
-internal sealed class TableRow(HtmlText html)
+public sealed class TableRow(HtmlText html)
 {
     /// <summary>The cell that names the row.</summary>
     public void Header(string text) => html.Put("th", text, ("scope", "row"));
 
+    /// <summary>A cell with text.</summary>
     public void Text(string text) => html.Put("td", text);
 
     /// <summary>A number, aligned at its decimal sign.</summary>

@@ -1,7 +1,7 @@
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Reporting;
 
 /// <summary>Round numbers, as people like them at axes: 1, 2 or 5 times a power of ten.</summary>
-internal static class RoundNumber
+public static class RoundNumber
 {
     /// <summary>The smallest round number that is not below a positive one.</summary>
     public static double AtLeast(double value) => Search(value, m => m >= value * (1 - 1e-12), [1, 2, 5, 10]);

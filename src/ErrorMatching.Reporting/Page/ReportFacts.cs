@@ -1,7 +1,7 @@
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Reporting;
 
 /// <summary>A list of names with what there is to say about each.</summary>
-internal static class ReportFacts
+public static class ReportFacts
 {
     /// <summary>Writes a list of facts.</summary>
     public static void Write(HtmlText html, params ReadOnlySpan<(string Name, string Value)> facts)

@@ -1,9 +1,9 @@
 using System.Text;
 
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Reporting;
 
 /// <summary>Writes markup that is HTML and well-formed XML at once. Whatever is written as text or as an attribute is escaped.</summary>
-internal sealed class HtmlText
+public sealed class HtmlText
 {
     private readonly StringBuilder _text = new("<!DOCTYPE html>\n");
 

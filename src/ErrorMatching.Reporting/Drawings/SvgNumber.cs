@@ -1,9 +1,9 @@
 using System.Globalization;
 
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Reporting;
 
 /// <summary>Coordinates of drawings as text: hundredths of a pixel are finer than any screen or printer.</summary>
-internal static class SvgNumber
+public static class SvgNumber
 {
     /// <summary>A coordinate.</summary>
     public static string Of(double value) => (Math.Round(value, 2) + 0.0).ToString("0.##", CultureInfo.InvariantCulture);

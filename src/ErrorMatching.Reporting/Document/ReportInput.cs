@@ -1,4 +1,4 @@
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Reporting;
 
 /// <summary>A file that a result was made from.</summary>
 /// <param name="Role">What it was: <c>theoretical</c>, <c>part</c>, <c>counterpart</c>, <c>counterpart-after</c>, <c>program</c> or <c>dialect</c> (a shop's own).</param>

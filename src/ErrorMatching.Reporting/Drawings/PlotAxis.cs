@@ -1,10 +1,10 @@
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Reporting;
 
 /// <summary>The vertical axis of a plot: a range that ends at ticks.</summary>
 /// <param name="Step">Distance of the ticks.</param>
 /// <param name="First">Number of the lowest tick: it stands at this many steps.</param>
 /// <param name="Last">Number of the highest tick.</param>
-internal readonly record struct PlotAxis(double Step, int First, int Last)
+public readonly record struct PlotAxis(double Step, int First, int Last)
 {
     // Below this an axis would show nothing but rounding.
     private const double SmallestRange = 0.01;
