@@ -1,0 +1,18 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Fit surface: least squares on a fixed net of poles, that of one bicubic patch.</summary>
+internal static class NetFit
+{
+    private const int Poles = 4;
+
+    public static SplineSurface Fit(FitGrid grid)
+    {
+        var (points, us, vs) = grid.Scattered();
+        // A ragged grid is as good as its shortest curve.
+        return SplineSurfaceFit.LeastSquaresScattered(points, us, vs, Knots(grid.Curves.Min(c => c.Length)), Knots(grid.Vs.Length));
+    }
+
+    private static KnotVector Knots(int points) => KnotVector.Clamped(Math.Min(Poles, points) - 1, [0, 1]);
+}

@@ -1,0 +1,140 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Distances of points from a surface along its normals.</summary>
+/// <remarks>The surface counts as continued a little beyond its edges, so that a point that lies beyond by a trifle has a distance across the surface and none along it.</remarks>
+public sealed class SurfaceDistance
+{
+    private const int SamplesPerPiece = 3;
+    private const int MostSteps = 50;
+
+    /// <summary>How far feet may lie beyond an edge, as a share of the parameters.</summary>
+    private const double Beyond = 0.05;
+
+    private readonly SplineSurface _surface;
+    private readonly double[] _us;
+    private readonly double[] _vs;
+    private readonly Point3[] _samples;
+
+    /// <summary>Distances from a surface.</summary>
+    public SurfaceDistance(SplineSurface surface)
+    {
+        ArgumentNullException.ThrowIfNull(surface);
+        _surface = surface;
+        (_us, _vs) = (Places(surface.KnotsU), Places(surface.KnotsV));
+        _samples = new Point3[_us.Length * _vs.Length];
+        for (var k = 0; k < _samples.Length; k++)
+        {
+            _samples[k] = surface.PointAt(_us[k / _vs.Length], _vs[k % _vs.Length]);
+        }
+    }
+
+    /// <summary>Signed distance of a point from its foot on the surface, in millimetres, positive on the side of the normal Du x Dv.</summary>
+    public double To(Point3 point)
+    {
+        var at = Foot(point);
+        return (point - at.Position).Dot(at.Normal);
+    }
+
+    /// <summary>Mean and largest distance of points, regardless of the side, in millimetres.</summary>
+    /// <param name="points">At least one.</param>
+    public DistanceSummary Of(IEnumerable<Point3> points)
+    {
+        var (sum, largest, count) = (0.0, 0.0, 0);
+        foreach (var point in points)
+        {
+            var distance = Math.Abs(To(point));
+            (sum, largest, count) = (sum + distance, Math.Max(largest, distance), count + 1);
+        }
+
+        return new(sum / count, largest);
+    }
+
+    private static double[] Places(KnotVector knots)
+    {
+        var breaks = knots.Breaks;
+        return [.. Enumerable.Range(0, ((breaks.Count - 1) * SamplesPerPiece) + 1).Select(k => k % SamplesPerPiece == 0
+            ? breaks[k / SamplesPerPiece]
+            : breaks[k / SamplesPerPiece] + ((breaks[(k / SamplesPerPiece) + 1] - breaks[k / SamplesPerPiece]) * (k % SamplesPerPiece) / SamplesPerPiece))];
+    }
+
+    /// <summary>The place whose normal goes through the point: Newton's method on the squared distance from the nearest sample, each step shortened until it comes nearer.</summary>
+    private SurfacePoint Foot(Point3 point)
+    {
+        var start = Nearest(point);
+        var at = _surface.At(_us[start / _vs.Length], _vs[start % _vs.Length]);
+        for (var step = 0; step < MostSteps; step++)
+        {
+            var (du, dv) = Step(at, point);
+            var next = Moved(at, du, dv);
+            var square = Square(at, point);
+            for (var halving = 0; halving < 30 && Square(next, point) > square; halving++)
+            {
+                (du, dv) = (du / 2, dv / 2);
+                next = Moved(at, du, dv);
+            }
+
+            // The end is reached where the place moves by less than a millionth of a micrometer, or rounding alone decides.
+            if (Square(next, point) > square)
+            {
+                return at;
+            }
+
+            var moved = (next.Position - at.Position).Length;
+            at = next;
+            if (moved < 1e-9)
+            {
+                return at;
+            }
+        }
+
+        return at;
+    }
+
+    private static (double U, double V) Step(SurfacePoint at, Point3 point)
+    {
+        var r = at.Position - point;
+        var (gu, gv) = (r.Dot(at.Du), r.Dot(at.Dv));
+        var (e, f, g) = (at.Du.Dot(at.Du), at.Du.Dot(at.Dv), at.Dv.Dot(at.Dv));
+        var (uu, uv, vv) = (e + r.Dot(at.Duu), f + r.Dot(at.Duv), g + r.Dot(at.Dvv));
+        if (!(uu > 0 && (uu * vv) - (uv * uv) > 1e-3 * ((e * g) - (f * f))))
+        {
+            // Far from the surface the squared distance may bend the wrong way; without the second derivatives it never does.
+            (uu, uv, vv) = (e, f, g);
+        }
+
+        var determinant = (uu * vv) - (uv * uv);
+        return determinant > 0 ? (((uv * gv) - (vv * gu)) / determinant, ((uv * gu) - (uu * gv)) / determinant) : (0, 0);
+    }
+
+    private static double Square(SurfacePoint at, Point3 point)
+    {
+        var r = at.Position - point;
+        return r.Dot(r);
+    }
+
+    private SurfacePoint Moved(SurfacePoint at, double du, double dv) => _surface.At(Within(_surface.KnotsU, at.U + du), Within(_surface.KnotsV, at.V + dv));
+
+    private static double Within(KnotVector knots, double t)
+    {
+        var margin = Beyond * (knots.End - knots.Start);
+        return Math.Clamp(t, knots.Start - margin, knots.End + margin);
+    }
+
+    private int Nearest(Point3 point)
+    {
+        var (best, least) = (0, double.PositiveInfinity);
+        for (var k = 0; k < _samples.Length; k++)
+        {
+            var d = _samples[k] - point;
+            var square = d.Dot(d);
+            if (square < least)
+            {
+                (best, least) = (k, square);
+            }
+        }
+
+        return best;
+    }
+}

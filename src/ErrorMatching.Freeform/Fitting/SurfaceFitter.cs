@@ -1,0 +1,41 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Lays a surface through or near a grid of points by a method of one's choice.</summary>
+public static class SurfaceFitter
+{
+    /// <summary>The surface, with its error when whole grid lines are left out.</summary>
+    /// <param name="grid">At least two curves of at least two points each; neighbors differ.</param>
+    /// <param name="method">The way of fitting.</param>
+    /// <param name="curveToleranceMm">Mean distance in millimetres that decides on the degree and the poles of the curves of <see cref="FitMethod.ThroughCurves"/> and <see cref="FitMethod.ThroughCurveMesh"/>: the lowest degree that stays under it.</param>
+    /// <exception cref="GeometryException">The points determine no surface.</exception>
+    public static FittedSurface Fit(PointGrid grid, FitMethod method, double curveToleranceMm)
+    {
+        ArgumentNullException.ThrowIfNull(grid);
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(curveToleranceMm);
+        var points = FitGrid.Of(grid);
+        var (surface, again) = Lay(points, method, curveToleranceMm);
+        return new(method, surface, [], [], LineOutError.Mean(grid, g => again(FitGrid.Of(g))));
+    }
+
+    /// <summary>The surface, and how to lay one through a part of the points.</summary>
+    private static (SplineSurface Surface, Func<FitGrid, SplineSurface> Again) Lay(FitGrid grid, FitMethod method, double toleranceMm)
+    {
+        if (method == FitMethod.StudioSurface)
+        {
+            var smoothed = StudioFit.Fit(grid, null);
+            return (smoothed.Surface, g => StudioFit.Fit(g, smoothed.Weight).Surface);
+        }
+
+        Func<FitGrid, SplineSurface> lay = method switch
+        {
+            FitMethod.ThroughCurveMesh => g => CurveMeshFit.Fit(g, toleranceMm),
+            FitMethod.ThroughCurves => g => SplineSurfaceFit.Skin(CurveFamily.Fit(g.Curves, g.CurveUs, toleranceMm), g.Vs),
+            FitMethod.FitSurface => NetFit.Fit,
+            FitMethod.Tensor => GridSurface.Interpolate,
+            _ => throw new ArgumentOutOfRangeException(nameof(method), method, "A way of fitting that has a name."),
+        };
+        return (lay(grid), lay);
+    }
+}
