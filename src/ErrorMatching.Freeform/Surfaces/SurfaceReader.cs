@@ -19,7 +19,20 @@ public static partial class SurfaceReader
             throw new FreeformException("too-large", file, $"{bytes.Length} bytes; at most {ExchangeLimits.MaxBytes} are read. Export the one surface alone");
         }
 
-        var read = new IgesSurfaces(new(bytes, file)).Read(entity);
+        var read = IsStep(bytes, file) ? new StepSurfaces(new(bytes, file)).Read(entity) : new IgesSurfaces(new(bytes, file)).Read(entity);
         return new(read.Name, read.Spline, read.Region, SurfaceSide.Of(read, file, outsideIsUp));
+    }
+
+    // A STEP file says what it is; an IGES file shows by the letter of a section in column 73 of its first record.
+    private static bool IsStep(ReadOnlySpan<byte> bytes, string file)
+    {
+        var start = Encoding.Latin1.GetString(bytes[..Math.Min(bytes.Length, 4096)]);
+        if (start.AsSpan(StepLexer.SkipBlanks(start, 0)).StartsWith("ISO-10303-21"))
+        {
+            return true;
+        }
+
+        var known = file.EndsWith(".stp", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".step", StringComparison.OrdinalIgnoreCase);
+        return known && !(start.Length > 72 && start[72] is 'S' or 'G' or 'C');
     }
 }

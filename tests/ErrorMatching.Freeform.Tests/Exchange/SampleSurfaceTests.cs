@@ -4,7 +4,7 @@ namespace ErrorMatching.Freeform.Tests;
 
 public sealed class SampleSurfaceTests
 {
-    public static TheoryData<int> Designs => [1, 3];
+    public static TheoryData<int> Designs => [1, 2, 3];
 
     [Theory]
     [MemberData(nameof(Designs))]
@@ -43,7 +43,7 @@ public sealed class SampleSurfaceTests
     private static (PartSurface Surface, string Path, Func<PartSurface, byte[]> Write) Of(int number) => number switch
     {
         1 => (PaperDesign.One, Repository.PathTo("samples", "surface-one", "surface.igs"), IgesWriter.Write),
-        2 => (PaperDesign.Two, Repository.PathTo("samples", "surface-two", "surface.stp"), IgesWriter.Write),
+        2 => (PaperDesign.Two, Repository.PathTo("samples", "surface-two", "surface.stp"), StepWriter.Write),
         _ => (PaperDesign.Three, Repository.PathTo("samples", "surface-three", "surface.igs"), IgesWriter.Write),
     };
 }
