@@ -21,6 +21,10 @@ internal sealed class PolynomialModel : FieldModel
 
     public override IReadOnlyList<double> BreaksV { get; }
 
+    public override int DegreeU => Math.Max(1, _terms.Max(t => t.U.Power));
+
+    public override int DegreeV => Math.Max(1, _terms.Max(t => t.V.Power));
+
     public IReadOnlyList<Term> Terms => _terms;
 
     public IReadOnlyList<double> Coefficients => _fit.Coefficients;

@@ -42,6 +42,12 @@ internal sealed class ProcessModel : FieldModel
 
     public override IReadOnlyList<double> BreaksV => [.. _trend.Where(t => t.V.Break is not null).Select(t => t.V.Break!.Value).Distinct().Order()];
 
+    public override int DegreeU => 5;
+
+    public override int DegreeV => 5;
+
+    public override bool IsSpline => false;
+
     /// <summary>Logarithm of the restricted likelihood with the best variance, less constants (Rasmussen and Williams, equation 2.45).</summary>
     public double Likelihood { get; }
 

@@ -6,10 +6,13 @@ namespace ErrorMatching.Freeform;
 /// <param name="Index">Number of the value on line i and line j, at i * V.Length + j.</param>
 internal sealed record SampleGrid(double[] U, double[] V, int[] Index)
 {
-    /// <summary>How far a value may lie from its line, as a share of the distance of lines, where so many values could not be treated otherwise. A smooth error changes by as much of what it changes from line to line.</summary>
+    /// <summary>How far a value may lie from its line, as a share of the distance of lines.</summary>
+    private const double Tolerance = 1e-9;
+
+    /// <summary>The same where the values are too many to be treated as scattered, and moving them to their lines changes none by more than <see cref="Harmless"/>.</summary>
     private const double LooseTolerance = 0.02;
 
-    private const double Tolerance = 1e-9;
+    private const double Harmless = 1e-5;
 
     /// <summary>The grid of values on straight lines; null if they are on none.</summary>
     public static SampleGrid? Of(FieldData data)
@@ -22,7 +25,9 @@ internal sealed record SampleGrid(double[] U, double[] V, int[] Index)
         var u = data.Crossings.Select(line => line.Average(k => data.U[k])).ToArray();
         var v = data.Curves.Select(line => line.Average(k => data.V[k])).ToArray();
         var tolerance = data.Count > Covariance.MostScattered ? LooseTolerance : Tolerance;
-        if (!Keeps(data.Crossings, data.U, u, tolerance) || !Keeps(data.Curves, data.V, v, tolerance))
+        // The slope of smooth values is a few times their range over the extent, which is 2.
+        var most = tolerance == Tolerance ? double.PositiveInfinity : Harmless / Math.Max(double.Epsilon, data.Z.Max() - data.Z.Min());
+        if (!Keeps(data.Crossings, data.U, u, tolerance, most) || !Keeps(data.Curves, data.V, v, tolerance, most))
         {
             return null;
         }
@@ -40,12 +45,12 @@ internal sealed record SampleGrid(double[] U, double[] V, int[] Index)
         return new(u, v, index);
     }
 
-    private static bool Keeps(int[][] lines, double[] values, double[] means, double tolerance)
+    private static bool Keeps(int[][] lines, double[] values, double[] means, double tolerance, double most)
     {
         for (var i = 0; i < lines.Length; i++)
         {
             var space = Math.Min(i > 0 ? means[i] - means[i - 1] : double.PositiveInfinity, i + 1 < lines.Length ? means[i + 1] - means[i] : double.PositiveInfinity);
-            if (!(space > 0) || Array.Exists(lines[i], k => Math.Abs(values[k] - means[i]) > tolerance * space))
+            if (!(space > 0) || Array.Exists(lines[i], k => Math.Abs(values[k] - means[i]) > Math.Max(Tolerance * space, Math.Min(tolerance * space, most))))
             {
                 return false;
             }

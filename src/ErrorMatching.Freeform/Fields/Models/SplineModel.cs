@@ -30,9 +30,13 @@ internal sealed class SplineModel : FieldModel
 
     public override double Noise { get; }
 
-    public SplineAxis AxisU => _u;
+    public override int DegreeU => 3;
 
-    public SplineAxis AxisV => _v;
+    public override int DegreeV => 3;
+
+    public override IEnumerable<(double At, int Smoothness)> JoinsU => _u.Breaks[1..^1].ToArray().Select(at => (at, 2));
+
+    public override IEnumerable<(double At, int Smoothness)> JoinsV => _v.Breaks[1..^1].ToArray().Select(at => (at, 2));
 
     /// <summary>The spline with the best of some weights; null if there are too few lines.</summary>
     public static SplineModel? Run(FieldData data)
