@@ -29,17 +29,12 @@ internal static class CurveMeshFit
     private static SplineSurface Compact(SplineSurface mesh, double[] us, double[] vs, (int Degree, int Poles) leastU, (int Degree, int Poles) leastV, double toleranceMm)
     {
         var (sampleUs, sampleVs) = (Halved(us), Halved(vs));
-        var samples = new Point3[sampleUs.Length * sampleVs.Length];
-        for (var k = 0; k < samples.Length; k++)
-        {
-            samples[k] = mesh.PointAt(sampleUs[k / sampleVs.Length], sampleVs[k % sampleVs.Length]);
-        }
-
+        var samples = mesh.PointsAt(sampleUs, sampleVs);
         SplineSurface? compact = null;
         for (var net = 0; net <= Nets; net++)
         {
             compact = SplineSurfaceFit.LeastSquares(samples, sampleUs, sampleVs, Knots(leastU, us, net), Knots(leastV, vs, net));
-            if (MeanDistance(compact, samples, sampleUs, sampleVs) <= toleranceMm)
+            if (MeanDistance(compact.PointsAt(sampleUs, sampleVs), samples) <= toleranceMm)
             {
                 break;
             }
@@ -54,17 +49,7 @@ internal static class CurveMeshFit
         return FittingKnots.ForLeastSquares(net == 0 ? least.Degree : Math.Min(3, poles - 1), parameters, poles);
     }
 
-    private static double MeanDistance(SplineSurface surface, Point3[] samples, double[] us, double[] vs)
-    {
-        var sum = 0.0;
-        for (var k = 0; k < samples.Length; k++)
-        {
-            var at = surface.At(us[k / vs.Length], vs[k % vs.Length]);
-            sum += Math.Abs((samples[k] - at.Position).Dot(at.Normal));
-        }
-
-        return sum / samples.Length;
-    }
+    private static double MeanDistance(Point3[] a, Point3[] b) => a.Zip(b, (p, q) => (p - q).Length).Average();
 
     /// <summary>The parameters and the middles between them.</summary>
     private static double[] Halved(double[] parameters) =>

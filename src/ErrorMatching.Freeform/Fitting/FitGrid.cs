@@ -2,7 +2,11 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A grid of points with parameters from 0 to 1 in proportion to the chords: what every way of fitting starts from.</summary>
+/// <summary>A grid of points with parameters from 0 to 1: what every way of fitting starts from.</summary>
+/// <remarks>
+/// Parameters are in proportion to the chords as they are seen along the coordinate axis that the surface faces: over a plane that designs are drawn on, a height that is a polynomial stays one, where true chords
+/// would bend it. Where a chord looks shorter than half, because the surface is steep or closed, true chords are taken for all.
+/// </remarks>
 internal sealed class FitGrid
 {
     /// <summary>Places on each curve of a ragged grid between which the curves' distances are taken.</summary>
@@ -72,17 +76,35 @@ internal sealed class FitGrid
             points[k] = curves[k % lines][k / lines];
         }
 
-        var (us, vs) = SplineParameters.OfGrid(points, count, lines);
-        return new(curves, [.. curves.Select(_ => us)], vs, true, MeanLength(curves), MeanLength(Columns(curves)));
+        var columns = Columns(curves);
+        var (us, vs) = SplineParameters.OfGrid(Flat([.. curves, .. columns])(points), count, lines);
+        return new(curves, [.. curves.Select(_ => us)], vs, true, MeanLength(curves), MeanLength(columns));
     }
 
     private static FitGrid Ragged(Point3[][] curves)
     {
-        double[][] us = [.. curves.Select(c => SplineParameters.ChordLength(c))];
+        var flat = Flat(curves);
+        double[][] us = [.. curves.Select(c => SplineParameters.ChordLength(flat(c)))];
         Point3[][] evenly = [.. curves.Select((c, j) => SplineCurveFit.Interpolate(c, us[j])).Select(s => Enumerable.Range(0, Places).Select(k => s.PointAt(k / (Places - 1.0))).ToArray())];
         var across = Columns(evenly);
-        var vs = SplineParameters.OfGrid(across.SelectMany(c => c).ToArray(), Places, curves.Length).V;
+        var vs = SplineParameters.OfGrid(Flat([.. evenly, .. across])(across.SelectMany(c => c).ToArray()), Places, curves.Length).V;
         return new(curves, us, vs, false, MeanLength(curves), MeanLength(across));
+    }
+
+    /// <summary>How points are seen for their parameters: along the axis that the surface faces, or as they are.</summary>
+    private static Func<Point3[], Point3[]> Flat(Point3[][] lines)
+    {
+        var (x, y, z) = (0.0, 0.0, 0.0);
+        for (var k = 1; k < lines.Length; k++)
+        {
+            // The area between two lines, twice, by the diagonals of their ends.
+            var area = (lines[k][^1] - lines[k - 1][0]).Cross(lines[k][0] - lines[k - 1][^1]);
+            (x, y, z) = (x + Math.Abs(area.X), y + Math.Abs(area.Y), z + Math.Abs(area.Z));
+        }
+
+        Func<Point3, Point3> drop = z >= x && z >= y ? p => p with { Z = 0 } : y >= x ? p => p with { Y = 0 } : p => p with { X = 0 };
+        var isFlat = lines.All(l => l.Zip(l.Skip(1), (a, b) => (drop(b) - drop(a)).Length >= (b - a).Length / 2).All(far => far));
+        return isFlat ? points => Array.ConvertAll(points, p => drop(p)) : points => points;
     }
 
     private static Point3[][] Columns(Point3[][] curves) => [.. Enumerable.Range(0, curves[0].Length).Select(i => curves.Select(c => c[i]).ToArray())];

@@ -9,9 +9,15 @@ internal static class NetFit
 
     public static SplineSurface Fit(FitGrid grid)
     {
-        var (points, us, vs) = grid.Scattered();
         // A ragged grid is as good as its shortest curve.
-        return SplineSurfaceFit.LeastSquaresScattered(points, us, vs, Knots(grid.Curves.Min(c => c.Length)), Knots(grid.Vs.Length));
+        var (knotsU, knotsV) = (Knots(grid.Curves.Min(c => c.Length)), Knots(grid.Vs.Length));
+        if (grid.IsRectangular)
+        {
+            return SplineSurfaceFit.LeastSquares(grid.ByV(), grid.Us, grid.Vs, knotsU, knotsV);
+        }
+
+        var (points, us, vs) = grid.Scattered();
+        return SplineSurfaceFit.LeastSquaresScattered(points, us, vs, knotsU, knotsV);
     }
 
     private static KnotVector Knots(int points) => KnotVector.Clamped(Math.Min(Poles, points) - 1, [0, 1]);

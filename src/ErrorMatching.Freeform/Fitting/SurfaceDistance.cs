@@ -13,27 +13,31 @@ public sealed class SurfaceDistance
     private const double Beyond = 0.05;
 
     private readonly SplineSurface _surface;
-    private readonly double[] _us;
-    private readonly double[] _vs;
-    private readonly Point3[] _samples;
+    private readonly Lazy<(double[] Us, double[] Vs, Point3[] Points)> _samples;
 
     /// <summary>Distances from a surface.</summary>
     public SurfaceDistance(SplineSurface surface)
     {
         ArgumentNullException.ThrowIfNull(surface);
         _surface = surface;
-        (_us, _vs) = (Places(surface.KnotsU), Places(surface.KnotsV));
-        _samples = new Point3[_us.Length * _vs.Length];
-        for (var k = 0; k < _samples.Length; k++)
+        _samples = new(() =>
         {
-            _samples[k] = surface.PointAt(_us[k / _vs.Length], _vs[k % _vs.Length]);
-        }
+            var (us, vs) = (Places(surface.KnotsU), Places(surface.KnotsV));
+            return (us, vs, surface.PointsAt(us, vs));
+        });
     }
 
     /// <summary>Signed distance of a point from its foot on the surface, in millimetres, positive on the side of the normal Du x Dv.</summary>
     public double To(Point3 point)
     {
-        var at = Foot(point);
+        var (u, v) = Nearest(point);
+        return To(point, u, v);
+    }
+
+    /// <summary>The same from parameters that are known to be near the foot.</summary>
+    internal double To(Point3 point, double u, double v)
+    {
+        var at = Foot(point, u, v);
         return (point - at.Position).Dot(at.Normal);
     }
 
@@ -59,11 +63,10 @@ public sealed class SurfaceDistance
             : breaks[k / SamplesPerPiece] + ((breaks[(k / SamplesPerPiece) + 1] - breaks[k / SamplesPerPiece]) * (k % SamplesPerPiece) / SamplesPerPiece))];
     }
 
-    /// <summary>The place whose normal goes through the point: Newton's method on the squared distance from the nearest sample, each step shortened until it comes nearer.</summary>
-    private SurfacePoint Foot(Point3 point)
+    /// <summary>The place whose normal goes through the point: Newton's method on the squared distance, each step shortened until it comes nearer.</summary>
+    private SurfacePoint Foot(Point3 point, double u, double v)
     {
-        var start = Nearest(point);
-        var at = _surface.At(_us[start / _vs.Length], _vs[start % _vs.Length]);
+        var at = _surface.At(u, v);
         for (var step = 0; step < MostSteps; step++)
         {
             var (du, dv) = Step(at, point);
@@ -122,12 +125,14 @@ public sealed class SurfaceDistance
         return Math.Clamp(t, knots.Start - margin, knots.End + margin);
     }
 
-    private int Nearest(Point3 point)
+    /// <summary>The nearest of places spread over the surface.</summary>
+    private (double U, double V) Nearest(Point3 point)
     {
+        var (us, vs, samples) = _samples.Value;
         var (best, least) = (0, double.PositiveInfinity);
-        for (var k = 0; k < _samples.Length; k++)
+        for (var k = 0; k < samples.Length; k++)
         {
-            var d = _samples[k] - point;
+            var d = samples[k] - point;
             var square = d.Dot(d);
             if (square < least)
             {
@@ -135,6 +140,6 @@ public sealed class SurfaceDistance
             }
         }
 
-        return best;
+        return (us[best / vs.Length], vs[best % vs.Length]);
     }
 }

@@ -16,7 +16,7 @@ public static class SurfaceFitter
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(curveToleranceMm);
         var points = FitGrid.Of(grid);
         var (surface, again) = Lay(points, method, curveToleranceMm);
-        return new(method, surface, [], [], LineOutError.Mean(grid, g => again(FitGrid.Of(g))));
+        return new(method, surface, [], [], LineOutError.Mean(grid, points, g => again(FitGrid.Of(g))));
     }
 
     /// <summary>The surface, and how to lay one through a part of the points.</summary>

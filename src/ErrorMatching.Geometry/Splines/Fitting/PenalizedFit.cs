@@ -46,7 +46,7 @@ internal sealed class PenalizedFit(int poles, int reach)
     {
         if (weight is { } given)
         {
-            return Balanced(given) is { } fixedFit ? (fixedFit.Poles, given, _equations.Count - fixedFit.Freedom) : throw Undetermined();
+            return Balanced(given) is { } balanced ? (LinePass.Points(balanced.Poles), given, _equations.Count - Freedom(balanced.Factors, given)) : throw Undetermined();
         }
 
         var unit = Trace(_points) / Trace(_bending);
@@ -91,10 +91,22 @@ internal sealed class PenalizedFit(int poles, int reach)
         double At(double exponent) => Score(unit * Math.Pow(10, exponent));
     }
 
-    private double Score(double weight) => Balanced(weight) is { } fit && fit.Freedom > 0 ? _equations.Count * fit.SquareSum / (fit.Freedom * fit.Freedom) : double.PositiveInfinity;
+    private double Score(double weight)
+    {
+        if (Balanced(weight) is not { } fit || Freedom(fit.Factors, weight) is not (> 0 and var freedom))
+        {
+            return double.PositiveInfinity;
+        }
+
+        var (_, squares) = Rest(fit.Poles, weight);
+        return _equations.Count * squares / (freedom * freedom);
+    }
+
+    /// <summary>Points less the trace of A^-1 G, with G = A - weight P, so that nothing cancels where the fit goes nearly through the points.</summary>
+    private double Freedom(BandedSymmetric factors, double weight) => _equations.Count - poles + (weight * TraceOfProduct(factors.Inverse(), _bending));
 
     /// <summary>The fit of a weight; null if it is not determined to rounding.</summary>
-    private (Point3[] Poles, double SquareSum, double Freedom)? Balanced(double weight)
+    private (double[] Poles, BandedSymmetric Factors)? Balanced(double weight)
     {
         var matrix = new double[_points.Length];
         for (var i = 0; i < matrix.Length; i++)
@@ -117,10 +129,7 @@ internal sealed class PenalizedFit(int poles, int reach)
             solution[i] += rest[i];
         }
 
-        var (_, squares) = Rest(solution, weight);
-        // m - trace(A^-1 G) with G = A - weight P, so that nothing cancels where the fit goes nearly through the points.
-        var freedom = _equations.Count - poles + (weight * TraceOfProduct(factors.Inverse(), _bending));
-        return (LinePass.Points(solution), squares, freedom);
+        return (solution, factors);
     }
 
     /// <summary>What the fitted poles leave of the normal equations, from the points themselves, and the sum of squared distances.</summary>
