@@ -16,7 +16,7 @@ internal static class ExchangeLimits
     public const int MaxCurves = 100_000;
 
     /// <summary>Most points of the polygons that the limits of one surface become.</summary>
-    public const int MaxLoopPoints = 2_000_000;
+    public const int MaxLoopPoints = 200_000;
 
     /// <summary>Longest text that is quoted in a message.</summary>
     public const int MaxQuoted = 40;
