@@ -128,6 +128,7 @@ internal static class FailureOf
         GeometryError.FoldedCurve => "folded-curve",
         GeometryError.BadKnots => "bad-knots",
         GeometryError.BadPoles => "bad-poles",
+        GeometryError.OpenMesh => "open-mesh",
         _ => throw new ArgumentOutOfRangeException(nameof(error), error, "A geometric error without a code."),
     };
 

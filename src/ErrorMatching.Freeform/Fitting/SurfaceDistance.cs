@@ -7,7 +7,6 @@ namespace ErrorMatching.Freeform;
 public sealed class SurfaceDistance
 {
     private const int SamplesPerPiece = 3;
-    private const int MostSteps = 50;
 
     /// <summary>How far feet may lie beyond an edge, as a share of the parameters.</summary>
     private const double Beyond = 0.05;
@@ -63,66 +62,22 @@ public sealed class SurfaceDistance
             : breaks[k / SamplesPerPiece] + ((breaks[(k / SamplesPerPiece) + 1] - breaks[k / SamplesPerPiece]) * (k % SamplesPerPiece) / SamplesPerPiece))];
     }
 
-    /// <summary>The place whose normal goes through the point: Newton's method on the squared distance, each step shortened until it comes nearer.</summary>
+    /// <summary>The place whose normal goes through the point; where there is none nearby, or only far beyond an edge, the nearest place.</summary>
     private SurfacePoint Foot(Point3 point, double u, double v)
     {
-        var at = _surface.At(u, v);
-        for (var step = 0; step < MostSteps; step++)
+        if (NormalFoot.From(_surface, point, u, v) is { } foot && IsWithin(_surface.KnotsU, foot.U) && IsWithin(_surface.KnotsV, foot.V))
         {
-            var (du, dv) = Step(at, point);
-            var next = Moved(at, du, dv);
-            var square = Square(at, point);
-            for (var halving = 0; halving < 30 && Square(next, point) > square; halving++)
-            {
-                (du, dv) = (du / 2, dv / 2);
-                next = Moved(at, du, dv);
-            }
-
-            // The end is reached where the place moves by less than a millionth of a micrometer, or rounding alone decides.
-            if (Square(next, point) > square)
-            {
-                return at;
-            }
-
-            var moved = (next.Position - at.Position).Length;
-            at = next;
-            if (moved < 1e-9)
-            {
-                return at;
-            }
+            return foot;
         }
 
-        return at;
+        var nearest = _surface.ClosestPoint(point);
+        return _surface.At(nearest.U, nearest.V);
     }
 
-    private static (double U, double V) Step(SurfacePoint at, Point3 point)
-    {
-        var r = at.Position - point;
-        var (gu, gv) = (r.Dot(at.Du), r.Dot(at.Dv));
-        var (e, f, g) = (at.Du.Dot(at.Du), at.Du.Dot(at.Dv), at.Dv.Dot(at.Dv));
-        var (uu, uv, vv) = (e + r.Dot(at.Duu), f + r.Dot(at.Duv), g + r.Dot(at.Dvv));
-        if (!(uu > 0 && (uu * vv) - (uv * uv) > 1e-3 * ((e * g) - (f * f))))
-        {
-            // Far from the surface the squared distance may bend the wrong way; without the second derivatives it never does.
-            (uu, uv, vv) = (e, f, g);
-        }
-
-        var determinant = (uu * vv) - (uv * uv);
-        return determinant > 0 ? (((uv * gv) - (vv * gu)) / determinant, ((uv * gu) - (uu * gv)) / determinant) : (0, 0);
-    }
-
-    private static double Square(SurfacePoint at, Point3 point)
-    {
-        var r = at.Position - point;
-        return r.Dot(r);
-    }
-
-    private SurfacePoint Moved(SurfacePoint at, double du, double dv) => _surface.At(Within(_surface.KnotsU, at.U + du), Within(_surface.KnotsV, at.V + dv));
-
-    private static double Within(KnotVector knots, double t)
+    private static bool IsWithin(KnotVector knots, double t)
     {
         var margin = Beyond * (knots.End - knots.Start);
-        return Math.Clamp(t, knots.Start - margin, knots.End + margin);
+        return t >= knots.Start - margin && t <= knots.End + margin;
     }
 
     /// <summary>The nearest of places spread over the surface.</summary>

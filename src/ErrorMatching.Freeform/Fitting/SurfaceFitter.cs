@@ -10,10 +10,16 @@ public static class SurfaceFitter
     /// <param name="method">The way of fitting.</param>
     /// <param name="curveToleranceMm">Mean distance in millimetres that decides on the degree and the poles of the curves of <see cref="FitMethod.ThroughCurves"/> and <see cref="FitMethod.ThroughCurveMesh"/>: the lowest degree that stays under it.</param>
     /// <exception cref="GeometryException">The points determine no surface.</exception>
+    /// <exception cref="FreeformException">As <see cref="BestSurface.Fit"/>.</exception>
     public static FittedSurface Fit(PointGrid grid, FitMethod method, double curveToleranceMm)
     {
         ArgumentNullException.ThrowIfNull(grid);
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(curveToleranceMm);
+        if (method == FitMethod.Best)
+        {
+            return BestSurface.Fit(grid);
+        }
+
         var points = FitGrid.Of(grid);
         var (surface, again) = Lay(points, method, curveToleranceMm);
         return new(method, surface, [], [], LineOutError.Mean(grid, points, g => again(FitGrid.Of(g))));
