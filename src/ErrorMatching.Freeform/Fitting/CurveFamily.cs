@@ -3,61 +3,63 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Curves side by side, all of the lowest degree, and then of the fewest poles, whose mean distance from the points is under a tolerance on every curve (Lee 2019, section 2.3).</summary>
-internal static class CurveFamily
+/// <param name="Degree">Degree of the curves; lower where a curve has too few points for it.</param>
+/// <param name="Poles">Poles of each curve; fewer where a curve has fewer points.</param>
+internal sealed record CurveFamily(int Degree, int Poles)
 {
     private const int HighestDegree = 3;
 
-    /// <summary>The curves.</summary>
+    /// <summary>What the curves need.</summary>
     /// <param name="points">The points of each curve, at least two.</param>
     /// <param name="parameters">Rising parameters of the points of each curve, all over the same range.</param>
     /// <param name="toleranceMm">Largest mean distance in millimetres.</param>
-    /// <returns>Curves of one degree; where all have the same parameters, over the same knots.</returns>
-    public static SplineCurve[] Fit(Point3[][] points, double[][] parameters, double toleranceMm)
+    public static CurveFamily Choose(Point3[][] points, double[][] parameters, double toleranceMm)
     {
         var most = points.Max(p => p.Length);
         for (var degree = 1; degree <= Math.Min(HighestDegree, most - 1); degree++)
         {
-            var curves = With(points, parameters, degree, degree + 1);
-            if (IsNear(curves, points, parameters, toleranceMm))
+            var family = new CurveFamily(degree, degree + 1);
+            if (family.IsNear(points, parameters, toleranceMm))
             {
-                return curves;
+                return family;
             }
         }
 
         // Cubics with more pieces. With one pole a point they go through all points.
         var (tooFew, enough) = (Math.Min(HighestDegree + 1, most - 1), most);
-        var best = With(points, parameters, HighestDegree, most);
         while (enough - tooFew > 1)
         {
             var middle = (tooFew + enough) / 2;
-            var curves = With(points, parameters, HighestDegree, middle);
-            if (IsNear(curves, points, parameters, toleranceMm))
-            {
-                (enough, best) = (middle, curves);
-            }
-            else
-            {
-                tooFew = middle;
-            }
+            var isNear = new CurveFamily(HighestDegree, middle).IsNear(points, parameters, toleranceMm);
+            (tooFew, enough) = isNear ? (tooFew, middle) : (middle, enough);
         }
 
-        return best;
+        return new(Math.Min(HighestDegree, most - 1), enough);
     }
 
-    private static SplineCurve[] With(Point3[][] points, double[][] parameters, int degree, int poles)
+    /// <summary>The curves; where all have the same parameters, over the same knots.</summary>
+    /// <param name="points">The points of each curve, at least two.</param>
+    /// <param name="parameters">Rising parameters of the points of each curve, all over the same range.</param>
+    public SplineCurve[] Fit(Point3[][] points, double[][] parameters)
     {
-        var curves = new SplineCurve[points.Length];
-        for (var j = 0; j < curves.Length; j++)
+        if (parameters.All(p => ReferenceEquals(p, parameters[0])))
         {
-            var own = Math.Min(poles, points[j].Length);
-            curves[j] = SplineCurveFit.LeastSquares(points[j], parameters[j], FittingKnots.ForLeastSquares(Math.Min(degree, own - 1), parameters[j], own));
+            return [.. SplineCurveFit.LeastSquares(points, parameters[0], KnotsOf(parameters[0]))];
         }
 
-        return curves;
+        return [.. points.Select((p, j) => SplineCurveFit.LeastSquares(p, parameters[j], KnotsOf(parameters[j])))];
     }
 
-    private static bool IsNear(SplineCurve[] curves, Point3[][] points, double[][] parameters, double toleranceMm)
+    /// <summary>The knots for points with given parameters.</summary>
+    public KnotVector KnotsOf(double[] parameters)
     {
+        var poles = Math.Min(Poles, parameters.Length);
+        return FittingKnots.ForLeastSquares(Math.Min(Degree, poles - 1), parameters, poles);
+    }
+
+    private bool IsNear(Point3[][] points, double[][] parameters, double toleranceMm)
+    {
+        var curves = Fit(points, parameters);
         for (var j = 0; j < curves.Length; j++)
         {
             var sum = 0.0;

@@ -6,7 +6,7 @@ namespace ErrorMatching.Freeform;
 internal static class StudioFit
 {
     /// <summary>The most poles along a direction: smoothing leaves no more detail, and its time grows with the fourth power.</summary>
-    private const int MostPoles = 24;
+    private const int MostPoles = 20;
 
     /// <summary>The smoothed surface.</summary>
     /// <param name="grid">The points.</param>

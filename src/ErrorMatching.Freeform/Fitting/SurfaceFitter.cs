@@ -19,23 +19,32 @@ public static class SurfaceFitter
         return new(method, surface, [], [], LineOutError.Mean(grid, points, g => again(FitGrid.Of(g))));
     }
 
-    /// <summary>The surface, and how to lay one through a part of the points.</summary>
+    /// <summary>The surface, and how to lay one through a part of the points: with the degree, poles or weight that all points have chosen.</summary>
     private static (SplineSurface Surface, Func<FitGrid, SplineSurface> Again) Lay(FitGrid grid, FitMethod method, double toleranceMm)
     {
-        if (method == FitMethod.StudioSurface)
+        Func<FitGrid, SplineSurface> lay;
+        switch (method)
         {
-            var smoothed = StudioFit.Fit(grid, null);
-            return (smoothed.Surface, g => StudioFit.Fit(g, smoothed.Weight).Surface);
+            case FitMethod.ThroughCurveMesh:
+                lay = CurveMeshFit.Choose(grid, toleranceMm).Fit;
+                break;
+            case FitMethod.ThroughCurves:
+                var family = CurveFamily.Choose(grid.Curves, grid.CurveUs, toleranceMm);
+                lay = g => SplineSurfaceFit.Skin(family.Fit(g.Curves, g.CurveUs), g.Vs);
+                break;
+            case FitMethod.FitSurface:
+                lay = NetFit.Fit;
+                break;
+            case FitMethod.StudioSurface:
+                var smoothed = StudioFit.Fit(grid, null);
+                return (smoothed.Surface, g => StudioFit.Fit(g, smoothed.Weight).Surface);
+            case FitMethod.Tensor:
+                lay = GridSurface.Interpolate;
+                break;
+            default:
+                throw new ArgumentOutOfRangeException(nameof(method), method, "A way of fitting that has a name.");
         }
 
-        Func<FitGrid, SplineSurface> lay = method switch
-        {
-            FitMethod.ThroughCurveMesh => g => CurveMeshFit.Fit(g, toleranceMm),
-            FitMethod.ThroughCurves => g => SplineSurfaceFit.Skin(CurveFamily.Fit(g.Curves, g.CurveUs, toleranceMm), g.Vs),
-            FitMethod.FitSurface => NetFit.Fit,
-            FitMethod.Tensor => GridSurface.Interpolate,
-            _ => throw new ArgumentOutOfRangeException(nameof(method), method, "A way of fitting that has a name."),
-        };
         return (lay(grid), lay);
     }
 }

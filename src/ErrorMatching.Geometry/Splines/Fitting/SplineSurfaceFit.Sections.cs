@@ -12,7 +12,7 @@ public static partial class SplineSurfaceFit
     public static SplineSurface Skin(IReadOnlyList<SplineCurve> sections, ReadOnlySpan<double> vs = default, int degreeV = 3)
     {
         CheckFamily(sections);
-        var curves = SplineCurve.Compatible(sections);
+        var curves = sections.All(s => s.Knots.Equals(sections[0].Knots)) ? sections : SplineCurve.Compatible(sections);
         var knotsU = curves[0].Knots;
         var poles = new Point3[knotsU.PoleCount * curves.Count];
         for (var j = 0; j < curves.Count; j++)
