@@ -48,6 +48,14 @@ internal static class InputFile
         return length <= NcProgram.MaxBytes ? File.ReadAllBytes(p) : throw new NcException(NcErrorCode.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read.");
     });
 
+    /// <summary>The bytes of a file.</summary>
+    /// <exception cref="InputException">The file cannot be opened, or is larger than what is read.</exception>
+    public static byte[] Bytes(string path, long mostBytes) => Open(path, p =>
+    {
+        var length = new FileInfo(p).Length;
+        return length <= mostBytes ? File.ReadAllBytes(p) : throw new IOException($"It has {length} bytes; at most {mostBytes} are read");
+    });
+
     /// <summary>The wish in a file.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JsonDocumentException">It cannot be used.</exception>

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>What one or several measured pieces of a design come to, one by one and together.</summary>
@@ -13,7 +15,7 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
     /// <param name="surface">The nominal surface.</param>
     /// <param name="pieces">At least one.</param>
     /// <exception cref="FreeformException">As of <see cref="SurfaceErrors.Of"/> and <see cref="SurfaceAlignment.BestFit"/>.</exception>
-    public static SurfaceEvaluation Of(FreeformJob job, PartSurface surface, IReadOnlyList<MeasuredPiece> pieces)
+    public static SurfaceEvaluation Of(FreeformJob job, PartSurface surface, IReadOnlyList<MeasuredPoints> pieces)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(pieces);
@@ -22,9 +24,9 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
     }
 
     /// <summary>Evaluates one piece. Whether stock lies on it is told by the points: a fifth of a millimetre is no error of a surface that is to be good to micrometres.</summary>
-    private static EvaluatedPiece Evaluate(FreeformJob job, PartSurface surface, MeasuredPiece piece)
+    private static EvaluatedPiece Evaluate(FreeformJob job, PartSurface surface, MeasuredPoints piece)
     {
-        var distances = SurfaceErrors.Of(surface, piece.Points, 0, piece.File);
+        var distances = SurfaceErrors.Of(surface, Contacts(piece), 0, piece.File);
         var mean = distances.Sum(d => d.ErrorMm) / distances.Count;
         var semi = job.Stock.SemiFinishingMm;
         var found = Math.Abs(mean - semi) < Math.Abs(mean) ? CuttingStage.SemiFinishing : CuttingStage.Finishing;
@@ -35,10 +37,12 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
             return Piece(piece, stage, job, null, [.. distances.Select(d => d with { ErrorMm = d.ErrorMm - stock })]);
         }
 
-        var alignment = SurfaceAlignment.BestFit(surface, piece.Points, stock, piece.File);
-        return Piece(piece, stage, job, alignment, SurfaceErrors.Of(surface, piece.Points.Select(p => (p.Plan, alignment.Apply(p.Contact))), stock, piece.File));
+        var alignment = SurfaceAlignment.BestFit(surface, [.. Contacts(piece)], stock, piece.File);
+        return Piece(piece, stage, job, alignment, SurfaceErrors.Of(surface, Contacts(piece).Select(p => (p.Plan, alignment.Apply(p.Contact))), stock, piece.File));
     }
 
-    private static EvaluatedPiece Piece(MeasuredPiece piece, CuttingStage stage, FreeformJob job, SurfaceAlignment? alignment, IReadOnlyList<ErrorSample> samples) =>
+    private static EvaluatedPiece Piece(MeasuredPoints piece, CuttingStage stage, FreeformJob job, SurfaceAlignment? alignment, IReadOnlyList<ErrorSample> samples) =>
         new(piece.File, piece.Sha256, stage, stage != job.Measuring.After, alignment, samples, DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]));
+
+    private static IEnumerable<(PlanPoint Plan, Point3 Contact)> Contacts(MeasuredPoints piece) => piece.Points.Select(p => (p.Planned, p.Contact));
 }

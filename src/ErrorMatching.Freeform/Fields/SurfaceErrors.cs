@@ -19,7 +19,7 @@ public static class SurfaceErrors
         var samples = new List<ErrorSample>();
         foreach (var (plan, contact) in points)
         {
-            if (NormalFoot.From(surface.Spline, contact, plan.U, plan.V) is not { } foot)
+            if (NormalFoot.Of(surface.Spline, contact, plan.U, plan.V) is not { } foot)
             {
                 throw new FreeformException("no-foot", file, string.Create(
                     CultureInfo.InvariantCulture,

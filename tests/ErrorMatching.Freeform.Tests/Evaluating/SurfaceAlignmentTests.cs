@@ -10,7 +10,7 @@ public sealed class SurfaceAlignmentTests
         foreach (var (u, v) in new[] { (0.1, 0.2), (0.5, 0.5), (0.9, 0.7), (0, 1) })
         {
             var (surface, at) = (PaperDesign.Three, PaperDesign.Three.Spline.At(u, v));
-            var foot = NormalFoot.From(surface.Spline, at.Position + (surface.NormalOf(at) * 0.35), u + 0.03, v - 0.03);
+            var foot = NormalFoot.Of(surface.Spline, at.Position + (surface.NormalOf(at) * 0.35), u + 0.03, v - 0.03);
 
             Assert.True((foot!.Value.Position - at.Position).Length < 1e-9);
         }
