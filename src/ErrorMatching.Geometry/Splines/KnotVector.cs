@@ -5,7 +5,7 @@ namespace ErrorMatching.Geometry;
 /// The knots do not decrease, and none is repeated more than the degree plus one times; n poles of degree p need n + p + 1 knots. The parameter runs from knot p to knot n (<see cref="Start"/> to <see cref="End"/>).
 /// Algorithms and their numbers: Piegl and Tiller, The NURBS Book, 2nd edition, chapter 2.
 /// </remarks>
-public sealed class KnotVector : IEquatable<KnotVector>
+public sealed partial class KnotVector : IEquatable<KnotVector>
 {
     /// <summary>The highest degree that is read or made: beyond it a B-spline loses digits, and no exchange format writes it.</summary>
     public const int MaxDegree = 25;
@@ -104,6 +104,8 @@ public sealed class KnotVector : IEquatable<KnotVector>
             return last;
         }
 
+        // Before the first parameter the first piece that is not empty goes on.
+        t = Math.Max(t, Start);
         var (low, high) = (Degree, PoleCount);
         while (high - low > 1)
         {

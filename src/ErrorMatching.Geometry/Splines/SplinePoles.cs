@@ -35,4 +35,43 @@ internal static class SplinePoles
     /// <summary>The weights, or null if they are all alike and so say nothing.</summary>
     public static double[]? Weights(ReadOnlySpan<double> weights) =>
         weights.Length == 0 || weights.IndexOfAnyExcept(weights[0]) < 0 ? null : weights.ToArray();
+
+    /// <summary>Poles as rows of x, y, z, or of wx, wy, wz, w if there are weights.</summary>
+    public static double[] Flatten(ReadOnlySpan<Point3> poles, ReadOnlySpan<double> weights)
+    {
+        var size = weights.Length == 0 ? 3 : 4;
+        var values = new double[poles.Length * size];
+        for (var i = 0; i < poles.Length; i++)
+        {
+            var w = size == 3 ? 1 : weights[i];
+            var row = values.AsSpan(i * size, size);
+            (row[0], row[1], row[2]) = (poles[i].X * w, poles[i].Y * w, poles[i].Z * w);
+            if (size == 4)
+            {
+                row[3] = w;
+            }
+        }
+
+        return values;
+    }
+
+    /// <summary>The poles and weights of rows as <see cref="Flatten"/> makes them.</summary>
+    public static (Point3[] Poles, double[] Weights) Unflatten(ReadOnlySpan<double> values, bool rational)
+    {
+        var size = rational ? 4 : 3;
+        var poles = new Point3[values.Length / size];
+        var weights = new double[rational ? poles.Length : 0];
+        for (var i = 0; i < poles.Length; i++)
+        {
+            var row = values.Slice(i * size, size);
+            var w = rational ? row[3] : 1;
+            poles[i] = rational ? new(row[0] / w, row[1] / w, row[2] / w) : new(row[0], row[1], row[2]);
+            if (rational)
+            {
+                weights[i] = w;
+            }
+        }
+
+        return (poles, weights);
+    }
 }

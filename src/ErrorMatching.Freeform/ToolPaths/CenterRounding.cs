@@ -1,0 +1,76 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Rounds centers to the numbers that a program can state.</summary>
+/// <remarks>
+/// A point of a polyline may lie anywhere along the curve, so a coarse increment costs less than half of it across: of several places beside the wanted one, the one is taken whose rounded coordinates lie nearest to the curve,
+/// and rather in the material than out of it.
+/// </remarks>
+internal sealed class CenterRounding
+{
+    // Golden section: places that no increment repeats.
+    private const double Slide = 0.618;
+    private const int Places = 20;
+
+    private readonly double _scale;
+    private readonly double _tipBelow;
+    private readonly double _good;
+
+    /// <param name="decimals">Decimals of the program's coordinates.</param>
+    /// <param name="tipBelowMm">How far the programmed point lies below the center: the radius, or 0.</param>
+    /// <param name="finestMm">The finest tolerance that rounded places must keep.</param>
+    public CenterRounding(int decimals, double tipBelowMm, double finestMm)
+    {
+        (_scale, _tipBelow) = (Math.Pow(10, decimals), tipBelowMm);
+        IncrementMm = 1 / _scale;
+        _good = finestMm / 5;
+    }
+
+    public double IncrementMm { get; }
+
+    /// <summary>What to expect across the curve.</summary>
+    public double ReserveMm => Math.Min(_good, 0.87 * IncrementMm);
+
+    public Point3 Nearest(Point3 p) => new(
+        Math.Round(p.X * _scale) / _scale, Math.Round(p.Y * _scale) / _scale, (Math.Round((p.Z - _tipBelow) * _scale) / _scale) + _tipBelow);
+
+    /// <summary>The point rounded, near its place along the curve.</summary>
+    /// <param name="p">The exact place.</param>
+    /// <param name="along">Unit direction of the curve.</param>
+    /// <param name="normal">Unit normal out of the material.</param>
+    /// <param name="acrossMm">Distance of the rounded point from the curve.</param>
+    public Point3 Along(Point3 p, Vector3 along, Vector3 normal, out double acrossMm)
+    {
+        var best = Nearest(p);
+        acrossMm = Across(best - p, along);
+        if (0.87 * IncrementMm <= _good)
+        {
+            return best;
+        }
+
+        var cost = Cost(best - p, acrossMm, normal);
+        for (var i = 1; i < Places && cost > _good; i++)
+        {
+            var shift = ((i & 1) == 0 ? i : -i) * Slide * IncrementMm;
+            var other = Nearest(p + (along * shift));
+            var across = Across(other - p, along);
+            var its = Cost(other - p, across, normal);
+            if (its < cost)
+            {
+                (best, cost, acrossMm) = (other, its, across);
+            }
+        }
+
+        return best;
+    }
+
+    public static double Across(Vector3 off, Vector3 along)
+    {
+        var forward = off.Dot(along);
+        return Math.Sqrt(Math.Max(0, off.Dot(off) - (forward * forward)));
+    }
+
+    // Out of the material counts more: it adds to the ridge between two passes.
+    private static double Cost(Vector3 off, double across, Vector3 normal) => Math.Max(across, 1.5 * off.Dot(normal));
+}

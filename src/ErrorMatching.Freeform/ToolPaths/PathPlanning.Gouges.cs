@@ -1,0 +1,182 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <content>Where the ball would cut what it must not: found against the whole surface, raised, or refused.</content>
+internal sealed partial class PathPlanning
+{
+    // Heights are found to this length and rounded up.
+    private const double RaiseStep = 0.0001;
+
+    // How much may be left at a place where the ball does not fit: as much as the stage leaves anyway, or the scallop.
+    private double MostRaised => Math.Max(_toolpath.ScallopMm, _offset.StockMm);
+
+    private bool Gouges(CenterLine line)
+    {
+        var centers = line.Centers;
+        for (var i = 0; i < centers.Length; i++)
+        {
+            if (Gouges(centers[i]) || (i + 1 < centers.Length && Gouges(Middle(centers[i], centers[i + 1]))))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private bool Gouges(Point3 center) => _tree.IsNearer(center, NearestMm);
+
+    private static Point3 Middle(Point3 a, Point3 b) => a + ((b - a) * 0.5);
+
+    /// <summary>Raises the points along Z until the ball touches the surface and cuts nothing else.</summary>
+    private CutPiece? Raise(CutPiece piece, CenterLine line)
+    {
+        var raised = new CenterLine();
+        for (var i = 0; i < line.Count; i++)
+        {
+            if (i > 0 && !Between(line.Places[i - 1], line.Places[i], raised, Free(line.Places[i], line.Centers[i], line.Normals[i]), 0))
+            {
+                return null;
+            }
+
+            if (Free(line.Places[i], line.Centers[i], line.Normals[i]) is not { } point)
+            {
+                return null;
+            }
+
+            raised.Add(line.Places[i], point.Center, line.Normals[i], point.Raised);
+        }
+
+        line.Clear();
+        for (var i = 0; i < raised.Count; i++)
+        {
+            line.Add(raised.Places[i], raised.Centers[i], raised.Normals[i], raised.Raised[i]);
+        }
+
+        return piece with { Raised = line.Centers.ToArray() };
+    }
+
+    // More points between two, as long as the ball would cut half way between them.
+    private bool Between(Point2 from, Point2 to, CenterLine raised, (Point3 Center, double Raised)? end, int depth)
+    {
+        if (end is not { } next)
+        {
+            return false;
+        }
+
+        if (depth > 12 || !Gouges(Middle(raised.Centers[^1], next.Center)))
+        {
+            return true;
+        }
+
+        var place = from.Lerp(to, 0.5);
+        var exact = _offset.At(place.X, place.Y);
+        if (Free(place, _rounding.Nearest(exact.Center), exact.Normal) is not { } middle || !Between(from, place, raised, middle, depth + 1))
+        {
+            return false;
+        }
+
+        raised.Add(place, middle.Center, exact.Normal, Math.Max(middle.Raised, RaiseStep));
+        return Between(place, to, raised, end, depth + 1);
+    }
+
+    private (Point3 Center, double Raised)? Free(Point2 place, Point3 center, Vector3 normal)
+    {
+        if (!Gouges(center))
+        {
+            return (center, 0);
+        }
+
+        var (low, high) = (0.0, RaiseStep);
+        while (high <= MostRaised && Gouges(center + new Vector3(0, 0, high)))
+        {
+            (low, high) = (high, 2 * high);
+        }
+
+        while (high - low > RaiseStep / 2)
+        {
+            var middle = (low + high) / 2;
+            (low, high) = Gouges(center + new Vector3(0, 0, middle)) ? (middle, high) : (low, middle);
+        }
+
+        var up = Math.Ceiling(high / _rounding.IncrementMm) * _rounding.IncrementMm;
+        if (up <= MostRaised + _rounding.IncrementMm)
+        {
+            return (_rounding.Nearest(center + new Vector3(0, 0, up)), up);
+        }
+
+        var depth = _offset.DistanceMm - _tree.DistanceBelow(center, _offset.DistanceMm);
+        _refusal ??= new("ball-does-not-fit", string.Create(
+            CultureInfo.InvariantCulture,
+            $"at {Named(place)} the ball of {2 * _offset.RadiusMm} mm would cut {depth:0.0000} mm too deep{Elsewhere(place)}. Use a smaller ball{SmallerThan(place)}, or leave that part out of the surface."));
+        return null;
+    }
+
+    private string Elsewhere(Point2 place) => Concave(place) * _offset.DistanceMm > 1 ? ": the surface is hollower than the ball there" : " into another part of the surface";
+
+    private string SmallerThan(Point2 place)
+    {
+        var concave = Concave(place);
+        return concave * _offset.DistanceMm > 1 ? string.Create(CultureInfo.InvariantCulture, $", of at most {2 * ((1 / concave) - _offset.StockMm):0.00} mm") : "";
+    }
+
+    private double Concave(Point2 place)
+    {
+        var (largest, smallest) = _offset.Surface.Spline.At(place.X, place.Y).PrincipalCurvatures;
+        return _offset.Surface.Outside > 0 ? largest : -smallest;
+    }
+
+    private FreeformRefusal? Impossible(CenterLine line)
+    {
+        for (var i = 0; i < line.Count; i++)
+        {
+            var normal = line.Normals[i];
+            if (!line.Centers[i].IsFinite || !(normal.Length > 0.5))
+            {
+                return new("no-normal", $"at {Named(line.Places[i])} the surface has no normal, so that no tool can be laid against it. Repair the surface, or trim it there.");
+            }
+
+            if (normal.Z < -1e-6)
+            {
+                return new("faces-down", $"at {Named(line.Places[i])} the surface faces down, where a tool along Z does not reach. Turn the part, or state \"outside\" if the material lies on the other side.");
+            }
+        }
+
+        return null;
+    }
+
+    /// <summary>An edge inside the surface, where the normal jumps: the center would have to roll around it.</summary>
+    private FreeformRefusal? EdgeInSurface()
+    {
+        var spline = _offset.Surface.Spline;
+        return EdgeAt(spline.KnotsU, spline.KnotsV, (along, across) => new(across, along)) ?? EdgeAt(spline.KnotsV, spline.KnotsU, (along, across) => new(along, across));
+    }
+
+    private FreeformRefusal? EdgeAt(KnotVector knots, KnotVector along, Func<double, double, Point2> place)
+    {
+        const int Samples = 32;
+        foreach (var knot in knots.Breaks)
+        {
+            if (knots.Multiplicity(knot) < knots.Degree || knot <= knots.Start || knot >= knots.End)
+            {
+                continue;
+            }
+
+            for (var i = 0; i <= Samples; i++)
+            {
+                var t = along.Start + ((along.End - along.Start) * i / Samples);
+                var (before, behind) = (place(t, knot - (1e-9 * (knots.End - knots.Start))), place(t, knot));
+                var turn = (_offset.At(before.X, before.Y).Normal - _offset.At(behind.X, behind.Y).Normal).Length;
+                if (turn * _offset.DistanceMm > 0.5 * _toolpath.ChordMm)
+                {
+                    return new("edge-in-surface", string.Create(
+                        CultureInfo.InvariantCulture, $"at {Named(behind)} the surface has an edge: its normal turns by {2 * Math.Asin(Math.Min(1, turn / 2)) * 180 / Math.PI:0.000} degrees at once. Give the faces on both sides as surfaces of their own."));
+                }
+            }
+        }
+
+        return null;
+    }
+}

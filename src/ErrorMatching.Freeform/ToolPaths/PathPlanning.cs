@@ -1,0 +1,224 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>The planning of one path: passes one after another, each made, measured, and made finer until it holds.</summary>
+internal sealed partial class PathPlanning
+{
+    /// <summary>Most points of a path: beyond it a tolerance or a unit is wrong.</summary>
+    private const int MostPoints = 50_000_000;
+
+    /// <summary>How often something is made finer before it is refused.</summary>
+    private const int Tries = 24;
+
+    private readonly OffsetSurface _offset;
+    private readonly CenterRounding _rounding;
+    private readonly JobToolpath _toolpath;
+    private readonly int _decimals;
+    private readonly PassBuilder _builder;
+    private readonly PatchTree _tree;
+    private readonly List<CenterLine> _edges = [];
+    private readonly List<CutPiece> _edgePieces = [];
+    private readonly StripHeight _strip;
+    private readonly List<CutChain> _chains = [];
+    private FreeformRefusal? _refusal;
+    private int _passes;
+    private int _points;
+    private double _length;
+    private (double Mm, Point2 At) _chord;
+    private (double Mm, Point2 At) _scallop = (double.NegativeInfinity, default);
+    private int _raisedPoints;
+    private (double Mm, Point2 At) _raised;
+
+    public PathPlanning(OffsetSurface offset, CenterRounding rounding, JobToolpath toolpath, int decimals)
+    {
+        (_offset, _rounding, _toolpath, _decimals) = (offset, rounding, toolpath, decimals);
+        _builder = new(offset, rounding, toolpath.ChordMm, PassBuilder.LiftShare * toolpath.ScallopMm);
+        _tree = new(offset.Surface, 0.6 * toolpath.ChordMm, offset.RadiusMm);
+        _strip = new(offset, _edges, toolpath.ScallopMm);
+    }
+
+    // The polyline leaves the exact offset by the chordal error at most; a center that is nearer than twice that touches elsewhere.
+    private double GougeMm => 2 * _toolpath.ChordMm;
+
+    private double NearestMm => _offset.DistanceMm - GougeMm;
+
+    private double TravelCenterZ => _rounding.Nearest(new(0, 0, _tree.HighestMm + _offset.DistanceMm + _toolpath.ClearanceMm)).Z;
+
+    public ToolPathResult Run()
+    {
+        if (EdgeInSurface() is { } edge)
+        {
+            return edge;
+        }
+
+        MakeEdges();
+        if (_refusal is null)
+        {
+            MakePasses();
+        }
+
+        foreach (var piece in _edgePieces)
+        {
+            AddChain([piece]);
+        }
+
+        if (_refusal is { } refusal)
+        {
+            return refusal;
+        }
+
+        var certificate = new ToolPathCertificate(
+            _chord.Mm, PlaceOf(_chord.At), _scallop.Mm, PlaceOf(_scallop.At), GougeMm, _raisedPoints, _raised.Mm, PlaceOf(_raised.At));
+        return new ToolPath(() => new(_offset, _rounding, _toolpath.ChordMm, PassBuilder.LiftShare * _toolpath.ScallopMm), _offset, _rounding, _chains, new(_passes, _points, _length, TravelCenterZ, certificate, _decimals));
+    }
+
+    private Point3 PlaceOf(Point2 at) => _offset.Left(at.X, at.Y).Place;
+
+    // A pass along the edge of a trimmed region: where it runs nearly along a pass, what lies between has no pass of its own.
+    private void MakeEdges()
+    {
+        foreach (var loop in _offset.Surface.Region.Loops)
+        {
+            var line = new CenterLine();
+            if (_refusal is null && Make([.. loop, loop[0]], line) is { } piece)
+            {
+                _edges.Add(line);
+                _edgePieces.Add(piece);
+            }
+        }
+    }
+
+    private void MakePasses()
+    {
+        var lines = new RegionLines(_offset.Surface);
+        var spacing = new PassSpacing(_offset, _toolpath.ScallopMm);
+        var (v, last) = (lines.First, lines.Last);
+        var pass = MakePass(lines, v);
+        var linker = new Chainer(this);
+        linker.Add(pass);
+        while (_refusal is null && v < last)
+        {
+            var width = spacing.From(pass);
+            CutPass? next = null;
+            for (var attempt = 0; next is null && _refusal is null; attempt++)
+            {
+                var to = width >= last - v ? last : width > (last - v) / 2 ? (v + last) / 2 : v + width;
+                var candidate = MakePass(lines, to);
+                if (_refusal is not null)
+                {
+                    break;
+                }
+
+                var (height, at) = _strip.Measure(pass.Lines, v, candidate.Lines, to);
+                if (height <= _toolpath.ScallopMm)
+                {
+                    next = candidate;
+                    spacing.Learn(to - v, height);
+                    _scallop = height > _scallop.Mm ? (height, at) : _scallop;
+                }
+                else if (attempt == Tries || to <= v)
+                {
+                    _refusal = NotReached("scallop", height, _toolpath.ScallopMm, at);
+                }
+                else
+                {
+                    width = (to - v) * Math.Clamp(Math.Sqrt(0.93 * _toolpath.ScallopMm / height), 0.3, 0.97);
+                }
+            }
+
+            if (next is not null)
+            {
+                (pass, v) = (next, next.V);
+                linker.Add(pass);
+            }
+        }
+
+        linker.End();
+    }
+
+    private CutPass MakePass(RegionLines lines, double v)
+    {
+        var pass = new CutPass(v);
+        foreach (var (from, to) in lines.On(v))
+        {
+            var line = new CenterLine();
+            if (Make([new(from, v), new(to, v)], line) is not { } piece)
+            {
+                break;
+            }
+
+            pass.Pieces.Add(piece);
+            pass.Lines.Add(line);
+        }
+
+        return pass;
+    }
+
+    /// <summary>Makes a piece that keeps the chordal error and cuts nothing else.</summary>
+    private CutPiece? Make(IReadOnlyList<Point2> guide, CenterLine line)
+    {
+        var piece = new CutPiece(guide, 1, 0.25);
+        for (var attempt = 0; ; attempt++)
+        {
+            _builder.Build(piece, line);
+            if (Impossible(line) is { } refusal)
+            {
+                _refusal = refusal;
+                return null;
+            }
+
+            var (chord, at) = line.MeasureChord(_offset);
+            if (chord <= _toolpath.ChordMm)
+            {
+                break;
+            }
+
+            if (attempt == Tries || !double.IsFinite(chord))
+            {
+                _refusal = NotReached("chordal error", chord, _toolpath.ChordMm, at);
+                return null;
+            }
+
+            piece = piece with { Finer = 1.15 * piece.Finer, LongestStep = Math.Max(0.7 * piece.LongestStep, 1e-3) };
+        }
+
+        return Gouges(line) ? Raise(piece, line) : piece;
+    }
+
+    // What counts for the path as a whole, once a piece is part of it.
+    private void Count(CenterLine line)
+    {
+        _points += line.Count;
+        if (_points > MostPoints)
+        {
+            _refusal ??= new("path-too-long", string.Create(CultureInfo.InvariantCulture, $"the path would have more than {MostPoints} points. Check the units of the surface, and scallopMm and chordMm."));
+        }
+
+        var (chord, at) = line.Chord;
+        _chord = chord > _chord.Mm ? (chord, at) : _chord;
+        for (var i = 0; i < line.Count; i++)
+        {
+            if (line.Raised[i] > 0)
+            {
+                _raisedPoints++;
+                _raised = line.Raised[i] > _raised.Mm ? (line.Raised[i], line.Places[i]) : _raised;
+            }
+
+            _length += i > 0 ? (line.Centers[i] - line.Centers[i - 1]).Length : 0;
+        }
+    }
+
+    private FreeformRefusal NotReached(string what, double found, double wanted, Point2 at) => new(
+        "tolerance-not-reached",
+        string.Create(CultureInfo.InvariantCulture, $"at {Named(at)} the {what} is {found:0.000000} mm, more than {wanted} mm, however close the points are laid. Allow more, or use a dialect with a finer increment than {_rounding.IncrementMm} mm."));
+
+    /// <summary>A place in the surface's own parameters and in millimetres.</summary>
+    private string Named(Point2 at)
+    {
+        var place = PlaceOf(at);
+        var (u, v) = _toolpath.AlongU ? (at.X, at.Y) : (at.Y, at.X);
+        return string.Create(CultureInfo.InvariantCulture, $"u {u:0.####}, v {v:0.####} (X{place.X:0.000} Y{place.Y:0.000} Z{place.Z:0.000})");
+    }
+}

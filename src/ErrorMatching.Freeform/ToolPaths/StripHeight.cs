@@ -1,0 +1,195 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>How high the material stands that two neighboring passes leave between them: over the surface that the stage asks for, along its normal, everything counted (ridge, chords, rounding).</summary>
+/// <remarks>
+/// A ball that runs along the polyline takes away a tube. A normal of the surface leaves the tube of each pass somewhere; below both places material stays. The ridge is where both are as high, looked for at every point of both polylines
+/// and half way between. Passes further away and the way between passes are left out of account, so the truth is never higher.
+/// </remarks>
+internal sealed class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine> edges, double scallopMm)
+{
+    private const int Corrections = 4;
+    private static readonly double[] Across = [0.1, 0.3, 0.5, 0.7, 0.9];
+    private int _hint;
+    private int _otherHint;
+
+    /// <summary>The highest place between two passes.</summary>
+    /// <param name="first">Pieces of one pass.</param>
+    /// <param name="v">Its parameter.</param>
+    /// <param name="second">Pieces of the next.</param>
+    /// <param name="next">Its parameter.</param>
+    public (double Mm, Point2 Place) Measure(IReadOnlyList<CenterLine> first, double v, IReadOnlyList<CenterLine> second, double next)
+    {
+        var (highest, where) = (double.NegativeInfinity, default(Point2));
+        Along(first, first, v, second, next, ref highest, ref where);
+        Along(second, first, v, second, next, ref highest, ref where);
+        return (highest, where);
+    }
+
+    private void Along(IReadOnlyList<CenterLine> lines, IReadOnlyList<CenterLine> first, double v, IReadOnlyList<CenterLine> second, double next, ref double highest, ref Point2 where)
+    {
+        foreach (var line in lines)
+        {
+            (_hint, _otherHint) = (0, 0);
+            for (var i = 0; i < line.Count; i++)
+            {
+                At(line.Places[i].X, ref highest, ref where);
+                if (i + 1 < line.Count)
+                {
+                    At((line.Places[i].X + line.Places[i + 1].X) / 2, ref highest, ref where);
+                }
+            }
+        }
+
+        void At(double u, ref double highest, ref Point2 where)
+        {
+            var (a, b) = (Covering(first, u), Covering(second, u));
+            var (height, at) = a is not null && b is not null ? Ridge(u, a, v, b, next) : Open(u, a, b, v, next);
+            if (height > highest)
+            {
+                (highest, where) = (height, new(u, at));
+            }
+        }
+    }
+
+    private static CenterLine? Covering(IReadOnlyList<CenterLine> lines, double u)
+    {
+        foreach (var line in lines)
+        {
+            if (line.Count > 1 && line.Places[0].X <= u && u <= line.Places[^1].X)
+            {
+                return line;
+            }
+        }
+
+        return null;
+    }
+
+    private (double Mm, double V) Ridge(double u, CenterLine a, double v, CenterLine b, double next)
+    {
+        var (x, slope) = (0.5, 0.0);
+        var (lastX, last) = (x, 0.0);
+        for (var i = 0; ; i++)
+        {
+            var at = v + ((next - v) * x);
+            if (!offset.Surface.Region.Contains(u, at))
+            {
+                return Open(u, a, b, v, next);
+            }
+
+            // Rising from one pass and falling to the other, the ridge is never higher than the higher of both, wherever that is looked at.
+            var (place, normal) = offset.Left(u, at);
+            var (ta, tb) = (Leaves(place, normal, a, ref _hint), Leaves(place, normal, b, ref _otherHint));
+            var (higher, difference) = (Math.Max(ta, tb), ta - tb);
+            if (i == Corrections || !(Math.Abs(difference) > 0.02 * scallopMm) || !double.IsFinite(difference))
+            {
+                return (higher, at);
+            }
+
+            // Both rise with the square of the distance from their pass: over a strip whose ridge is h, their difference changes by 8 h.
+            slope = i == 0 ? 8 * scallopMm : (difference - last) / (x - lastX);
+            (lastX, last) = (x, difference);
+            x = Math.Clamp(x - (difference / Math.Max(slope, scallopMm)), 0.02, 0.98);
+            if (x == lastX)
+            {
+                return (higher, at);
+            }
+        }
+    }
+
+    // Where a trimmed strip has one pass only, or its middle lies outside, the pass along the edge of the region helps.
+    private (double Mm, double V) Open(double u, CenterLine? a, CenterLine? b, double v, double next)
+    {
+        var (highest, where) = (double.NegativeInfinity, v);
+        foreach (var x in Across)
+        {
+            var at = v + ((next - v) * x);
+            if (!offset.Surface.Region.Contains(u, at))
+            {
+                continue;
+            }
+
+            var (place, normal) = offset.Left(u, at);
+            var height = Math.Min(a is null ? double.PositiveInfinity : Leaves(place, normal, a, ref _hint), b is null ? double.PositiveInfinity : Leaves(place, normal, b, ref _otherHint));
+            height = Edges(place, normal, height);
+            (highest, where) = height > highest ? (height, at) : (highest, where);
+        }
+
+        return (highest, where);
+    }
+
+    private double Edges(Point3 place, Vector3 normal, double enough)
+    {
+        foreach (var edge in edges)
+        {
+            var centers = edge.Centers;
+            for (var i = 0; i + 1 < centers.Length; i++)
+            {
+                enough = Math.Min(enough, LeavesPiece(place, normal, centers[i], centers[i + 1]).Mm);
+            }
+        }
+
+        return enough;
+    }
+
+    /// <summary>How far along the normal the tube of a polyline begins; infinite where the normal misses it. Places beside raised points are not measured.</summary>
+    private double Leaves(Point3 place, Vector3 normal, CenterLine line, ref int hint)
+    {
+        var centers = line.Centers;
+        hint = Math.Min(hint, centers.Length - 2);
+        var best = double.PositiveInfinity;
+        var from = 0;
+        for (var steps = 0; steps < centers.Length; steps++)
+        {
+            if (line.Raised[hint] > 0 || line.Raised[hint + 1] > 0)
+            {
+                return double.NegativeInfinity;
+            }
+
+            var (height, side) = LeavesPiece(place, normal, centers[hint], centers[hint + 1]);
+            best = Math.Min(best, height);
+            if (side == 0 || side == -from || hint + side < 0 || hint + side > centers.Length - 2)
+            {
+                break;
+            }
+
+            (hint, from) = (hint + side, side);
+        }
+
+        return best;
+    }
+
+    // Where a ray enters the ball's way along one straight piece, and on which side of the piece it would do so earlier.
+    private (double Mm, int Side) LeavesPiece(Point3 place, Vector3 normal, Point3 a, Point3 b)
+    {
+        var axis = b - a;
+        var length = axis.Length;
+        var p = a - place;
+        if (length > 0)
+        {
+            axis *= 1 / length;
+            var (nAlong, pAlong) = (normal.Dot(axis), p.Dot(axis));
+            var (n, q) = (normal - (axis * nAlong), p - (axis * pAlong));
+            var (nn, nq) = (n.Dot(n), n.Dot(q));
+            var inside = (nq * nq) - (nn * (q.Dot(q) - (offset.RadiusMm * offset.RadiusMm)));
+            var t = inside >= 0 && nn > 0 ? (nq - Math.Sqrt(inside)) / nn : 0;
+            var foot = (t * nAlong) - pAlong;
+            if (foot >= 0 && foot <= length)
+            {
+                return (inside >= 0 && nn > 0 ? t : double.PositiveInfinity, 0);
+            }
+
+            return foot < 0 ? (LeavesBall(normal, p), -1) : (LeavesBall(normal, b - place), 1);
+        }
+
+        return (LeavesBall(normal, p), 0);
+    }
+
+    private double LeavesBall(Vector3 normal, Vector3 center)
+    {
+        var along = normal.Dot(center);
+        var inside = (along * along) - center.Dot(center) + (offset.RadiusMm * offset.RadiusMm);
+        return inside >= 0 ? along - Math.Sqrt(inside) : double.PositiveInfinity;
+    }
+}

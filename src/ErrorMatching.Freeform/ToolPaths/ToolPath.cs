@@ -1,0 +1,85 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>The way of a ball end mill over a surface, with what was measured on it. It holds what the passes are made from, not their points: these are made again, alike, when they are asked for.</summary>
+public sealed class ToolPath
+{
+    private readonly Func<PassBuilder> _builder;
+    private readonly OffsetSurface _offset;
+    private readonly CenterRounding _rounding;
+    private readonly IReadOnlyList<CutChain> _chains;
+
+    internal ToolPath(Func<PassBuilder> builder, OffsetSurface offset, CenterRounding rounding, IReadOnlyList<CutChain> chains, ToolPathPlan plan)
+    {
+        (_builder, _offset, _rounding, _chains) = (builder, offset, rounding, chains);
+        (Passes, Points, LengthMm, TravelCenterZ, Certificate, Decimals) = (plan.Passes, plan.Points, plan.LengthMm, plan.TravelCenterZ, plan.Certificate, plan.Decimals);
+    }
+
+    /// <summary>Radius of the ball in millimetres.</summary>
+    public double RadiusMm => _offset.RadiusMm;
+
+    /// <summary>What is left on the surface, in millimetres.</summary>
+    public double StockMm => _offset.StockMm;
+
+    /// <summary>Number of passes over the surface.</summary>
+    public int Passes { get; }
+
+    /// <summary>Number of points on the surface: leads and positioning not counted.</summary>
+    public int Points { get; }
+
+    /// <summary>Length of the cuts in millimetres: leads and positioning not counted.</summary>
+    public double LengthMm { get; }
+
+    /// <summary>Height of the ball's center when it travels over the piece, in millimetres.</summary>
+    public double TravelCenterZ { get; }
+
+    /// <summary>Decimals that the coordinates were rounded to.</summary>
+    public int Decimals { get; }
+
+    /// <summary>What was measured on the finished path.</summary>
+    public ToolPathCertificate Certificate { get; }
+
+    /// <summary>All moves of the ball's center in order, beginning with one over the first point at the height of travel. Memory stays that of one pass.</summary>
+    public IEnumerable<ToolMove> Moves()
+    {
+        var builder = _builder();
+        var line = new CenterLine();
+        foreach (var chain in _chains)
+        {
+            var last = default(Point3);
+            for (var i = 0; i < chain.Pieces.Count; i++)
+            {
+                var piece = chain.Pieces[i];
+                if (piece.Raised is null)
+                {
+                    builder.Build(piece, line);
+                }
+
+                var count = piece.Raised?.Count ?? line.Count;
+                for (var k = 0; k < count; k++)
+                {
+                    var at = piece.Backwards ? count - 1 - k : k;
+                    var center = piece.Raised is { } raised ? raised[at] : line.Centers[at];
+                    if (i == 0 && k == 0)
+                    {
+                        var above = _rounding.Nearest(center + chain.LeadIn);
+                        yield return new(above with { Z = TravelCenterZ }, true);
+                        yield return new(above, true);
+                    }
+
+                    if (center != last || (i == 0 && k == 0))
+                    {
+                        yield return new(center, false);
+                    }
+
+                    last = center;
+                }
+            }
+
+            var leave = _rounding.Nearest(last + chain.LeadOut);
+            yield return new(leave, false);
+            yield return new(leave with { Z = TravelCenterZ }, true);
+        }
+    }
+}

@@ -1,0 +1,69 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Lays streamline passes of a ball end mill over a surface: along one of its parameters, as far apart as the scallop allows, in steps as long as the chordal error allows, with the center on the exact offset.</summary>
+/// <remarks>
+/// Spacing and steps are predicted from the curvature of the surface and of the center's own curve, and then measured on the finished polyline with its rounded numbers; what exceeds a tolerance is made again, finer. So the tolerances hold
+/// for what the program states, not for what was aimed at. Ridge between two balls on a surface of normal curvature k across the pass: h = w² (1/R + k) / 8, k positive where the surface is convex.
+/// </remarks>
+public static class ToolPathPlanner
+{
+    /// <summary>Plans the path.</summary>
+    /// <param name="surface">The surface to be cut.</param>
+    /// <param name="tool">The ball end mill.</param>
+    /// <param name="toolpath">Direction, tolerances and clearance.</param>
+    /// <param name="stockMm">What is to be left on the surface, along its normal, in millimetres.</param>
+    /// <param name="dialect">The control that the path is for: its least increment is what coordinates are rounded to.</param>
+    /// <returns>
+    /// The path, or a refusal: the increment is coarser than a tolerance (<c>increment-too-coarse</c>), the surface has no normal (<c>no-normal</c>), faces down (<c>faces-down</c>) or has an edge in it (<c>edge-in-surface</c>), the ball
+    /// does not fit (<c>ball-does-not-fit</c>), cannot leave it (<c>no-way-out</c>), a tolerance cannot be kept (<c>tolerance-not-reached</c>), or the path would be too long (<c>path-too-long</c>).
+    /// </returns>
+    /// <exception cref="ArgumentOutOfRangeException">A length is not positive, or the stock negative, or not finite.</exception>
+    public static ToolPathResult Plan(PartSurface surface, JobTool tool, JobToolpath toolpath, double stockMm, NcDialect dialect)
+    {
+        ArgumentNullException.ThrowIfNull(surface);
+        ArgumentNullException.ThrowIfNull(tool);
+        ArgumentNullException.ThrowIfNull(toolpath);
+        ArgumentNullException.ThrowIfNull(dialect);
+        Positive(tool.RadiusMm, nameof(tool));
+        Positive(toolpath.ChordMm, nameof(toolpath));
+        Positive(toolpath.ScallopMm, nameof(toolpath));
+        Positive(toolpath.ClearanceMm, nameof(toolpath));
+        if (!(stockMm >= 0) || !double.IsFinite(stockMm))
+        {
+            throw new ArgumentOutOfRangeException(nameof(stockMm), stockMm, "The stock is at least 0.");
+        }
+
+        var increment = Math.Pow(10, -dialect.MetricDecimals);
+        var finest = Math.Min(toolpath.ChordMm, toolpath.ScallopMm);
+        if (increment > finest * (1 + 1e-9))
+        {
+            return new FreeformRefusal("increment-too-coarse", string.Create(
+                CultureInfo.InvariantCulture,
+                $"{dialect.Name} writes {increment} mm, more than the {finest} mm that scallopMm and chordMm ask for: rounding alone would exceed it. Ask for {increment} mm or more, or name a dialect whose metricDecimals is larger."));
+        }
+
+        var sheet = toolpath.AlongU ? surface : Turned(surface);
+        var rounding = new CenterRounding(dialect.MetricDecimals, toolpath.ProgramsTip ? tool.RadiusMm : 0, finest);
+        return new PathPlanning(new(sheet, tool.RadiusMm, stockMm), rounding, toolpath, dialect.MetricDecimals).Run();
+    }
+
+    // With u and v exchanged passes always run along u.
+    private static PartSurface Turned(PartSurface surface) => surface with
+    {
+        Spline = surface.Spline.Swap(),
+        Region = new([.. surface.Region.Loops.Select(l => (IReadOnlyList<Point2>)[.. l.Select(p => new Point2(p.Y, p.X))])]),
+        Outside = -surface.Outside,
+    };
+
+    private static void Positive(double length, string name)
+    {
+        if (!(length > 0) || !double.IsFinite(length))
+        {
+            throw new ArgumentOutOfRangeException(name, length, "Radius, tolerances and clearance are positive lengths.");
+        }
+    }
+}

@@ -1,0 +1,26 @@
+using System.Diagnostics.CodeAnalysis;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>A tool path, or the reason why there is none.</summary>
+public sealed class ToolPathResult
+{
+    private ToolPathResult(ToolPath? path, FreeformRefusal? refusal) => (Path, Refusal) = (path, refusal);
+
+    /// <summary>The path; null where refused.</summary>
+    public ToolPath? Path { get; }
+
+    /// <summary>The reason; null where there is a path.</summary>
+    public FreeformRefusal? Refusal { get; }
+
+    /// <summary>True if there is a path.</summary>
+    [MemberNotNullWhen(true, nameof(Path))]
+    [MemberNotNullWhen(false, nameof(Refusal))]
+    public bool IsUsable => Path is not null;
+
+    /// <summary>A path that keeps its tolerances.</summary>
+    public static implicit operator ToolPathResult(ToolPath path) => new(path, null);
+
+    /// <summary>A refusal.</summary>
+    public static implicit operator ToolPathResult(FreeformRefusal refusal) => new(null, refusal);
+}

@@ -1,0 +1,162 @@
+namespace ErrorMatching.Geometry;
+
+/// <summary>A B-spline whose poles are rows of numbers: the common form of a curve (a row is a pole) and of a surface in one direction (a row is a line of poles), homogeneous if rational.</summary>
+/// <param name="Knots">Degree and knots.</param>
+/// <param name="Values">As many rows as the knots need, one behind the other.</param>
+/// <param name="Width">Numbers in a row.</param>
+internal sealed record SplineRows(KnotVector Knots, double[] Values, int Width)
+{
+    /// <summary>The same spline, or a part of it, over clamped knots of the same degree that contain its own.</summary>
+    /// <remarks>
+    /// Every new pole is the blossom of the old spline at the new knots that belong to it. Taken from the first piece of its support and in rising order, all weights are positive, so that no digits are lost
+    /// (Oslo algorithm: Cohen, Lyche and Riesenfeld, Discrete B-splines and subdivision techniques, Computer Graphics and Image Processing 14, 1980).
+    /// </remarks>
+    public SplineRows Onto(KnotVector finer)
+    {
+        if (Knots.Equals(finer))
+        {
+            return this;
+        }
+
+        CheckContained(finer);
+        var p = Knots.Degree;
+        var values = new double[finer.PoleCount * Width];
+        Span<double> weights = stackalloc double[p + 1];
+        for (var j = 0; j < finer.PoleCount; j++)
+        {
+            var span = Knots.SpanAt(finer.Values[j]);
+            Knots.Blossom(span, finer.Values.Slice(j + 1, p), weights);
+            Add(weights, 1, span, values.AsSpan(j * Width, Width));
+        }
+
+        return new(finer, values, Width);
+    }
+
+    /// <summary>The same spline with a higher degree, clamped.</summary>
+    public SplineRows ElevateTo(int degree)
+    {
+        var target = Knots.ElevateTo(degree);
+        var rows = Onto(Knots.Clamp());
+        while (rows.Knots.Degree < degree)
+        {
+            rows = rows.Elevate();
+        }
+
+        return rows with { Knots = target };
+    }
+
+    /// <summary>The spline stretched onto the range of other knots, its breaks moved onto theirs where rounding alone separates them.</summary>
+    public SplineRows Snap(KnotVector common)
+    {
+        var stretched = Knots.Affine(common.Start, common.End);
+        var near = KnotVector.SameKnot * (common.End - common.Start);
+        var breaks = common.Breaks;
+        double[] values = [.. stretched.Values];
+        foreach (ref var value in values.AsSpan())
+        {
+            var at = value;
+            value = breaks.Where(b => Math.Abs(b - at) <= near).Append(at).First();
+        }
+
+        return this with { Knots = new(Knots.Degree, values) };
+    }
+
+    /// <summary>The row at a parameter.</summary>
+    public double[] RowAt(double t)
+    {
+        var p = Knots.Degree;
+        var span = Knots.SpanAt(t);
+        Span<double> basis = stackalloc double[p + 1];
+        Knots.Basis(span, t, 0, basis);
+        var row = new double[Width];
+        Add(basis, 1, span, row);
+        return row;
+    }
+
+    /// <summary>The rows in reverse order: the spline run through backwards.</summary>
+    public SplineRows Reverse()
+    {
+        var values = new double[Values.Length];
+        for (var i = 0; i < Knots.PoleCount; i++)
+        {
+            Values.AsSpan(i * Width, Width).CopyTo(values.AsSpan(values.Length - ((i + 1) * Width), Width));
+        }
+
+        return new(Knots.Reverse(), values, Width);
+    }
+
+    /// <summary>
+    /// The blossom of degree p + 1 is the mean of the blossoms of degree p with one argument left out. It is taken from the longest piece of the new pole's support, so that no argument is far outside (Ramshaw, as above; Prautzsch, Degree
+    /// elevation of B-spline curves, Computer Aided Geometric Design 1, 1984).
+    /// </summary>
+    private SplineRows Elevate()
+    {
+        var p = Knots.Degree;
+        var target = Knots.ElevateTo(p + 1);
+        var values = new double[target.PoleCount * Width];
+        Span<double> weights = stackalloc double[p + 1];
+        Span<double> arguments = stackalloc double[p];
+        for (var j = 0; j < target.PoleCount; j++)
+        {
+            var span = LongestPiece(target.Values[j], target.Values[j + p + 2]);
+            for (var left = 0; left <= p; left++)
+            {
+                for (var k = 0; k < p; k++)
+                {
+                    arguments[k] = target.Values[j + 1 + (k < left ? k : k + 1)];
+                }
+
+                Knots.Blossom(span, arguments, weights);
+                Add(weights, 1.0 / (p + 1), span, values.AsSpan(j * Width, Width));
+            }
+        }
+
+        return new(target, values, Width);
+    }
+
+    private int LongestPiece(double from, double to)
+    {
+        var best = Knots.SpanAt(from);
+        for (var i = best + 1; i < Knots.PoleCount && Knots.Values[i + 1] <= to; i++)
+        {
+            best = Knots.Values[i + 1] - Knots.Values[i] > Knots.Values[best + 1] - Knots.Values[best] ? i : best;
+        }
+
+        return best;
+    }
+
+    private void Add(ReadOnlySpan<double> weights, double factor, int span, Span<double> row)
+    {
+        for (var k = 0; k < weights.Length; k++)
+        {
+            var weight = weights[k] * factor;
+            if (weight == 0)
+            {
+                continue;
+            }
+
+            var source = Values.AsSpan((span - Knots.Degree + k) * Width, Width);
+            for (var c = 0; c < row.Length; c++)
+            {
+                row[c] += weight * source[c];
+            }
+        }
+    }
+
+    private void CheckContained(KnotVector finer)
+    {
+        var (start, end) = (finer.Start, finer.End);
+        if (finer.Degree != Knots.Degree || !finer.IsClamped || start < Knots.Start || end > Knots.End)
+        {
+            throw new GeometryException(GeometryError.BadKnots, "the new knots are not clamped, of another degree, or reach beyond the spline's range");
+        }
+
+        foreach (var value in Knots.Breaks)
+        {
+            if (value > start && value < end && finer.Multiplicity(value) < Knots.Multiplicity(value))
+            {
+                throw new GeometryException(GeometryError.BadKnots, FormattableString.Invariant($"the new knots have {value} {finer.Multiplicity(value)} times; the spline has it {Knots.Multiplicity(value)} times"));
+            }
+        }
+    }
+}

@@ -1,0 +1,161 @@
+namespace ErrorMatching.Geometry;
+
+/// <content>The same surface in other words: other knots, higher degrees, a part of it, turned around.</content>
+public sealed partial class SplineSurface
+{
+    /// <summary>The surfaces over <see cref="KnotVector.Common"/> knots in both directions, so that poles of the same number can be added. None moves.</summary>
+    /// <remarks>Ranges and knots are treated as in <see cref="SplineCurve.Compatible"/>.</remarks>
+    /// <param name="surfaces">At least one.</param>
+    /// <exception cref="GeometryException">There are none.</exception>
+    public static IReadOnlyList<SplineSurface> Compatible(IReadOnlyList<SplineSurface> surfaces)
+    {
+        ArgumentNullException.ThrowIfNull(surfaces);
+        var u = KnotVector.Common([.. surfaces.Select(s => s.KnotsU)]);
+        var v = KnotVector.Common([.. surfaces.Select(s => s.KnotsV)]);
+        return [.. surfaces.Select(s => s.Each(r => r.Snap(u).ElevateTo(u.Degree).Onto(u), r => r.Snap(v).ElevateTo(v.Degree).Onto(v)))];
+    }
+
+    /// <summary>The same surface over knots that contain its own (knot insertion, Oslo algorithm).</summary>
+    /// <param name="finerU">Clamped knots of the same degree along u with the same range, or with a part of it: then that part.</param>
+    /// <param name="finerV">The same along v.</param>
+    /// <exception cref="GeometryException">The knots do not contain the surface's.</exception>
+    public SplineSurface WithKnots(KnotVector finerU, KnotVector finerV)
+    {
+        ArgumentNullException.ThrowIfNull(finerU);
+        ArgumentNullException.ThrowIfNull(finerV);
+        return Each(r => r.Onto(finerU), r => r.Onto(finerV));
+    }
+
+    /// <summary>The same surface, clamped, with a knot more along u.</summary>
+    /// <param name="u">A parameter inside the range.</param>
+    /// <param name="times">How often it is added.</param>
+    /// <exception cref="GeometryException">The parameter is not inside, or would count more than degree + 1 times.</exception>
+    public SplineSurface InsertKnotU(double u, int times = 1) => WithKnots(KnotsU.Insert(u, times), KnotsV.Clamp());
+
+    /// <summary>The same surface, clamped, with a knot more along v.</summary>
+    /// <param name="v">A parameter inside the range.</param>
+    /// <param name="times">How often it is added.</param>
+    /// <exception cref="GeometryException">The parameter is not inside, or would count more than degree + 1 times.</exception>
+    public SplineSurface InsertKnotV(double v, int times = 1) => WithKnots(KnotsU.Clamp(), KnotsV.Insert(v, times));
+
+    /// <summary>The same surface, clamped, with higher degrees.</summary>
+    /// <param name="degreeU">Not lower than the surface's along u and not higher than <see cref="KnotVector.MaxDegree"/>.</param>
+    /// <param name="degreeV">The same along v.</param>
+    /// <exception cref="GeometryException">A degree is none of these.</exception>
+    public SplineSurface ElevateTo(int degreeU, int degreeV) => Each(r => r.ElevateTo(degreeU), r => r.ElevateTo(degreeV));
+
+    /// <summary>The part of the surface between two pairs of parameters.</summary>
+    /// <param name="fromU">First parameter along u.</param>
+    /// <param name="toU">Last parameter along u.</param>
+    /// <param name="fromV">First parameter along v.</param>
+    /// <param name="toV">Last parameter along v.</param>
+    /// <exception cref="GeometryException">The part is empty or reaches beyond the surface.</exception>
+    public SplineSurface Between(double fromU, double toU, double fromV, double toV) => WithKnots(KnotsU.Between(fromU, toU), KnotsV.Between(fromV, toV));
+
+    /// <summary>The surface before and after a parameter u.</summary>
+    /// <param name="u">A parameter inside the range.</param>
+    /// <exception cref="GeometryException">The parameter is not inside.</exception>
+    public (SplineSurface Before, SplineSurface After) SplitU(double u)
+    {
+        var v = KnotsV.Clamp();
+        return (WithKnots(KnotsU.Between(KnotsU.Start, u), v), WithKnots(KnotsU.Between(u, KnotsU.End), v));
+    }
+
+    /// <summary>The surface before and after a parameter v.</summary>
+    /// <param name="v">A parameter inside the range.</param>
+    /// <exception cref="GeometryException">The parameter is not inside.</exception>
+    public (SplineSurface Before, SplineSurface After) SplitV(double v)
+    {
+        var u = KnotsU.Clamp();
+        return (WithKnots(u, KnotsV.Between(KnotsV.Start, v)), WithKnots(u, KnotsV.Between(v, KnotsV.End)));
+    }
+
+    /// <summary>The same surface with poles at its corners.</summary>
+    public SplineSurface Clamp() => WithKnots(KnotsU.Clamp(), KnotsV.Clamp());
+
+    /// <summary>The surface with u and v exchanged; its normal turns over.</summary>
+    public SplineSurface Swap()
+    {
+        var rows = Rows();
+        return From(KnotsV, KnotsU, Transpose(rows.Values, CountU, CountV, Size), IsRational);
+    }
+
+    /// <summary>The surface run through backwards along u; its normal turns over.</summary>
+    public SplineSurface ReverseU() => Each(r => r.Reverse(), r => r);
+
+    /// <summary>The surface run through backwards along v; its normal turns over.</summary>
+    public SplineSurface ReverseV() => Each(r => r, r => r.Reverse());
+
+    /// <summary>The same surface over other ranges of parameters.</summary>
+    /// <param name="startU">New first parameter along u.</param>
+    /// <param name="endU">New last parameter along u, larger than the first.</param>
+    /// <param name="startV">New first parameter along v.</param>
+    /// <param name="endV">New last parameter along v, larger than the first.</param>
+    /// <exception cref="GeometryException">A range is empty.</exception>
+    public SplineSurface Reparametrize(double startU, double endU, double startV, double endV) =>
+        new(KnotsU.Affine(startU, endU), KnotsV.Affine(startV, endV), _poles, _weights);
+
+    /// <summary>The curve on the surface at a parameter u, running along v.</summary>
+    public SplineCurve CurveAtU(double u) => SplineCurve.From(new(KnotsV, Rows().RowAt(u), Size), IsRational);
+
+    /// <summary>The curve on the surface at a parameter v, running along u.</summary>
+    public SplineCurve CurveAtV(double v)
+    {
+        var turned = new SplineRows(KnotsV, Transpose(Rows().Values, CountU, CountV, Size), CountU * Size);
+        return SplineCurve.From(new(KnotsU, turned.RowAt(v), Size), IsRational);
+    }
+
+    /// <summary>The polynomial pieces, u by u and v running faster, each a Bezier surface over its own part of the parameters.</summary>
+    public IReadOnlyList<SplineSurface> Pieces()
+    {
+        var (u, v) = (KnotsU.Breaks, KnotsV.Breaks);
+        var pieces = new List<SplineSurface>();
+        for (var i = 1; i < u.Count; i++)
+        {
+            var strip = Each(r => r.Onto(KnotsU.Between(u[i - 1], u[i])), r => r);
+            for (var j = 1; j < v.Count; j++)
+            {
+                pieces.Add(strip.Each(r => r, r => r.Onto(KnotsV.Between(v[j - 1], v[j]))));
+            }
+        }
+
+        return pieces;
+    }
+
+    /// <summary>A box that holds the surface: that of its poles.</summary>
+    public Box3 Box() => Box3.Around(Clamp()._poles);
+
+    private static SplineSurface From(KnotVector u, KnotVector v, double[] values, bool rational)
+    {
+        var (poles, weights) = SplinePoles.Unflatten(values, rational);
+        return new(u, v, poles, weights);
+    }
+
+    private static double[] Transpose(double[] values, int rows, int columns, int size)
+    {
+        var turned = new double[values.Length];
+        for (var i = 0; i < rows; i++)
+        {
+            for (var j = 0; j < columns; j++)
+            {
+                values.AsSpan(((i * columns) + j) * size, size).CopyTo(turned.AsSpan(((j * rows) + i) * size, size));
+            }
+        }
+
+        return turned;
+    }
+
+    /// <summary>Numbers a pole.</summary>
+    private int Size => IsRational ? 4 : 3;
+
+    private SplineRows Rows() => new(KnotsU, SplinePoles.Flatten(_poles, _weights), CountV * Size);
+
+    /// <summary>The surface after one operation on its splines along u and another on those along v.</summary>
+    private SplineSurface Each(Func<SplineRows, SplineRows> alongU, Func<SplineRows, SplineRows> alongV)
+    {
+        var first = alongU(Rows());
+        var countU = first.Knots.PoleCount;
+        var second = alongV(new(KnotsV, Transpose(first.Values, countU, CountV, Size), countU * Size));
+        return From(first.Knots, second.Knots, Transpose(second.Values, second.Knots.PoleCount, countU, Size), IsRational);
+    }
+}
