@@ -65,7 +65,7 @@ public sealed class SurfaceDistance
     /// <summary>The place whose normal goes through the point; where there is none nearby, or only far beyond an edge, the nearest place.</summary>
     private SurfacePoint Foot(Point3 point, double u, double v)
     {
-        if (NormalFoot.From(_surface, point, u, v) is { } foot && IsWithin(_surface.KnotsU, foot.U) && IsWithin(_surface.KnotsV, foot.V))
+        if (NormalFoot.Of(_surface, point, u, v) is { } foot && IsWithin(_surface.KnotsU, foot.U) && IsWithin(_surface.KnotsV, foot.V))
         {
             return foot;
         }
