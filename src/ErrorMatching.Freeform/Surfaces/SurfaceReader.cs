@@ -4,9 +4,12 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads the nominal surface from an IGES or STEP file.</summary>
+/// <summary>Reads the nominal surface from an IGES or STEP file, or lays it through a grid of points.</summary>
 public static partial class SurfaceReader
 {
+    /// <summary>Largest file that is read, in bytes.</summary>
+    public const int MaxBytes = ExchangeLimits.MaxBytes;
+
     /// <summary>No machine of this trade is a kilometer long.</summary>
     private const double LargestMm = 1e6;
 
@@ -16,12 +19,18 @@ public static partial class SurfaceReader
     /// <param name="entity">Name or number, from 1, of the surface where the file has several; null if it has one.</param>
     /// <param name="outsideIsUp">True if the material lies below the surface (towards -z), false if above it.</param>
     /// <returns>The surface in millimetres with its limits.</returns>
+    /// <exception cref="Measurement.MeasurementException">A grid (<c>.csv</c>) cannot be read, or its points determine no surface.</exception>
     /// <exception cref="FreeformException">The file is broken, has no such surface or several, or the surface is upright somewhere or folded, so that up and down tell nothing.</exception>
     public static PartSurface Read(ReadOnlySpan<byte> bytes, string file, string? entity, bool outsideIsUp)
     {
         if (bytes.Length > ExchangeLimits.MaxBytes)
         {
             throw new FreeformException("too-large", file, $"{bytes.Length} bytes; at most {ExchangeLimits.MaxBytes} are read. Export the one surface alone");
+        }
+
+        if (file.EndsWith(".csv", StringComparison.OrdinalIgnoreCase))
+        {
+            return FromGrid(bytes, file, outsideIsUp);
         }
 
         try
@@ -49,5 +58,19 @@ public static partial class SurfaceReader
 
         var known = file.EndsWith(".stp", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".step", StringComparison.OrdinalIgnoreCase);
         return known && !(start.Length > 72 && start[72] is 'S' or 'G' or 'C');
+    }
+
+    private static PartSurface FromGrid(ReadOnlySpan<byte> bytes, string file, bool outsideIsUp)
+    {
+        var grid = GridReader.Read(bytes.ToArray(), file);
+        try
+        {
+            var surface = new ReadSurface(Path.GetFileNameWithoutExtension(file), GridSurface.Interpolate(grid), SurfaceRegion.Whole);
+            return new(surface.Name, surface.Spline, surface.Region, SurfaceSide.Of(surface, file, outsideIsUp));
+        }
+        catch (GeometryException e)
+        {
+            throw new FreeformException("no-surface", file, e.Message);
+        }
     }
 }
