@@ -1,7 +1,10 @@
+using FsCheck;
+using FsCheck.Fluent;
+
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// Siemens deep holes and patterns of holes as motions, worked out by hand from the published rules of the cycles. Each program begins at the origin; the tool goes to 10 above it.
+/// Siemens deep holes and patterns of holes as motions, worked out by hand from the rules that docs/dialects.md states. Each program begins at the origin; the tool goes to 10 above it.
 /// </summary>
 public sealed class CycleCallMotionTests
 {
@@ -25,7 +28,7 @@ public sealed class CycleCallMotionTests
     [InlineData("CYCLE83(10,0,2,-10,,-5,,0,0,0,1,0,0,0,0.5)", "R1,0,2 L1,0,-5 L1,0,-4.5 L1,0,-10 R1,0,10")]
     [InlineData("CYCLE83(10,0,2,-10,,-5,,0,0,0,1,1,0,0,0,0,2)", "R1,0,2 L1,0,-5 R1,0,2 R1,0,-3 L1,0,-10 R1,0,10")]
 
-    // The manual's example, 145 deep from 150 with first 50 and degression 20: 50, 30, 20, 20 leave 25, not more than twice 20: 12.5 and 12.5.
+    // 145 deep from 150 with first 50 and degression 20: 50, 30, 20, 20 leave 25, not more than twice 20: 12.5 and 12.5.
     // 100 -> 70 -> 50 -> 30 -> 17.5 -> 5. Rapids end 145 / 50 = 2.9 above the last depth.
     [InlineData(
         "CYCLE83(155,150,1,5,,100,,20,0,0,1,1)",
@@ -44,13 +47,14 @@ public sealed class CycleCallMotionTests
     [InlineData("CYCLE83(10,0,2,-10,0,-5,0)", "R1,0,2 L1,0,-5 L1,0,-4 L1,0,-10 R1,0,10")]
 
     // Not followed: no first depth; one above the reference plane; one that disagrees with the one below it; degression by a factor; a first stroke shorter than the degression;
-    // strokes that no rule gives (50 and 40 of 100, then 30 where 10 remain); another axis; neither 0 nor 1; later modes; values that only the machine knows.
+    // strokes that no rule gives (50 and 40 of 100, then 30 where 10 remain; 50 of 60 with degression 40, then halves of 10); another axis; neither 0 nor 1; later modes; values that only the machine knows.
     [InlineData("CYCLE83(10,0,2,-10)", "C1,0,10")]
     [InlineData("CYCLE83(10,0,2,-10,,5)", "C1,0,10")]
     [InlineData("CYCLE83(10,0,2,-10,,-5,4)", "C1,0,10")]
     [InlineData("CYCLE83(10,0,2,-10,,-5,,-0.8)", "C1,0,10")]
     [InlineData("CYCLE83(10,0,2,-10,,-2,,3)", "C1,0,10")]
     [InlineData("CYCLE83(10,0,2,-100,,-50,,10)", "C1,0,10")]
+    [InlineData("CYCLE83(10,0,2,-60,,-50,,40)", "C1,0,10")]
     [InlineData("CYCLE83(10,0,2,-10,,-5,,0,0,0,1,1,1)", "C1,0,10")]
     [InlineData("CYCLE83(10,0,2,-10,,-5,,0,0,0,1,2)", "C1,0,10")]
     [InlineData("CYCLE83(10,0,2,-10,,-5,,0,0,0,1,1,0,0,1,0,1,10)", "C1,0,10")]
@@ -63,6 +67,32 @@ public sealed class CycleCallMotionTests
     // As many strokes as nobody drills.
     [InlineData("CYCLE83(10,0,2,-10,,-0.00005)\nCYCLE83(10,0,2,-10,,-5)", "C1,0,10 C1,0,10")]
     public void Deep_holes(string call, string moves) => Assert.Equal("R0,0,10 R1,0,10 " + moves, Moves.Of("siemens-840d", "Z10 F100\nX1\n" + call));
+
+    [Fact]
+    public void Strokes_deepen_to_the_depth_get_no_longer_and_are_longer_than_half_of_the_degression()
+    {
+        var followed = 0;
+        Check.One(Config.QuickThrowOnFailure.WithMaxTest(400), Prop.ForAll(Gen.Choose(1, 300).Zip(Gen.Choose(1, 120)).Zip(Gen.Choose(0, 40)).ToArbitrary(), p =>
+        {
+            var ((total, first), less) = p;
+            var path = Bench.Read(FormattableString.Invariant($"G90 G17 G71 G94 G0 X0 Y0 Z10 F100\nCYCLE83(10,0,2,{-total},,{-first},,{less})\n"), NcDialects.Siemens840D);
+            Assert.Equal(10, path.Motions[^1].End.Z);
+            if (path.Motions[^1].Kind == MotionKind.Cycle)
+            {
+                return;
+            }
+
+            followed++;
+            var depths = path.Motions.Where(m => m.Kind == MotionKind.Line && m.End.Z < m.Start.Z).Select(m => -m.End.Z).Prepend(0).ToArray();
+            var strokes = depths.Zip(depths.Skip(1), (a, b) => b - a).ToArray();
+            Assert.Equal(total, depths[^1]);
+            Assert.Equal(Math.Min(first, total), strokes[0]);
+            Assert.All(strokes, s => Assert.True(s > 0 && (strokes.Length == 1 || s > less / 2.0)));
+            Assert.All(strokes.Zip(strokes.Skip(1)), s => Assert.True(s.Second <= s.First + 1e-9));
+            Assert.True(less == 0 || strokes.Length < 3 || strokes[1] == Math.Max(first - less, less) || strokes[1] < less);
+        }));
+        Assert.True(followed > 100);
+    }
 
     [Fact]
     public void First_stroke_of_a_deep_hole_has_its_part_of_the_feed()

@@ -36,7 +36,8 @@ public sealed partial class NcInterpreter
             stroke = less == 0 ? stroke : Math.Max(Sum(stroke, -less), less);
             if (less > 0 && stroke == less && Sum(total, -at) <= Sum(less, less))
             {
-                return [.. strokes, at + ((total - at) / 2), total];
+                // Halves are always longer than half of the degression, says the rule; of a shorter rest it says nothing.
+                return Sum(total, -at) > less ? [.. strokes, at + ((total - at) / 2), total] : null;
             }
         }
 
