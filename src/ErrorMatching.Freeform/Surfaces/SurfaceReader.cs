@@ -28,14 +28,11 @@ public static partial class SurfaceReader
             throw new FreeformException("too-large", file, $"{bytes.Length} bytes; at most {ExchangeLimits.MaxBytes} are read. Export the one surface alone");
         }
 
-        if (file.EndsWith(".csv", StringComparison.OrdinalIgnoreCase))
-        {
-            return FromGrid(bytes, file, outsideIsUp);
-        }
-
         try
         {
-            var read = IsStep(bytes, file) ? new StepSurfaces(new(bytes, file)).Read(entity) : new IgesSurfaces(new(bytes, file)).Read(entity);
+            var read = IsGrid(file) ? new ReadSurface(Path.GetFileNameWithoutExtension(file), GridSurface.Interpolate(GridReader.Read(bytes.ToArray(), file)), SurfaceRegion.Whole)
+                : IsStep(bytes, file) ? new StepSurfaces(new(bytes, file)).Read(entity)
+                : new IgesSurfaces(new(bytes, file)).Read(entity);
             var far = read.Spline.Poles.ToArray().Max(p => Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))));
             return far <= LargestMm
                 ? new(read.Name, read.Spline, read.Region, SurfaceSide.Of(read, file, outsideIsUp))
@@ -46,6 +43,8 @@ public static partial class SurfaceReader
             throw new FreeformException("bad-surface", file, e.Message);
         }
     }
+
+    private static bool IsGrid(string file) => file.EndsWith(".csv", StringComparison.OrdinalIgnoreCase);
 
     // A STEP file says what it is; an IGES file shows by the letter of a section in column 73 of its first record.
     private static bool IsStep(ReadOnlySpan<byte> bytes, string file)
@@ -58,19 +57,5 @@ public static partial class SurfaceReader
 
         var known = file.EndsWith(".stp", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".step", StringComparison.OrdinalIgnoreCase);
         return known && !(start.Length > 72 && start[72] is 'S' or 'G' or 'C');
-    }
-
-    private static PartSurface FromGrid(ReadOnlySpan<byte> bytes, string file, bool outsideIsUp)
-    {
-        var grid = GridReader.Read(bytes.ToArray(), file);
-        try
-        {
-            var surface = new ReadSurface(Path.GetFileNameWithoutExtension(file), GridSurface.Interpolate(grid), SurfaceRegion.Whole);
-            return new(surface.Name, surface.Spline, surface.Region, SurfaceSide.Of(surface, file, outsideIsUp));
-        }
-        catch (GeometryException e)
-        {
-            throw new FreeformException("no-surface", file, e.Message);
-        }
     }
 }
