@@ -1,4 +1,5 @@
 using System.CommandLine;
+using ErrorMatching.Freeform;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
@@ -61,6 +62,10 @@ internal static class Application
         catch (JsonDocumentException e)
         {
             return FailureOf.Json(e);
+        }
+        catch (FreeformException e)
+        {
+            return FailureOf.Freeform(e);
         }
         catch (NcException e)
         {

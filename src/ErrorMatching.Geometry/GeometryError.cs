@@ -32,4 +32,7 @@ public enum GeometryError
 
     /// <summary>Poles or weights that do not fit the knots, or weights that are not positive.</summary>
     BadPoles,
+
+    /// <summary>Curves that should meet in a mesh pass each other too far apart.</summary>
+    OpenMesh,
 }

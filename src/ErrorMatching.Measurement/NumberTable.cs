@@ -4,8 +4,10 @@ namespace ErrorMatching.Measurement;
 public sealed class NumberTable
 {
     private readonly IReadOnlyDictionary<string, IReadOnlyList<string>> _columns;
+    private readonly IReadOnlyDictionary<string, int> _positions;
 
-    private NumberTable(string file, IReadOnlyList<int> lines, IReadOnlyDictionary<string, IReadOnlyList<string>> columns) => (File, Lines, _columns) = (file, lines, columns);
+    private NumberTable(string file, IReadOnlyList<int> lines, IReadOnlyDictionary<string, IReadOnlyList<string>> columns, IReadOnlyDictionary<string, int> positions) =>
+        (File, Lines, _columns, _positions) = (file, lines, columns, positions);
 
     /// <summary>The file as the caller named it.</summary>
     public string File { get; }
@@ -20,6 +22,11 @@ public sealed class NumberTable
     /// <param name="name">One of the names that the table was read with.</param>
     /// <exception cref="KeyNotFoundException">The table was read without this column.</exception>
     public IReadOnlyList<string> this[string name] => _columns[name];
+
+    /// <summary>The position of a column in the file, counted from 1 as a spreadsheet counts columns.</summary>
+    /// <param name="name">One of the names that the table was read with.</param>
+    /// <exception cref="KeyNotFoundException">The table was read without this column.</exception>
+    public int ColumnOf(string name) => _positions[name];
 
     /// <summary>Reads columns of a CSV file in UTF-8 with commas and decimal points.</summary>
     /// <param name="path">The file, named in errors as it is given here.</param>
@@ -48,7 +55,11 @@ public sealed class NumberTable
         }
 
         return table.Rows.Count > 0
-            ? new(fileName, [.. table.Rows.Select(r => r.Line)], texts.ToDictionary(t => t.Key, t => (IReadOnlyList<string>)t.Value, StringComparer.Ordinal))
+            ? new(
+                fileName,
+                [.. table.Rows.Select(r => r.Line)],
+                texts.ToDictionary(t => t.Key, t => (IReadOnlyList<string>)t.Value, StringComparer.Ordinal),
+                columns.Zip(indexes).ToDictionary(c => c.First, c => c.Second + 1, StringComparer.Ordinal))
             : throw table.Top(indexes[0]).Fail(MeasurementError.NoPoints, "a table without rows", "at least one row of numbers");
     }
 }

@@ -1,3 +1,4 @@
+using ErrorMatching.Freeform;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
@@ -11,6 +12,20 @@ internal static class InputFile
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JobException">It cannot be used.</exception>
     public static MatingJob Job(string path) => MatingJob.Parse(Open(path, p => JsonInput.Load(p)), path);
+
+    /// <summary>The free-form job in a file.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    public static FreeformJob Freeform(string path) => FreeformJob.Parse(Open(path, p => JsonInput.Load(p)), path);
+
+    /// <summary>The kind of the job in a file as the file says it; null if it says none.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It is no JSON.</exception>
+    public static string? KindOfJob(string path)
+    {
+        var root = JsonInput.Read(Open(path, p => JsonInput.Load(p)), path);
+        return root.Kind == JsonItemKind.Object && root.Find("kind") is { Kind: JsonItemKind.Text } kind ? kind.Text : null;
+    }
 
     /// <summary>A built-in dialect by its name, or the shop's own in a file.</summary>
     /// <param name="dialect">A name, or a file that ends in <c>.json</c>.</param>
@@ -31,6 +46,14 @@ internal static class InputFile
     {
         var length = new FileInfo(p).Length;
         return length <= NcProgram.MaxBytes ? File.ReadAllBytes(p) : throw new NcException(NcErrorCode.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read.");
+    });
+
+    /// <summary>The bytes of a file.</summary>
+    /// <exception cref="InputException">The file cannot be opened, or is larger than what is read.</exception>
+    public static byte[] Bytes(string path, long mostBytes) => Open(path, p =>
+    {
+        var length = new FileInfo(p).Length;
+        return length <= mostBytes ? File.ReadAllBytes(p) : throw new IOException($"It has {length} bytes; at most {mostBytes} are read");
     });
 
     /// <summary>The wish in a file.</summary>

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
@@ -25,6 +26,19 @@ internal static class FailureOf
 
     /// <summary>A JSON document other than a job that cannot be used: everything that is wrong in it.</summary>
     public static Failure Json(JsonDocumentException e) => Document(e.File, e.Problems);
+
+    /// <summary>A surface, template or measurement of a free-form job that cannot be used.</summary>
+    public static Failure Freeform(FreeformException e) => new(ExitCode.WrongInput, new ErrorItem(e.Code, e.Message)
+    {
+        File = e.File,
+        Line = e.Line,
+        Column = e.Column,
+        Problem = e.Problem,
+    });
+
+    /// <summary>A free-form job whose result must not be used.</summary>
+    public static Failure Refused(string job, IReadOnlyList<FreeformRefusal> refusals) =>
+        new(ExitCode.Refused, [.. refusals.Select(r => new ErrorItem(r.Code, r.Message) { File = job, Problem = r.Message })]);
 
     /// <summary>A wish that was written for another program.</summary>
     public static Failure OtherProgram(string wish, string before, string expected) => new(ExitCode.WrongInput, new ErrorItem(
@@ -112,6 +126,9 @@ internal static class FailureOf
         GeometryError.NotConverged => "not-converged",
         GeometryError.NotFinite => "not-finite",
         GeometryError.FoldedCurve => "folded-curve",
+        GeometryError.BadKnots => "bad-knots",
+        GeometryError.BadPoles => "bad-poles",
+        GeometryError.OpenMesh => "open-mesh",
         _ => throw new ArgumentOutOfRangeException(nameof(error), error, "A geometric error without a code."),
     };
 

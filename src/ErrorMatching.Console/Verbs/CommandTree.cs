@@ -25,6 +25,7 @@ internal static class CommandTree
             new VerifyVerb(),
             new Command("job", "Writes and checks jobs.") { new JobCheck(), new JobNew(), new JobSchema() },
             new Command("nc", "Looks at NC programs, displaces blocks, compares and proves programs.") { new NcCheck(), new NcMotionVerb(), new NcLocate(), new NcDisplace(), new NcDiff(), new NcProve(), new NcDialectsVerb() },
+            new SurfaceVerb(),
             new Command("fit", "Fits curves to measured points.") { new FitLine(), new FitPolynomial(), new FitCircle() },
         };
         root.Directives.Clear();

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>Everything that a match has to say: what was measured, what was decided, what changed, and what was proved. <c>report.json</c> and <c>report.html</c> are made of it.</summary>

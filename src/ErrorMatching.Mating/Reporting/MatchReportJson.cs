@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The report of a match as JSON, schema <c>errormatch/match/1</c>.</summary>

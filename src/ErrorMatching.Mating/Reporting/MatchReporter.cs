@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Security.Cryptography;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
@@ -20,7 +21,7 @@ public static class MatchReporter
         var evaluations = result.Maps.Select(m => Evaluate(result, m)).ToArray();
         return new()
         {
-            Job = ReportJob.Of(job),
+            Job = new(job.Name, job.WorkOrder, job.File, job.Sha256),
             Inputs = Inputs(input),
             Alignments = [.. new[] { ("part", result.Part), ("counterpart", result.Counterpart) }.Where(p => p.Item2 is not null).Select(p => Alignment(job, p.Item1, p.Item2!))],
             OriginCheck = job.OriginCheck is { } check ? OriginCheck.Of(check, input.Theoretical[check.Point], input.Compensated[check.Point]) : null,

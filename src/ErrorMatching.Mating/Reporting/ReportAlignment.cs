@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The report of a verification as JSON, schema <c>errormatch/verify/1</c>.</summary>

@@ -2,6 +2,7 @@ using System.Security.Cryptography;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
@@ -40,6 +41,6 @@ public static class VerifyRun
             new("program", input.ProgramFile, Convert.ToHexStringLower(SHA256.HashData(input.Program.Span))),
             .. path.Dialect.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)),
         ];
-        return new(ReportJob.Of(job), inputs, Verifier.Verify(job, [.. points]), []);
+        return new(new ReportJob(job.Name, job.WorkOrder, job.File, job.Sha256), inputs, Verifier.Verify(job, [.. points]), []);
     }
 }

@@ -23,6 +23,11 @@ internal sealed partial class NcFlow
 
         var reader = ReaderAt(text, at + 2);
         var value = reader.Bracket();
+        if (value.IsUnknown && reader.Error is null && OnlyRaisesAlarm(block, text, reader.At))
+        {
+            return FlowAction.Continue;
+        }
+
         if (!TryTruth(block, ref reader, value, out var holds))
         {
             return FlowAction.Stop;

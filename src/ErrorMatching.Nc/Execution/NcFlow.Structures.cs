@@ -62,7 +62,13 @@ internal sealed partial class NcFlow
                 return Jump(statement.Block, branch.Block + 1);
             }
 
-            if (!Condition(branch, ReferenceEquals(branch, statement) ? text : Program.BytesOf(Program[branch.Block]), out var holds))
+            var condition = ReferenceEquals(branch, statement) ? text : Program.BytesOf(Program[branch.Block]);
+            if (OnlyStops(branch, condition))
+            {
+                return Jump(statement.Block, branch.Branch!.Block + 1);
+            }
+
+            if (!Condition(branch, condition, out var holds))
             {
                 return FlowAction.Stop;
             }

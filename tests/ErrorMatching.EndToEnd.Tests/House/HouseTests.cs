@@ -16,8 +16,10 @@ public sealed class HouseTests
         ["Json"] = [],
         ["Measurement"] = ["Geometry", "Json"],
         ["Nc"] = ["Geometry", "Json"],
-        ["Mating"] = ["Geometry", "Json", "Measurement", "Nc"],
-        ["Console"] = ["Geometry", "Json", "Measurement", "Nc", "Mating"],
+        ["Reporting"] = ["Geometry"],
+        ["Mating"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting"],
+        ["Freeform"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting"],
+        ["Console"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform"],
     };
 
     private static readonly string[] TextEndings = [".cs", ".csproj", ".props", ".json", ".md", ".html", ".nc", ".csv", ".yml", ".txt", ".sln", ".sh"];

@@ -7,7 +7,10 @@ public sealed class ReportMatchTests
     public void Changed_words_are_marked_in_both_programs()
     {
         var match = new MatchCase(Programs.ToolBelow) { Part = "1 10 0.1; 2 40 0.2" };
-        var blocks = match.Report().Program.Blocks;
+        var report = match.Report();
+        var blocks = report.Program.Blocks;
+
+        Assert.Equal((match.Job.Name, match.Job.File, match.Job.Sha256), (report.Job.Name, report.Job.File, report.Job.Sha256));
 
         Assert.Equal([("N40", 6, "N40 G1 X0. Y-3. F300", "N40 G1 X0. Y-2.933 F300"), ("N50", 7, "N50 X50.", "N50 X50. Y-2.767")], blocks.Select(b => (b.Number, b.Line, b.Original, b.Modified)));
         Assert.Equal(["-3."], Cut(blocks[0].Original, blocks[0].OriginalSpans));

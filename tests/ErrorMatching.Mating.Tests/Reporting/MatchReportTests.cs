@@ -126,12 +126,10 @@ public sealed class MatchReportTests
     }
 
     [Fact]
-    public void A_report_knows_its_job_and_its_fit()
+    public void A_report_knows_its_fit()
     {
-        var job = SampleJob.With();
         var fit = CurveFit.Fit([new(0, 0), new(1, 1), new(2, 1.5), new(3, 1), new(4, 0)], new() { Degree = 2 });
 
-        Assert.Equal(new("Complex mating", "WO-1", "folder/job.json", job.Sha256), ReportJob.Of(job));
         Assert.Equal(new(2, 0, fit.Polynomial.LeaveOneOutRms, fit.ResidualStandardDeviation), ReportCurve.Of(fit));
     }
 

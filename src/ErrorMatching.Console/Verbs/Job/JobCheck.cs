@@ -1,4 +1,5 @@
 using System.CommandLine;
+using ErrorMatching.Freeform;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
@@ -15,7 +16,13 @@ internal sealed class JobCheck : Verb
     /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
-        var job = InputFile.Job(arguments.GetRequiredValue(_job));
+        var file = arguments.GetRequiredValue(_job);
+        if (InputFile.KindOfJob(file) == JobKind.Freeform)
+        {
+            return Freeform(InputFile.Freeform(file));
+        }
+
+        var job = InputFile.Job(file);
         _ = InputFile.DialectOf(job);
         foreach (var selector in job.Features.SelectMany(f => f.Blocks))
         {
@@ -23,5 +30,15 @@ internal sealed class JobCheck : Verb
         }
 
         return new JobCheckAnswer(job);
+    }
+
+    private static FreeformCheckAnswer Freeform(FreeformJob job)
+    {
+        foreach (var dialect in new[] { job.Measuring.Dialect, job.Toolpath.Dialect })
+        {
+            _ = InputFile.Dialect(NcDialects.IsFile(dialect) ? job.PathOf(dialect) : dialect);
+        }
+
+        return new(job);
     }
 }

@@ -5,20 +5,21 @@ namespace ErrorMatching.Console;
 /// <summary>The argument that says which kind of job is meant.</summary>
 internal static class JobKind
 {
-    private const string Mating = "mating";
-    private const string Freeform = "freeform";
+    /// <summary>A job that makes a counterpart fit its part.</summary>
+    public const string Mating = "mating";
 
-    /// <summary>The argument of a verb. Free-form jobs are known by name, so that asking for one is answered and not misread.</summary>
+    /// <summary>A job that mirrors the error of a free-form surface.</summary>
+    public const string Freeform = "freeform";
+
+    /// <summary>The argument of a verb.</summary>
     public static Argument<string> Argument()
     {
-        var kind = new Argument<string>("KIND") { Description = "mating.", HelpName = "KIND" };
+        var kind = new Argument<string>("KIND") { Description = $"{Mating} or {Freeform}.", HelpName = "KIND" };
         kind.Validators.Add(result =>
         {
-            if (result.Tokens is [{ Value: not Mating } token])
+            if (result.Tokens is [{ Value: not (Mating or Freeform) } token])
             {
-                result.AddError(token.Value == Freeform
-                    ? "Free-form jobs are not there yet; mating is."
-                    : $"The kind of job is {token.Value}; expected {Mating}.");
+                result.AddError($"The kind of job is {token.Value}; expected {Mating} or {Freeform}.");
             }
         });
         return kind;

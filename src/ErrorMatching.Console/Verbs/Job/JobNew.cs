@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Text;
+using ErrorMatching.Freeform;
 using ErrorMatching.Mating;
 
 namespace ErrorMatching.Console;
@@ -22,7 +23,7 @@ internal sealed class JobNew : Verb
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_file);
-        OutputFile.Create(file, Encoding.UTF8.GetBytes(JobTemplate.Text), cancellation);
+        OutputFile.Create(file, Encoding.UTF8.GetBytes(arguments.GetRequiredValue(_kind) == JobKind.Freeform ? FreeformTemplate.Text : JobTemplate.Text), cancellation);
         return new JobNewAnswer(file);
     }
 }

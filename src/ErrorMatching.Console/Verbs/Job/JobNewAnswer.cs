@@ -14,6 +14,6 @@ internal sealed class JobNewAnswer(string file) : DocumentAnswer
     /// <inheritdoc/>
     public override void WriteText(Page page)
     {
-        page.Line($"Wrote {file}. Name your files, features and blocks in it, then: errormatch job check {file}");
+        page.Line($"Wrote {file}. Name your files in it and what belongs to them, then: errormatch job check {file}");
     }
 }

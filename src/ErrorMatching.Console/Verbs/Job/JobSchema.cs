@@ -1,4 +1,6 @@
 using System.CommandLine;
+using ErrorMatching.Freeform;
+using ErrorMatching.Mating;
 
 namespace ErrorMatching.Console;
 
@@ -12,5 +14,6 @@ internal sealed class JobSchema : Verb
         : base("schema", "Prints the JSON Schema of jobs: every key with its meaning.", "errormatch job schema mating") => Arguments.Add(_kind);
 
     /// <inheritdoc/>
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation) => new JobSchemaAnswer();
+    public override Outcome Run(ParseResult arguments, CancellationToken cancellation) =>
+        new JobSchemaAnswer(arguments.GetRequiredValue(_kind) == JobKind.Freeform ? FreeformTemplate.Schema : JobTemplate.Schema);
 }

@@ -1,10 +1,9 @@
 using System.Text.Json;
-using ErrorMatching.Mating;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The JSON Schema of mating jobs. As a document of the console it has one more key, which says so and which validators ignore.</summary>
-internal sealed class JobSchemaAnswer : DocumentAnswer
+/// <summary>The JSON Schema of a kind of jobs. As a document of the console it has one more key, which says so and which validators ignore.</summary>
+internal sealed class JobSchemaAnswer(string text) : DocumentAnswer
 {
     /// <inheritdoc/>
     public override string Schema => "errormatch/job-schema/1";
@@ -12,7 +11,7 @@ internal sealed class JobSchemaAnswer : DocumentAnswer
     /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
-        using var schema = JsonDocument.Parse(JobTemplate.Schema);
+        using var schema = JsonDocument.Parse(text);
         foreach (var member in schema.RootElement.EnumerateObject())
         {
             member.WriteTo(json);
@@ -20,5 +19,5 @@ internal sealed class JobSchemaAnswer : DocumentAnswer
     }
 
     /// <inheritdoc/>
-    public override void WriteText(Page page) => page.Line(JobTemplate.Schema.TrimEnd('\n'));
+    public override void WriteText(Page page) => page.Line(text.TrimEnd('\n'));
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Nc;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 

@@ -1,4 +1,5 @@
 using System.Xml.Linq;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating.Tests;
 

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>Error against point number before and after, with zero and the tolerance limits, like figures 13 and 18 of Wang 2021.</summary>

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The section with the plot of the mating errors and the drawings of the assembly.</summary>

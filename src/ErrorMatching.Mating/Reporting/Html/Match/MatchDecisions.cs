@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The section with what was decided about each feature, and why.</summary>

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The section with the key points, as figure 9 of Wang 2021 shows them.</summary>

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The section with how the part was measured: alignment, origin, uncertainty, tolerance chain, time.</summary>

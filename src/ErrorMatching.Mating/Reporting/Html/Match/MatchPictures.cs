@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>Plot and drawings of a match: the mating error without compensation, and the one that is predicted with it.</summary>

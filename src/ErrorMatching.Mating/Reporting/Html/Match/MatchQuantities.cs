@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The section with lengths and angles: ideal, actual and corrected, as figure 9 of Wang 2021 shows them, and how the features were fitted.</summary>

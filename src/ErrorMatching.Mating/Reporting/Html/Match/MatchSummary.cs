@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The section that a setter reads at the machine: what was measured, decided and changed, whether it was proved, and what to do next.</summary>

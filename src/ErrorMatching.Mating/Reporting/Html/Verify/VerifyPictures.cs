@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>Plot and drawings of a verification: both counterparts as measured, against the measured part.</summary>

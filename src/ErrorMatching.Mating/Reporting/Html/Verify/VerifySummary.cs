@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The section that says at a glance whether the compensation helped.</summary>

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The sections with features and key points of a verification.</summary>

@@ -1,0 +1,81 @@
+using System.Globalization;
+using System.Text.Json;
+using ErrorMatching.Freeform;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Console;
+
+/// <summary>What a valid free-form job asks for.</summary>
+internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
+{
+    /// <inheritdoc/>
+    public override string Schema => "errormatch/job-check/1";
+
+    /// <inheritdoc/>
+    public override void WriteJson(Utf8JsonWriter json)
+    {
+        json.WriteString("file", job.File);
+        json.WriteString("sha256", job.Sha256);
+        json.WriteBoolean("valid", true);
+        json.WriteStartObject("summary");
+        json.WriteString("kind", JobKind.Freeform);
+        json.WriteString("name", job.Name);
+        json.WriteString("workOrder", job.WorkOrder);
+        json.WriteString("measuringDialect", job.Measuring.Dialect);
+        json.WriteString("toolpathDialect", job.Toolpath.Dialect);
+        json.WriteString("method", Method);
+        json.WriteNumber("gain", job.Compensation.Gain);
+        json.WriteString("fit", FitMethods.NameOf(job.Fit.Method));
+        json.WriteString("of", job.Fit.OfError ? "error" : "points");
+        json.WriteEndObject();
+        json.WriteStartArray("files");
+        foreach (var (role, file) in Files)
+        {
+            json.WriteStartObject();
+            json.WriteString("role", role);
+            json.WriteString("file", file);
+            json.WriteBoolean("exists", File.Exists(file));
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        page.Heading($"{job.File} is a valid free-form job: {job.Name}");
+        page.Line();
+        page.Table(["what", ""],
+        [
+            ["measuring", $"{Points}, stylus {Mm(job.Measuring.StylusDiameterMm)}, dialect {job.Measuring.Dialect}"],
+            ["stock", $"roughing {Mm(job.Stock.RoughingMm)}, semi-finishing {Mm(job.Stock.SemiFinishingMm)}"],
+            ["tool", $"ball {Mm(job.Tool.DiameterMm)}, {Number(job.Tool.SpindleRpm)} rpm, {Number(job.Tool.FeedMmPerMin)} mm/min"],
+            ["tool path", $"along {(job.Toolpath.AlongU ? "u" : "v")}, scallop {Mm(job.Toolpath.ScallopMm)}, chord {Mm(job.Toolpath.ChordMm)}, dialect {job.Toolpath.Dialect}"],
+            ["compensation", $"{Method}, gain {Number(job.Compensation.Gain)}, at most {Mm(job.Compensation.LimitMm)}; {FitMethods.NameOf(job.Fit.Method)} fit of the {(job.Fit.OfError ? "error" : "points")}"],
+        ]);
+        page.Line();
+        page.Table(["file", "", ""], Files.Select(f => (IReadOnlyList<string>)[f.Role, f.File, File.Exists(f.File) ? "" : "not there yet"]));
+    }
+
+    private string Method => job.Compensation.Mirror ? "mirror" : "tool-radius";
+
+    private string Points => job.Measuring switch
+    {
+        { ReconstructionErrorMm: { } error } => $"as many points as {Mm(error)} takes",
+        { PointsPerCurve: { } each } m => $"{m.Curves} curves of {each} points",
+        var m => $"{m.Points} points on {m.Curves} curves",
+    };
+
+    private IEnumerable<(string Role, string File)> Files => new (string Role, string? File)[]
+    {
+        ("surface", job.Surface.File),
+        ("template", job.Measuring.Template),
+        ("measuring-dialect", NcDialects.IsFile(job.Measuring.Dialect) ? job.Measuring.Dialect : null),
+        ("toolpath-dialect", NcDialects.IsFile(job.Toolpath.Dialect) ? job.Toolpath.Dialect : null),
+    }.Where(f => f.File is not null).Select(f => (f.Role, job.PathOf(f.File!)));
+
+    private static string Mm(double value) => Number(value) + " mm";
+
+    private static string Number(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,56 @@
+using System.CommandLine;
+using ErrorMatching.Freeform;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch surface evaluate</c>.</summary>
+internal sealed class SurfaceEvaluate : Verb
+{
+    private readonly Argument<string> _job = new("JOB") { Description = "The job." };
+    private readonly Option<string[]> _measured = SurfaceOptions.Measured("The measured surface; several files are replicas of one design.");
+    private readonly Option<string[]> _before = new("--before") { Description = "The surface before compensation, to compare with; several files are replicas.", HelpName = "FILE", AllowMultipleArgumentsPerToken = true };
+    private readonly Option<string> _out = SurfaceOptions.Out("The folder to write evaluation.json and evaluation.html to. Without it nothing is written.");
+
+    /// <summary>The verb.</summary>
+    public SurfaceEvaluate()
+        : base(
+            "evaluate",
+            "Says what the errors of a measured surface come to: mean, standard deviation, profile, and where they are.",
+            "errormatch surface evaluate samples/surface-one/job.json --measured samples/surface-one/after.csv --before samples/surface-one/measured.csv --out out")
+    {
+        Arguments.Add(_job);
+        Options.Add(_measured);
+        Options.Add(_before);
+        Options.Add(_out);
+    }
+
+    /// <inheritdoc/>
+    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    {
+        var files = new FreeformFiles(arguments.GetRequiredValue(_job));
+        var surface = files.Surface();
+        var plan = files.Plan(surface);
+        if (plan.Refusals.Count > 0)
+        {
+            return FailureOf.Refused(files.Job.File, plan.Refusals);
+        }
+
+        var measured = arguments.GetRequiredValue(_measured).Select(f => files.Measured("measured", f, plan)).ToArray();
+        var before = (arguments.GetValue(_before) ?? []).Select(f => files.Measured("before", f, plan)).ToArray();
+        cancellation.ThrowIfCancellationRequested();
+        var report = new EvaluationReport(
+            files.Named,
+            files.Inputs,
+            surface,
+            SurfaceEvaluation.Of(files.Job, surface, measured),
+            before.Length == 0 ? null : SurfaceEvaluation.Of(files.Job, surface, before));
+        var folder = arguments.GetValue(_out);
+        var answer = new SurfaceEvaluateAnswer(report, folder);
+        if (folder is not null)
+        {
+            OutputFile.WriteAll(answer.Files, files.Read, cancellation);
+        }
+
+        return answer;
+    }
+}

@@ -1,0 +1,66 @@
+using System.Globalization;
+using ErrorMatching.Freeform;
+
+namespace ErrorMatching.Console;
+
+/// <summary>What the errors of measured surfaces come to.</summary>
+/// <param name="report">The report.</param>
+/// <param name="folder">The folder that it was written to; null if nothing was written.</param>
+internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? folder) : Answer
+{
+    private readonly byte[] _json = EvaluationReportJson.Write(report);
+
+    /// <inheritdoc/>
+    public override byte[] ToJson() => _json;
+
+    /// <summary>What belongs into the folder.</summary>
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files => [(In("evaluation.json"), _json), (In("evaluation.html"), EvaluationReportHtml.Write(report))];
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        page.Heading(report.Before is { } was
+            ? $"{report.Job.Name}: standard deviation {Um(was.Together.StandardDeviationMm)} um before, {Um(report.Measured.Together.StandardDeviationMm)} um now; profile {Um(was.Together.ProfileIsoMm)} um before, {Um(report.Measured.Together.ProfileIsoMm)} um now"
+            : $"{report.Job.Name}: standard deviation {Um(report.Measured.Together.StandardDeviationMm)} um, profile {Um(report.Measured.Together.ProfileIsoMm)} um");
+        page.Line();
+        page.Table(
+            ["", "points", "mean um", "standard deviation um", "profile ISO 1101 um", "largest - smallest um"],
+            [.. Rows("before", report.Before), .. Rows("measured", report.Measured)]);
+        page.Line("Errors along the normal, positive where material is left, less the stock of the stage. Profile by ISO 1101: twice the largest absolute error. Standard deviations use n - 1.");
+        page.Line($"Alignment: {(report.Measured.Pieces[0].Alignment is null ? "none, points are compared where they were measured" : "best fit")}.");
+        foreach (var piece in report.Measured.Pieces.Concat(report.Before?.Pieces ?? []).Where(p => p.StageIsFound))
+        {
+            page.Line($"Note: the points of {piece.File} lie on the surface after {(piece.Stage == CuttingStage.Finishing ? "finishing" : "semi-finishing")}, not after the stage that the job names: its stock was used.");
+        }
+
+        page.Line();
+        page.Line(folder is null ? "Nothing was written. Add --out DIR to write evaluation.json and evaluation.html with its maps." : $"Wrote {In("evaluation.html")} and {In("evaluation.json")}.");
+    }
+
+    private static IEnumerable<IReadOnlyList<string>> Rows(string name, SurfaceEvaluation? evaluation)
+    {
+        if (evaluation is null)
+        {
+            yield break;
+        }
+
+        if (evaluation.Pieces.Count > 1)
+        {
+            foreach (var piece in evaluation.Pieces)
+            {
+                yield return Row(piece.File, piece.Statistics);
+            }
+        }
+
+        yield return Row(evaluation.Pieces.Count > 1 ? name + ", together" : name, evaluation.Together);
+    }
+
+    private static IReadOnlyList<string> Row(string name, DeviationStatistics s) =>
+        [name, s.Count.ToString(CultureInfo.InvariantCulture), Signed(s.MeanMm), Um(s.StandardDeviationMm), Um(s.ProfileIsoMm), Um(s.ProfileRangeMm)];
+
+    private static string Um(double mm) => (mm * 1000).ToString("0.00", CultureInfo.InvariantCulture);
+
+    private static string Signed(double mm) => (mm * 1000).ToString("+0.00;-0.00;0.00", CultureInfo.InvariantCulture);
+
+    private string In(string name) => Path.Combine(folder ?? "", name);
+}

@@ -1,0 +1,50 @@
+using System.CommandLine;
+using ErrorMatching.Freeform;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch surface fit</c>.</summary>
+internal sealed class SurfaceFit : Verb
+{
+    private readonly Argument<string> _points = new("POINTS.csv") { Description = "A header with i, j, x, y and z, then one line per point: i along a curve, j from curve to curve." };
+
+    private readonly Option<string> _method = new("--method")
+    {
+        Description = "The way of fitting: " + string.Join(", ", FitMethods.Names) + ".",
+        HelpName = "M",
+        DefaultValueFactory = _ => FitMethods.NameOf(FitMethod.Best),
+    };
+
+    private readonly Option<string> _check = FileOption("--check", "Points of the true surface to compare the fit with: a header with x, y and z, then one line per point.");
+
+    /// <summary>The verb.</summary>
+    public SurfaceFit()
+        : base("fit", "Lays a surface through a grid of points and says how far it can be trusted.", "errormatch surface fit samples/surface-fit/points.csv --method through-curve-mesh --check samples/surface-fit/check.csv")
+    {
+        Arguments.Add(_points);
+        Options.Add(_method);
+        Options.Add(_check);
+        Demand(_method, name => FitMethods.Named(name) is not null, string.Join(", ", FitMethods.Names));
+    }
+
+    /// <inheritdoc/>
+    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    {
+        var file = arguments.GetRequiredValue(_points);
+        var grid = GridReader.Read(file);
+        var check = arguments.GetValue(_check) is { } checkFile ? GridReader.ReadPoints(checkFile) : null;
+        cancellation.ThrowIfCancellationRequested();
+        try
+        {
+            var fit = SurfaceFitter.Fit(grid, FitMethods.Named(arguments.GetRequiredValue(_method))!.Value, JobFit.Default.CurveToleranceMm);
+            cancellation.ThrowIfCancellationRequested();
+            var distance = new SurfaceDistance(fit.Surface);
+            return new SurfaceFitAnswer(file, grid.Points.Count(), fit, distance.Of(grid.Points.Select(p => p.Position)), check is null ? null : distance.Of(check));
+        }
+        catch (GeometryException e)
+        {
+            return FailureOf.Geometry(e, file);
+        }
+    }
+}

@@ -1,0 +1,106 @@
+using System.Globalization;
+using System.Text.Json;
+using ErrorMatching.Freeform;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Console;
+
+/// <summary>A fitted surface and how far it can be trusted.</summary>
+/// <param name="file">The points.</param>
+/// <param name="count">How many.</param>
+/// <param name="fit">The surface.</param>
+/// <param name="d1">Distance of the points.</param>
+/// <param name="d2">Distance of the points of the true surface; null if none are given.</param>
+internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit, DistanceSummary d1, DistanceSummary? d2) : DocumentAnswer
+{
+    private const double UmPerMm = 1000;
+
+    /// <inheritdoc/>
+    public override string Schema => "errormatch/surface-fit/1";
+
+    private string Method => FitMethods.NameOf(fit.Method);
+
+    /// <inheritdoc/>
+    public override void WriteJson(Utf8JsonWriter json)
+    {
+        json.WriteString("file", file);
+        json.WriteNumber("count", count);
+        json.WriteString("method", Method);
+        json.WriteNumber("degreeU", fit.Surface.KnotsU.Degree);
+        json.WriteNumber("degreeV", fit.Surface.KnotsV.Degree);
+        json.WriteNumber("polesU", fit.Surface.CountU);
+        json.WriteNumber("polesV", fit.Surface.CountV);
+        WriteBreaks(json);
+        Write(json, "d1", d1);
+        if (d2 is { } distance)
+        {
+            Write(json, "d2", distance);
+        }
+
+        json.Number("leaveLineOutUm", fit.LeaveLineOutMm * UmPerMm);
+    }
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        page.Heading(string.Create(CultureInfo.InvariantCulture, $"Surface {Method}, {count} points of {file}"));
+        page.Line();
+        page.Table(
+            ["", "degree", "poles", "breaks at"],
+            [
+                ["u", Show.Exact(fit.Surface.KnotsU.Degree), Show.Exact(fit.Surface.CountU), Places(fit.BreaksU)],
+                ["v", Show.Exact(fit.Surface.KnotsV.Degree), Show.Exact(fit.Surface.CountV), Places(fit.BreaksV)],
+            ]);
+        page.Line();
+        List<IReadOnlyList<string>> rows = [["d1 of the points", Um(d1.MeanMm), Um(d1.MaxMm)]];
+        if (d2 is { } distance)
+        {
+            rows.Add(["d2 of the true surface", Um(distance.MeanMm), Um(distance.MaxMm)]);
+        }
+
+        rows.Add(["with whole lines left out", double.IsNaN(fit.LeaveLineOutMm) ? "too few lines" : Um(fit.LeaveLineOutMm), ""]);
+        page.Table(["distance along the normal in um", "mean", "largest"], rows);
+    }
+
+    private static string Um(double mm) => (mm * UmPerMm).ToString("0.0000", CultureInfo.InvariantCulture);
+
+    private static string Places(IReadOnlyList<double> breaks) => string.Join(' ', breaks.Select(b => b.ToString("0.0000", CultureInfo.InvariantCulture)));
+
+    private static void Write(Utf8JsonWriter json, string name, DistanceSummary distance)
+    {
+        json.WriteStartObject(name);
+        json.Number("meanUm", distance.MeanMm * UmPerMm);
+        json.Number("maxUm", distance.MaxMm * UmPerMm);
+        json.WriteEndObject();
+    }
+
+    /// <summary>Each break with the direction, the parameter, and the place in the middle of the surface, which a person finds on the piece.</summary>
+    private void WriteBreaks(Utf8JsonWriter json)
+    {
+        json.WriteStartArray("breaks");
+        foreach (var u in fit.BreaksU)
+        {
+            Write(json, "u", u, fit.Surface.PointAt(u, Middle(fit.Surface.KnotsV)));
+        }
+
+        foreach (var v in fit.BreaksV)
+        {
+            Write(json, "v", v, fit.Surface.PointAt(Middle(fit.Surface.KnotsU), v));
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void Write(Utf8JsonWriter json, string direction, double parameter, Point3 at)
+    {
+        json.WriteStartObject();
+        json.WriteString("direction", direction);
+        json.Number("parameter", parameter);
+        json.Number("x", at.X);
+        json.Number("y", at.Y);
+        json.Number("z", at.Z);
+        json.WriteEndObject();
+    }
+
+    private static double Middle(KnotVector knots) => (knots.Start + knots.End) / 2;
+}

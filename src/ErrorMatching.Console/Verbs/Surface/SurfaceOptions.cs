@@ -1,0 +1,14 @@
+using System.CommandLine;
+
+namespace ErrorMatching.Console;
+
+/// <summary>Options that several verbs of <c>errormatch surface</c> have.</summary>
+internal static class SurfaceOptions
+{
+    /// <summary>Files of measured points, one at least.</summary>
+    public static Option<string[]> Measured(string description) =>
+        new("--measured") { Description = description, HelpName = "FILE", Required = true, AllowMultipleArgumentsPerToken = true, Arity = ArgumentArity.OneOrMore };
+
+    /// <summary>The folder to write to.</summary>
+    public static Option<string> Out(string description) => new("--out") { Description = description, HelpName = "DIR" };
+}

@@ -1,0 +1,85 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>The surface to cut instead of the nominal one.</summary>
+/// <param name="Surface">The surface.</param>
+/// <param name="ThroughPoints">The fit through the compensation points; null where the error was fitted.</param>
+/// <param name="ApproximationMm">How far the surface may be from the exact nominal one moved by the field.</param>
+/// <param name="LargestMoveMm">Largest distance from the nominal surface.</param>
+internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? ThroughPoints, double ApproximationMm, double LargestMoveMm)
+{
+    /// <summary>How far the surface that is written may be from what it stands for: a hundredth of what any probe tells.</summary>
+    public const double ToleranceMm = 1e-5;
+
+    private const int Dense = 60;
+
+    public static CompensatedSurface Of(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, ErrorField field)
+    {
+        var gain = job.Compensation.Gain;
+        if (!job.Fit.OfError && job.Compensation.Mirror && field is not ConstantField)
+        {
+            return ThroughCompensationPoints(nominal, job, samples, gain);
+        }
+
+        var largest = Places(nominal.Spline).Max(p => Math.Abs(gain * field.At(p.U, p.V)));
+        if (largest == 0)
+        {
+            return new(nominal, null, 0, 0);
+        }
+
+        var (breaksU, breaksV) = field is FittedField fitted ? (fitted.BreaksU, fitted.BreaksV) : ([], []);
+        var approximation = SplineApproximation.Of(
+            (u, v) =>
+            {
+                var at = nominal.Spline.At(u, v);
+                return MirrorEquations.Compensated(at.Position, nominal.NormalOf(at), field.At(u, v), gain);
+            },
+            Knots(nominal.Spline.KnotsU, breaksU),
+            Knots(nominal.Spline.KnotsV, breaksV),
+            ToleranceMm);
+        return new(nominal with { Spline = approximation.Surface }, null, approximation.ErrorMm, largest);
+    }
+
+    private static CompensatedSurface ThroughCompensationPoints(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, double gain)
+    {
+        var grid = new PointGrid([.. samples.GroupBy(s => s.J).OrderBy(g => g.Key).Select(g => (IReadOnlyList<GridPoint>)
+            [.. g.OrderBy(s => s.I).Select(s => new GridPoint(s.I, s.J, MirrorEquations.Compensated(s.Nominal, s.Normal, s.ErrorMm, gain)))])]);
+        var fit = SurfaceFitter.Fit(grid, job.Fit.Method, job.Fit.CurveToleranceMm);
+        var middle = fit.Surface.At((fit.Surface.KnotsU.Start + fit.Surface.KnotsU.End) / 2, (fit.Surface.KnotsV.Start + fit.Surface.KnotsV.End) / 2);
+        var outside = middle.Normal.Dot(samples[samples.Count / 2].Normal) > 0 ? 1 : -1;
+        var largest = Places(fit.Surface).Max(p => nominal.Spline.ClosestPoint(fit.Surface.PointAt(p.U, p.V)).Distance);
+        return new(new(nominal.Name, fit.Surface, SurfaceRegion.Whole, outside), fit, 0, largest);
+    }
+
+    private static IEnumerable<(double U, double V)> Places(SplineSurface surface) =>
+        from i in Enumerable.Range(0, Dense + 1)
+        from j in Enumerable.Range(0, Dense + 1)
+        select (At(surface.KnotsU, i), At(surface.KnotsV, j));
+
+    private static double At(KnotVector knots, int i) => knots.Start + ((knots.End - knots.Start) * i / Dense);
+
+    /// <summary>Knots to begin with: where the normal of the nominal surface or the error is less smooth than elsewhere, the surface may be too.</summary>
+    private static KnotVector Knots(KnotVector nominal, IReadOnlyList<double> breaks)
+    {
+        var degree = Math.Max(3, nominal.Degree);
+        var knots = new SortedDictionary<double, int>();
+        foreach (var knot in nominal.Breaks.Skip(1).SkipLast(1))
+        {
+            // The normal has one derivative less than the surface.
+            knots[knot] = Math.Clamp(degree - (nominal.Degree - nominal.Multiplicity(knot) - 1), 1, degree);
+        }
+
+        foreach (var at in breaks.Where(b => b > nominal.Start && b < nominal.End))
+        {
+            // Where the curvature of the error breaks, its slope does not.
+            knots[at] = Math.Max(knots.GetValueOrDefault(at), degree - 1);
+        }
+
+        return new(degree, [
+            .. Enumerable.Repeat(nominal.Start, degree + 1),
+            .. knots.SelectMany(k => Enumerable.Repeat(k.Key, k.Value)),
+            .. Enumerable.Repeat(nominal.End, degree + 1),
+        ]);
+    }
+}

@@ -1,0 +1,112 @@
+using System.Globalization;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>From a measured surface to the surface that is to be cut instead (Lee 2019, sections 2.4 and 2.5).</summary>
+public static class Compensator
+{
+    // A mean that is smaller than this many of its standard errors may be none.
+    private const double Significant = 2;
+
+    /// <summary>Makes the compensated surface, or says why not.</summary>
+    /// <exception cref="FreeformException">A measured point has no foot on the surface, or there are too few for the job's fit or alignment.</exception>
+    public static CompensationOutcome Compensate(CompensationInput input)
+    {
+        ArgumentNullException.ThrowIfNull(input);
+        var (job, nominal) = (input.Job, input.Surface);
+        var stock = job.Stock.Of(job.Measuring.After);
+        var file = input.Measured[0].File;
+        var alignment = job.Measuring.BestFit ? SurfaceAlignment.BestFit(nominal, [.. input.Measured.SelectMany(m => m.Points).Select(p => (p.Planned, p.Contact))], stock, file) : null;
+        var repeats = input.Measured.Select(m => SurfaceErrors.Of(nominal, m.Points.Select(p => (p.Planned, alignment?.Apply(p.Contact) ?? p.Contact)), stock, m.File)).ToArray();
+        var notes = new List<string>();
+        var warnings = new List<string>();
+        var samples = repeats.Length == 1 ? repeats[0] : Average(repeats, notes, warnings);
+        if (BeyondLimit(samples, job, stock) is { } refusal)
+        {
+            return new(null, [refusal]);
+        }
+
+        var statistics = DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
+        var structure = SpatialStructure.Of(samples);
+        var systematic = Systematic(job, samples, statistics, structure, notes, warnings);
+        var mean = new ConstantField(statistics.MeanMm, statistics.StandardDeviationMm / Math.Sqrt(samples.Count));
+        var compensated = job.Compensation.Mirror ? systematic : mean;
+        var surface = CompensatedSurface.Of(nominal, job, samples, compensated);
+        if (surface.LargestMoveMm > job.Compensation.LimitMm)
+        {
+            return CompensationOutcome.Refused("beyond-limit", string.Create(
+                CultureInfo.InvariantCulture,
+                $"The compensated surface would lie up to {surface.LargestMoveMm:0.####} mm from the nominal one; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm. Between the points the fit goes further than they do: measure more points, or raise the limit if that is meant."));
+        }
+
+        return new(new()
+        {
+            Input = input,
+            Alignment = alignment,
+            Samples = samples,
+            Before = statistics,
+            Structure = structure,
+            Systematic = systematic,
+            Compensated = compensated,
+            Surface = surface.Surface,
+            ThroughPoints = surface.ThroughPoints,
+            ApproximationMm = surface.ApproximationMm,
+            LargestMoveMm = surface.LargestMoveMm,
+            Mirror = SurfacePrediction.Of("mirror", samples, systematic, systematic, job.Compensation.Gain),
+            ToolRadius = SurfacePrediction.Of("tool-radius", samples, systematic, mean, job.Compensation.Gain),
+            Warnings = warnings,
+            Notes = notes,
+        }, []);
+    }
+
+    private static FreeformRefusal? BeyondLimit(IReadOnlyList<ErrorSample> samples, FreeformJob job, double stock)
+    {
+        var beyond = samples.Where(s => Math.Abs(s.ErrorMm) > job.Compensation.LimitMm).ToArray();
+        if (beyond.Length == 0)
+        {
+            return null;
+        }
+
+        var worst = beyond.MaxBy(s => Math.Abs(s.ErrorMm))!;
+        var hint = beyond.Length > samples.Count / 2
+            ? $" Most points are off: check the work offset, measuring.reports, and measuring.measuredAfter, which says that {(stock > 0 ? string.Create(CultureInfo.InvariantCulture, $"{stock:0.###} mm of stock lie") : "no stock lies")} on the surface."
+            : " Touch it again, or look for a chip or a wrong probe.";
+        return new("beyond-limit", string.Create(
+            CultureInfo.InvariantCulture,
+            $"Point {worst.Point} is {worst.ErrorMm:+0.####;-0.####} mm off along the normal{(beyond.Length > 1 ? $", and {beyond.Length - 1} more points are too" : "")}; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm.{hint}"));
+    }
+
+    private static ErrorField Systematic(FreeformJob job, IReadOnlyList<ErrorSample> samples, DeviationStatistics statistics, SpatialStructure? structure, List<string> notes, List<string> warnings)
+    {
+        if (structure is null || structure.IsSystematic)
+        {
+            if (structure is null)
+            {
+                warnings.Add($"{samples.Count} points are too few to tell whether neighbors are alike: the error was taken as systematic.");
+            }
+
+            return ErrorFit.Of(job, samples);
+        }
+
+        var standardError = statistics.StandardDeviationMm / Math.Sqrt(samples.Count);
+        var isReal = Math.Abs(statistics.MeanMm) > Significant * standardError;
+        warnings.Add(string.Create(
+            CultureInfo.InvariantCulture,
+            $"Errors of neighboring points are not alike (Moran's I {structure.I:0.###}, p {structure.P:0.###}): what differs from the mean looks like noise and is not mirrored. {(isReal ? $"The mean of {statistics.MeanMm * 1000:+0.00;-0.00} um is compensated." : "The mean is not significant either: nothing is compensated.")}"));
+        return isReal ? new ConstantField(statistics.MeanMm, standardError) : new ConstantField(0, standardError);
+    }
+
+    private static IReadOnlyList<ErrorSample> Average(IReadOnlyList<IReadOnlyList<ErrorSample>> repeats, List<string> notes, List<string> warnings)
+    {
+        var mean = RepeatedMeasurement.Of(repeats);
+        notes.Add(string.Create(
+            CultureInfo.InvariantCulture,
+            $"Each point was measured {repeats.Count} times; their mean is used. One measurement repeats to {mean.StandardDeviationMm * 1000:0.00} um, their mean to {mean.StandardErrorMm * 1000:0.00} um."));
+        foreach (var outlier in mean.Outliers)
+        {
+            warnings.Add(outlier);
+        }
+
+        return mean.Samples;
+    }
+}

@@ -1,0 +1,18 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>One measured piece and what its errors come to.</summary>
+/// <param name="File">The file of its points, as the user named it.</param>
+/// <param name="Sha256">SHA-256 of the file's bytes as 64 lower-case hexadecimal digits.</param>
+/// <param name="Stage">The stage after which it was measured: its stock was taken off the distances.</param>
+/// <param name="StageIsFound">True if the points said so, because they lie closer to that stage's surface than to the one the job names.</param>
+/// <param name="Alignment">How the points were laid onto the surface; null if they stayed where they were measured.</param>
+/// <param name="Samples">The errors, by point.</param>
+/// <param name="Statistics">What they come to.</param>
+public sealed record EvaluatedPiece(
+    string File,
+    string Sha256,
+    CuttingStage Stage,
+    bool StageIsFound,
+    SurfaceAlignment? Alignment,
+    IReadOnlyList<ErrorSample> Samples,
+    DeviationStatistics Statistics);

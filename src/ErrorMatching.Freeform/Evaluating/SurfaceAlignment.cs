@@ -1,0 +1,91 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>A small rigid motion that lays measured points onto the surface: turned about the first three axes through the points' center, then moved.</summary>
+/// <remarks>
+/// It hides whatever a motion can hide, so none is the default. Found by least squares of the distances along the normals (point to plane; Chen and Medioni, "Object modelling by registration of multiple range images", 1992),
+/// repeated with new feet until it moves no more. Motions that the surface does not resist (along a straight profile) stay zero.
+/// </remarks>
+/// <param name="TranslateMm">How the points were moved.</param>
+/// <param name="RotateDegrees">How they were turned, as small angles about X, Y and Z.</param>
+/// <param name="Center">The point about which they were turned, in millimetres.</param>
+public sealed record SurfaceAlignment(Vector3 TranslateMm, Vector3 RotateDegrees, Point3 Center)
+{
+    private const int MostRounds = 30;
+
+    // A motion that moves no point by this much off the surface is not resisted.
+    private const double RelativeResistance = 1e-6;
+
+    /// <summary>A point after the motion.</summary>
+    public Point3 Apply(Point3 point)
+    {
+        var r = RotateDegrees * (Math.PI / 180);
+        var arm = point - Center;
+        var angle = r.Length;
+        if (angle == 0)
+        {
+            return point + TranslateMm;
+        }
+
+        // Rodrigues' formula.
+        var axis = r * (1 / angle);
+        var (sin, cos) = Math.SinCos(angle);
+        return Center + (arm * cos) + (axis.Cross(arm) * sin) + (axis * (axis.Dot(arm) * (1 - cos))) + TranslateMm;
+    }
+
+    /// <summary>The motion that fits points best to the surface with its stock.</summary>
+    /// <param name="surface">The nominal surface.</param>
+    /// <param name="points">Points of the plan with what was measured for each; at least six.</param>
+    /// <param name="stockMm">Stock that should lie on the surface.</param>
+    /// <param name="file">Name of the file of measured points, for messages.</param>
+    /// <exception cref="FreeformException"><c>too-few-points</c>; <c>no-foot</c> as of <see cref="SurfaceErrors.Of"/>.</exception>
+    public static SurfaceAlignment BestFit(PartSurface surface, IReadOnlyList<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
+    {
+        ArgumentNullException.ThrowIfNull(points);
+        if (points.Count < 6)
+        {
+            throw new FreeformException("too-few-points", file, $"{points.Count} points for an alignment; at least 6 are expected");
+        }
+
+        var center = points.Aggregate(default(Vector3), (s, p) => s + (p.Contact - default(Point3))) * (1.0 / points.Count);
+        var alignment = new SurfaceAlignment(default, default, default(Point3) + center);
+        for (var round = 0; round < MostRounds; round++)
+        {
+            var samples = SurfaceErrors.Of(surface, points.Select(p => (p.Plan, alignment.Apply(p.Contact))), stockMm, file);
+            var step = Step(samples, alignment);
+            alignment = alignment with { TranslateMm = alignment.TranslateMm + step.Move, RotateDegrees = alignment.RotateDegrees + (step.Turn * (180 / Math.PI)) };
+            if (step.Move.Length < 1e-9 && step.Turn.Length < 1e-11)
+            {
+                break;
+            }
+        }
+
+        return alignment;
+    }
+
+    // Least squares by the eigenvectors of the normal matrix: the directions that are not resisted are left out.
+    private static (Vector3 Move, Vector3 Turn) Step(IReadOnlyList<ErrorSample> samples, SurfaceAlignment alignment)
+    {
+        var matrix = new double[6, 6];
+        var right = new double[6];
+        // Turning is scaled to the size of the piece, so that both kinds of unknowns are lengths.
+        var size = samples.Max(s => (s.Nominal - alignment.Center).Length);
+        foreach (var s in samples)
+        {
+            var moment = (s.Nominal - alignment.Center).Cross(s.Normal) * (1 / size);
+            double[] row = [s.Normal.X, s.Normal.Y, s.Normal.Z, moment.X, moment.Y, moment.Z];
+            for (var i = 0; i < 6; i++)
+            {
+                right[i] -= row[i] * s.ErrorMm;
+                for (var j = 0; j < 6; j++)
+                {
+                    matrix[i, j] += row[i] * row[j];
+                }
+            }
+        }
+
+        var x = SmallSymmetric.Solve(matrix, right, RelativeResistance);
+        return (new(x[0], x[1], x[2]), new Vector3(x[3], x[4], x[5]) * (1 / size));
+    }
+}

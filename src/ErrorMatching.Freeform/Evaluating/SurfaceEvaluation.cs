@@ -1,0 +1,48 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>What one or several measured pieces of a design come to, one by one and together.</summary>
+/// <param name="Pieces">The pieces, at least one: replicas of one design.</param>
+/// <param name="Together">All their errors as one set, as in table 3 of Lee 2019.</param>
+public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, DeviationStatistics Together)
+{
+    /// <summary>Largest minus smallest standard deviation of the pieces, in millimetres: how well they repeat (table 2 of Lee 2019).</summary>
+    public double RangeOfStandardDeviationsMm => Pieces.Max(p => p.Statistics.StandardDeviationMm) - Pieces.Min(p => p.Statistics.StandardDeviationMm);
+
+    /// <summary>Evaluates pieces.</summary>
+    /// <param name="job">Stock, stage and alignment.</param>
+    /// <param name="surface">The nominal surface.</param>
+    /// <param name="pieces">At least one.</param>
+    /// <exception cref="FreeformException">As of <see cref="SurfaceErrors.Of"/> and <see cref="SurfaceAlignment.BestFit"/>.</exception>
+    public static SurfaceEvaluation Of(FreeformJob job, PartSurface surface, IReadOnlyList<MeasuredPoints> pieces)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        ArgumentNullException.ThrowIfNull(pieces);
+        EvaluatedPiece[] evaluated = [.. pieces.Select(p => Evaluate(job, surface, p))];
+        return new(evaluated, DeviationStatistics.Of([.. evaluated.SelectMany(p => p.Samples).Select(s => s.ErrorMm)]));
+    }
+
+    /// <summary>Evaluates one piece. Whether stock lies on it is told by the points: a fifth of a millimetre is no error of a surface that is to be good to micrometres.</summary>
+    private static EvaluatedPiece Evaluate(FreeformJob job, PartSurface surface, MeasuredPoints piece)
+    {
+        var distances = SurfaceErrors.Of(surface, Contacts(piece), 0, piece.File);
+        var mean = distances.Sum(d => d.ErrorMm) / distances.Count;
+        var semi = job.Stock.SemiFinishingMm;
+        var found = Math.Abs(mean - semi) < Math.Abs(mean) ? CuttingStage.SemiFinishing : CuttingStage.Finishing;
+        var stage = semi > 0 && found != job.Measuring.After && Math.Abs(mean - job.Stock.Of(found)) < semi / 4 ? found : job.Measuring.After;
+        var stock = job.Stock.Of(stage);
+        if (!job.Measuring.BestFit)
+        {
+            return Piece(piece, stage, job, null, [.. distances.Select(d => d with { ErrorMm = d.ErrorMm - stock })]);
+        }
+
+        var alignment = SurfaceAlignment.BestFit(surface, [.. Contacts(piece)], stock, piece.File);
+        return Piece(piece, stage, job, alignment, SurfaceErrors.Of(surface, Contacts(piece).Select(p => (p.Plan, alignment.Apply(p.Contact))), stock, piece.File));
+    }
+
+    private static EvaluatedPiece Piece(MeasuredPoints piece, CuttingStage stage, FreeformJob job, SurfaceAlignment? alignment, IReadOnlyList<ErrorSample> samples) =>
+        new(piece.File, piece.Sha256, stage, stage != job.Measuring.After, alignment, samples, DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]));
+
+    private static IEnumerable<(PlanPoint Plan, Point3 Contact)> Contacts(MeasuredPoints piece) => piece.Points.Select(p => (p.Planned, p.Contact));
+}

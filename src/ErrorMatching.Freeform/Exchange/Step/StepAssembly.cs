@@ -1,0 +1,24 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Whether a STEP file moves its parts: then a surface is not where its own coordinates say.</summary>
+internal static class StepAssembly
+{
+    /// <summary>Throws if a part is placed elsewhere than where it was modeled.</summary>
+    /// <exception cref="FreeformException">It is.</exception>
+    public static void ThrowIfMoved(StepFile file)
+    {
+        foreach (var instance in file.Where(k => k is "MAPPED_ITEM" or "ITEM_DEFINED_TRANSFORMATION" or "CARTESIAN_TRANSFORMATION_OPERATOR_3D"))
+        {
+            var record = instance.Records[0];
+            if (record.Keyword != "ITEM_DEFINED_TRANSFORMATION" || !Same(StepPlacement.Of(record.Instance(2)), StepPlacement.Of(record.Instance(3))))
+            {
+                throw record.Fail("assembly", "a part that an assembly moves, which is not followed: export the part by itself, in the coordinates in which it is cut");
+            }
+        }
+    }
+
+    private static bool Same(StepPlacement a, StepPlacement b) =>
+        (a.Origin - b.Origin).Length <= 1e-9 && (a.X - b.X).Length <= 1e-12 && (a.Z - b.Z).Length <= 1e-12;
+}

@@ -1,0 +1,54 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Writes the edges that limit a surface.</summary>
+/// <param name="lines">The file.</param>
+/// <param name="surface">The surface.</param>
+/// <param name="reference">The surface in the file.</param>
+internal sealed class StepEdges(StepLines lines, SplineSurface surface, string reference)
+{
+    private string? _plane;
+
+    /// <summary>The loop of the four edges of the whole surface, each with its line of the parameters.</summary>
+    public string Border()
+    {
+        var (u0, u1, v0, v1) = (surface.KnotsU.Start, surface.KnotsU.End, surface.KnotsV.Start, surface.KnotsV.End);
+        Point2[] corners = [new(u0, v0), new(u1, v0), new(u1, v1), new(u0, v1)];
+        var vertices = corners.Select(Vertex).ToArray();
+        SplineCurve[] sides = [surface.CurveAtV(v0), surface.CurveAtU(u1), surface.CurveAtV(v1), surface.CurveAtU(u0)];
+        List<string> edges = [];
+        for (var side = 0; side < sides.Length; side++)
+        {
+            // A curve runs with its parameter; the last two sides are passed against it.
+            var forward = side < 2;
+            var (from, to) = forward ? (side, (side + 1) % 4) : ((side + 1) % 4, side);
+            var curve = lines.Curve(sides[side].Knots, sides[side].Poles.ToArray().Select(lines.Point), sides[side].Weights);
+            edges.Add(Edge(vertices[from], vertices[to], curve, [corners[from], corners[to]], [sides[side].Knots.Start, sides[side].Knots.End], forward));
+        }
+
+        return lines.Add($"EDGE_LOOP('',({string.Join(',', edges)}))");
+    }
+
+    /// <summary>A loop of one edge that follows a polygon of the parameters.</summary>
+    public string Polygon(IReadOnlyList<Point2> loop)
+    {
+        List<Point2> closed = [.. loop, loop[0]];
+        var numbers = Enumerable.Range(0, closed.Count).Select(i => (double)i).ToArray();
+        var vertex = Vertex(loop[0]);
+        var curve = lines.Curve(KnotVector.Clamped(1, numbers), closed.Select(p => lines.Point(surface.PointAt(p.X, p.Y))).ToList(), []);
+        return lines.Add($"EDGE_LOOP('',({Edge(vertex, vertex, curve, closed, numbers, forward: true)}))");
+    }
+
+    private string Edge(string from, string to, string curve, IEnumerable<Point2> parameters, double[] knots, bool forward)
+    {
+        _plane ??= lines.Add("(GEOMETRIC_REPRESENTATION_CONTEXT(2)PARAMETRIC_REPRESENTATION_CONTEXT()REPRESENTATION_CONTEXT('',''))");
+        var flat = lines.Curve(KnotVector.Clamped(1, knots), parameters.Select(lines.Point).ToList(), []);
+        var onSurface = lines.Add($"PCURVE('',{reference},{lines.Add($"DEFINITIONAL_REPRESENTATION('',({flat}),{_plane})")})");
+        var both = lines.Add($"SURFACE_CURVE('',{curve},({onSurface}),.PCURVE_S1.)");
+        var edge = lines.Add($"EDGE_CURVE('',{from},{to},{both},.T.)");
+        return lines.Add($"ORIENTED_EDGE('',*,*,{edge},{(forward ? ".T." : ".F.")})");
+    }
+
+    private string Vertex(Point2 p) => lines.Add($"VERTEX_POINT('',{lines.Point(surface.PointAt(p.X, p.Y))})");
+}

@@ -1,0 +1,38 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>The surfaces of a STEP file.</summary>
+internal sealed class StepSurfaces
+{
+    private readonly StepFile _file;
+    private readonly IReadOnlyList<StepItem> _items;
+
+    /// <summary>Finds the surfaces of a file.</summary>
+    /// <exception cref="FreeformException">There is none.</exception>
+    public StepSurfaces(StepFile file)
+    {
+        _file = file;
+        _items = StepItems.Of(file);
+        if (_items.Count == 0)
+        {
+            throw new FreeformException("no-surface", file.Name, "no face and no surface in any representation: is it an assembly without its parts, or a wire frame? Export the surface or the solid itself (AP203, AP214, AP242)");
+        }
+
+        StepAssembly.ThrowIfMoved(file);
+    }
+
+    /// <summary>The surface of a name or number.</summary>
+    /// <param name="entity">Name or number from 1; null for the only one.</param>
+    public ReadSurface Read(string? entity)
+    {
+        var names = _items.Select(NameOf).ToList();
+        var index = SurfaceChoice.Of(_file.Name, names, entity);
+        return StepFace.Read(_items[index], SurfaceChoice.NameOf(names, index));
+    }
+
+    // A face without a name has its surface's.
+    private static string NameOf(StepItem item)
+    {
+        var name = item.Instance.Name;
+        return name.Length > 0 || !StepFace.IsFace(item.Instance) ? name : item.Instance.Records[0].Instance(2).Name;
+    }
+}

@@ -1,0 +1,38 @@
+using System.Globalization;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Chooses among the surfaces of a file: by name, by number from 1, or the only one.</summary>
+internal static class SurfaceChoice
+{
+    private const int Listed = 12;
+
+    /// <summary>Index of the surface that is meant.</summary>
+    /// <param name="file">Name of the file in messages.</param>
+    /// <param name="names">What each surface is called, empty if nothing; at least one.</param>
+    /// <param name="entity">Name or number; null for the only one.</param>
+    /// <exception cref="FreeformException">None or several are meant.</exception>
+    public static int Of(string file, IReadOnlyList<string> names, string? entity)
+    {
+        if (entity is null)
+        {
+            return names.Count == 1 ? 0 : throw new FreeformException("several-surfaces", file, $"it has {names.Count} surfaces: {List(names)}. Say which one by name or number (\"surfaceEntity\" in the job)");
+        }
+
+        var named = Enumerable.Range(0, names.Count).Where(i => names[i] == entity).ToList();
+        return named.Count == 1 ? named[0]
+            : named.Count > 1 ? throw new FreeformException("several-surfaces", file, $"{named.Count} surfaces are called {ExchangeLimits.Quote(entity)}: say which one by number: {List(names)}")
+            : int.TryParse(entity, NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number >= 1 && number <= names.Count ? number - 1
+            : throw new FreeformException("no-such-surface", file, $"no surface is called or numbered {ExchangeLimits.Quote(entity)}; it has {List(names)}");
+    }
+
+    /// <summary>The name of a surface, or its number if it has none.</summary>
+    public static string NameOf(IReadOnlyList<string> names, int index) =>
+        names[index].Length > 0 ? names[index] : (index + 1).ToString(CultureInfo.InvariantCulture);
+
+    private static string List(IReadOnlyList<string> names)
+    {
+        var shown = Enumerable.Range(0, Math.Min(Listed, names.Count)).Select(i => string.Create(CultureInfo.InvariantCulture, $"{i + 1}") + (names[i].Length > 0 ? $" {ExchangeLimits.Quote(names[i])}" : ""));
+        return string.Join(", ", shown) + (names.Count > Listed ? ", ..." : "");
+    }
+}

@@ -1,0 +1,49 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>The limits of a B-spline surface from the polygons that its curves became.</summary>
+internal static class RegionLimits
+{
+    private const double WholeShare = 1e-4;
+
+    /// <summary>The region inside of polygons; the whole surface if they are only its own border.</summary>
+    /// <param name="surface">The surface.</param>
+    /// <param name="loops">The polygons.</param>
+    /// <param name="fail">Makes an error of a code and a problem.</param>
+    /// <exception cref="FreeformException">A polygon leaves the surface.</exception>
+    public static SurfaceRegion Of(SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
+    {
+        var inside = loops.Select(l => (IReadOnlyList<Point2>)[.. l.Select(q => Clamp(surface, q, fail))]).ToList();
+        return inside is [var only] && IsBorder(surface, only) ? SurfaceRegion.Whole : new(inside);
+    }
+
+    /// <summary>The border of the parameters.</summary>
+    public static IReadOnlyList<Point2> Border(SplineSurface surface)
+    {
+        var (u, v) = (surface.KnotsU, surface.KnotsV);
+        return [new(u.Start, v.Start), new(u.End, v.Start), new(u.End, v.End), new(u.Start, v.End)];
+    }
+
+    private static Point2 Clamp(SplineSurface surface, Point2 q, Func<string, string, FreeformException> fail)
+    {
+        var (u, v) = (surface.KnotsU, surface.KnotsV);
+        Point2 held = new(Math.Clamp(q.X, u.Start, u.End), Math.Clamp(q.Y, v.Start, v.End));
+        return held == q || (surface.PointAt(held.X, held.Y) - surface.PointAt(q.X, q.Y)).Length <= RegionTracer.GapMm ? held
+            : throw fail("limit-off-surface", string.Create(CultureInfo.InvariantCulture, $"a curve that limits the surface goes to ({q.X:0.######}, {q.Y:0.######}) of its parameters, which end at {u.Start:0.######}..{u.End:0.######} and {v.Start:0.######}..{v.End:0.######}"));
+    }
+
+    // All points on the border and all of the area inside: the surface is not cut.
+    private static bool IsBorder(SplineSurface surface, IReadOnlyList<Point2> loop)
+    {
+        var (u, v) = (surface.KnotsU, surface.KnotsV);
+        var (width, height) = (u.End - u.Start, v.End - v.Start);
+        return Math.Abs(RegionLoop.Area(loop)) >= (1 - WholeShare) * width * height && loop.All(q =>
+        {
+            Point2[] snapped = [new(u.Start, q.Y), new(u.End, q.Y), new(q.X, v.Start), new(q.X, v.End)];
+            var nearest = snapped.MinBy(s => (Math.Abs(s.X - q.X) / width) + (Math.Abs(s.Y - q.Y) / height));
+            return (surface.PointAt(nearest.X, nearest.Y) - surface.PointAt(q.X, q.Y)).Length <= RegionTracer.ToleranceMm;
+        });
+    }
+}

@@ -1,0 +1,159 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Turns the curves that limit a surface into closed polygons of its parameters, which leave the curves by <see cref="ToleranceMm"/> at most.</summary>
+/// <param name="map">The surface.</param>
+/// <param name="fail">Makes an error of a code and a problem.</param>
+internal sealed class RegionTracer(SurfaceMap map, Func<string, string, FreeformException> fail)
+{
+    /// <summary>How far the sides of the polygons may leave the curves.</summary>
+    public const double ToleranceMm = 0.001;
+
+    /// <summary>Gap between curves that follow one another, and distance of curves from the surface, that are taken as inexact writing. CAD systems write 0.001 to 0.01 mm.</summary>
+    public const double GapMm = 0.05;
+
+    private const int MaxHalvings = 14;
+
+    private readonly List<IReadOnlyList<Point2>> _loops = [];
+    private List<Point2> _loop = [];
+    private int _curves;
+    private int _points;
+
+    /// <summary>The closed polygons.</summary>
+    public IReadOnlyList<IReadOnlyList<Point2>> Loops => _loops;
+
+    /// <summary>Continues the loop along a curve in space.</summary>
+    /// <param name="curve">The curve in millimetres.</param>
+    /// <exception cref="FreeformException">The curve does not lie on the surface or does not begin where the one before ended.</exception>
+    public void Space(SplineCurve curve) => Trace(curve.Knots.Breaks, straight: false, (t, near) =>
+    {
+        var p = curve.PointAt(t);
+        var foot = map.FootOf(p, near);
+        var off = (map.PointAt(foot) - p).Length;
+        return off <= GapMm ? foot : throw fail("limit-off-surface", string.Create(CultureInfo.InvariantCulture, $"a curve that limits the surface is {off:0.###} mm away from it at {Place(p)}; at most {GapMm} mm is expected"));
+    });
+
+    /// <summary>Continues the loop along a curve of the parameters.</summary>
+    /// <param name="curve">The curve; x is u, y is v.</param>
+    /// <exception cref="FreeformException">The curve does not begin where the one before ended.</exception>
+    public void Parameters(SplineCurve curve) => Trace(curve.Knots.Breaks, straight: curve.Knots.Degree == 1, (t, _) =>
+    {
+        var p = curve.PointAt(t);
+        return new(p.X, p.Y);
+    });
+
+    /// <summary>Ends the loop.</summary>
+    /// <exception cref="FreeformException">It is not closed or encloses nothing.</exception>
+    public void Close()
+    {
+        if (_loop.Count > 0)
+        {
+            Join(_loop[0]);
+            if (_loop.Count > 1 && Near(_loop[^1], _loop[0]))
+            {
+                _loop.RemoveAt(_loop.Count - 1);
+            }
+        }
+
+        if (_loop.Count < 3)
+        {
+            throw fail("bad-loop", $"a loop of {_loop.Count} points, which encloses nothing");
+        }
+
+        _loops.Add(_loop);
+        _loop = [];
+    }
+
+    private void Trace(IReadOnlyList<double> breaks, bool straight, Func<double, Point2?, Point2> place)
+    {
+        if (++_curves > ExchangeLimits.MaxCurves)
+        {
+            throw fail("too-large", $"more than {ExchangeLimits.MaxCurves} curves limit one surface");
+        }
+
+        Point2? before = _loop.Count > 0 ? _loop[^1] : null;
+        var first = place(breaks[0], before);
+        Join(first);
+        if (_loop.Count == 0 || !Near(_loop[^1], first))
+        {
+            Add(first);
+        }
+
+        for (var i = 1; i < breaks.Count; i++)
+        {
+            var last = place(breaks[i], first);
+            Refine(place, breaks[i - 1], first, breaks[i], last, straight ? MaxHalvings : 0);
+            Add(last);
+            first = last;
+        }
+    }
+
+    // Halves a piece until its quarters lie beside the chord by no more than the tolerance.
+    private void Refine(Func<double, Point2?, Point2> place, double from, Point2 a, double to, Point2 b, int halvings)
+    {
+        if (halvings >= MaxHalvings)
+        {
+            return;
+        }
+
+        var along = map.PointAt(b) - map.PointAt(a);
+        var length = along.Dot(along);
+        Point2 middle = default;
+        var apart = false;
+        for (var k = 1; k <= 3; k++)
+        {
+            var q = place(from + ((to - from) * k / 4), a);
+            middle = k == 2 ? q : middle;
+            var off = map.PointAt(q) - map.PointAt(a.Lerp(b, k / 4.0));
+            off = length > 0 ? off - (along * (off.Dot(along) / length)) : off;
+            apart |= off.Length > ToleranceMm;
+        }
+
+        if (apart)
+        {
+            var half = (from + to) / 2;
+            Refine(place, from, a, half, middle, halvings + 1);
+            Add(middle);
+            Refine(place, half, middle, to, b, halvings + 1);
+        }
+    }
+
+    private void Join(Point2 next)
+    {
+        if (_loop.Count > 0 && (map.PointAt(next) - map.PointAt(_loop[^1])).Length is var gap && gap > GapMm)
+        {
+            throw fail("open-loop", string.Create(CultureInfo.InvariantCulture, $"the curves that limit the surface leave a gap of {gap:0.###} mm at {Place(map.PointAt(_loop[^1]))}; a closed loop is expected"));
+        }
+    }
+
+    private void Add(Point2 q)
+    {
+        if (!q.IsFinite)
+        {
+            throw fail("bad-loop", "a curve that limits the surface has a point that is no finite number");
+        }
+
+        if (++_points > ExchangeLimits.MaxLoopPoints)
+        {
+            throw fail("too-large", $"the limits of the surface take more than {ExchangeLimits.MaxLoopPoints} points");
+        }
+
+        _loop.Add(q);
+    }
+
+    // The same place, and not the other side of a seam.
+    private bool Near(Point2 a, Point2 b)
+    {
+        if (a == b)
+        {
+            return true;
+        }
+
+        var (p, q, middle) = (map.PointAt(a), map.PointAt(b), map.PointAt(a.Lerp(b, 0.5)));
+        return (q - p).Length <= ToleranceMm && (middle - p).Length <= ToleranceMm && a.DistanceTo(b) <= 1e-3 * (1 + Math.Abs(a.X) + Math.Abs(a.Y));
+    }
+
+    private static string Place(Point3 p) => string.Create(CultureInfo.InvariantCulture, $"({p.X:0.###}, {p.Y:0.###}, {p.Z:0.###})");
+}

@@ -1,0 +1,56 @@
+using System.Globalization;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Fits a smooth field to measured errors: what is systematic in them, between the points as well.</summary>
+public static class FieldFit
+{
+    /// <summary>As many samples are taken at most.</summary>
+    public const int MostSamples = 200_000;
+
+    /// <summary>The field with the least error when whole lines of the grid are left out: a polynomial of few terms with breaks, a Gaussian process, or a cubic spline.</summary>
+    /// <param name="samples">Measured errors on the lines of a grid, in any order; curves may have different numbers of points.</param>
+    /// <param name="pointUncertaintyMm">Standard uncertainty of one measured point along the normal that the probe states, in millimetres; zero if unknown. Uncertainties are not stated better than it allows.</param>
+    /// <exception cref="FreeformException"><c>no-samples</c>; <c>too-many-samples</c>; <c>not-finite</c> if a parameter or an error is no finite number.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The uncertainty is negative or not finite.</exception>
+    public static FittedField Fit(IReadOnlyList<ErrorSample> samples, double pointUncertaintyMm = 0)
+    {
+        ArgumentNullException.ThrowIfNull(samples);
+        if (!double.IsFinite(pointUncertaintyMm) || pointUncertaintyMm < 0)
+        {
+            throw new ArgumentOutOfRangeException(nameof(pointUncertaintyMm), pointUncertaintyMm, "A standard uncertainty is a finite number, zero or more.");
+        }
+
+        Check(samples);
+        var u = ParameterRange.Of(samples.Select(s => s.U));
+        var v = ParameterRange.Of(samples.Select(s => s.V));
+        var data = new FieldData(
+            [.. samples.Select(s => s.I)],
+            [.. samples.Select(s => s.J)],
+            [.. samples.Select(s => u.ToUnit(s.U))],
+            [.. samples.Select(s => v.ToUnit(s.V))],
+            [.. samples.Select(s => s.ErrorMm)]);
+        return new(ModelChoice.Best(data), u, v, pointUncertaintyMm);
+    }
+
+    private static void Check(IReadOnlyList<ErrorSample> samples)
+    {
+        if (samples.Count == 0)
+        {
+            throw new FreeformException("no-samples", "measured errors", "no measured point; at least one is expected");
+        }
+
+        if (samples.Count > MostSamples)
+        {
+            throw new FreeformException("too-many-samples", "measured errors", string.Create(CultureInfo.InvariantCulture, $"{samples.Count} measured points; at most {MostSamples} are taken"));
+        }
+
+        foreach (var sample in samples)
+        {
+            if (!double.IsFinite(sample.U) || !double.IsFinite(sample.V) || !double.IsFinite(sample.ErrorMm))
+            {
+                throw new FreeformException("not-finite", "measured errors", string.Create(CultureInfo.InvariantCulture, $"point {sample.Point} has a parameter or an error that is no finite number"));
+            }
+        }
+    }
+}

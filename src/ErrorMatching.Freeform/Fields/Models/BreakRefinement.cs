@@ -1,0 +1,99 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>Moves the breaks of a polynomial to where the sum of squares is least, its terms kept: Gauss-Newton with halved steps.</summary>
+internal static class BreakRefinement
+{
+    private const int MostSteps = 30;
+
+    /// <summary>The model with its breaks moved to where the sum of squares is least.</summary>
+    public static PolynomialModel Run(PolynomialModel model)
+    {
+        for (var step = 0; step < MostSteps; step++)
+        {
+            if (Moves(model) is not { } moves)
+            {
+                return model;
+            }
+
+            var better = (PolynomialModel?)null;
+            var size = 0.0;
+            for (var share = 1.0; share > 1e-3 && better is null; share /= 2)
+            {
+                var moved = PolynomialModel.Fit(model.Data, Moved(model, moves, share));
+                size = moves.Values.Max(Math.Abs) * share;
+                better = moved?.SquareSum < model.SquareSum ? moved : null;
+            }
+
+            if (better is null || size < 1e-15)
+            {
+                return better ?? model;
+            }
+
+            model = better;
+        }
+
+        return model;
+    }
+
+    /// <summary>The Gauss-Newton step of each break; null if the model has none or they are not determined.</summary>
+    private static Dictionary<(bool AlongU, double At), double>? Moves(PolynomialModel model)
+    {
+        (bool AlongU, double At)[] breaks = [.. model.BreaksU.Select(b => (true, b)), .. model.BreaksV.Select(b => (false, b))];
+        if (breaks.Length == 0)
+        {
+            return null;
+        }
+
+        var columns = model.Terms.Select(t => t.Over(model.Data.U, model.Data.V)).Concat(breaks.Select(b => Slope(model, b.AlongU, b.At))).ToList();
+        if (LeastSquares.Solve(columns, model.Data.Z) is not { } fit)
+        {
+            return null;
+        }
+
+        var moves = new Dictionary<(bool, double), double>();
+        for (var k = 0; k < breaks.Length; k++)
+        {
+            moves[breaks[k]] = fit.Coefficients[model.Terms.Count + k];
+        }
+
+        return moves;
+    }
+
+    /// <summary>Derivative of the model's values by the place of a break.</summary>
+    private static double[] Slope(PolynomialModel model, bool alongU, double at)
+    {
+        var result = new double[model.Data.Count];
+        for (var k = 0; k < model.Terms.Count; k++)
+        {
+            var term = model.Terms[k];
+            var (one, other) = alongU ? (term.U, term.V) : (term.V, term.U);
+            if (one.Break != at)
+            {
+                continue;
+            }
+
+            for (var i = 0; i < result.Length; i++)
+            {
+                var (t, s) = alongU ? (model.Data.U[i], model.Data.V[i]) : (model.Data.V[i], model.Data.U[i]);
+                if (t > at)
+                {
+                    // d/dxi of ((t - xi) / (1 - xi))^p.
+                    var x = (t - at) / (1 - at);
+                    result[i] += model.Coefficients[k] * other.At(s) * one.Power * Math.Pow(x, one.Power - 1) * (x - 1) / (1 - at);
+                }
+            }
+        }
+
+        return result;
+    }
+
+    private static Term[] Moved(PolynomialModel model, Dictionary<(bool AlongU, double At), double> moves, double share)
+    {
+        var (linesU, linesV) = model.Data.LinePlaces();
+        return [.. model.Terms.Select(t => new Term(Move(t.U, true, linesU), Move(t.V, false, linesV)))];
+
+        AxisFunction Move(AxisFunction function, bool alongU, double[] lines) => function.Break is { } at
+            ? function with { Break = Math.Clamp(at + (moves[(alongU, at)] * share), lines[1], lines[^2]) }
+            : function;
+    }
+}

@@ -1,0 +1,144 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>
+/// Finds places across which the second derivative jumps: scans a one-sided square behind every place over a low polynomial, chooses the terms anew with the most promising places,
+/// and moves the breaks until the residual no longer falls (Gauss-Newton).
+/// </summary>
+/// <remarks>
+/// At least two lines must lie on each side of a break: with one, any value there could be explained by many breaks. Breaks lie along grid lines; an oblique one cannot be found.
+/// </remarks>
+internal sealed class BreakSearch(FieldData data)
+{
+    /// <summary>A break must lower the criterion by this much.</summary>
+    private const double LeastGain = 10;
+
+    private const int PlacesPerCell = 8;
+    private const int MostBreaks = 4;
+
+    private readonly (double[] U, double[] V) _lines = data.LinePlaces();
+
+    /// <summary>The model without breaks, and those with more that lower the criterion enough below all with fewer.</summary>
+    public IReadOnlyList<PolynomialModel> Run()
+    {
+        var model = PolynomialModel.Choose(data, [], []);
+        var found = new List<PolynomialModel> { model };
+        // One break of two may explain nothing by itself: so the search goes on where it did not gain.
+        for (var count = 0; count < MostBreaks && Extend(model) is { } next; count++)
+        {
+            model = next;
+            if (model.Criterion < found[^1].Criterion - LeastGain)
+            {
+                found.Add(model);
+            }
+        }
+
+        return found;
+    }
+
+    private PolynomialModel? Extend(PolynomialModel model) =>
+        Places(model).Select(place => Try(model, place.AlongU, place.At)).OfType<PolynomialModel>().MinBy(m => m.Criterion);
+
+    private PolynomialModel? Try(PolynomialModel model, bool alongU, double at)
+    {
+        double[] u = alongU ? [.. model.BreaksU, at] : [.. model.BreaksU];
+        double[] v = alongU ? [.. model.BreaksV] : [.. model.BreaksV, at];
+        var wanted = u.Length + v.Length;
+        if (PolynomialModel.Fit(data, Low(u, v)) is not { } low)
+        {
+            return null;
+        }
+
+        // First the breaks of a low polynomial: a high one would follow the data whatever its breaks.
+        low = BreakRefinement.Run(low);
+        (u, v) = ([.. low.BreaksU], [.. low.BreaksV]);
+        PolynomialModel? result = null;
+        for (var round = 0; round < 3; round++)
+        {
+            var chosen = BreakRefinement.Run(PolynomialModel.Choose(data, u, v));
+            if (chosen.BreaksU.Count + chosen.BreaksV.Count < wanted || chosen.Criterion >= (result?.Criterion ?? double.PositiveInfinity))
+            {
+                break;
+            }
+
+            result = chosen;
+            (u, v) = ([.. chosen.BreaksU], [.. chosen.BreaksV]);
+        }
+
+        return result;
+    }
+
+    /// <summary>The local minima of the residual of a biquadratic with the model's breaks and one more, the deepest first.</summary>
+    private IEnumerable<(bool AlongU, double At)> Places(PolynomialModel model)
+    {
+        var basis = new List<double[]>();
+        var rest = (double[])data.Z.Clone();
+        foreach (var term in Low(model.BreaksU, model.BreaksV))
+        {
+            if (Unit(term.Over(data.U, data.V), basis) is { } unit)
+            {
+                basis.Add(unit);
+                LeastSquares.Remove(rest, unit);
+            }
+        }
+
+        return [.. Minima(true, _lines.U, basis, rest).Concat(Minima(false, _lines.V, basis, rest)).OrderBy(m => m.Sum).Take(4).Select(m => (m.AlongU, m.At))];
+    }
+
+    /// <summary>All products of functions up to the square.</summary>
+    private static Term[] Low(IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV) =>
+        [.. from a in Squares(breaksU) from b in Squares(breaksV) select new Term(a, b)];
+
+    private static IEnumerable<AxisFunction> Squares(IReadOnlyList<double> breaks) => AxisFunction.Hierarchy(2, breaks).Where(f => f.Power <= 2);
+
+    private List<(bool AlongU, double At, double Sum)> Minima(bool alongU, double[] lines, List<double[]> basis, double[] rest)
+    {
+        var scanned = new List<(bool AlongU, double At, double Sum)>();
+        var places = lines.Length > 60 ? 2 : PlacesPerCell;
+        for (var cell = 1; cell + 2 < lines.Length; cell++)
+        {
+            for (var k = 0; k < places; k++)
+            {
+                var at = lines[cell] + ((lines[cell + 1] - lines[cell]) * (k + 0.5) / places);
+                scanned.Add((alongU, at, Left(alongU, at, basis, rest)));
+            }
+        }
+
+        return [.. scanned.Where((s, k) => (k == 0 || s.Sum <= scanned[k - 1].Sum) && (k + 1 == scanned.Count || s.Sum <= scanned[k + 1].Sum))];
+    }
+
+    private double Left(bool alongU, double at, List<double[]> basis, double[] rest)
+    {
+        var sum = LeastSquares.Product(rest, rest);
+        var all = new List<double[]>(basis);
+        for (var power = 0; power <= 2; power++)
+        {
+            var (one, other) = (new AxisFunction(2, at), new AxisFunction(power));
+            if (Unit((alongU ? new Term(one, other) : new Term(other, one)).Over(data.U, data.V), all) is { } unit)
+            {
+                all.Add(unit);
+                var part = LeastSquares.Product(rest, unit);
+                sum -= part * part;
+            }
+        }
+
+        return sum;
+    }
+
+    private static double[]? Unit(double[] column, List<double[]> basis)
+    {
+        var before = LeastSquares.Product(column, column);
+        foreach (var unit in basis.Concat(basis))
+        {
+            LeastSquares.Remove(column, unit);
+        }
+
+        var left = LeastSquares.Product(column, column);
+        if (left <= before * 1e-20)
+        {
+            return null;
+        }
+
+        LeastSquares.Scale(column, 1 / Math.Sqrt(left));
+        return column;
+    }
+}

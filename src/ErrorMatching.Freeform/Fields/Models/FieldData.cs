@@ -1,0 +1,146 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>Values over two parameters that run from -1 to 1, with the lines of the grid on which they were measured.</summary>
+/// <param name="I">Number of each value along its curve.</param>
+/// <param name="J">Number of its curve.</param>
+/// <param name="U">First parameter of each value.</param>
+/// <param name="V">Second parameter.</param>
+/// <param name="Z">The values.</param>
+internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, double[] Z)
+{
+    /// <summary>Lines of one direction that are left out at most, evenly chosen: more do not change the mean, only the time.</summary>
+    private const int MostLinesOut = 12;
+
+    private const int MostPlacesBetween = 400;
+
+    public int Count => Z.Length;
+
+    /// <summary>The curves of constant j, by rising j: the numbers of their values.</summary>
+    public int[][] Curves { get; } = Groups(J);
+
+    /// <summary>The lines that cross the curves: those of constant i where all curves have the same numbers, else bands along u with as many values as there are curves.</summary>
+    public int[][] Crossings => _crossings ??= IsRectangular ? Groups(I) : Bands();
+
+    private int[][]? _crossings;
+
+    /// <summary>True if every curve has the same numbers i.</summary>
+    public bool IsRectangular { get; } = Rectangular(I, J);
+
+    /// <summary>The inner lines of both directions that are left out in turn. The outermost stay: without them a fit would have to extrapolate.</summary>
+    public IReadOnlyList<int[]> LinesOut() => [.. Inner(Curves), .. Inner(Crossings)];
+
+    /// <summary>The values without those of a line.</summary>
+    public FieldData Without(int[] line)
+    {
+        var gone = new HashSet<int>(line);
+        return Only([.. Enumerable.Range(0, Count).Where(k => !gone.Contains(k))]);
+    }
+
+    /// <summary>The rectangular grid of the values; null if they form none.</summary>
+    public SampleGrid? Grid
+    {
+        get
+        {
+            if (!_gridSought)
+            {
+                (_grid, _gridSought) = (SampleGrid.Of(this), true);
+            }
+
+            return _grid;
+        }
+    }
+
+    private SampleGrid? _grid;
+    private bool _gridSought;
+
+    /// <summary>The values on some lines of a grid, evenly chosen, at most so many in each direction; all values where there is no grid.</summary>
+    public FieldData Thinned(int lines)
+    {
+        if (Grid is not { } grid || (grid.U.Length <= lines && grid.V.Length <= lines))
+        {
+            return this;
+        }
+
+        var (u, v) = (Chosen(grid.U.Length, lines), Chosen(grid.V.Length, lines));
+        return Only([.. from i in u from j in v select grid.Index[(i * grid.V.Length) + j]]);
+    }
+
+    private static int[] Chosen(int count, int most) =>
+        count <= most ? [.. Enumerable.Range(0, count)] : [.. Enumerable.Range(0, most).Select(k => (int)((long)k * (count - 1) / (most - 1)))];
+
+    /// <summary>The values with given numbers.</summary>
+    public FieldData Only(int[] kept) => new(Pick(I, kept), Pick(J, kept), Pick(U, kept), Pick(V, kept), Pick(Z, kept));
+
+    /// <summary>The same places with other values.</summary>
+    public FieldData With(double[] values) => new(I, J, U, V, values);
+
+    /// <summary>The places of the crossings along u and of the curves along v: the mean parameter of each line, rising.</summary>
+    public (double[] U, double[] V) LinePlaces() =>
+        ([.. Crossings.Select(line => line.Average(k => U[k])).Order()], [.. Curves.Select(line => line.Average(k => V[k])).Order()]);
+
+    /// <summary>Places halfway between neighboring values, along the curves and across them, at most some hundreds of them.</summary>
+    public (double[] U, double[] V) Between => _between ??= Halfway();
+
+    private (double[] U, double[] V)? _between;
+
+    private static T[] Pick<T>(T[] from, int[] kept) => Array.ConvertAll(kept, k => from[k]);
+
+    private static IEnumerable<int[]> Inner(int[][] lines)
+    {
+        var inner = lines.Length - 2;
+        var count = Math.Min(inner, MostLinesOut);
+        for (var k = 0; k < count; k++)
+        {
+            yield return lines[1 + (int)(((2L * k) + 1) * inner / (2 * count))];
+        }
+    }
+
+    private (double[] U, double[] V) Halfway()
+    {
+        var (u, v) = (new List<double>(), new List<double>());
+        for (var c = 0; c < Curves.Length; c++)
+        {
+            for (var k = 0; k < Curves[c].Length; k++)
+            {
+                var here = Curves[c][k];
+                var next = k + 1 < Curves[c].Length ? Curves[c][k + 1] : here;
+                var across = c + 1 < Curves.Length ? Nearest(Curves[c + 1], U[next]) : next;
+                foreach (var other in (ReadOnlySpan<int>)[next, across])
+                {
+                    u.Add((U[here] + U[other]) / 2);
+                    v.Add((V[here] + V[other]) / 2);
+                }
+            }
+        }
+
+        var step = Math.Max(1, u.Count / MostPlacesBetween);
+        return ([.. u.Where((_, k) => k % step == 0)], [.. v.Where((_, k) => k % step == 0)]);
+    }
+
+    private int Nearest(int[] curve, double u)
+    {
+        var best = curve[0];
+        foreach (var k in curve)
+        {
+            best = Math.Abs(U[k] - u) < Math.Abs(U[best] - u) ? k : best;
+        }
+
+        return best;
+    }
+
+    private static int[][] Groups(int[] numbers) => [.. Enumerable.Range(0, numbers.Length).GroupBy(k => numbers[k]).OrderBy(g => g.Key).Select(g => g.ToArray())];
+
+    private static bool Rectangular(int[] i, int[] j)
+    {
+        var rows = Groups(j);
+        var first = rows.Length == 0 ? [] : rows[0].Select(k => i[k]).Order().ToArray();
+        return rows.All(row => row.Select(k => i[k]).Order().SequenceEqual(first));
+    }
+
+    private int[][] Bands()
+    {
+        var order = Enumerable.Range(0, Count).OrderBy(k => U[k]).ThenBy(k => V[k]).ToArray();
+        var bands = Math.Max(1, (int)Math.Round((double)Count / Curves.Length));
+        return [.. Enumerable.Range(0, bands).Select(b => order[(int)((long)b * Count / bands)..(int)((long)(b + 1) * Count / bands)])];
+    }
+}

@@ -1,0 +1,131 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>The covariance of values on a rectangular grid: the Kronecker product of one small matrix for each direction, decomposed one by one (Saatci, Scalable Inference for Structured Gaussian Process Models, 2011, chapter 5).</summary>
+internal sealed class GridCovariance : Covariance
+{
+    private readonly SampleGrid _grid;
+    private readonly Kernel _kernel;
+    private readonly double[][] _vectorsU;
+    private readonly double[][] _vectorsV;
+    private readonly double[] _values;
+
+    public GridCovariance(SampleGrid grid, Kernel kernel)
+    {
+        (_grid, _kernel) = (grid, kernel);
+        var u = new SymmetricEigen(Matrix(grid.U, kernel.AlongU));
+        var v = new SymmetricEigen(Matrix(grid.V, kernel.AlongV));
+        (_vectorsU, _vectorsV) = (u.Vectors, v.Vectors);
+        // An eigenvalue below zero is rounding.
+        _values = [.. from a in u.Values from b in v.Values select (Math.Max(0, a) * Math.Max(0, b)) + Math.Max(kernel.Noise, Kernel.LeastNoise)];
+    }
+
+    public override double LogDeterminant => _values.Sum(Math.Log);
+
+    public override double InverseTrace => _values.Sum(x => 1 / x);
+
+    public override double[] Solve(double[] b)
+    {
+        var (n, m) = (_grid.U.Length, _grid.V.Length);
+        var x = new double[b.Length];
+        for (var k = 0; k < x.Length; k++)
+        {
+            x[k] = b[_grid.Index[k]];
+        }
+
+        x = Apply(_vectorsU, x, m, transposed: false);
+        x = ApplyAcross(_vectorsV, x, n, transposed: false);
+        for (var k = 0; k < x.Length; k++)
+        {
+            x[k] /= _values[k];
+        }
+
+        x = ApplyAcross(_vectorsV, x, n, transposed: true);
+        x = Apply(_vectorsU, x, m, transposed: true);
+        var result = new double[b.Length];
+        for (var k = 0; k < x.Length; k++)
+        {
+            result[_grid.Index[k]] = x[k];
+        }
+
+        return result;
+    }
+
+    public override double[] Row(double u, double v)
+    {
+        var (a, b) = Rows(u, v);
+        var row = new double[_values.Length];
+        for (var k = 0; k < row.Length; k++)
+        {
+            row[_grid.Index[k]] = a[k / b.Length] * b[k % b.Length];
+        }
+
+        return row;
+    }
+
+    public override double Sum(double u, double v, double[] weights)
+    {
+        var (a, b) = Rows(u, v);
+        var sum = 0.0;
+        for (var i = 0; i < a.Length; i++)
+        {
+            var part = 0.0;
+            for (var j = 0; j < b.Length; j++)
+            {
+                part += b[j] * weights[_grid.Index[(i * b.Length) + j]];
+            }
+
+            sum += a[i] * part;
+        }
+
+        return sum;
+    }
+
+    private (double[] U, double[] V) Rows(double u, double v)
+    {
+        var kernel = _kernel;
+        return (Array.ConvertAll(_grid.U, x => kernel.AlongU(u, x)), Array.ConvertAll(_grid.V, x => kernel.AlongV(v, x)));
+    }
+
+    private static double[][] Matrix(double[] places, Func<double, double, double> kernel) => Array.ConvertAll(places, a => Array.ConvertAll(places, b => kernel(a, b)));
+
+    /// <summary>The matrix of eigenvectors times a grid of values, along u.</summary>
+    private static double[] Apply(double[][] vectors, double[] x, int width, bool transposed)
+    {
+        var result = new double[x.Length];
+        for (var i = 0; i < vectors.Length; i++)
+        {
+            for (var k = 0; k < vectors.Length; k++)
+            {
+                var factor = transposed ? vectors[k][i] : vectors[i][k];
+                for (var j = 0; j < width; j++)
+                {
+                    result[(i * width) + j] += factor * x[(k * width) + j];
+                }
+            }
+        }
+
+        return result;
+    }
+
+    /// <summary>The matrix of eigenvectors times a grid of values, along v.</summary>
+    private static double[] ApplyAcross(double[][] vectors, double[] x, int height, bool transposed)
+    {
+        var width = vectors.Length;
+        var result = new double[x.Length];
+        for (var i = 0; i < height; i++)
+        {
+            for (var j = 0; j < width; j++)
+            {
+                var sum = 0.0;
+                for (var k = 0; k < width; k++)
+                {
+                    sum += (transposed ? vectors[k][j] : vectors[j][k]) * x[(i * width) + k];
+                }
+
+                result[(i * width) + j] = sum;
+            }
+        }
+
+        return result;
+    }
+}

@@ -1,0 +1,133 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>A Gaussian process about a low polynomial whose coefficients are estimated with it (universal kriging; Rasmussen and Williams, Gaussian Processes for Machine Learning, section 2.7).</summary>
+internal sealed class ProcessModel : FieldModel
+{
+    private readonly Kernel _kernel;
+    private readonly Term[] _trend;
+    private readonly Covariance _covariance;
+    private readonly double[][] _columns;
+    private readonly double[][] _solved;
+    private readonly Cholesky _factor;
+    private readonly double[] _coefficients;
+    private readonly double[] _weights;
+    private readonly double _variance;
+
+    private ProcessModel(FieldData data, Kernel kernel, Term[] trend, Covariance covariance, double[][] columns, double[][] solved, Cholesky factor)
+        : base(data)
+    {
+        (_kernel, _trend, _covariance, _columns, _solved, _factor) = (kernel, trend, covariance, columns, solved, factor);
+        // The polynomial goes first by itself: the likelihood does not see it, and digits are kept where it is large.
+        var ordinary = LeastSquares.Solve(columns, data.Z)!;
+        var rest = ordinary.Residuals;
+        var correction = factor.Solve(Array.ConvertAll(solved, s => LeastSquares.Product(s, rest)));
+        for (var k = 0; k < columns.Length; k++)
+        {
+            for (var i = 0; i < rest.Length; i++)
+            {
+                rest[i] -= correction[k] * columns[k][i];
+            }
+        }
+
+        _coefficients = [.. ordinary.Coefficients.Zip(correction, (a, b) => a + b)];
+        _weights = covariance.Solve(rest);
+        var free = data.Count - trend.Length;
+        _variance = Math.Max(LeastSquares.Product(_weights, rest) / free, 1e-26);
+        Likelihood = -0.5 * ((free * Math.Log(_variance)) + covariance.LogDeterminant + factor.LogDeterminant);
+    }
+
+    public override FieldModelKind Kind => FieldModelKind.GaussianProcess;
+
+    public override IReadOnlyList<double> BreaksU => [.. _trend.Where(t => t.U.Break is not null).Select(t => t.U.Break!.Value).Distinct().Order()];
+
+    public override IReadOnlyList<double> BreaksV => [.. _trend.Where(t => t.V.Break is not null).Select(t => t.V.Break!.Value).Distinct().Order()];
+
+    public override int DegreeU => 5;
+
+    public override int DegreeV => 5;
+
+    public override bool IsSpline => false;
+
+    /// <summary>Logarithm of the restricted likelihood with the best variance, less constants (Rasmussen and Williams, equation 2.45).</summary>
+    public double Likelihood { get; }
+
+    public Kernel Kernel => _kernel;
+
+    public override double Noise => Math.Sqrt(_variance * _kernel.Noise);
+
+    public override double Freedom
+    {
+        get
+        {
+            var trend = _factor;
+            var trace = _covariance.InverseTrace;
+            for (var k = 0; k < _trend.Length; k++)
+            {
+                trace -= trend.Solve(Array.ConvertAll(_solved, s => LeastSquares.Product(s, _solved[k])))[k];
+            }
+
+            return Data.Count - (_kernel.Noise * trace);
+        }
+    }
+
+    /// <summary>The process with a given kernel; null if double precision does not carry it.</summary>
+    public static ProcessModel? Fit(FieldData data, Kernel kernel, Term[] trend)
+    {
+        var columns = Array.ConvertAll(trend, t => t.Over(data.U, data.V));
+        if (data.Count <= trend.Length || Covariance.Of(data, kernel) is not { } covariance || LeastSquares.Solve(columns, data.Z) is null)
+        {
+            return null;
+        }
+
+        var solved = Array.ConvertAll(columns, covariance.Solve);
+        var rows = new double[trend.Length][];
+        for (var i = 0; i < rows.Length; i++)
+        {
+            rows[i] = [.. Enumerable.Range(0, i + 1).Select(j => LeastSquares.Product(columns[i], solved[j]))];
+        }
+
+        return Cholesky.Factor(rows, rows.Length) is { } factor ? new(data, kernel, trend, covariance, columns, solved, factor) : null;
+    }
+
+    public override double At(double u, double v)
+    {
+        var sum = _covariance.Sum(u, v, _weights);
+        for (var k = 0; k < _trend.Length; k++)
+        {
+            sum += _coefficients[k] * _trend[k].At(u, v);
+        }
+
+        return sum;
+    }
+
+    public override double VarianceAt(double u, double v, double noise)
+    {
+        var row = _covariance.Row(u, v);
+        var solved = _covariance.Solve(row);
+        var missed = new double[_trend.Length];
+        for (var k = 0; k < missed.Length; k++)
+        {
+            missed[k] = _trend[k].At(u, v) - LeastSquares.Product(_columns[k], solved);
+        }
+
+        var share = _factor.Solve(missed);
+        var variance = _variance * Math.Max(0, 1 - LeastSquares.Product(row, solved) + LeastSquares.Product(missed, share));
+        var more = (noise * noise) - (Noise * Noise);
+        if (more <= 0)
+        {
+            return variance;
+        }
+
+        for (var k = 0; k < share.Length; k++)
+        {
+            for (var i = 0; i < solved.Length; i++)
+            {
+                solved[i] += share[k] * _solved[k][i];
+            }
+        }
+
+        return variance + (more * LeastSquares.Product(solved, solved));
+    }
+
+    public override FieldModel? Refit(FieldData other) => Fit(other, _kernel, _trend);
+}

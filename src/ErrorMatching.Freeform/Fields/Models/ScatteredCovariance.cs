@@ -1,0 +1,63 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>The covariance of values anywhere: a full matrix.</summary>
+internal sealed class ScatteredCovariance : Covariance
+{
+    private readonly FieldData _data;
+    private readonly Kernel _kernel;
+    private readonly Cholesky _factor;
+
+    private ScatteredCovariance(FieldData data, Kernel kernel, Cholesky factor) => (_data, _kernel, _factor) = (data, kernel, factor);
+
+    public override double LogDeterminant => _factor.LogDeterminant;
+
+    public override double InverseTrace
+    {
+        get
+        {
+            var trace = 0.0;
+            for (var k = 0; k < _data.Count; k++)
+            {
+                var unit = new double[_data.Count];
+                unit[k] = 1;
+                var forward = _factor.Forward(unit);
+                trace += LeastSquares.Product(forward, forward);
+            }
+
+            return trace;
+        }
+    }
+
+    public static ScatteredCovariance? Full(FieldData data, Kernel kernel)
+    {
+        var rows = new double[data.Count][];
+        for (var i = 0; i < rows.Length; i++)
+        {
+            rows[i] = new double[i + 1];
+            for (var j = 0; j < i; j++)
+            {
+                rows[i][j] = kernel.AlongU(data.U[i], data.U[j]) * kernel.AlongV(data.V[i], data.V[j]);
+            }
+
+            // Ten times the least noise of a grid: a factor of a full matrix loses more digits than two small decompositions.
+            rows[i][i] = 1 + Math.Max(kernel.Noise, 10 * Kernel.LeastNoise);
+        }
+
+        return Cholesky.Factor(rows, data.Count) is { } factor ? new(data, kernel, factor) : null;
+    }
+
+    public override double[] Solve(double[] b) => _factor.Solve(b);
+
+    public override double[] Row(double u, double v)
+    {
+        var row = new double[_data.Count];
+        for (var k = 0; k < row.Length; k++)
+        {
+            row[k] = _kernel.AlongU(u, _data.U[k]) * _kernel.AlongV(v, _data.V[k]);
+        }
+
+        return row;
+    }
+
+    public override double Sum(double u, double v, double[] weights) => LeastSquares.Product(Row(u, v), weights);
+}

@@ -1,0 +1,156 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>
+/// A cubic spline over both parameters with about as many poles as the grid has lines, smoothed by the bending energy of a thin plate (Green and Silverman, Nonparametric Regression and Generalized Linear Models, section 7.9)
+/// with the weight that leaves the least error when lines are left out.
+/// </summary>
+internal sealed class SplineModel : FieldModel
+{
+    /// <summary>Pieces along one axis at most: the band of the equations grows with them.</summary>
+    private const int MostPieces = 24;
+
+    private readonly SplineAxis _u;
+    private readonly SplineAxis _v;
+    private readonly double _weight;
+    private readonly Cholesky _factor;
+    private readonly double[] _poles;
+
+    private SplineModel(FieldData data, SplineAxis u, SplineAxis v, double weight, Cholesky factor, double[] poles)
+        : base(data)
+    {
+        (_u, _v, _weight, _factor, _poles) = (u, v, weight, factor, poles);
+        Freedom = Trace();
+        var sum = Residuals().Sum(r => r * r);
+        Noise = Math.Sqrt(sum / Math.Max(1, data.Count - Freedom));
+    }
+
+    public override FieldModelKind Kind => FieldModelKind.CubicSpline;
+
+    public override double Freedom { get; }
+
+    public override double Noise { get; }
+
+    public override int DegreeU => 3;
+
+    public override int DegreeV => 3;
+
+    public override IEnumerable<(double At, int Smoothness)> JoinsU => _u.Breaks[1..^1].ToArray().Select(at => (at, 2));
+
+    public override IEnumerable<(double At, int Smoothness)> JoinsV => _v.Breaks[1..^1].ToArray().Select(at => (at, 2));
+
+    /// <summary>The spline with the best of some weights; null if there are too few lines.</summary>
+    public static SplineModel? Run(FieldData data)
+    {
+        var (u, v) = data.LinePlaces();
+        if (u.Length < 2 || v.Length < 2)
+        {
+            return null;
+        }
+
+        var (axisU, axisV) = (SplineAxis.Over(u, MostPieces), SplineAxis.Over(v, MostPieces));
+        return new[] { 1e-9, 1e-7, 1e-5, 1e-3, 1e-1 }.Select(weight => Fit(data, axisU, axisV, weight)).OfType<SplineModel>().MinBy(model => model.LineOut);
+    }
+
+    public override double At(double u, double v)
+    {
+        var (a, b) = (_u.At(u), _v.At(v));
+        var sum = 0.0;
+        for (var i = 0; i < 4; i++)
+        {
+            for (var j = 0; j < 4; j++)
+            {
+                sum += a.Values[i] * b.Values[j] * _poles[((a.First + i) * _v.Count) + b.First + j];
+            }
+        }
+
+        return sum;
+    }
+
+    public override double VarianceAt(double u, double v, double noise)
+    {
+        var forward = _factor.Forward(Row(u, v));
+        return noise * noise * LeastSquares.Product(forward, forward);
+    }
+
+    public override FieldModel? Refit(FieldData other) => Fit(other, _u, _v, _weight);
+
+    private static SplineModel? Fit(FieldData data, SplineAxis u, SplineAxis v, double weight)
+    {
+        var width = (3 * v.Count) + 3;
+        var rows = new double[u.Count * v.Count][];
+        for (var i = 0; i < rows.Length; i++)
+        {
+            rows[i] = new double[Math.Min(i, width) + 1];
+        }
+
+        AddBending(rows, width, u, v, weight * data.Count);
+        var right = new double[rows.Length];
+        for (var k = 0; k < data.Count; k++)
+        {
+            var (a, b) = (u.At(data.U[k]), v.At(data.V[k]));
+            for (var i = 0; i < 16; i++)
+            {
+                var row = ((a.First + (i / 4)) * v.Count) + b.First + (i % 4);
+                var factor = a.Values[i / 4] * b.Values[i % 4];
+                right[row] += factor * data.Z[k];
+                for (var j = 0; j <= i; j++)
+                {
+                    var column = ((a.First + (j / 4)) * v.Count) + b.First + (j % 4);
+                    rows[row][column - Math.Max(0, row - width)] += factor * a.Values[j / 4] * b.Values[j % 4];
+                }
+            }
+        }
+
+        return Cholesky.Factor(rows, width) is { } cholesky ? new(data, u, v, weight, cholesky, cholesky.Solve(right)) : null;
+    }
+
+    /// <summary>The integral of f_uu^2 + 2 f_uv^2 + f_vv^2 as a form of the poles.</summary>
+    private static void AddBending(double[][] rows, int width, SplineAxis u, SplineAxis v, double weight)
+    {
+        var (u0, u1, u2) = (u.Products(0), u.Products(1), u.Products(2));
+        var (v0, v1, v2) = (v.Products(0), v.Products(1), v.Products(2));
+        for (var row = 0; row < rows.Length; row++)
+        {
+            var (i, j) = (row / v.Count, row % v.Count);
+            for (var k = Math.Max(0, i - 3); k <= i; k++)
+            {
+                for (var l = Math.Max(0, j - 3); l <= Math.Min(v.Count - 1, j + 3); l++)
+                {
+                    var column = (k * v.Count) + l;
+                    if (column <= row)
+                    {
+                        // A trace of the values themselves keeps a plane determined where lines are missing.
+                        var energy = (u2[i][k] * v0[j][l]) + (2 * u1[i][k] * v1[j][l]) + (u0[i][k] * v2[j][l]) + (1e-9 * u0[i][k] * v0[j][l]);
+                        rows[row][column - Math.Max(0, row - width)] += weight * energy;
+                    }
+                }
+            }
+        }
+    }
+
+    private double[] Row(double u, double v)
+    {
+        var (a, b) = (_u.At(u), _v.At(v));
+        var row = new double[_poles.Length];
+        for (var i = 0; i < 16; i++)
+        {
+            row[((a.First + (i / 4)) * _v.Count) + b.First + (i % 4)] = a.Values[i / 4] * b.Values[i % 4];
+        }
+
+        return row;
+    }
+
+    /// <summary>The sum of the leverages of the values; of some of them, evenly chosen and scaled, where they are many.</summary>
+    private double Trace()
+    {
+        var step = Math.Max(1, Data.Count / 100);
+        var (sum, count) = (0.0, 0);
+        for (var k = 0; k < Data.Count; k += step)
+        {
+            sum += VarianceAt(Data.U[k], Data.V[k], 1);
+            count++;
+        }
+
+        return sum * Data.Count / count;
+    }
+}

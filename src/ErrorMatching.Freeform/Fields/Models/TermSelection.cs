@@ -1,0 +1,194 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>
+/// Chooses the terms of a polynomial with given breaks: forward, the term that takes most of the sum of squares first, a term only after those below it in both directions;
+/// of all lengths of that list the one with the lowest corrected information criterion.
+/// </summary>
+/// <remarks>
+/// AICc = n ln(S / n) + 2 k + 2 k (k + 1) / (n - k - 1), k the number of terms, breaks and the noise (Burnham and Anderson, Model Selection and Multimodel Inference, 2nd edition, equation 2.4).
+/// A term is not taken if the fit with it would predict a place between neighboring values with more than the variance of one measured value: there the polynomial swings.
+/// </remarks>
+internal sealed class TermSelection
+{
+    private const int HighestDegree = 8;
+    private const int MostTerms = 64;
+    private const double MostAmplification = 1;
+
+    private readonly FieldData _data;
+    private readonly int _breaks;
+    private readonly int _mostU;
+    private readonly int _mostV;
+    private readonly List<Candidate> _candidates;
+    private readonly List<Candidate> _taken = [];
+    private readonly double[] _rest;
+    private readonly double[] _variance;
+
+    private TermSelection(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV)
+    {
+        _data = data;
+        _breaks = breaksU.Count + breaksV.Count;
+        _mostU = Most(data.Crossings.Length, breaksU.Count);
+        _mostV = Most(data.Curves.Length, breaksV.Count);
+        _rest = (double[])data.Z.Clone();
+        var (betweenU, betweenV) = data.Between;
+        _variance = new double[betweenU.Length];
+        _candidates =
+        [
+            .. from a in AxisFunction.Hierarchy(Degree(data.Crossings.Length), breaksU)
+               from b in AxisFunction.Hierarchy(Degree(data.Curves.Length), breaksV)
+               where a.Power + b.Power <= HighestDegree
+               let term = new Term(a, b)
+               select new Candidate(term, term.Over(data.U, data.V), term.Over(betweenU, betweenV)),
+        ];
+    }
+
+    public Term[] Terms { get; private set; } = [];
+
+    /// <summary>The criterion of the chosen terms; infinite if there are too few values for any.</summary>
+    public double Criterion { get; private set; } = double.PositiveInfinity;
+
+    public static TermSelection Of(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV)
+    {
+        var selection = new TermSelection(data, breaksU, breaksV);
+        selection.Run();
+        return selection;
+    }
+
+    /// <summary>The criterion of a fit.</summary>
+    public static double CriterionOf(FieldData data, double squareSum, int terms, int breaks)
+    {
+        var (n, k) = (data.Count, terms + breaks + 1);
+        return n - k - 1 > 0 ? (n * Math.Log((squareSum / n) + Rounding(data.Z))) + (2 * k) + (2.0 * k * (k + 1) / (n - k - 1)) : double.PositiveInfinity;
+    }
+
+    /// <summary>A variance of 0.1 pm, and what double precision leaves of large coordinates: below it a residual says nothing.</summary>
+    private static double Rounding(double[] values)
+    {
+        var largest = 0.0;
+        foreach (var value in values)
+        {
+            largest = Math.Max(largest, Math.Abs(value));
+        }
+
+        var rounding = 1e-10 + (1e-14 * largest);
+        return rounding * rounding;
+    }
+
+    /// <summary>
+    /// How many functions of an axis are used at most. As many as lines would meet any values; with breaks, so many fewer that they cannot be moved until the fit meets every line, also one left out.
+    /// Three lines are trusted to show a square.
+    /// </summary>
+    private static int Most(int lines, int breaks) => breaks > 0 ? lines - 2 - breaks : Math.Max(lines - 1, Math.Min(lines, 3));
+
+    private static int Degree(int lines) => Math.Min(HighestDegree, lines - 1);
+
+    private void Run()
+    {
+        Take(_candidates[0]);
+        Terms = [_taken[0].Term];
+        Criterion = CriterionOf(_data, LeastSquares.Product(_rest, _rest), 1, _breaks);
+        while (_taken.Count < MostTerms && Next() is { } next)
+        {
+            Take(next);
+            var criterion = CriterionOf(_data, LeastSquares.Product(_rest, _rest), _taken.Count, _breaks);
+            if (criterion < Criterion)
+            {
+                (Criterion, Terms) = (criterion, [.. _taken.Select(c => c.Term)]);
+            }
+        }
+    }
+
+    private Candidate? Next()
+    {
+        while (true)
+        {
+            var (best, most) = ((Candidate?)null, -1.0);
+            foreach (var candidate in _candidates)
+            {
+                var norm = LeastSquares.Product(candidate.Column, candidate.Column);
+                if (!Allowed(candidate.Term) || norm <= candidate.SquareNorm * LeastSquares.Dependent * LeastSquares.Dependent)
+                {
+                    continue;
+                }
+
+                var part = LeastSquares.Product(candidate.Column, _rest);
+                if (part * part / norm > most)
+                {
+                    (best, most) = (candidate, part * part / norm);
+                }
+            }
+
+            if (best is null || !Amplifies(best))
+            {
+                return best;
+            }
+
+            _candidates.Remove(best);
+        }
+    }
+
+    private bool Allowed(Term term) =>
+        Taken(term.U.Parent, term.V) && Taken(term.U, term.V.Parent) && Fits(term.U, c => c.Term.U, _mostU) && Fits(term.V, c => c.Term.V, _mostV);
+
+    private bool Fits(AxisFunction function, Func<Candidate, AxisFunction> of, int most)
+    {
+        var functions = _taken.Select(of).ToHashSet();
+        return functions.Contains(function) || functions.Count < most;
+    }
+
+    private bool Taken(AxisFunction? u, AxisFunction? v) => u is not { } a || v is not { } b || _taken.Exists(c => c.Term == new Term(a, b));
+
+    private bool Amplifies(Candidate candidate)
+    {
+        var norm = LeastSquares.Product(candidate.Column, candidate.Column);
+        for (var k = 0; k < _variance.Length; k++)
+        {
+            if (_variance[k] + (candidate.Between[k] * candidate.Between[k] / norm) > MostAmplification)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private void Take(Candidate candidate)
+    {
+        foreach (var taken in _taken)
+        {
+            candidate.Remove(taken);
+        }
+
+        var norm = 1 / Math.Sqrt(LeastSquares.Product(candidate.Column, candidate.Column));
+        LeastSquares.Scale(candidate.Column, norm);
+        LeastSquares.Scale(candidate.Between, norm);
+        _candidates.Remove(candidate);
+        _taken.Add(candidate);
+        LeastSquares.Remove(_rest, candidate.Column);
+        LeastSquares.Remove(_rest, candidate.Column);
+        for (var k = 0; k < _variance.Length; k++)
+        {
+            _variance[k] += candidate.Between[k] * candidate.Between[k];
+        }
+
+        foreach (var other in _candidates)
+        {
+            other.Remove(candidate);
+        }
+    }
+
+    /// <summary>A term's values, without what lies along the terms taken before.</summary>
+    private sealed record Candidate(Term Term, double[] Column, double[] Between)
+    {
+        public double SquareNorm { get; } = LeastSquares.Product(Column, Column);
+
+        public void Remove(Candidate unit)
+        {
+            var part = LeastSquares.Remove(Column, unit.Column);
+            for (var k = 0; k < Between.Length; k++)
+            {
+                Between[k] -= part * unit.Between[k];
+            }
+        }
+    }
+}

@@ -1,0 +1,35 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>From measured points to errors along the normal.</summary>
+public static class SurfaceErrors
+{
+    /// <summary>The error at each measured point: its signed distance from the nominal surface along the normal at its foot, less the stock that the stage leaves.</summary>
+    /// <param name="surface">The nominal surface.</param>
+    /// <param name="points">Points of the measuring plan with the point of contact that was measured for each, in millimetres.</param>
+    /// <param name="stockMm">Stock that should lie on the surface.</param>
+    /// <param name="file">Name of the file of measured points, for messages.</param>
+    /// <exception cref="FreeformException"><c>no-foot</c>: a point is so far off that no normal of the surface leads to it.</exception>
+    public static IReadOnlyList<ErrorSample> Of(PartSurface surface, IEnumerable<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
+    {
+        ArgumentNullException.ThrowIfNull(surface);
+        ArgumentNullException.ThrowIfNull(points);
+        var samples = new List<ErrorSample>();
+        foreach (var (plan, contact) in points)
+        {
+            if (NormalFoot.Of(surface.Spline, contact, plan.U, plan.V) is not { } foot)
+            {
+                throw new FreeformException("no-foot", file, string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"point {plan.Number} was measured at X{contact.X:0.####} Y{contact.Y:0.####} Z{contact.Z:0.####}, where no normal of the surface leads; near X{plan.Position.X:0.####} Y{plan.Position.Y:0.####} Z{plan.Position.Z:0.####} is expected"));
+            }
+
+            var normal = surface.NormalOf(foot);
+            samples.Add(new(plan.Number, plan.I, plan.J, foot.U, foot.V, foot.Position, normal, (contact - foot.Position).Dot(normal) - stockMm));
+        }
+
+        return samples;
+    }
+}

@@ -1,0 +1,141 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Places at which the curvature or the direction of a curve jumps.</summary>
+/// <remarks>
+/// Two ways to see one. At a knot of multiplicity degree - 1 or more the second derivative may jump: both sides are compared there. A smooth spline laid through a break (a surface from a grid of points)
+/// has it spread over a knot or two: there the curvature changes by most of its whole range within a fiftieth of the curve, which waves of a tenth of the curve and longer do not.
+/// </remarks>
+internal static class CurvatureBreaks
+{
+    /// <summary>Parts into which a curve is divided to look for jumps.</summary>
+    private const int Parts = 500;
+
+    /// <summary>Parts within which a jump takes place.</summary>
+    private const int Window = 10;
+
+    /// <summary>Share of the curvature's largest value that a jump at a knot must have, and share of its range that a spread one must have.</summary>
+    private const double KnotShare = 0.1, SpreadShare = 0.5;
+
+    /// <summary>Smallest jump of curvature (a radius of 100 m against a plane) and of direction (radians) that counts.</summary>
+    private const double LeastCurvature = 1e-5, LeastAngle = 1e-4;
+
+    /// <summary>Lines on which common breaks are looked for.</summary>
+    private const int Lines = 9;
+
+    /// <summary>Breaks of a curve by rising parameter; none at its ends.</summary>
+    public static IReadOnlyList<double> On(IsoCurve curve)
+    {
+        var knots = curve.Knots;
+        var step = (knots.End - knots.Start) / Parts;
+        var bends = new Vector3[Parts + 1];
+        var largest = 0.0;
+        for (var i = 0; i <= Parts; i++)
+        {
+            bends[i] = curve.Curvature(curve.At(knots.Start + (i * step)));
+            largest = Math.Max(largest, bends[i].Length);
+        }
+
+        var found = AtKnots(curve, largest);
+        foreach (var t in Spread(bends, knots.Start, step))
+        {
+            if (!found.Exists(f => Math.Abs(f - t) < 2 * Window * step))
+            {
+                found.Add(t);
+            }
+        }
+
+        found.Sort();
+        return found;
+    }
+
+    /// <summary>Breaks that at least half of the curves in a direction have at the same place.</summary>
+    public static IReadOnlyList<double> Common(PartSurface surface, bool alongU)
+    {
+        var across = alongU ? surface.Spline.KnotsV : surface.Spline.KnotsU;
+        var along = alongU ? surface.Spline.KnotsU : surface.Spline.KnotsV;
+        var all = new List<double>();
+        for (var i = 0; i < Lines; i++)
+        {
+            all.AddRange(On(new(surface, alongU, across.Start + ((i + 0.5) / Lines * (across.End - across.Start)))));
+        }
+
+        all.Sort();
+        var near = Same(along);
+        var common = new List<double>();
+        for (var i = 0; i < all.Count;)
+        {
+            var behind = i;
+            while (behind < all.Count && all[behind] - all[i] <= near)
+            {
+                behind++;
+            }
+
+            if (2 * (behind - i) >= Lines)
+            {
+                common.Add(all[(i + behind - 1) / 2]);
+            }
+
+            i = behind;
+        }
+
+        return common;
+    }
+
+    /// <summary>Parameters closer to one another than this are one break.</summary>
+    public static double Same(KnotVector knots) => (knots.End - knots.Start) * Window / Parts;
+
+    private static List<double> AtKnots(IsoCurve curve, double largest)
+    {
+        var (knots, found) = (curve.Knots, new List<double>());
+        var breaks = knots.Breaks;
+        for (var i = 1; i < breaks.Count - 1; i++)
+        {
+            if (knots.Multiplicity(breaks[i]) < knots.Degree - 1)
+            {
+                continue;
+            }
+
+            var aside = 1e-7 * Math.Min(breaks[i] - breaks[i - 1], breaks[i + 1] - breaks[i]);
+            var (before, behind) = (curve.At(breaks[i] - aside), curve.At(breaks[i] + aside));
+            var jump = (curve.Curvature(behind) - curve.Curvature(before)).Length;
+            if (jump > Math.Max(LeastCurvature, KnotShare * largest) || (curve.Tangent(behind) - curve.Tangent(before)).Length > LeastAngle)
+            {
+                found.Add(breaks[i]);
+            }
+        }
+
+        return found;
+    }
+
+    private static IEnumerable<double> Spread(Vector3[] bends, double start, double step)
+    {
+        var mean = Vector3.Zero;
+        foreach (var bend in bends)
+        {
+            mean += bend * (1.0 / bends.Length);
+        }
+
+        var range = 2 * bends.Max(b => (b - mean).Length);
+        var least = Math.Max(LeastCurvature, SpreadShare * range);
+        for (var i = 0; i + Window < bends.Length; i++)
+        {
+            if ((bends[i + Window] - bends[i]).Length <= least)
+            {
+                continue;
+            }
+
+            // The steepest change near by; what follows within two windows is the same break.
+            var (best, steepest) = (i, 0.0);
+            for (var k = i; k < Math.Min(i + (2 * Window), bends.Length - 1); k++)
+            {
+                var change = (bends[k + 1] - bends[k]).Length;
+                (best, steepest) = change > steepest ? (k, change) : (best, steepest);
+            }
+
+            yield return start + ((best + 0.5) * step);
+            i = best + (2 * Window);
+        }
+    }
+}

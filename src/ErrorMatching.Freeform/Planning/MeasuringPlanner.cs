@@ -1,0 +1,114 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Decides where a surface is measured: on curves along u, denser where their slope turns, with ends and curvature breaks always.</summary>
+public static class MeasuringPlanner
+{
+    /// <summary>The most points that a plan may have.</summary>
+    public const int MaxPoints = 20_000;
+
+    /// <summary>Points and curves with which the search for a wanted error begins.</summary>
+    private const int FirstCount = 4;
+
+    /// <summary>The plan for a surface.</summary>
+    /// <remarks>
+    /// Points get equal shares of the angle that a curve turns by, blended with its length (Lee 2019, section 2.3). Where <see cref="JobMeasuring.ReconstructionErrorMm"/> is given, points are added along the
+    /// parameter that lacks them until the nominal surface is known to it (<see cref="MeasuringPlan.ReconstructionErrorMm"/>). Their numbers follow a short way of the probe (nearest neighbor, 2-opt). Each point
+    /// is checked for whether ball and shank reach it; those that they do not are in <see cref="MeasuringPlan.Refusals"/>.
+    /// </remarks>
+    /// <param name="surface">The nominal finished surface.</param>
+    /// <param name="measuring">How many points, and with which stylus.</param>
+    /// <param name="stockMm">What lies on the nominal surface along its normal when it is measured.</param>
+    /// <param name="rimSetInMm">How far points stay from the ends of the surface; 0: the ends themselves are measured. From trimmed edges they stay half a millimeter at least.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A length is negative or no finite number.</exception>
+    public static MeasuringPlan Plan(PartSurface surface, JobMeasuring measuring, double stockMm = 0, double rimSetInMm = 0)
+    {
+        ArgumentNullException.ThrowIfNull(surface);
+        ArgumentNullException.ThrowIfNull(measuring);
+        ArgumentOutOfRangeException.ThrowIfNegative(stockMm);
+        ArgumentOutOfRangeException.ThrowIfNegative(rimSetInMm);
+        var empty = new MeasuringPlan
+        {
+            Surface = surface,
+            Measuring = measuring,
+            StockMm = stockMm,
+            Points = [],
+            Curves = 0,
+            BreaksU = [],
+            BreaksV = [],
+            RimSetInMm = rimSetInMm,
+            TrimSetInMm = surface.Region.IsWhole ? 0 : Math.Max(rimSetInMm, PlanLayout.TrimSetInMm),
+            ReconstructionErrorMm = double.NaN,
+            ClearanceZ = double.NaN,
+            TravelMm = 0,
+            Refusals = [],
+        };
+        try
+        {
+            var layout = new PlanLayout(surface, rimSetInMm);
+            var curves = measuring.ReconstructionErrorMm is { } wanted ? Enough(surface, layout, wanted) : Given(layout, measuring);
+            return Ordered(empty with { Curves = curves.Count, BreaksU = layout.BreaksU, BreaksV = layout.BreaksV, ReconstructionErrorMm = new PlanReconstruction(surface, curves).ErrorMm().EverywhereMm }, curves);
+        }
+        catch (PlanRefusedException e)
+        {
+            return empty with { Refusals = [e.Refusal] };
+        }
+    }
+
+    private static IReadOnlyList<PlanCurve> Given(PlanLayout layout, JobMeasuring measuring)
+    {
+        var curves = measuring.Curves ?? throw new ArgumentException("The job gives neither a number of curves nor a wanted error.", nameof(measuring));
+        var points = measuring.Points ?? (curves * (measuring.PointsPerCurve ?? throw new ArgumentException("The job gives no number of points.", nameof(measuring))));
+        return points > MaxPoints
+            ? throw new PlanRefusedException(new("too-many-points", string.Create(CultureInfo.InvariantCulture, $"{points} points are asked for; at most {MaxPoints} are planned. Ask for fewer.")))
+            : measuring.PointsPerCurve is { } each ? layout.Even(curves, each) : layout.Spread(curves, points);
+    }
+
+    // One more along the parameter that lacks points, more at once when there are many.
+    private static IReadOnlyList<PlanCurve> Enough(PartSurface surface, PlanLayout layout, double wanted)
+    {
+        var (curves, each) = (Math.Max(FirstCount, layout.BreaksV.Count + 2), Math.Max(FirstCount, layout.BreaksU.Count + 2));
+        for (var reached = double.PositiveInfinity; curves * each <= MaxPoints;)
+        {
+            var plan = layout.Even(curves, each);
+            (var onCurves, reached) = new PlanReconstruction(surface, plan).ErrorMm();
+            if (reached <= wanted)
+            {
+                return plan;
+            }
+
+            (curves, each) = onCurves > reached / 2 ? (curves, each + 1 + (each / 8)) : (curves + 1 + (curves / 8), each);
+        }
+
+        throw new PlanRefusedException(new(
+            "error-not-reached",
+            string.Create(CultureInfo.InvariantCulture, $"{MaxPoints} points do not know the nominal surface to {wanted} mm: it has a feature too sharp for points. Raise reconstructionErrorMm, or give numbers of curves and points.")));
+    }
+
+    private static MeasuringPlan Ordered(MeasuringPlan plan, IReadOnlyList<PlanCurve> curves)
+    {
+        var points = new List<PlanPoint>();
+        for (var j = 0; j < curves.Count; j++)
+        {
+            for (var i = 0; i < curves[j].Nodes.Count; i++)
+            {
+                var (u, reason) = curves[j].Nodes[i];
+                var at = plan.Surface.Spline.At(u, curves[j].V);
+                points.Add(new(0, i, j, u, curves[j].V, at.Position, plan.Surface.NormalOf(at), reason == PlanReason.Slope && curves[j].Reason == PlanReason.Break ? PlanReason.Break : reason));
+            }
+        }
+
+        Point2[] above = [.. points.Select(plan.ApproachOf).Select(p => new Point2(p.X, p.Y))];
+        var order = MeasuringOrder.Of(above, [.. points.Select(p => p.J)]);
+        PlanPoint[] numbered = [.. order.Select((index, k) => points[index] with { Number = k + 1 })];
+        var radius = plan.StylusRadiusMm;
+        var cloud = new SurfaceCloud(plan.Surface, plan.StockMm, radius / 4, radius);
+        var clearance = Math.Max(cloud.Top + plan.Measuring.ClearanceMm + radius, numbered.Max(p => plan.ApproachOf(p).Z));
+        var upAndDown = numbered.Sum(p => clearance - plan.ApproachOf(p).Z + plan.Measuring.ApproachMm);
+        var ordered = plan with { Points = numbered, ClearanceZ = clearance, TravelMm = MeasuringOrder.Length(above, order) + (2 * upAndDown) };
+        var access = new ProbeAccess(ordered, cloud);
+        return ordered with { Refusals = [.. numbered.Select(access.Refusal).OfType<FreeformRefusal>()] };
+    }
+}

@@ -1,0 +1,77 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Whether a stylus reaches a point on a machine of three axes: its ball and its shank, a vertical cylinder as thick as the ball, against the whole surface with its stock.</summary>
+/// <remarks>
+/// Looked at: the way straight down from clearance height to where the measuring move begins (which sweeps the cylinder), and the measuring move itself in steps. The surface is a cloud of points a quarter
+/// of the ball's radius apart; what is closer to the ball than its radius by more than a micrometer is a collision.
+/// </remarks>
+internal sealed class ProbeAccess
+{
+    private const double ToleranceMm = 0.001;
+    private const int Steps = 8;
+
+    private readonly MeasuringPlan _plan;
+    private readonly SurfaceCloud _cloud;
+
+    public ProbeAccess(MeasuringPlan plan, SurfaceCloud cloud) => (_plan, _cloud) = (plan, cloud);
+
+    /// <summary>Why a point cannot be touched; null where it can.</summary>
+    public FreeformRefusal? Refusal(PlanPoint point) => Reason(point) is { } reason
+        ? new("untouchable-point", string.Create(CultureInfo.InvariantCulture, $"point {point.Number} (i {point.I}, j {point.J}) at X{point.Position.X:0.###} Y{point.Position.Y:0.###} Z{point.Position.Z:0.###} cannot be touched: {reason}"))
+        : null;
+
+    private string? Reason(PlanPoint point)
+    {
+        if (point.Normal.Z < -ToleranceMm)
+        {
+            return "its normal points down, where a vertical stylus does not reach. Turn the piece, or leave this part of the surface out.";
+        }
+
+        var surface = _plan.Surface.Spline.At(point.U, point.V);
+        var (largest, smallest) = surface.PrincipalCurvatures;
+        var hollow = Math.Max(largest * _plan.Surface.Outside, smallest * _plan.Surface.Outside);
+        var reach = _plan.StylusRadiusMm + _plan.StockMm;
+        if (hollow * reach > 1)
+        {
+            return string.Create(CultureInfo.InvariantCulture, $"the hollow there has a radius of {1 / hollow:0.###} mm, less than the {reach:0.###} mm of ball and stock. Use a smaller ball.");
+        }
+
+        var (approach, center) = (_plan.ApproachOf(point), _plan.CenterOf(point));
+        if (Meets(approach) is { } below)
+        {
+            return Collision("on the way down from clearance height", below);
+        }
+
+        for (var i = 1; i <= Steps; i++)
+        {
+            if (Meets(approach + ((center - approach) * ((double)i / Steps))) is { } at)
+            {
+                return Collision(i == Steps ? "at contact" : "on the measuring move", at);
+            }
+        }
+
+        return null;
+    }
+
+    // Where the surface is inside the ball or the cylinder above it; the deepest place.
+    private Point3? Meets(Point3 center)
+    {
+        var radius = _plan.StylusRadiusMm;
+        var (deepest, depth) = ((Point3?)null, ToleranceMm);
+        foreach (var point in _cloud.Near(center.X, center.Y))
+        {
+            var (x, y, z) = (point.X - center.X, point.Y - center.Y, Math.Min(0, point.Z - center.Z));
+            var inside = radius - Math.Sqrt((x * x) + (y * y) + (z * z));
+            (deepest, depth) = inside > depth ? (point, inside) : (deepest, depth);
+        }
+
+        return deepest;
+    }
+
+    private static string Collision(string when, Point3 at) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"{when} the stylus meets the surface at X{at.X:0.###} Y{at.Y:0.###} Z{at.Z:0.###}. Use a thinner stylus, another approachMm, or leave this part of the surface out.");
+}

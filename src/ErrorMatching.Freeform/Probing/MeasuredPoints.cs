@@ -1,0 +1,16 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>What was measured at each point of a plan.</summary>
+/// <param name="File">The file as the caller named it.</param>
+/// <param name="Sha256">SHA-256 of the file's bytes as 64 lower-case hexadecimal digits.</param>
+/// <param name="Points">Each point of the plan once, in the order of the plan.</param>
+/// <param name="Warnings">What is strange and does no harm, in sentences.</param>
+public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<MeasuredPoint> Points, IReadOnlyList<string> Warnings)
+{
+    /// <summary>Where the ball touched the surface at a point of the plan.</summary>
+    /// <param name="point">The number of the point, from 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The plan has no such point.</exception>
+    public Point3 this[int point] => point >= 1 && point <= Points.Count ? Points[point - 1].Contact : throw new ArgumentOutOfRangeException(nameof(point), point, "The plan has no such point.");
+}

@@ -1,0 +1,162 @@
+using System.Globalization;
+using System.Security.Cryptography;
+using System.Text;
+using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Reads what was measured of a surface: the log of the probing program, a table of points, or a gauge's table of features.</summary>
+/// <remarks>
+/// A log begins with the word ERRORMATCH. A table has a header with <c>point</c> (as in plan.csv) or <c>i,j</c>, and <c>x,y,z</c> in millimetres, between commas, semicolons or tabs, with decimal points.
+/// A gauge's table of features (<see cref="MeasurementFormat.FeatureTable"/>) names points by their numbers (12, P12). Centers of the ball become contacts: the center less the ball's radius along the normal at
+/// the foot of the center on the nominal surface, which is exact wherever the ball touched, also on a slope.
+/// </remarks>
+public static class MeasuredSurfaceReader
+{
+    /// <summary>Largest file that is read, in bytes.</summary>
+    public const int MaxBytes = 1 << 26;
+
+    /// <summary>The measured points of a plan.</summary>
+    /// <param name="bytes">The file's bytes.</param>
+    /// <param name="file">Its name for messages.</param>
+    /// <param name="plan">The plan that was measured.</param>
+    /// <param name="measuring">What the file holds (<see cref="JobMeasuring.ReportsStylusCenter"/>), and how far the surface may be from where it is expected: less than approach and overtravel.</param>
+    /// <exception cref="FreeformException">
+    /// The file cannot be read, a point of the plan is not in it (<c>missing-point</c>) or is in it twice (<c>doubled-point</c>), it has one that the plan has not (<c>unknown-point</c>), or one is too far from
+    /// where it is expected (<c>far-off-point</c>).
+    /// </exception>
+    /// <exception cref="MeasurementException">A table of features cannot be read.</exception>
+    public static MeasuredPoints Read(ReadOnlySpan<byte> bytes, string file, MeasuringPlan plan, JobMeasuring measuring)
+    {
+        ArgumentNullException.ThrowIfNull(plan);
+        ArgumentNullException.ThrowIfNull(measuring);
+        if (bytes.Length > MaxBytes)
+        {
+            throw new FreeformException("file-too-large", file, FormattableString.Invariant($"found {bytes.Length} bytes; at most {MaxBytes} are read. Is this the right file?"));
+        }
+
+        var lines = TextOf(bytes, file).ReplaceLineEndings("\n").Split('\n');
+        var raw = Lines(bytes, lines, file, plan, measuring);
+        var found = new RawPoint?[plan.Points.Count];
+        var warnings = new List<string>();
+        var places = plan.Points.ToDictionary(p => (p.I, p.J), p => p.Number);
+        var before = 0;
+        foreach (var point in raw)
+        {
+            var number = NumberOf(point, places, plan, file);
+            if (found[number - 1] is { } first)
+            {
+                throw new FreeformException("doubled-point", file, FormattableString.Invariant($"point {number} is here a second time, the first is in line {first.Line}. Delete the one that does not count."), point.Line);
+            }
+
+            if (point.Number is not null && number < before && warnings.Count == 0)
+            {
+                warnings.Add(FormattableString.Invariant($"{file}, line {point.Line}: point {number} stands behind point {before}. Points are taken by their numbers; was another order measured?"));
+            }
+
+            found[number - 1] = point;
+            before = number;
+        }
+
+        Missing(found, file);
+        var points = plan.Points.Select((p, k) => new MeasuredPoint(p, Contact(p, found[k]!.Value, plan, file), found[k]!.Value.Line)).ToArray();
+        FarOff(points, plan, measuring, found, file);
+        return new(file, Convert.ToHexStringLower(SHA256.HashData(bytes)), points, warnings);
+    }
+
+    private static IReadOnlyList<RawPoint> Lines(ReadOnlySpan<byte> bytes, string[] lines, string file, MeasuringPlan plan, JobMeasuring measuring)
+    {
+        var first = lines.FirstOrDefault(l => l.Trim().Length > 0 && l.TrimStart()[0] is not ('%' or ';'))?.Trim() ?? throw new FreeformException("empty-file", file, "the file has no points.");
+        if (first.StartsWith(ProbingLogReader.FirstWord, StringComparison.Ordinal))
+        {
+            return new ProbingLogReader(file, plan).Read(lines);
+        }
+
+        if (!first.Contains("feature", StringComparison.OrdinalIgnoreCase) || !first.Contains("item", StringComparison.OrdinalIgnoreCase))
+        {
+            return new MeasuredTableReader(file, measuring.ReportsStylusCenter).Read(lines);
+        }
+
+        return [.. MeasurementReader.Read(bytes.ToArray(), file, MeasurementFormat.FeatureTable).Points.Select(p => new RawPoint(
+            MeasuredTableReader.NumberOf(p.Label) is >= 0 and var number ? number : throw new FreeformException("bad-number", file, $"found the feature {ProbingLogReader.Shown(p.Label)}; expected the number of a point of the plan.", p.Line),
+            0,
+            0,
+            p.HasZ ? p.Position : throw new FreeformException("missing-coordinate", file, $"found no Z of the feature {ProbingLogReader.Shown(p.Label)}; expected X, Y and Z.", p.Line),
+            measuring.ReportsStylusCenter,
+            p.Line))];
+    }
+
+    private static int NumberOf(RawPoint point, Dictionary<(int I, int J), int> places, MeasuringPlan plan, string file)
+    {
+        if (point.Number is { } number)
+        {
+            return number >= 1 && number <= plan.Points.Count
+                ? number
+                : throw new FreeformException("unknown-point", file, FormattableString.Invariant($"found point {number}; the plan has the points 1 to {plan.Points.Count}."), point.Line);
+        }
+
+        return places.TryGetValue((point.I, point.J), out var found)
+            ? found
+            : throw new FreeformException("unknown-point", file, FormattableString.Invariant($"found the point i {point.I}, j {point.J}; the plan has i from 0 to {plan.Points.Max(p => p.I)} and j from 0 to {plan.Points.Max(p => p.J)}."), point.Line);
+    }
+
+    private static void Missing(RawPoint?[] found, string file)
+    {
+        var missing = Enumerable.Range(1, found.Length).Where(n => found[n - 1] is null).ToArray();
+        if (missing.Length > 0)
+        {
+            var shown = string.Join(", ", missing.Take(10).Select(n => n.ToString(CultureInfo.InvariantCulture))) + (missing.Length > 10 ? ", ..." : "");
+            throw new FreeformException("missing-point", file, FormattableString.Invariant($"{missing.Length} of the plan's {found.Length} points are missing: {shown}. Measure them, or make a plan without them."));
+        }
+    }
+
+    private static Point3 Contact(PlanPoint planned, RawPoint raw, MeasuringPlan plan, string file)
+    {
+        if (!raw.IsCenter)
+        {
+            return raw.Position;
+        }
+
+        var foot = NormalFoot.Of(plan.Surface.Spline, raw.Position, planned.U, planned.V)
+            ?? throw new FreeformException("far-off-point", file, FormattableString.Invariant($"point {planned.Number} is so far from the surface that no normal of it goes through its center."), raw.Line);
+        return raw.Position + (plan.Surface.NormalOf(foot) * -plan.StylusRadiusMm);
+    }
+
+    // Where the measuring move cannot have been, or has found nothing.
+    private static void FarOff(MeasuredPoint[] points, MeasuringPlan plan, JobMeasuring measuring, RawPoint?[] found, string file)
+    {
+        var limit = Math.Min(measuring.ApproachMm, measuring.OvertravelMm);
+        var far = points.Where(p => (p.Contact - plan.ContactOf(p.Planned)).Length >= limit).ToArray();
+        if (far.Length == 0)
+        {
+            return;
+        }
+
+        var first = far[0];
+        var off = first.Contact - plan.ContactOf(first.Planned);
+        var along = off.Dot(first.Planned.Normal);
+        var isRadius = !found[first.Planned.Number - 1]!.Value.IsCenter && Math.Abs(along - plan.StylusRadiusMm) < limit / 4;
+        var hint = isRadius ? "This is the radius of the ball: does the file hold centers (\"reports\": \"stylus-center\")?"
+            : far.Length == points.Length ? "All points are: is the file of another piece, work offset or tool length, or is the surface not where the job has it?"
+            : "Measure it again.";
+        throw new FreeformException(
+            "far-off-point",
+            file,
+            string.Create(CultureInfo.InvariantCulture, $"point {first.Planned.Number} is X{off.X:0.###} Y{off.Y:0.###} Z{off.Z:0.###} mm from where it is expected ({along:0.###} mm along the normal; less than {limit:0.###} mm is), and {far.Length - 1} other points are as far off. {hint}"),
+            first.Line);
+    }
+
+    private static string TextOf(ReadOnlySpan<byte> bytes, string file)
+    {
+        try
+        {
+            var text = new UTF8Encoding(false, true).GetString(bytes).TrimStart('\uFEFF');
+            return text.Contains('\0', StringComparison.Ordinal) ? throw new FreeformException("binary-file", file, "found a NUL character; expected text.") : text;
+        }
+        catch (DecoderFallbackException)
+        {
+            throw new FreeformException("invalid-encoding", file, "found bytes that are no UTF-8 text; expected UTF-8.");
+        }
+    }
+}

@@ -1,0 +1,115 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Reads the log that a probing program writes: a line that names the plan, then one a point.</summary>
+/// <remarks>
+/// <c>ERRORMATCH PROBE PLAN 0123456789ABCDEF MM</c>, then <c>P12 C X1.5 Y2. Z-3.25</c>: point 12, C for the ball's center or S for the contact, coordinates. Controls pad numbers with spaces and zeros, and
+/// put lines of their own around the file, which begin with a percent sign or a semicolon.
+/// </remarks>
+internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
+{
+    public const string FirstWord = "ERRORMATCH";
+
+    public IReadOnlyList<RawPoint> Read(IReadOnlyList<string> lines)
+    {
+        var points = new List<RawPoint>();
+        var begun = 0;
+        for (var i = 0; i < lines.Count; i++)
+        {
+            var line = lines[i].Trim();
+            if (line.Length == 0 || line[0] is '%' or ';')
+            {
+                continue;
+            }
+
+            if (line.StartsWith(FirstWord, StringComparison.Ordinal))
+            {
+                begun = begun == 0 ? i + 1 : throw new FreeformException("two-runs", file, FormattableString.Invariant($"a second run of the probing program begins here, the first began in line {begun}. Delete all but the one that counts."), i + 1);
+                Head(line, i + 1);
+            }
+            else
+            {
+                points.Add(Point(line, i + 1));
+            }
+        }
+
+        return points;
+    }
+
+    private void Head(string line, int number)
+    {
+        var words = line.Split(' ', StringSplitOptions.RemoveEmptyEntries);
+        if (words is not [FirstWord, "PROBE", "PLAN", var id, var unit])
+        {
+            throw new FreeformException("bad-log", file, $"found {Shown(line)}; expected {FirstWord} PROBE PLAN, the plan's number, and MM.", number);
+        }
+
+        if (unit != "MM")
+        {
+            throw new FreeformException("bad-log", file, $"found the unit {Shown(unit)}; expected MM: the log of a probing program is in millimetres.", number);
+        }
+
+        var expected = ProbingProgram.PlanId(plan);
+        if (id != expected)
+        {
+            throw new FreeformException("other-plan", file, $"the log belongs to the plan {Shown(id)}; that of the job is {expected}. Was the job or its surface changed behind surface probe?", number);
+        }
+    }
+
+    private RawPoint Point(string line, int number)
+    {
+        var at = 0;
+        var point = Number('P');
+        var kind = at < line.Length && line[at] is 'C' or 'S' ? line[at++] : throw Fail();
+        var position = new Point3(Number('X'), Number('Y'), Number('Z'));
+        return at == line.Length && point is >= 0 and <= int.MaxValue && point == Math.Floor(point) && position.IsFinite ? new((int)point, 0, 0, position, kind == 'C', number) : throw Fail();
+
+        double Number(char letter)
+        {
+            Skip();
+            if (at >= line.Length || line[at++] != letter)
+            {
+                throw Fail();
+            }
+
+            Skip();
+            var start = at;
+            while (at < line.Length && (char.IsAsciiDigit(line[at]) || line[at] is '-' or '+' or '.'))
+            {
+                at++;
+            }
+
+            // The sign may stand before the padding.
+            var text = line[start..at];
+            if (text is "-" or "+")
+            {
+                Skip();
+                start = at;
+                while (at < line.Length && (char.IsAsciiDigit(line[at]) || line[at] is '.'))
+                {
+                    at++;
+                }
+
+                text += line[start..at];
+            }
+
+            var value = double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var read) ? read : throw Fail();
+            Skip();
+            return value;
+        }
+
+        void Skip()
+        {
+            while (at < line.Length && line[at] is ' ' or '\t')
+            {
+                at++;
+            }
+        }
+
+        FreeformException Fail() => new("bad-log", file, FormattableString.Invariant($"found {Shown(line)} at character {at + 1}; expected a point such as P12 C X1.5 Y2.0 Z-3.25."), number, at + 1);
+    }
+
+    internal static string Shown(string text) => "\"" + string.Concat((text.Length <= 60 ? text : text[..60] + "...").Select(c => char.IsControl(c) ? '?' : c)) + "\"";
+}

@@ -1,0 +1,106 @@
+using System.Text;
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Puts a probing program behind another one and looks at both again: the first must do what it did, the second must go where it went alone.</summary>
+internal sealed class ProbingMerge(ProbingProgram probing, string file)
+{
+    public ReadOnlyMemory<byte> After(ReadOnlyMemory<byte> bytes, string definitions, string body)
+    {
+        var first = NcProgram.Read(bytes, probing.Dialect.Syntax);
+        var (block, end) = EndOf(first);
+        var lineEnd = bytes.Span.IndexOf("\r\n"u8) >= 0 ? "\r\n" : "\n";
+        var merged = new MemoryStream();
+        var start = BehindHead(first);
+        merged.Write(bytes.Span[..start]);
+        merged.Write(Encoding.UTF8.GetBytes(definitions.ReplaceLineEndings(lineEnd)));
+
+        // Of the block that ends the program everything but its end stays: a spindle stop, a coolant word.
+        merged.Write(bytes.Span[start..end.Start]);
+        var rest = first[block].End is var blockEnd ? bytes.Span[end.End..Math.Max(end.End, blockEnd)] : default;
+        merged.Write(rest);
+        merged.Write(Encoding.UTF8.GetBytes(lineEnd + body.ReplaceLineEndings(lineEnd)));
+        merged.Write(bytes.Span[(block + 1 < first.BlockCount ? first[block + 1].Start : bytes.Length)..]);
+        var result = merged.ToArray();
+        Check(first, result);
+        return result;
+    }
+
+    private (int Block, NcToken End) EndOf(NcProgram program)
+    {
+        var ends = new List<(int, NcToken)>();
+        for (var i = 0; i < program.BlockCount; i++)
+        {
+            foreach (var token in program.Tokens(program[i]))
+            {
+                if (token is { Kind: NcTokenKind.Word, Letter: (byte)'M' } && probing.Dialect.FunctionOf((int)Math.Clamp(token.Number.Value, -1, int.MaxValue)) == FunctionRole.ProgramEnd)
+                {
+                    ends.Add((i, token));
+                }
+            }
+        }
+
+        return ends.Count switch
+        {
+            1 => ends[0],
+            0 => throw Fail("it has no M2 or M30 that ends it. Add one where probing is to begin."),
+            _ => throw Fail($"it has {ends.Count} places that end it, the first in {program.NameOf(program[ends[0].Item1])}. Leave the one where probing is to begin."),
+        };
+    }
+
+    // Definitions stand behind names, comments and the program's own definitions.
+    private static int BehindHead(NcProgram program)
+    {
+        if (program.Syntax != NcSyntax.Siemens)
+        {
+            return 0;
+        }
+
+        for (var i = 0; i < program.BlockCount; i++)
+        {
+            var text = program.TextOf(program[i]).TrimStart();
+            if (text.Length > 0 && text[0] is not ('%' or ';') && !text.StartsWith("DEF ", StringComparison.OrdinalIgnoreCase) && !text.StartsWith("PROC ", StringComparison.OrdinalIgnoreCase) && !text.StartsWith("EXTERN ", StringComparison.OrdinalIgnoreCase))
+            {
+                return program[i].Start;
+            }
+        }
+
+        return program.Bytes.Length;
+    }
+
+    private void Check(NcProgram first, byte[] merged)
+    {
+        var dialect = probing.Dialect;
+        var alone = NcInterpreter.Run(first, dialect);
+        var touched = NcInterpreter.Run(NcProgram.Read(probing.Bytes, dialect.Syntax), dialect);
+        var both = NcInterpreter.Run(NcProgram.Read(merged, dialect.Syntax), dialect);
+        if ((alone.Refusal ?? both.Refusal) is { } refusal)
+        {
+            throw Fail("it cannot be followed to its end: " + refusal.Message);
+        }
+
+        if (both.Motions.Length != alone.Motions.Length + touched.Motions.Length)
+        {
+            throw Fail("behind it the probing program would not make the motions that it makes alone: does it end with a cycle, a loop or a call that is still active?");
+        }
+
+        for (var i = 0; i < both.Motions.Length; i++)
+        {
+            var (now, before) = (both.Motions[i], i < alone.Motions.Length ? alone.Motions[i] : touched.Motions[i - alone.Motions.Length]);
+            var stated = ~before.UnknownEnd;
+            if (now.Kind != before.Kind || !Same(now.End, before.End, stated) || (now.Flags & ~before.Flags) != MotionFlags.None)
+            {
+                throw Fail(i < alone.Motions.Length
+                    ? "together with the definitions of the probing program it would move otherwise than alone."
+                    : "it leaves a rotation, a shift, a compensation or another mode behind in which probing would go elsewhere. End it before M30.");
+            }
+        }
+    }
+
+    private static bool Same(Point3 a, Point3 b, AxisSet axes) =>
+        ((axes & AxisSet.X) == AxisSet.None || a.X == b.X) && ((axes & AxisSet.Y) == AxisSet.None || a.Y == b.Y) && ((axes & AxisSet.Z) == AxisSet.None || a.Z == b.Z);
+
+    private FreeformException Fail(string problem) => new("not-mergeable", file, problem);
+}

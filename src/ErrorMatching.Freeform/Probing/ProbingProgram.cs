@@ -1,0 +1,111 @@
+using System.Security.Cryptography;
+using System.Text;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>The program that touches the points of a plan: the ball's center moves along each normal from its approach to the overtravel behind the surface, and where the probe stops it goes to a log.</summary>
+/// <remarks>All coordinates are those of the ball's center in the work offset of the surface, rounded to the control's least increment. Written lines of the log: <see cref="MeasuredSurfaceReader"/>.</remarks>
+public sealed class ProbingProgram
+{
+    private readonly ProbingTemplate _template;
+    private readonly ProbingValues _values;
+
+    private ProbingProgram(MeasuringPlan plan, NcDialect dialect, ProbingTemplate template, ProbingValues values)
+    {
+        (Plan, Dialect, _template, _values) = (plan, dialect, template, values);
+        Bytes = Encoding.UTF8.GetBytes(Text([ProbingTemplate.Head, ProbingTemplate.Definitions, ProbingTemplate.Body, ProbingTemplate.Tail], merged: false));
+    }
+
+    /// <summary>The plan whose points are touched.</summary>
+    public MeasuringPlan Plan { get; }
+
+    /// <summary>The control that it is for.</summary>
+    public NcDialect Dialect { get; }
+
+    /// <summary>The program, which stands alone.</summary>
+    public ReadOnlyMemory<byte> Bytes { get; }
+
+    /// <summary>The program for a plan.</summary>
+    /// <param name="plan">A plan without refusals.</param>
+    /// <param name="job">Name of the job, for a comment.</param>
+    /// <param name="dialect">The control.</param>
+    /// <param name="template">How the control, the probe or the shop wants it: <see cref="ProbingTemplate.Named"/> with the dialect's name, or a shop's own.</param>
+    /// <exception cref="FreeformException">What comes of the template is no program that the dialect can follow (<c>bad-template</c>).</exception>
+    /// <exception cref="ArgumentException">The plan has refusals or no points.</exception>
+    public static ProbingProgram Of(MeasuringPlan plan, string job, NcDialect dialect, ProbingTemplate template)
+    {
+        ArgumentNullException.ThrowIfNull(plan);
+        ArgumentNullException.ThrowIfNull(dialect);
+        ArgumentNullException.ThrowIfNull(template);
+        if (plan.Refusals.Count > 0 || plan.Points.Count == 0)
+        {
+            throw new ArgumentException("The plan cannot be used.", nameof(plan));
+        }
+
+        var program = new ProbingProgram(plan, dialect, template, new(plan, job, dialect));
+        program.Check();
+        return program;
+    }
+
+    /// <summary>What a log says about the plan that it belongs to: 16 hexadecimal digits of the SHA-256 of <see cref="PlanCsv"/>.</summary>
+    public static string PlanId(MeasuringPlan plan) => Convert.ToHexString(SHA256.HashData(PlanCsv.Write(plan)))[..16];
+
+    /// <summary>One program for one run of the control: semi-finishing, then probing, then a stop for the finishing program (Lee 2019, section 2.1).</summary>
+    /// <param name="semiFinishing">A program in the same dialect and work offset.</param>
+    /// <param name="file">Its name for messages.</param>
+    /// <exception cref="FreeformException">The end of the program cannot be found, or probing would not go where it must behind it (<c>not-mergeable</c>).</exception>
+    /// <exception cref="NcException">The program is too large.</exception>
+    public ReadOnlyMemory<byte> MergeAfter(ReadOnlyMemory<byte> semiFinishing, string file) =>
+        new ProbingMerge(this, file).After(semiFinishing, Text([ProbingTemplate.Definitions], merged: true), Text([ProbingTemplate.Body], merged: true));
+
+    private void Check()
+    {
+        var program = NcProgram.Read(Bytes, Dialect.Syntax);
+        var path = NcInterpreter.Run(program, Dialect);
+        if (path.Refusal is { } refusal)
+        {
+            throw new FreeformException("bad-template", _template.File, $"the program that comes of it cannot be followed in the dialect {Dialect.Name}: {refusal.Message}");
+        }
+
+        if (path.Problems.Count > 0)
+        {
+            var problem = path.Problems[0];
+            throw new FreeformException("bad-template", _template.File, $"the dialect {Dialect.Name} does not understand a block of the program that comes of it, \"{program.TextOf(program[problem.Block])}\": {problem.Message}");
+        }
+    }
+
+    private string Text(string[] sections, bool merged)
+    {
+        var text = new StringBuilder();
+        foreach (var section in sections)
+        {
+            Write(text, _template.Sections.GetValueOrDefault(section) ?? [], null, merged);
+        }
+
+        return text.ToString();
+    }
+
+    private void Write(StringBuilder text, IReadOnlyList<TemplateItem> items, PlanPoint? point, bool merged)
+    {
+        foreach (var item in items)
+        {
+            switch (item.Kind)
+            {
+                case TemplateItemKind.Each:
+                    foreach (var each in Plan.Points)
+                    {
+                        Write(text, item.Body, each, merged);
+                    }
+
+                    break;
+                case TemplateItemKind.If:
+                    Write(text, _values.Holds(item.Text, point, merged) ? item.Body : item.Else, point, merged);
+                    break;
+                default:
+                    text.Append(TemplateText.Fill(item.Text, place => _values[place, point])).Append('\n');
+                    break;
+            }
+        }
+    }
+}

@@ -1,0 +1,143 @@
+using System.Text;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Reads a template and says by its line what cannot be one.</summary>
+internal sealed class ProbingTemplateReader(string file)
+{
+    private static readonly string[] SectionNames = [ProbingTemplate.Head, ProbingTemplate.Definitions, ProbingTemplate.Body, ProbingTemplate.Tail];
+
+    private readonly Dictionary<string, IReadOnlyList<TemplateItem>> _sections = new(StringComparer.Ordinal);
+    private readonly Stack<(TemplateItem Item, bool InElse)> _open = new();
+    private List<TemplateItem>? _section;
+    private string _about = "";
+    private int _line;
+
+    public ProbingTemplate Read(ReadOnlySpan<byte> bytes)
+    {
+        string text;
+        try
+        {
+            text = new UTF8Encoding(false, true).GetString(bytes);
+        }
+        catch (DecoderFallbackException)
+        {
+            throw new FreeformException("bad-template", file, "bytes that are no UTF-8 text. Save the template as UTF-8.");
+        }
+
+        foreach (var line in text.TrimStart('\uFEFF').ReplaceLineEndings("\n").TrimEnd('\n').Split('\n'))
+        {
+            _line++;
+            if (line.StartsWith('@'))
+            {
+                Steer(line.TrimEnd());
+            }
+            else
+            {
+                Add(line);
+            }
+        }
+
+        if (_open.TryPeek(out var open))
+        {
+            throw Fail($"{Word(open.Item)} is never closed", open.Item.Kind == TemplateItemKind.Each ? "@next behind it" : "@endif behind it", open.Item.Line);
+        }
+
+        return _sections.ContainsKey(ProbingTemplate.Body)
+            ? new(file, _about, _sections)
+            : throw Fail("there is no section @body", "@body, and in it @each point to @next");
+    }
+
+    private void Steer(string line)
+    {
+        var parts = line.Split(' ', 2, StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
+        var (word, argument) = (parts[0], parts.Length > 1 ? parts[1] : "");
+        switch (word)
+        {
+            case "@about":
+                _about = argument;
+                break;
+            case "@each":
+                Open(argument == "point" && !_open.Any(o => o.Item.Kind == TemplateItemKind.Each) ? TemplateItemKind.Each : throw Fail(line, "@each point, not within another one"), argument);
+                break;
+            case "@if":
+                Open(
+                    ProbingTemplate.Conditions.Contains(argument, StringComparer.Ordinal) ? TemplateItemKind.If : throw Fail(line, $"@if with one of {string.Join(", ", ProbingTemplate.Conditions)}"),
+                    argument == ProbingTemplate.Merged || _open.Any(o => o.Item.Kind == TemplateItemKind.Each) ? argument : throw Fail(line, "conditions of a point only within @each point"));
+                break;
+            case "@else":
+                var (item, inElse) = Top(TemplateItemKind.If, line);
+                _ = inElse ? throw Fail("a second @else", "@endif") : _open.Pop();
+                _open.Push((item, true));
+                break;
+            case "@next":
+                Top(TemplateItemKind.Each, line);
+                _open.Pop();
+                break;
+            case "@endif":
+                Top(TemplateItemKind.If, line);
+                _open.Pop();
+                break;
+            default:
+                Begin(word);
+                break;
+        }
+    }
+
+    private void Begin(string word)
+    {
+        var name = word[1..];
+        if (!SectionNames.Contains(name, StringComparer.Ordinal))
+        {
+            throw Fail(word, $"@about, {string.Join(", ", SectionNames.Select(s => "@" + s))}, @each point, @next, @if, @else or @endif");
+        }
+
+        if (_open.TryPeek(out var open))
+        {
+            throw Fail($"{word} within {Word(open.Item)} of line {open.Item.Line}", "the loop or condition closed before");
+        }
+
+        _section = [];
+        if (!_sections.TryAdd(name, _section))
+        {
+            throw Fail($"a second section {word}", "each section once");
+        }
+    }
+
+    private void Open(TemplateItemKind kind, string argument)
+    {
+        var item = new TemplateItem(_line, argument, kind);
+        Lines().Add(item);
+        _open.Push((item, false));
+    }
+
+    private (TemplateItem Item, bool InElse) Top(TemplateItemKind kind, string line) =>
+        _open.TryPeek(out var top) && top.Item.Kind == kind ? top : throw Fail(line, kind == TemplateItemKind.Each ? "@each point before it" : "@if before it, and nothing else open");
+
+    private void Add(string line)
+    {
+        if (_section is null && line.Trim().Length == 0)
+        {
+            return;
+        }
+
+        var ofPoint = _open.Any(o => o.Item.Kind == TemplateItemKind.Each);
+        foreach (var place in TemplateText.PlacesOf(line, () => Fail(line.Trim(), "a closing brace behind an opening one; a brace itself is written {{")))
+        {
+            if (!ProbingValues.OfProgram.Contains(place, StringComparer.Ordinal) && !(ofPoint && ProbingValues.OfPoint.Contains(place, StringComparer.Ordinal)))
+            {
+                throw Fail($"{{{place}}}", ProbingValues.OfPoint.Contains(place, StringComparer.Ordinal) ? "it within @each point only" : $"one of {string.Join(", ", ProbingTemplate.Places)}");
+            }
+        }
+
+        Lines().Add(new(_line, line, TemplateItemKind.Line));
+    }
+
+    private List<TemplateItem> Lines() => _section is null
+        ? throw Fail("a line outside of every section", "@head, @definitions, @body or @tail before it")
+        : _open.TryPeek(out var top) ? (top.InElse ? top.Item.Else : top.Item.Body) : _section;
+
+    private static string Word(TemplateItem item) => item.Kind == TemplateItemKind.Each ? "@each" : "@if " + item.Text;
+
+    private FreeformException Fail(string found, string expected, int? line = null) => new("bad-template", file, $"found {found}; expected {expected}.", line ?? Math.Max(1, _line));
+}

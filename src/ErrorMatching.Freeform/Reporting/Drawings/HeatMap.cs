@@ -1,0 +1,146 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Errors of a surface seen from above: colors for the field, a number at each measured point.</summary>
+internal sealed class HeatMap
+{
+    private const double Width = 820, Left = 20, Right = 690, Top = 30, LegendLeft = 716, LegendWidth = 22;
+    private const int CellsU = 48, CellsV = 40;
+
+    // More numbers than this would cover the colors; then there are dots, and the numbers stand in the table.
+    private const int MostLabels = 120;
+
+    private readonly PartSurface _surface;
+    private readonly double _minX, _maxY, _scale, _height, _limitUm;
+
+    /// <summary>A map of a surface.</summary>
+    /// <param name="surface">The surface.</param>
+    /// <param name="limitUm">Absolute value in micrometres of the last colors; maps that are compared share it.</param>
+    public HeatMap(PartSurface surface, double limitUm)
+    {
+        (_surface, _limitUm) = (surface, RoundNumber.AtLeast(Math.Max(limitUm, 0.1)));
+        var (minX, maxX, minY, maxY) = (double.MaxValue, double.MinValue, double.MaxValue, double.MinValue);
+        for (var i = 0; i <= CellsU; i++)
+        {
+            for (var j = 0; j <= CellsV; j++)
+            {
+                var p = Corner(i, j);
+                (minX, maxX, minY, maxY) = (Math.Min(minX, p.X), Math.Max(maxX, p.X), Math.Min(minY, p.Y), Math.Max(maxY, p.Y));
+            }
+        }
+
+        _scale = (Right - Left) / Math.Max(maxX - minX, 1e-9);
+        (_minX, _maxY) = (minX, maxY);
+        _height = Math.Clamp((maxY - minY) * _scale, 60, 1200);
+    }
+
+    /// <summary>Writes the map.</summary>
+    /// <param name="html">Where to.</param>
+    /// <param name="id">Prefix of its identifiers.</param>
+    /// <param name="title">What it shows.</param>
+    /// <param name="fieldUm">Value in micrometres at (u, v); null if only points are known.</param>
+    /// <param name="points">Points with a value in micrometres each.</param>
+    public void Write(HtmlText html, string id, string title, Func<double, double, double>? fieldUm, IReadOnlyList<(string Label, Point3 At, double ValueUm)> points)
+    {
+        var height = Top + _height + 40;
+        using (html.In("svg", ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(height)}"), ("role", "img"), ("aria-labelledby", $"{id}-t {id}-d"), ("class", "plot")))
+        {
+            html.Put("title", title, ("id", id + "-t"));
+            html.Put("desc", Describe(points), ("id", id + "-d"));
+            Text(html, "drawing-title", Left, 18, "start", title + ", µm");
+            if (fieldUm is not null)
+            {
+                WriteCells(html, fieldUm);
+            }
+
+            WritePoints(html, points);
+            WriteLegend(html);
+            Text(html, "axis-label", Left, Top + _height + 24, "start", "Seen against z: x to the right, y up; u rises along the curves of the measuring plan.");
+        }
+    }
+
+    private void WriteCells(HtmlText html, Func<double, double, double> fieldUm)
+    {
+        var cells = new List<(double X, double Y)[]>[DivergingColors.Count];
+        for (var i = 0; i < CellsU; i++)
+        {
+            for (var j = 0; j < CellsV; j++)
+            {
+                var (u, v) = (U(i + 0.5), V(j + 0.5));
+                if (!_surface.Region.Contains(u, v))
+                {
+                    continue;
+                }
+
+                var color = DivergingColors.IndexOf(fieldUm(u, v), _limitUm);
+                (cells[color] ??= []).Add([Place(Corner(i, j)), Place(Corner(i + 1, j)), Place(Corner(i + 1, j + 1)), Place(Corner(i, j + 1))]);
+            }
+        }
+
+        for (var color = 0; color < cells.Length; color++)
+        {
+            if (cells[color] is { } list)
+            {
+                var path = string.Concat(list.Select(c => $"M{SvgNumber.Points([c[0]])}L{SvgNumber.Points(c.Skip(1))}Z"));
+                // The stroke closes the hairlines that a browser leaves between neighbors.
+                html.Empty("path", ("d", path), ("fill", DivergingColors.Hex(color)), ("stroke", DivergingColors.Hex(color)), ("stroke-width", "0.6"));
+            }
+        }
+    }
+
+    private void WritePoints(HtmlText html, IReadOnlyList<(string Label, Point3 At, double ValueUm)> points)
+    {
+        foreach (var (label, at, value) in points)
+        {
+            var (x, y) = Place(at);
+            using (html.In("circle", ("class", "key-point"), ("cx", SvgNumber.Of(x)), ("cy", SvgNumber.Of(y)), ("r", "3")))
+            {
+                html.Put("title", $"Point {label}: {Micrometres.Signed(value)} µm");
+            }
+
+            if (points.Count <= MostLabels)
+            {
+                Text(html, "tick", x, y - 6, x < Left + 20 ? "start" : x > Right - 20 ? "end" : "middle", Micrometres.Signed(value));
+            }
+        }
+    }
+
+    private void WriteLegend(HtmlText html)
+    {
+        var step = _height / DivergingColors.Count;
+        for (var i = 0; i < DivergingColors.Count; i++)
+        {
+            html.Empty("rect", ("x", SvgNumber.Of(LegendLeft)), ("y", SvgNumber.Of(Top + _height - ((i + 1) * step))), ("width", SvgNumber.Of(LegendWidth)), ("height", SvgNumber.Of(step)), ("fill", DivergingColors.Hex(i)));
+        }
+
+        for (var k = -2; k <= 2; k++)
+        {
+            var y = Top + (_height / 2) - (k / 2.0 * (_height - step) / 2);
+            Text(html, "tick", LegendLeft + LegendWidth + 6, y + 4, "start", Micrometres.Signed(_limitUm * k / 2));
+        }
+    }
+
+    private static string Describe(IReadOnlyList<(string Label, Point3 At, double ValueUm)> points)
+    {
+        if (points.Count == 0)
+        {
+            return "No measured points.";
+        }
+
+        var (low, high) = (points.MinBy(p => p.ValueUm), points.MaxBy(p => p.ValueUm));
+        return $"Lowest {Micrometres.Signed(low.ValueUm)} µm at point {low.Label}, highest {Micrometres.Signed(high.ValueUm)} µm at point {high.Label}.";
+    }
+
+    private double U(double cell) => _surface.Spline.KnotsU.Start + ((_surface.Spline.KnotsU.End - _surface.Spline.KnotsU.Start) * cell / CellsU);
+
+    private double V(double cell) => _surface.Spline.KnotsV.Start + ((_surface.Spline.KnotsV.End - _surface.Spline.KnotsV.Start) * cell / CellsV);
+
+    private Point3 Corner(int i, int j) => _surface.Spline.PointAt(U(i), V(j));
+
+    private (double X, double Y) Place(Point3 p) => (Left + ((p.X - _minX) * _scale), Top + ((_maxY - p.Y) * _scale));
+
+    private static void Text(HtmlText html, string cssClass, double x, double y, string anchor, string text) =>
+        html.Put("text", text, ("class", cssClass), ("x", SvgNumber.Of(x)), ("y", SvgNumber.Of(y)), ("text-anchor", anchor));
+}

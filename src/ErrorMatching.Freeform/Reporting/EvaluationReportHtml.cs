@@ -1,0 +1,116 @@
+using System.Globalization;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>An evaluation as one HTML file that needs no network and no script.</summary>
+public static class EvaluationReportHtml
+{
+    /// <summary>The report as a page: UTF-8 without a byte order mark; the same report always gives the same bytes.</summary>
+    public static byte[] Write(EvaluationReport report)
+    {
+        ArgumentNullException.ThrowIfNull(report);
+        return ReportPage.Write(
+            $"{report.Job.Name}: the surface as measured",
+            report.Job.WorkOrder is { } order ? $"Work order {order}" : "No work order",
+            [
+                new("summary", "Summary", html => WriteSummary(html, report)),
+                new("statistics", "Mean, standard deviation, profile", html => WriteStatistics(html, report)),
+                new("maps", "Where the errors are", html => WriteMaps(html, report)),
+                new("plots", "Error by point", html => WritePlots(html, report)),
+                new("points", "Points", html => WritePoints(html, report)),
+                new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "surface evaluate", ("--measured", "measured"), ("--before", "before"))),
+            ]);
+    }
+
+    private static void WriteSummary(HtmlText html, EvaluationReport report)
+    {
+        var after = report.Measured.Together;
+        if (report.Before?.Together is { } before)
+        {
+            var better = after.StandardDeviationMm < before.StandardDeviationMm && after.ProfileIsoMm < before.ProfileIsoMm;
+            using (html.In("p", ("class", better ? "verdict holds" : "verdict fails")))
+            {
+                html.Put("strong", better ? "✓ The surface is better than before." : "✗ The surface is not better than before in every respect. Find out why before the next piece.");
+                html.Text($" Standard deviation {Micrometres.OfMm(before.StandardDeviationMm)} µm, now {Micrometres.OfMm(after.StandardDeviationMm)} µm. Profile {Micrometres.OfMm(before.ProfileIsoMm)} µm, now {Micrometres.OfMm(after.ProfileIsoMm)} µm.");
+            }
+        }
+        else
+        {
+            html.Put("p", $"Mean {Micrometres.SignedOfMm(after.MeanMm)} µm, standard deviation {Micrometres.OfMm(after.StandardDeviationMm)} µm, profile {Micrometres.OfMm(after.ProfileIsoMm)} µm.");
+        }
+
+        ReportFacts.WriteNotes(html, [.. Pieces(report).Where(p => p.StageIsFound).Select(p => $"The points of {p.File} lie on the surface after {(p.Stage == CuttingStage.Finishing ? "finishing" : "semi-finishing")}, not after the stage that the job names: its stock was used.")]);
+        ReportFacts.Write(html,
+            ("Errors", "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
+            ("Alignment", Alignment(report)),
+            ("Profile", "By ISO 1101 with a zone centred on the nominal surface: twice the largest absolute error. Standard deviations use n − 1."));
+    }
+
+    private static string Alignment(EvaluationReport report) => Pieces(report).First().Alignment is null
+        ? "None: points are compared where they were measured."
+        : "Best fit: " + string.Join("; ", Pieces(report).Select(p => string.Create(CultureInfo.InvariantCulture, $"{p.File} moved by X{p.Alignment!.TranslateMm.X:0.0000} Y{p.Alignment.TranslateMm.Y:0.0000} Z{p.Alignment.TranslateMm.Z:0.0000} mm, turned by {p.Alignment.RotateDegrees.Length:0.00000}°"))) + ".";
+
+    private static void WriteStatistics(HtmlText html, EvaluationReport report)
+    {
+        SurfaceTables.WriteStatistics(html, "statistics-table", "All pieces together", Both(report).Select(b => (b.Name, b.Evaluation.Together)));
+        if (Both(report).Any(b => b.Evaluation.Pieces.Count > 1))
+        {
+            SurfaceTables.WriteStatistics(html, "pieces-table", "Piece by piece", Both(report).SelectMany(b => b.Evaluation.Pieces.Select(p => ($"{b.Name}: {p.File}", p.Statistics))));
+            foreach (var (name, evaluation) in Both(report))
+            {
+                html.Put("p", $"{name}: standard deviations of the pieces differ by {Micrometres.OfMm(evaluation.RangeOfStandardDeviationsMm)} µm.");
+            }
+        }
+    }
+
+    private static void WriteMaps(HtmlText html, EvaluationReport report)
+    {
+        var limit = 1000 * Pieces(report).SelectMany(p => p.Samples).Max(s => Math.Abs(s.ErrorMm));
+        var map = new HeatMap(report.Surface, limit);
+        var number = 0;
+        foreach (var (name, evaluation) in Both(report))
+        {
+            foreach (var piece in evaluation.Pieces)
+            {
+                var field = FieldFit.Fit(piece.Samples);
+                using (html.In("figure"))
+                {
+                    map.Write(html, $"map{++number}", $"{name}: {piece.File}", (u, v) => 1000 * field.At(u, v), [.. piece.Samples.Select(s => (ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))]);
+                    html.Put("figcaption", "Colors between the points are the smooth field that fits them best; numbers are what was measured.");
+                }
+            }
+        }
+    }
+
+    private static void WritePlots(HtmlText html, EvaluationReport report)
+    {
+        for (var k = 0; k < report.Measured.Pieces.Count; k++)
+        {
+            var after = report.Measured.Pieces[k].Samples.ToDictionary(s => s.Point);
+            var before = report.Before is { } b && k < b.Pieces.Count ? b.Pieces[k].Samples : report.Measured.Pieces[k].Samples;
+            using (html.In("figure"))
+            {
+                new ErrorByPointPlot([.. before.Select(s => (ReportNumber.Count(s.Point), 1000 * s.ErrorMm, report.Before is not null && after.TryGetValue(s.Point, out var a) ? 1000 * a.ErrorMm : (double?)null))])
+                    .Write(html, $"plot{k + 1}", $"Error at each point, {report.Measured.Pieces[k].File}", report.Before is null ? "measured" : "before", report.Before is null ? "not measured" : "after");
+            }
+        }
+    }
+
+    private static void WritePoints(HtmlText html, EvaluationReport report)
+    {
+        var number = 0;
+        foreach (var (name, evaluation) in Both(report))
+        {
+            foreach (var piece in evaluation.Pieces)
+            {
+                SurfaceTables.WritePoints(html, $"points{++number}", $"{name}: {piece.File}", piece.Samples);
+            }
+        }
+    }
+
+    private static IEnumerable<(string Name, SurfaceEvaluation Evaluation)> Both(EvaluationReport report) =>
+        report.Before is { } before ? [("Before", before), ("After", report.Measured)] : [("Measured", report.Measured)];
+
+    private static IEnumerable<EvaluatedPiece> Pieces(EvaluationReport report) => Both(report).SelectMany(b => b.Evaluation.Pieces);
+}

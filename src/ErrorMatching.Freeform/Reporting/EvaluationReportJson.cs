@@ -1,0 +1,81 @@
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>An evaluation as JSON: lengths in micrometres where the key says so.</summary>
+public static class EvaluationReportJson
+{
+    /// <summary>The document <c>errormatch/surface-evaluate/1</c>.</summary>
+    public static byte[] Write(EvaluationReport report)
+    {
+        ArgumentNullException.ThrowIfNull(report);
+        return ReportWriter.Document("errormatch/surface-evaluate/1", json =>
+        {
+            json.Object("job", () =>
+            {
+                json.Text("name", report.Job.Name);
+                json.Text("workOrder", report.Job.WorkOrder);
+                json.Text("file", report.Job.File);
+                json.Text("sha256", report.Job.Sha256);
+            });
+            json.List("inputs", report.Inputs, i =>
+            {
+                json.Text("role", i.Role);
+                json.Text("file", i.File);
+                json.Text("sha256", i.Sha256);
+            });
+            Evaluation(json, report.Measured);
+            json.Optional("before", report.Before, b => Evaluation(json, b));
+            json.Optional("improvement", report.Before, b =>
+            {
+                json.Number("standardDeviationPercent", Percent(b.Together.StandardDeviationMm, report.Measured.Together.StandardDeviationMm));
+                json.Number("profileIsoPercent", Percent(b.Together.ProfileIsoMm, report.Measured.Together.ProfileIsoMm));
+            });
+        });
+    }
+
+    /// <summary>Members of some statistics, in the object that is open.</summary>
+    internal static void Statistics(ReportWriter json, DeviationStatistics statistics)
+    {
+        json.Count("count", statistics.Count);
+        json.Number("meanUm", statistics.MeanMm * 1000);
+        json.Number("standardDeviationUm", statistics.StandardDeviationMm * 1000);
+        json.Number("profileIsoUm", statistics.ProfileIsoMm * 1000);
+        json.Number("profileRangeUm", statistics.ProfileRangeMm * 1000);
+    }
+
+    /// <summary>Members of an alignment.</summary>
+    internal static void Alignment(ReportWriter json, SurfaceAlignment? alignment)
+    {
+        json.Text("alignment", alignment is null ? "none" : "best-fit");
+        json.Optional("transform", alignment, a =>
+        {
+            json.Numbers("translateMm", [a.TranslateMm.X, a.TranslateMm.Y, a.TranslateMm.Z]);
+            json.Numbers("rotateDegrees", [a.RotateDegrees.X, a.RotateDegrees.Y, a.RotateDegrees.Z]);
+            json.Numbers("centerMm", [a.Center.X, a.Center.Y, a.Center.Z]);
+        });
+    }
+
+    /// <summary>Share by which a value became smaller, in percent.</summary>
+    internal static double? Percent(double before, double after) => before > 0 ? 100 * (before - after) / before : null;
+
+    private static void Evaluation(ReportWriter json, SurfaceEvaluation evaluation)
+    {
+        Statistics(json, evaluation.Together);
+        json.List("pieces", evaluation.Pieces, p =>
+        {
+            json.Text("file", p.File);
+            json.Text("sha256", p.Sha256);
+            json.Text("stage", p.Stage == CuttingStage.Finishing ? "finishing" : "semi-finishing");
+            Alignment(json, p.Alignment);
+            Statistics(json, p.Statistics);
+            json.List("points", p.Samples, s =>
+            {
+                json.Count("point", s.Point);
+                json.Count("i", s.I);
+                json.Count("j", s.J);
+                json.Number("errorUm", s.ErrorMm * 1000);
+            });
+        });
+    }
+}

@@ -1,0 +1,83 @@
+namespace ErrorMatching.Geometry;
+
+/// <summary>
+/// The least-squares poles of many curves at once that share parameters and knots: one pass of a tensor-product fit. A surface over a grid is two passes, first along one direction, then along the other
+/// (C. de Boor, A Practical Guide to Splines, chapter 17).
+/// </summary>
+internal static class LinePass
+{
+    /// <summary>Fits every column.</summary>
+    /// <param name="knots">Degree and knots.</param>
+    /// <param name="parameters">Rising parameters, one a row.</param>
+    /// <param name="data">Rows of as many numbers as there are columns.</param>
+    /// <param name="columns">How many columns.</param>
+    /// <returns>One row a pole, with as many columns.</returns>
+    /// <exception cref="GeometryException">The parameters do not determine every pole (<see cref="GeometryError.RankDeficient"/>).</exception>
+    public static double[] Fit(KnotVector knots, ReadOnlySpan<double> parameters, ReadOnlySpan<double> data, int columns)
+    {
+        if (!FittingKnots.Determine(knots, parameters))
+        {
+            throw new GeometryException(
+                GeometryError.RankDeficient,
+                $"{parameters.Length} points lie so that they do not determine {knots.PoleCount} poles of degree {knots.Degree}: some pieces between knots have too few of them; take fewer poles or a lower degree");
+        }
+
+        var p = knots.Degree;
+        var equations = new BandedLeastSquares(knots.PoleCount, p + 1, columns);
+        var factors = new double[p + 1];
+        var rights = new double[columns];
+        for (var i = 0; i < parameters.Length; i++)
+        {
+            var span = knots.SpanAt(parameters[i]);
+            knots.Basis(span, parameters[i], 0, factors);
+            data.Slice(i * columns, columns).CopyTo(rights);
+            equations.Add(span - p, factors, rights);
+        }
+
+        return equations.Solve();
+    }
+
+    /// <summary>Coordinates one after the other.</summary>
+    public static double[] Numbers(ReadOnlySpan<Point3> points)
+    {
+        var numbers = new double[3 * points.Length];
+        for (var i = 0; i < points.Length; i++)
+        {
+            if (!points[i].IsFinite)
+            {
+                throw new GeometryException(GeometryError.NotFinite, $"point {i + 1} has a coordinate that is no finite number");
+            }
+
+            (numbers[3 * i], numbers[(3 * i) + 1], numbers[(3 * i) + 2]) = (points[i].X, points[i].Y, points[i].Z);
+        }
+
+        return numbers;
+    }
+
+    /// <summary>Points of coordinates one after the other.</summary>
+    public static Point3[] Points(ReadOnlySpan<double> numbers)
+    {
+        var points = new Point3[numbers.Length / 3];
+        for (var i = 0; i < points.Length; i++)
+        {
+            points[i] = new(numbers[3 * i], numbers[(3 * i) + 1], numbers[(3 * i) + 2]);
+        }
+
+        return points;
+    }
+
+    /// <summary>A grid of points with rows and columns exchanged.</summary>
+    public static double[] Transposed(ReadOnlySpan<double> grid, int rows, int columns)
+    {
+        var result = new double[grid.Length];
+        for (var i = 0; i < rows; i++)
+        {
+            for (var j = 0; j < columns; j++)
+            {
+                grid.Slice(3 * ((i * columns) + j), 3).CopyTo(result.AsSpan(3 * ((j * rows) + i)));
+            }
+        }
+
+        return result;
+    }
+}

@@ -1,0 +1,48 @@
+namespace ErrorMatching.Geometry;
+
+/// <summary>The products of basis functions that do not vanish at a pair of parameters, and their derivatives.</summary>
+internal sealed class TensorBasis(KnotVector knotsU, KnotVector knotsV)
+{
+    private readonly double[] _u = new double[3 * (knotsU.Degree + 1)];
+    private readonly double[] _v = new double[3 * (knotsV.Degree + 1)];
+    private readonly double[] _product = new double[(knotsU.Degree + 1) * (knotsV.Degree + 1)];
+    private int _firstU;
+    private int _firstV;
+
+    /// <summary>Goes to a pair of parameters.</summary>
+    public void MoveTo(double u, double v, int order)
+    {
+        var (spanU, spanV) = (knotsU.SpanAt(u), knotsV.SpanAt(v));
+        knotsU.Basis(spanU, u, order, _u);
+        knotsV.Basis(spanV, v, order, _v);
+        (_firstU, _firstV) = (spanU - knotsU.Degree, spanV - knotsV.Degree);
+    }
+
+    /// <summary>Numbers of the poles whose products do not vanish, in rising order.</summary>
+    public int[] Poles()
+    {
+        var (rows, columns) = (knotsU.Degree + 1, knotsV.Degree + 1);
+        var poles = new int[rows * columns];
+        for (var i = 0; i < poles.Length; i++)
+        {
+            poles[i] = ((_firstU + (i / columns)) * knotsV.PoleCount) + _firstV + (i % columns);
+        }
+
+        return poles;
+    }
+
+    /// <summary>The products of the derivatives of given orders; overwritten by the next call.</summary>
+    public ReadOnlySpan<double> Of(int orderU, int orderV)
+    {
+        var (rows, columns) = (knotsU.Degree + 1, knotsV.Degree + 1);
+        for (var i = 0; i < rows; i++)
+        {
+            for (var j = 0; j < columns; j++)
+            {
+                _product[(i * columns) + j] = _u[(orderU * rows) + i] * _v[(orderV * columns) + j];
+            }
+        }
+
+        return _product;
+    }
+}

@@ -1,0 +1,187 @@
+using System.Runtime.CompilerServices;
+
+namespace ErrorMatching.Geometry;
+
+/// <summary>
+/// A part of a surface with bounds that hold for all of it: a node of the tree in which closest points and hits are searched. Parts with inner breaks have a box only; polynomial (or rational) pieces have derivatives at their
+/// center and bounds of the higher ones. Derivatives are by s and t, which run from -1 to 1 over the cell.
+/// </summary>
+internal sealed class SurfaceCell
+{
+    // Cells are kept once made, up to so many in a tree; beyond, they are made anew for each search.
+    private const int Kept = 100_000;
+
+    private readonly StrongBox<int> _count;
+    private SurfaceCell[]? _children;
+
+    public SurfaceCell(SplineSurface surface)
+        : this(surface, new StrongBox<int>())
+    {
+    }
+
+    private SurfaceCell(SplineSurface surface, StrongBox<int> count)
+    {
+        (Surface, _count) = (surface.Clamp(), count);
+        Box = Box3.Around(Surface.Poles);
+        IsPiece = Surface.CountU == Surface.KnotsU.Degree + 1 && Surface.CountV == Surface.KnotsV.Degree + 1;
+        if (!IsPiece)
+        {
+            return;
+        }
+
+        var (u, v) = (Surface.KnotsU, Surface.KnotsV);
+        var (halfU, halfV) = (0.5 * (u.End - u.Start), 0.5 * (v.End - v.Start));
+        Center = Surface.At(u.Start + halfU, v.Start + halfV);
+        (Ds, Dt) = (Center.Du * halfU, Center.Dv * halfV);
+        (Dss, Dst, Dtt) = (Center.Duu * (halfU * halfU), Center.Duv * (halfU * halfV), Center.Dvv * (halfV * halfV));
+        Bounds = new(Surface, Center.Position);
+        OffPlane = (0.5 * Bounds[2, 0]) + Bounds[1, 1] + (0.5 * Bounds[0, 2]);
+    }
+
+    /// <summary>The part of the surface over its own parameters.</summary>
+    public SplineSurface Surface { get; }
+
+    /// <summary>A box that holds the part.</summary>
+    public Box3 Box { get; }
+
+    /// <summary>True if the part has no inner breaks, and so has all that follows.</summary>
+    public bool IsPiece { get; }
+
+    /// <summary>The place in the middle of the parameters.</summary>
+    public SurfacePoint Center { get; }
+
+    /// <summary>First derivative by s at the center.</summary>
+    public Vector3 Ds { get; }
+
+    /// <summary>First derivative by t at the center.</summary>
+    public Vector3 Dt { get; }
+
+    /// <summary>Second derivative by s at the center.</summary>
+    public Vector3 Dss { get; }
+
+    /// <summary>Mixed second derivative at the center.</summary>
+    public Vector3 Dst { get; }
+
+    /// <summary>Second derivative by t at the center.</summary>
+    public Vector3 Dtt { get; }
+
+    /// <summary>Bounds of the derivatives up to the third in the whole cell.</summary>
+    public DerivativeBounds Bounds { get; } = DerivativeBounds.None;
+
+    /// <summary>No place of the cell is farther than this from Center + s Ds + t Dt at its own s and t (Taylor's theorem).</summary>
+    public double OffPlane { get; }
+
+    /// <summary>The two halves, cut at the break nearest to the middle, or where there is none at the middle of the direction that bends more; null where halves can no longer be told apart.</summary>
+    public SurfaceCell[]? Children()
+    {
+        if (_children is not null)
+        {
+            return _children;
+        }
+
+        var halves = Split();
+        if (halves is not null && Interlocked.Add(ref _count.Value, 2) <= Kept)
+        {
+            // Two threads may both make them; they make the same.
+            _children = halves;
+        }
+
+        return halves;
+    }
+
+    /// <summary>A distance that no place of the cell is nearer to a point.</summary>
+    public double DistanceBound(Point3 p)
+    {
+        var box = Box.DistanceTo(p);
+        return IsPiece ? Math.Max(box, DistanceToParallelogram(p - Center.Position) - OffPlane) : box;
+    }
+
+    /// <summary>
+    /// True if the squared distance from a point is proven to be a convex function of s and t in the cell, so that it has a single minimum there, which descent finds:
+    /// its second derivatives S_i . S_j + (S - p) . S_ij, with everything replaced by its bound, are a positive definite matrix.
+    /// </summary>
+    public bool IsConvexFrom(Point3 p)
+    {
+        var d = Center.Position - p;
+        var far = d.Length + Ds.Length + Dt.Length + OffPlane;
+        var b = Bounds;
+        var restS = (0.5 * b[3, 0]) + b[2, 1] + (0.5 * b[1, 2]);
+        var restT = (0.5 * b[0, 3]) + b[1, 2] + (0.5 * b[2, 1]);
+        var ss = Ds.Dot(Ds) - (2 * (Abs(Ds, Dss) + Abs(Ds, Dst) + (Ds.Length * restS)))
+            + d.Dot(Dss) - Abs(Ds, Dss) - Abs(Dt, Dss) - (OffPlane * Dss.Length) - (far * (b[3, 0] + b[2, 1]));
+        var tt = Dt.Dot(Dt) - (2 * (Abs(Dt, Dtt) + Abs(Dt, Dst) + (Dt.Length * restT)))
+            + d.Dot(Dtt) - Abs(Ds, Dtt) - Abs(Dt, Dtt) - (OffPlane * Dtt.Length) - (far * (b[0, 3] + b[1, 2]));
+        if (!(ss > 0 && tt > 0))
+        {
+            return false;
+        }
+
+        var st = Math.Abs(Ds.Dot(Dt) + d.Dot(Dst))
+            + Abs(Ds, Dst) + Abs(Ds, Dtt) + (Ds.Length * restT) + Abs(Dt, Dss) + Abs(Dt, Dst) + (Dt.Length * restS)
+            + ((b[2, 0] + b[1, 1]) * (b[1, 1] + b[0, 2]))
+            + Abs(Ds, Dst) + Abs(Dt, Dst) + (OffPlane * Dst.Length) + (far * (b[2, 1] + b[1, 2]));
+        return ss * tt > st * st;
+    }
+
+    private static double Abs(Vector3 a, Vector3 b) => Math.Abs(a.Dot(b));
+
+    private static double? Between(IReadOnlyList<double> breaks) => breaks.Count == 2 ? null : breaks[breaks.Count / 2];
+
+    private SurfaceCell[]? Split()
+    {
+        var (u, v) = (Surface.KnotsU, Surface.KnotsV);
+        var (breakU, breakV) = (Between(u.Breaks), Between(v.Breaks));
+        var alongU = breakU is null == breakV is null ? Bends() : breakU is not null;
+        var knots = alongU ? u : v;
+        var at = (alongU ? breakU : breakV) ?? (knots.Start + (0.5 * (knots.End - knots.Start)));
+        if (!(at > knots.Start && at < knots.End))
+        {
+            return null;
+        }
+
+        var (before, after) = alongU ? Surface.SplitU(at) : Surface.SplitV(at);
+        return [new(before, _count), new(after, _count)];
+    }
+
+    /// <summary>True if the cell is to be cut across u: it has more pieces there, bends more there, or is longer there.</summary>
+    private bool Bends()
+    {
+        if (!IsPiece)
+        {
+            return Surface.CountU >= Surface.CountV;
+        }
+
+        var (bendU, bendV) = (Bounds[2, 0], Bounds[0, 2]);
+        var (longU, longV) = (Bounds[1, 0], Bounds[0, 1]);
+        return bendU == bendV || Math.Max(bendU, bendV) < 1e-3 * Math.Max(longU, longV) ? longU >= longV : bendU > bendV;
+    }
+
+    /// <summary>Distance of a point, seen from the center, from the parallelogram s Ds + t Dt with s and t from -1 to 1.</summary>
+    private double DistanceToParallelogram(Vector3 p)
+    {
+        var (e, f, g) = (Ds.Dot(Ds), Ds.Dot(Dt), Dt.Dot(Dt));
+        var (x, y) = (p.Dot(Ds), p.Dot(Dt));
+        var area = (e * g) - (f * f);
+        var flat = !(area > 1e-10 * e * g);
+        if (!flat)
+        {
+            var (s, t) = (((g * x) - (f * y)) / area, ((e * y) - (f * x)) / area);
+            if (Math.Abs(s) <= 1 && Math.Abs(t) <= 1)
+            {
+                return (p - (Ds * s) - (Dt * t)).Length;
+            }
+        }
+
+        // The closest place is on the rim: two sides at s = 1 and -1, two at t = 1 and -1.
+        var best = double.PositiveInfinity;
+        for (var side = -1; side <= 1; side += 2)
+        {
+            var t = g > 0 ? Math.Clamp((y - (side * f)) / g, -1, 1) : 0;
+            var s = e > 0 ? Math.Clamp((x - (side * f)) / e, -1, 1) : 0;
+            best = Math.Min(best, Math.Min((p - (Ds * side) - (Dt * t)).Length, (p - (Ds * s) - (Dt * side)).Length));
+        }
+
+        // A sliver has no digits for its inside, which is no farther from the rim than half its width.
+        return flat && area > 0 ? best - Math.Sqrt(area / Math.Max(e, g)) : best;
+    }
+}

@@ -1,0 +1,106 @@
+namespace ErrorMatching.Geometry;
+
+/// <summary>
+/// One search for the closest place of a surface: branch and bound over a tree of cells. A cell is left aside when its bound says that nothing in it is closer by more than the tolerance; it is finished when the squared
+/// distance is proven convex in it, by descent to its only minimum; else it is cut in two.
+/// </summary>
+internal struct SurfaceSearch(Point3 point, double tolerance)
+{
+    // Only where very many places are equally close (a point in the center of a sphere) are there so many cells: then the accuracy says what was reached.
+    private const int MaxCells = 20_000;
+
+    private double _distance = double.PositiveInfinity;
+    private double _u;
+    private double _v;
+    private double _bound = double.PositiveInfinity;
+    private int _cells;
+
+    /// <summary>The closest place, beginning at a pair of parameters.</summary>
+    public static SurfaceFoot Run(SplineSurface surface, SurfaceCell root, Point3 point, double tolerance, (double U, double V)? hint)
+    {
+        var search = new SurfaceSearch(point, tolerance);
+        if (hint is { } start)
+        {
+            search.Offer(SurfaceDescent.From(surface, point, start.U, start.V));
+        }
+
+        search.Visit(root);
+
+        // A place from the middle of a cell is good enough for the tolerance, not yet a foot.
+        var here = surface.At(search._u, search._v);
+        var at = SurfaceDescent.From(surface, point, search._u, search._v);
+        if ((at.Position - point).Length > (here.Position - point).Length)
+        {
+            at = here;
+        }
+
+        var offset = point - at.Position;
+        return new(at, offset, Math.Max(0, offset.Length - search._bound));
+    }
+
+    /// <summary>Looks at cells in the order of their bounds until none can hold anything closer.</summary>
+    private void Visit(SurfaceCell root)
+    {
+        var open = new PriorityQueue<SurfaceCell, double>();
+        Keep(open, root, root.DistanceBound(point));
+        while (open.TryDequeue(out var cell, out var bound))
+        {
+            if (bound >= _distance - tolerance || ++_cells > MaxCells)
+            {
+                _bound = Math.Min(_bound, bound);
+                return;
+            }
+
+            if (cell.IsPiece)
+            {
+                Offer(cell.Center);
+                bound = cell.IsConvexFrom(point) ? Math.Max(bound, Finish(cell)) : bound;
+            }
+
+            if (bound < _distance - tolerance && cell.Children() is { } halves)
+            {
+                Keep(open, halves[0], Math.Max(bound, halves[0].DistanceBound(point)));
+                Keep(open, halves[1], Math.Max(bound, halves[1].DistanceBound(point)));
+            }
+            else
+            {
+                _bound = Math.Min(_bound, bound);
+            }
+        }
+    }
+
+    private void Keep(PriorityQueue<SurfaceCell, double> open, SurfaceCell cell, double bound)
+    {
+        if (bound < _distance - tolerance)
+        {
+            open.Enqueue(cell, bound);
+        }
+        else
+        {
+            _bound = Math.Min(_bound, bound);
+        }
+    }
+
+    /// <summary>Descends in a cell in which the squared distance is convex, and bounds it from below by its tangent plane where descent ended.</summary>
+    private double Finish(SurfaceCell cell)
+    {
+        var surface = cell.Surface;
+        var at = SurfaceDescent.From(surface, point, _u, _v);
+        Offer(at);
+        var d = at.Position - point;
+        var (gu, gv) = (d.Dot(at.Du), d.Dot(at.Dv));
+        var square = d.Dot(d)
+            + (2 * gu * ((gu > 0 ? surface.KnotsU.Start : surface.KnotsU.End) - at.U))
+            + (2 * gv * ((gv > 0 ? surface.KnotsV.Start : surface.KnotsV.End) - at.V));
+        return Math.Sqrt(Math.Max(0, square));
+    }
+
+    private void Offer(in SurfacePoint at)
+    {
+        var distance = (at.Position - point).Length;
+        if (distance < _distance)
+        {
+            (_distance, _u, _v) = (distance, at.U, at.V);
+        }
+    }
+}

@@ -1,7 +1,0 @@
-namespace ErrorMatching.Mating;
-
-/// <summary>A section of a page.</summary>
-/// <param name="Id">Its identifier, for links.</param>
-/// <param name="Title">Its heading.</param>
-/// <param name="Write">Writes what stands below the heading.</param>
-internal sealed record PageSection(string Id, string Title, Action<HtmlText> Write);

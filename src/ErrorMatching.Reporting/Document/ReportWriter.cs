@@ -1,0 +1,132 @@
+using System.Text.Json;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Reporting;
+
+/// <summary>Writes values of reports as JSON: camelCase, millimetres and degrees, numbers without the noise of binary fractions.</summary>
+/// <param name="json">Where they go.</param>
+public sealed class ReportWriter(Utf8JsonWriter json)
+{
+    // A picometre is far below what any gauge can tell, and far above what the arithmetic loses.
+    private const int Decimals = 9;
+
+    /// <summary>One indented document with line ends of its own, the same on every system.</summary>
+    public static byte[] Document(string schema, Action<ReportWriter> content)
+    {
+        using var buffer = new MemoryStream();
+        using (var json = new Utf8JsonWriter(buffer, new JsonWriterOptions { Indented = true, NewLine = "\n" }))
+        {
+            json.WriteStartObject();
+            json.WriteString("schema", schema);
+            content(new(json));
+            json.WriteEndObject();
+        }
+
+        buffer.WriteByte((byte)'\n');
+        return buffer.ToArray();
+    }
+
+    /// <summary>A text, or null.</summary>
+    public void Text(string name, string? value) => json.WriteString(name, value);
+
+    /// <summary>True or false.</summary>
+    public void Flag(string name, bool value) => json.WriteBoolean(name, value);
+
+    /// <summary>A count.</summary>
+    public void Count(string name, int value) => json.WriteNumber(name, value);
+
+    /// <summary>A number of millimetres or degrees, or null.</summary>
+    public void Number(string name, double? value)
+    {
+        if (value is { } v)
+        {
+            json.WriteNumber(name, Clean(v));
+        }
+        else
+        {
+            json.WriteNull(name);
+        }
+    }
+
+    /// <summary>A number without a unit, which may be small and yet mean something.</summary>
+    public void Exact(string name, double value) => json.WriteNumber(name, value);
+
+    /// <summary>A list of such numbers.</summary>
+    public void Numbers(string name, IEnumerable<double> values)
+    {
+        json.WriteStartArray(name);
+        foreach (var value in values)
+        {
+            json.WriteNumberValue(Clean(value));
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <summary>A list of texts.</summary>
+    public void Texts(string name, IEnumerable<string> values)
+    {
+        json.WriteStartArray(name);
+        foreach (var value in values)
+        {
+            json.WriteStringValue(value);
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <summary>An object.</summary>
+    public void Object(string name, Action content)
+    {
+        json.WriteStartObject(name);
+        content();
+        json.WriteEndObject();
+    }
+
+    /// <summary>An object, or null if there is nothing to write.</summary>
+    public void Optional<T>(string name, T? value, Action<T> content)
+        where T : class
+    {
+        if (value is null)
+        {
+            json.WriteNull(name);
+        }
+        else
+        {
+            Object(name, () => content(value));
+        }
+    }
+
+    /// <summary>A list of objects.</summary>
+    public void List<T>(string name, IEnumerable<T> items, Action<T> content)
+    {
+        json.WriteStartArray(name);
+        foreach (var item in items)
+        {
+            json.WriteStartObject();
+            content(item);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <summary>A point of a plane as an object with x and y.</summary>
+    public void Point(string name, Point2 point) => Vector(name, point - Point2.Origin);
+
+    /// <summary>A vector of a plane as an object with x and y.</summary>
+    public void Vector(string name, Vector2 vector) => Object(name, () => Vector(vector));
+
+    /// <summary>The members x and y of a vector, in the object that is open.</summary>
+    public void Vector(Vector2 vector)
+    {
+        Number("x", vector.X);
+        Number("y", vector.Y);
+    }
+
+    /// <summary>A list of points.</summary>
+    public void Points(string name, IEnumerable<Point2> points) => List(name, points, p => Vector(p - Point2.Origin));
+
+    // Adding zero turns -0 into 0.
+    private static double Clean(double value) => Math.Round(value, Decimals) + 0.0;
+}

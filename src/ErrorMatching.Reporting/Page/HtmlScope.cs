@@ -1,0 +1,8 @@
+namespace ErrorMatching.Reporting;
+
+/// <summary>An open element, closed at the end of the scope.</summary>
+public readonly ref struct HtmlScope(HtmlText html, string element)
+{
+    /// <summary>Closes the element.</summary>
+    public void Dispose() => html.End(element);
+}

@@ -1,0 +1,62 @@
+using System.Text;
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Freeform.Tests;
+
+public sealed class FreeformJobTests
+{
+    [Fact]
+    public void Template_is_the_job_of_the_paper()
+    {
+        var job = Parse(FreeformTemplate.Text);
+
+        Assert.Equal(new JobStock(0.4, 0.2), job.Stock);
+        Assert.Equal(new JobTool(6, 2, 10000, 1200), job.Tool);
+        Assert.Equal((7, 10, 6.0, 2.0), (job.Measuring.Curves, job.Measuring.PointsPerCurve, job.Measuring.StylusDiameterMm, job.Measuring.ApproachMm));
+        Assert.Equal((CuttingStage.SemiFinishing, false), (job.Measuring.After, job.Measuring.ReportsStylusCenter));
+        Assert.Equal(new JobFit(FitMethod.Best, true, 0.001), job.Fit);
+        Assert.Equal((true, false, 0.001, 0.001, false), (job.Toolpath.AlongU, job.Toolpath.Zigzag, job.Toolpath.ScallopMm, job.Toolpath.ChordMm, job.Toolpath.ProgramsTip));
+        Assert.Equal(new JobMirror(true, 1, 0.2), job.Compensation);
+        Assert.True(job.Surface.OutsideIsUp);
+    }
+
+    [Fact]
+    public void What_a_job_does_not_say_is_what_the_contract_says()
+    {
+        var job = Parse("""
+            {
+              "kind": "freeform", "name": "n", "surface": "s.csv", "outside": "-z", "surfaceEntity": 2,
+              "tool": { "kind": "ball", "diameterMm": 6 }, "spindleRpm": 1, "feedMmPerMin": 1,
+              "measuring": { "curves": 7, "points": 68, "stylusDiameterMm": 6, "dialect": "fanuc", "reports": "stylus-center", "measuredAfter": "finishing" },
+              "toolpath": { "dialect": "fanuc", "programs": "tip", "direction": "v", "passes": "zigzag" },
+              "fit": { "of": "points", "method": "through-curve-mesh" }, "compensation": { "method": "tool-radius", "gain": 0.5 }
+            }
+            """);
+
+        Assert.Equal(JobStock.Default, job.Stock);
+        Assert.Equal(("2", false), (job.Surface.Entity, job.Surface.OutsideIsUp));
+        Assert.Equal((68, null, CuttingStage.Finishing, true), (job.Measuring.Points, job.Measuring.PointsPerCurve, job.Measuring.After, job.Measuring.ReportsStylusCenter));
+        Assert.Equal((false, true, true), (job.Toolpath.AlongU, job.Toolpath.Zigzag, job.Toolpath.ProgramsTip));
+        Assert.Equal(new JobFit(FitMethod.ThroughCurveMesh, false, 0.001), job.Fit);
+        Assert.Equal(new JobMirror(false, 0.5, 0.2), job.Compensation);
+    }
+
+    [Theory]
+    [InlineData("\"curves\": 7, \"pointsPerCurve\": 10,", "", "points-missing", "$.measuring")]
+    [InlineData("\"pointsPerCurve\": 10,", "\"pointsPerCurve\": 10, \"reconstructionErrorMm\": 0.001,", "points-twice", "$.measuring.reconstructionErrorMm")]
+    [InlineData("\"pointsPerCurve\": 10,", "\"pointsPerCurve\": 10, \"points\": 70,", "points-twice", "$.measuring.points")]
+    [InlineData("\"pointsPerCurve\": 10,", "\"points\": 10,", "too-few-points", "$.measuring.points")]
+    [InlineData("\"roughing\": 0.4", "\"roughing\": 0.1", "stock-grows", "$.stockMm.roughing")]
+    [InlineData("\"method\": \"best\"", "\"method\": \"nurbs\"", "not-one-of", "$.fit.method")]
+    [InlineData("\"diameterMm\": 6", "\"diameterMm\": 0", "too-small", "$.tool.diameterMm")]
+    [InlineData("\"scallopMm\": 0.001", "\"scalopMm\": 0.001", "unknown-key", "$.toolpath.scalopMm")]
+    public void What_is_wrong_is_named_by_its_path(string old, string text, string code, string path)
+    {
+        Assert.Contains(old, FreeformTemplate.Text, StringComparison.Ordinal);
+        var problem = Assert.Single(Assert.Throws<JsonDocumentException>(() => Parse(FreeformTemplate.Text.Replace(old, text, StringComparison.Ordinal))).Problems);
+
+        Assert.Equal((code, path), (problem.Code, problem.Path));
+    }
+
+    private static FreeformJob Parse(string text) => FreeformJob.Parse(Encoding.UTF8.GetBytes(text), "job.json");
+}
