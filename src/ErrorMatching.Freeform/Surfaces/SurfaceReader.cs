@@ -1,10 +1,15 @@
+using System.Globalization;
 using System.Text;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
 /// <summary>Reads the nominal surface from an IGES or STEP file.</summary>
 public static partial class SurfaceReader
 {
+    /// <summary>No machine of this trade is a kilometer long.</summary>
+    private const double LargestMm = 1e6;
+
     /// <summary>The surface of a file.</summary>
     /// <param name="bytes">What is in the file.</param>
     /// <param name="file">Its name; it goes into messages, and its extension decides where the content does not.</param>
@@ -19,8 +24,18 @@ public static partial class SurfaceReader
             throw new FreeformException("too-large", file, $"{bytes.Length} bytes; at most {ExchangeLimits.MaxBytes} are read. Export the one surface alone");
         }
 
-        var read = IsStep(bytes, file) ? new StepSurfaces(new(bytes, file)).Read(entity) : new IgesSurfaces(new(bytes, file)).Read(entity);
-        return new(read.Name, read.Spline, read.Region, SurfaceSide.Of(read, file, outsideIsUp));
+        try
+        {
+            var read = IsStep(bytes, file) ? new StepSurfaces(new(bytes, file)).Read(entity) : new IgesSurfaces(new(bytes, file)).Read(entity);
+            var far = read.Spline.Poles.ToArray().Max(p => Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))));
+            return far <= LargestMm
+                ? new(read.Name, read.Spline, read.Region, SurfaceSide.Of(read, file, outsideIsUp))
+                : throw new FreeformException("implausible", file, string.Create(CultureInfo.InvariantCulture, $"surface {read.Name} reaches {far:G4} mm away from the origin; a piece within {LargestMm:0} mm is expected: is the unit of the file wrong?"));
+        }
+        catch (GeometryException e)
+        {
+            throw new FreeformException("bad-surface", file, e.Message);
+        }
     }
 
     // A STEP file says what it is; an IGES file shows by the letter of a section in column 73 of its first record.
