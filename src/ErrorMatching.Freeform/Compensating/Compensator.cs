@@ -82,7 +82,7 @@ public static class Compensator
         {
             if (structure is null)
             {
-                warnings.Add($"{samples.Count} points are too few to tell whether neighbors are alike: the error was taken as systematic.");
+                warnings.Add($"{samples.Count} points that are too few or all alike do not tell whether neighbors are alike: the error was taken as systematic.");
             }
 
             return ErrorFit.Of(job, samples);
