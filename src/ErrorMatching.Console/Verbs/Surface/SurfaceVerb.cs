@@ -9,6 +9,8 @@ internal sealed class SurfaceVerb : Command
     public SurfaceVerb()
         : base("surface", "Plans, measures, compensates and evaluates free-form surfaces.")
     {
+        Subcommands.Add(new SurfacePlan());
+        Subcommands.Add(new SurfaceProbe());
         Subcommands.Add(new SurfaceCompensate());
         Subcommands.Add(new SurfaceEvaluate());
         Subcommands.Add(new SurfaceFit());
