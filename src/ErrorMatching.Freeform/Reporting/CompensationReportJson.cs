@@ -28,7 +28,7 @@ public static class CompensationReportJson
             });
             EvaluationReportJson.Alignment(json, result.Alignment);
             json.Object("before", () => EvaluationReportJson.Statistics(json, result.Before));
-            json.Optional("structure", result.Structure, s => Structure(json, s));
+            json.Object("structure", () => Structure(json, result.Structure));
             json.Object("compensation", () =>
             {
                 json.Text("method", result.Predicted.Method);
@@ -60,11 +60,14 @@ public static class CompensationReportJson
 
     private static void Structure(ReportWriter json, SpatialStructure structure)
     {
-        json.Exact("moransI", structure.I);
-        json.Exact("expected", structure.Expected);
-        json.Exact("z", structure.Z);
-        json.Exact("p", structure.P);
-        json.Flag("systematic", structure.IsSystematic);
+        json.Text("verdict", structure.Verdict switch { SpatialVerdict.Systematic => "systematic", SpatialVerdict.Noise => "noise", _ => "undetermined" });
+        if (structure.Verdict != SpatialVerdict.Undetermined)
+        {
+            json.Exact("moransI", structure.I);
+            json.Exact("expected", structure.Expectation);
+            json.Exact("z", structure.Z);
+            json.Exact("p", structure.P);
+        }
     }
 
     private static void Field(ReportWriter json, ErrorField field)
