@@ -63,8 +63,9 @@ internal sealed partial class WordEditor
             return refusal;
         }
 
-        var program = _patches.Count == 0 ? _path.Program : NcProgram.Read(NcPatch.Apply(_path.Program.Bytes.Span, _patches), _path.Program.Syntax);
-        return new Rewrite(program, _patches, _changedBlocks, _patches.Count, _increment);
+        NcPatch[] patches = [.. _patches];
+        var program = patches.Length == 0 ? _path.Program : NcProgram.Read(NcPatch.ApplyInHalves(_path.Program.Bytes, patches), _path.Program.Syntax);
+        return new Rewrite(program, patches, _changedBlocks, patches.Length, _increment);
     }
 
     // A loop around a single motion follows its blocks, and runs one of them several times.
