@@ -18,18 +18,17 @@ public class AheadTests
         : i % 11 == 0 ? Text($"G0 X{i} Y{i % 3}. Z{i % 4}.5") : Text($"N{i} G1 X{i}.25 Y{i % 13}.125 Z-{i % 4}.5{(i % 50 == 0 ? " F" + (i % 900) : "")}"));
 
     [Theory]
-    [InlineData("G91", "a position that is the sum of all before")]
-    [InlineData("Z-7.5", "a coordinate that was stated long before")]
-    [InlineData("G18", "a plane")]
-    [InlineData("G41", "a side of compensation")]
-    [InlineData("G20", "a unit")]
-    [InlineData("G68 X0 Y0 R30", "a rotation")]
-    [InlineData("G52 X3", "a shift")]
-    [InlineData("M98 P2000 (UNKNOWN)", "a program that is not there")]
-    [InlineData("F123", "a feed")]
-    public void What_was_set_between_the_beginning_and_the_middle_counts_in_the_second_half(string set, string what)
+    [InlineData("G91")]
+    [InlineData("Z-7.5")]
+    [InlineData("G18")]
+    [InlineData("G41")]
+    [InlineData("G20")]
+    [InlineData("G68 X0 Y0 R30")]
+    [InlineData("G52 X3")]
+    [InlineData("M98 P2000 (UNKNOWN)")]
+    [InlineData("F123")]
+    public void What_was_set_between_the_beginning_and_the_middle_counts_in_the_second_half(string set)
     {
-        Assert.NotEmpty(what);
         AssertSame(i => i == 20_000 ? set : Text($"G1 X{i % 17}.5 Y{i % 29}"));
     }
 

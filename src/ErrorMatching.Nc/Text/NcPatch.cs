@@ -1,3 +1,5 @@
+using System.Runtime.InteropServices;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>New bytes for a range of a program. Everything outside patches is copied, not printed.</summary>
@@ -24,11 +26,11 @@ public readonly record struct NcPatch(int Start, int Length, ReadOnlyMemory<byte
     }
 
     /// <summary>Applies patches to the bytes of a long program, to the two halves of it beside each other.</summary>
-    internal static byte[] ApplyInHalves(ReadOnlyMemory<byte> bytes, NcPatch[] patches)
+    internal static byte[] ApplyInHalves(ReadOnlyMemory<byte> bytes, List<NcPatch> patches)
     {
         // The border lies in the middle, or behind the patch that spans it.
         var (border, first, shift, growth) = (bytes.Length / 2, 0, 0, 0);
-        foreach (ref readonly var patch in patches.AsSpan())
+        foreach (ref readonly var patch in CollectionsMarshal.AsSpan(patches))
         {
             growth += patch.Bytes.Length - patch.Length;
             if (patch.Start < bytes.Length / 2)
@@ -38,8 +40,8 @@ public readonly record struct NcPatch(int Start, int Length, ReadOnlyMemory<byte
         }
 
         var result = GC.AllocateUninitializedArray<byte>(bytes.Length + growth);
-        var behind = Task.Run(() => Copy(bytes.Span, border, patches.AsSpan(first), result.AsSpan(border + shift)));
-        Copy(bytes.Span[..border], 0, patches.AsSpan(0, first), result.AsSpan(0, border + shift));
+        var behind = Task.Run(() => Copy(bytes.Span, border, CollectionsMarshal.AsSpan(patches)[first..], result.AsSpan(border + shift)));
+        Copy(bytes.Span[..border], 0, CollectionsMarshal.AsSpan(patches)[..first], result.AsSpan(0, border + shift));
         behind.GetAwaiter().GetResult();
         return result;
     }
