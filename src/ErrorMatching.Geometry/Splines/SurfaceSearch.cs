@@ -7,7 +7,7 @@ namespace ErrorMatching.Geometry;
 internal struct SurfaceSearch(Point3 point, double tolerance)
 {
     // Only where very many places are equally close (a point in the center of a sphere) are there so many cells: then the accuracy says what was reached.
-    private const int MaxCells = 20_000;
+    private const int MaxCells = 5_000;
 
     private double _distance = double.PositiveInfinity;
     private double _u;
