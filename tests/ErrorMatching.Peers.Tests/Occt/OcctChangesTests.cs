@@ -25,10 +25,10 @@ public sealed class OcctChangesTests
             var (u, v) = (RandomSpline.Inside(random, surface.KnotsU), RandomSpline.Inside(random, surface.KnotsV));
             var (degreeU, degreeV) = (surface.KnotsU.Degree + 1 + random.Next(2), surface.KnotsV.Degree + 1);
             script.Append(OcctSurface.Command("s", surface))
-                .Append($"insertuknot s {OcctSurface.Number(u)} 2\ninsertvknot s {OcctSurface.Number(v)} 1\n{Print("inserted")}")
-                .Append($"incudeg s {degreeU}\nincvdeg s {degreeV}\n{Print("raised")}")
-                .Append($"segsur s {OcctSurface.Number(u)} {OcctSurface.Number(surface.KnotsU.End)} {OcctSurface.Number(surface.KnotsV.Start)} {OcctSurface.Number(v)}\n{Print("part")}")
-                .Append($"exchuv s\n{Print("exchanged")}");
+                .Append(CultureInfo.InvariantCulture, $"insertuknot s {OcctSurface.Number(u)} 2\ninsertvknot s {OcctSurface.Number(v)} 1\n{Print("inserted")}")
+                .Append(CultureInfo.InvariantCulture, $"incudeg s {degreeU}\nincvdeg s {degreeV}\n{Print("raised")}")
+                .Append(CultureInfo.InvariantCulture, $"segsur s {OcctSurface.Number(u)} {OcctSurface.Number(surface.KnotsU.End)} {OcctSurface.Number(surface.KnotsV.Start)} {OcctSurface.Number(v)}\n{Print("part")}")
+                .Append(CultureInfo.InvariantCulture, $"exchuv s\n{Print("exchanged")}");
             var inserted = surface.InsertKnotU(u, 2).InsertKnotV(v);
             var raised = inserted.ElevateTo(degreeU, degreeV);
             var part = raised.Between(u, surface.KnotsU.End, surface.KnotsV.Start, v);

@@ -21,7 +21,7 @@ public sealed partial class OcctClosestPointTests
         for (var n = 0; n < Surfaces; n++)
         {
             var surface = RandomSpline.Workpiece(random);
-            script.Append(OcctSurface.Command("s", surface) + "mkface f s\n");
+            script.Append(OcctSurface.Command("s", surface)).Append("mkface f s\n");
             for (var i = 0; i < Places; i++)
             {
                 var p = new Point3((95 * random.NextDouble()) - 10, (83 * random.NextDouble()) - 10, (50 * random.NextDouble()) - 15);
@@ -29,7 +29,7 @@ public sealed partial class OcctClosestPointTests
                 var at = $"{OcctSurface.Number(p.X)} {OcctSurface.Number(p.Y)} {OcctSurface.Number(p.Z)}";
 
                 // Distance from the face with its edges; and all feet, for their places.
-                script.Append($"vertex p {at}\ndistmini d p f\nputs \"at [dval d_val]\"\nputs \"feet [string map [list \\n \\;] [proj s {at}]]\"\n");
+                script.Append(CultureInfo.InvariantCulture, $"vertex p {at}\ndistmini d p f\nputs \"at [dval d_val]\"\nputs \"feet [string map [list \\n \\;] [proj s {at}]]\"\n");
             }
         }
 
@@ -63,12 +63,12 @@ public sealed partial class OcctClosestPointTests
         for (var n = 0; n < Surfaces; n++)
         {
             var curve = RandomSpline.Curve(random);
-            script.Append(OcctSurface.Command("c", curve) + "mkedge e c\n");
+            script.Append(OcctSurface.Command("c", curve)).Append("mkedge e c\n");
             for (var i = 0; i < Places; i++)
             {
                 var p = new Point3(120 * random.NextDouble(), 120 * random.NextDouble(), 120 * random.NextDouble());
                 expected.Add(curve.ClosestPoint(p).Distance);
-                script.Append($"vertex p {OcctSurface.Number(p.X)} {OcctSurface.Number(p.Y)} {OcctSurface.Number(p.Z)}\ndistmini d p e\nputs \"at [dval d_val]\"\n");
+                script.Append(CultureInfo.InvariantCulture, $"vertex p {OcctSurface.Number(p.X)} {OcctSurface.Number(p.Y)} {OcctSurface.Number(p.Z)}\ndistmini d p e\nputs \"at [dval d_val]\"\n");
             }
         }
 

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using ErrorMatching.Geometry;
 
@@ -26,7 +27,7 @@ public sealed class OcctHitTests
                 var through = surface.PointAt(RandomSpline.Inside(random, surface.KnotsU), RandomSpline.Inside(random, surface.KnotsV));
                 var direction = new Vector3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, i % 2 == 0 ? 1 : 0.1 * random.NextDouble());
                 expected.Add(surface.Hits(through, direction));
-                script.Append($"foreach x [info vars r_*] {{unset $x}}\nline l {Numbers(through.X, through.Y, through.Z)} {Numbers(direction.X, direction.Y, direction.Z)}\n")
+                script.Append(CultureInfo.InvariantCulture, $"foreach x [info vars r_*] {{unset $x}}\nline l {Numbers(through.X, through.Y, through.Z)} {Numbers(direction.X, direction.Y, direction.Z)}\n")
                     .Append("intersect r l s\nset names [info vars r_*]\nif {[llength $names] == 0} {set names r}\nputs \"line 0\"\n")
                     .Append("foreach x $names {coord $x a b c\nputs \"at [dval a] [dval b] [dval c]\"}\n");
             }
