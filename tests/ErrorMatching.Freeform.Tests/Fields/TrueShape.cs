@@ -34,9 +34,16 @@ public sealed record TrueShape(string Name, Func<double, double, double> Height)
         new("a hill", (x, y) => 2 * Math.Exp(-(((x - 37) * (x - 37)) + ((y - 31) * (y - 31))) / (2 * 25 * 25))),
     ];
 
-    /// <summary>An error of a machine like the paper's: mean 15 um, standard deviation near 6 um, smooth.</summary>
-    public static TrueShape MachineError { get; } = new("error", (x, y) =>
-        0.015 + (0.006 * Math.Sin((2 * Math.PI * x / 120) + 0.4)) + (0.004 * Math.Cos((2 * Math.PI * y / 100) + 0.8)) + (0.003 * Math.Sin(2 * Math.PI * (x - (0.5 * y)) / 110)));
+    /// <summary>Errors of machines like the paper's: mean 15 um, standard deviation near 6 um, smooth.</summary>
+    public static TrueShape[] MachineErrors { get; } =
+    [
+        new("waves of guides and a tilt", (x, y) => 0.015 + (0.007 * Math.Sin((2 * Math.PI * x / 120) + 0.4)) + (0.004 * Math.Cos((2 * Math.PI * y / 100) + 0.8)) + (0.00006 * (y - 31))),
+        new("an oblique wave too", (x, y) =>
+            0.015 + (0.006 * Math.Sin((2 * Math.PI * x / 120) + 0.4)) + (0.004 * Math.Cos((2 * Math.PI * y / 100) + 0.8)) + (0.003 * Math.Sin(2 * Math.PI * (x - (0.5 * y)) / 110))),
+        new("a tool that is deflected where it is steep", (x, y) => 0.008 + (0.02 * Math.Exp(-(((x - 10) * (x - 10)) + (0.3 * (y - 40) * (y - 40))) / (2 * 32 * 32)))),
+    ];
+
+    public static TrueShape MachineError => MachineErrors[1];
 
     public Point3 At(double x, double y) => new(x, y, Height(x, y));
 
