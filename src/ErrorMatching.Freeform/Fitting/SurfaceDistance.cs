@@ -70,8 +70,7 @@ public sealed class SurfaceDistance
             return foot;
         }
 
-        var nearest = _surface.ClosestPoint(point);
-        return _surface.At(nearest.U, nearest.V);
+        return _surface.ClosestPoint(point).At;
     }
 
     private static bool IsWithin(KnotVector knots, double t)
