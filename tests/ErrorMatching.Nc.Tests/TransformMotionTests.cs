@@ -38,6 +38,9 @@ public sealed class TransformMotionTests
 
     // First mirror, then scale, then rotation: (10, 0) is mirrored to (-10, 0), doubled to (-20, 0), turned to (0, -20).
     [InlineData("G51.1 X0\nG51 X0 Y0 Z0 P2000\nG68 X0 Y0 R90.\nX10. Y0", "R0,-20,0")]
+
+    // The center is scaled like every place: (10, 0) is (20, 0), and (20, 0) is (40, 0), a quarter turn about it (20, 20).
+    [InlineData("G51 X0 Y0 Z0 P2000\nG68 X10. Y0 R90.\nX10. Y0\nX20.", "R20,0,0 R20,20,0")]
     [InlineData("G68 X0 Y0 R90.\nG51 X0 Y0 Z0 I-1000 J1000 K1000\nG1 X0 Y0 F100\nG2 X10. Y0 I5. J0", "L0,0,0 CCW0,-10,0@0,-5")]
 
     // A radius about the origin and an angle. In increments the origin would be the place of the tool: not followed.

@@ -19,8 +19,8 @@ public sealed record CompensationResult
     /// <summary>What the errors come to.</summary>
     public required DeviationStatistics Before { get; init; }
 
-    /// <summary>Whether errors of neighbors are alike: null if there are too few points to tell.</summary>
-    public required SpatialStructure? Structure { get; init; }
+    /// <summary>Whether errors of neighbors are alike.</summary>
+    public required SpatialStructure Structure { get; init; }
 
     /// <summary>What is systematic in the errors: a field, or their mean where neighbors are not alike.</summary>
     public required ErrorField Systematic { get; init; }

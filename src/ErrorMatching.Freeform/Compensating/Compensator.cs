@@ -76,13 +76,13 @@ public static class Compensator
             $"Point {worst.Point} is {worst.ErrorMm:+0.####;-0.####} mm off along the normal{(beyond.Length > 1 ? $", and {beyond.Length - 1} more points are too" : "")}; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm.{hint}"));
     }
 
-    private static ErrorField Systematic(FreeformJob job, IReadOnlyList<ErrorSample> samples, DeviationStatistics statistics, SpatialStructure? structure, List<string> notes, List<string> warnings)
+    private static ErrorField Systematic(FreeformJob job, IReadOnlyList<ErrorSample> samples, DeviationStatistics statistics, SpatialStructure structure, List<string> notes, List<string> warnings)
     {
-        if (structure is null || structure.IsSystematic)
+        if (structure.Verdict != SpatialVerdict.Noise)
         {
-            if (structure is null)
+            if (structure.Verdict == SpatialVerdict.Undetermined)
             {
-                warnings.Add($"{samples.Count} points are too few to tell whether neighbors are alike: the error was taken as systematic.");
+                warnings.Add($"{samples.Count} points that are too few or all alike do not tell whether neighbors are alike: the error was taken as systematic.");
             }
 
             return ErrorFit.Of(job, samples);
@@ -101,12 +101,14 @@ public static class Compensator
         var mean = RepeatedMeasurement.Of(repeats);
         notes.Add(string.Create(
             CultureInfo.InvariantCulture,
-            $"Each point was measured {repeats.Count} times; their mean is used. One measurement repeats to {mean.StandardDeviationMm * 1000:0.00} um, their mean to {mean.StandardErrorMm * 1000:0.00} um."));
+            $"Each point was measured {repeats.Count} times; their mean is used. One measurement repeats to {mean.RepeatabilityMm * 1000:0.00} um, their mean to {mean.RepeatabilityMm * 1000 / Math.Sqrt(repeats.Count):0.00} um."));
         foreach (var outlier in mean.Outliers)
         {
-            warnings.Add(outlier);
+            warnings.Add(string.Create(
+                CultureInfo.InvariantCulture,
+                $"Point {outlier.Point} was {outlier.DifferenceMm * 1000:+0.00;-0.00} um off its other measurements in measurement {outlier.Measurement + 1}. It counts all the same: measure again if that was a chip or a touch gone wrong."));
         }
 
-        return mean.Samples;
+        return mean.Means;
     }
 }

@@ -17,14 +17,15 @@ internal static class MeasuringOrder
     {
         int[] fro = [.. Enumerable.Range(0, points.Count).GroupBy(i => curves[i]).SelectMany((g, k) => k % 2 == 0 ? g : g.Reverse())];
         Improve(points, fro);
-        if (points.Count > Few)
+        if (points.Count <= Few)
         {
-            return fro;
+            var near = Nearest(points);
+            Improve(points, near);
+            fro = Length(points, near) < Length(points, fro) ? near : fro;
         }
 
-        var near = Nearest(points);
-        Improve(points, near);
-        return Length(points, near) < Length(points, fro) ? near : fro;
+        // Both ways are as long: it begins at the end that comes first in the grid.
+        return fro.Length == 0 || fro[0] <= fro[^1] ? fro : [.. fro.Reverse()];
     }
 
     /// <summary>Length of the way across.</summary>

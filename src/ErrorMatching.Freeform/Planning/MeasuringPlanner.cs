@@ -9,6 +9,9 @@ public static class MeasuringPlanner
     /// <summary>The most points that a plan may have.</summary>
     public const int MaxPoints = 20_000;
 
+    /// <summary>The most points that a wanted error may take: at some seconds a point they are a shift.</summary>
+    private const int MostForError = 5_000;
+
     /// <summary>Points and curves with which the search for a wanted error begins.</summary>
     private const int FirstCount = 4;
 
@@ -70,7 +73,7 @@ public static class MeasuringPlanner
     private static IReadOnlyList<PlanCurve> Enough(PartSurface surface, PlanLayout layout, double wanted)
     {
         var (curves, each) = (Math.Max(FirstCount, layout.BreaksV.Count + 2), Math.Max(FirstCount, layout.BreaksU.Count + 2));
-        for (var reached = double.PositiveInfinity; curves * each <= MaxPoints;)
+        for (var reached = double.PositiveInfinity; curves * each <= MostForError;)
         {
             var plan = layout.Even(curves, each);
             (var onCurves, reached) = new PlanReconstruction(surface, plan).ErrorMm();
@@ -84,7 +87,7 @@ public static class MeasuringPlanner
 
         throw new PlanRefusedException(new(
             "error-not-reached",
-            string.Create(CultureInfo.InvariantCulture, $"{MaxPoints} points do not know the nominal surface to {wanted} mm: it has a feature too sharp for points. Raise reconstructionErrorMm, or give numbers of curves and points.")));
+            string.Create(CultureInfo.InvariantCulture, $"{MostForError} points do not know the nominal surface to {wanted} mm: it has a feature too sharp for points. Raise reconstructionErrorMm, or give numbers of curves and points.")));
     }
 
     private static MeasuringPlan Ordered(MeasuringPlan plan, IReadOnlyList<PlanCurve> curves)

@@ -14,6 +14,9 @@ internal sealed class PlanLayout
     private readonly (double Start, double End) _v;
     private readonly CurveSpacing _across;
 
+    // Where all curves can have the same u; null where each has its own.
+    private readonly (CurveSpacing Spacing, double[] Breaks)? _shared;
+
     public PlanLayout(PartSurface surface, double rimSetInMm)
     {
         (_surface, _rimSetInMm) = (surface, rimSetInMm);
@@ -22,6 +25,7 @@ internal sealed class PlanLayout
         BreaksV = [.. CurvatureBreaks.Common(surface, alongU: false).Where(b => b > _v.Start && b < _v.End)];
         var knots = surface.Spline.KnotsU;
         _across = CurveSpacing.Of([.. Enumerable.Range(0, Lines).Select(i => new IsoCurve(surface, AlongU: false, knots.Start + ((i + 0.5) / Lines * (knots.End - knots.Start))))], _v.Start, _v.End);
+        _shared = Shared();
     }
 
     public IReadOnlyList<double> BreaksU { get; }
@@ -33,16 +37,12 @@ internal sealed class PlanLayout
     public IReadOnlyList<PlanCurve> Even(int curves, int each)
     {
         var lines = Curves(curves);
-        if (!_surface.Region.IsWhole || lines.Any(l => CurvatureBreaks.On(CurveAt(l.V)).Any(b => !BreaksU.Any(c => Math.Abs(b - c) <= CurvatureBreaks.Same(_surface.Spline.KnotsU)))))
+        if (_shared is not { } shared)
         {
             return [.. lines.Select(l => Own(l, each, EndsOf(l.V)))];
         }
 
-        var knots = _surface.Spline.KnotsV;
-        var ends = lines.Select(l => EndsOf(l.V)).ToArray();
-        var (start, end) = (ends.Max(e => e.Start), ends.Min(e => e.End));
-        IsoCurve[] some = [.. Enumerable.Range(0, Lines).Select(i => CurveAt(knots.Start + ((double)i / (Lines - 1) * (knots.End - knots.Start))))];
-        var nodes = Nodes(CurveSpacing.Of(some, start, end), each, [.. BreaksU.Where(b => b > start && b < end)]);
+        var nodes = Nodes(shared.Spacing, each, shared.Breaks);
         return [.. lines.Select(l => new PlanCurve(l.V, l.Reason, nodes))];
     }
 
@@ -71,6 +71,20 @@ internal sealed class PlanLayout
         }
 
         return [.. lines.Select((l, j) => new PlanCurve(l.V, l.Reason, Nodes(spacings[j], counts[j], breaks[j])))];
+    }
+
+    private (CurveSpacing Spacing, double[] Breaks)? Shared()
+    {
+        IsoCurve[] lines = [.. Enumerable.Range(0, Lines).Select(i => CurveAt(_v.Start + ((double)i / (Lines - 1) * (_v.End - _v.Start))))];
+        var near = CurvatureBreaks.Same(_surface.Spline.KnotsU);
+        if (!_surface.Region.IsWhole || lines.Any(l => CurvatureBreaks.On(l).Any(b => !BreaksU.Any(c => Math.Abs(b - c) <= near))))
+        {
+            return null;
+        }
+
+        var ends = lines.Select(l => EndsOf(l.Fixed)).ToArray();
+        var (start, end) = (ends.Max(e => e.Start), ends.Min(e => e.End));
+        return (CurveSpacing.Of(lines, start, end), [.. BreaksU.Where(b => b > start && b < end)]);
     }
 
     private PlanCurve Own((double V, PlanReason Reason) line, int each, (double Start, double End) ends) =>

@@ -17,6 +17,8 @@ public static class MeasuredSurfaceReader
     /// <summary>Largest file that is read, in bytes.</summary>
     public const int MaxBytes = 1 << 26;
 
+    private const double RoundingMm = 0.005;
+
     /// <summary>The measured points of a plan.</summary>
     /// <param name="bytes">The file's bytes.</param>
     /// <param name="file">Its name for messages.</param>
@@ -126,7 +128,8 @@ public static class MeasuredSurfaceReader
     // Where the measuring move cannot have been, or has found nothing.
     private static void FarOff(MeasuredPoint[] points, MeasuringPlan plan, JobMeasuring measuring, RawPoint?[] found, string file)
     {
-        var limit = Math.Min(measuring.ApproachMm, measuring.OvertravelMm);
+        // Where the move ends without a touch the log has its end, rounded.
+        var limit = Math.Min(measuring.ApproachMm, measuring.OvertravelMm) - RoundingMm;
         var far = points.Where(p => (p.Contact - plan.ContactOf(p.Planned)).Length >= limit).ToArray();
         if (far.Length == 0)
         {

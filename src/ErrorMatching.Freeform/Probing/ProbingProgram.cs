@@ -8,12 +8,11 @@ namespace ErrorMatching.Freeform;
 /// <remarks>All coordinates are those of the ball's center in the work offset of the surface, rounded to the control's least increment. Written lines of the log: <see cref="MeasuredSurfaceReader"/>.</remarks>
 public sealed class ProbingProgram
 {
-    private readonly ProbingTemplate _template;
     private readonly ProbingValues _values;
 
     private ProbingProgram(MeasuringPlan plan, NcDialect dialect, ProbingTemplate template, ProbingValues values)
     {
-        (Plan, Dialect, _template, _values) = (plan, dialect, template, values);
+        (Plan, Dialect, Template, _values) = (plan, dialect, template, values);
         Bytes = Encoding.UTF8.GetBytes(Text([ProbingTemplate.Head, ProbingTemplate.Definitions, ProbingTemplate.Body, ProbingTemplate.Tail], merged: false));
     }
 
@@ -22,6 +21,9 @@ public sealed class ProbingProgram
 
     /// <summary>The control that it is for.</summary>
     public NcDialect Dialect { get; }
+
+    /// <summary>How it was written.</summary>
+    public ProbingTemplate Template { get; }
 
     /// <summary>The program, which stands alone.</summary>
     public ReadOnlyMemory<byte> Bytes { get; }
@@ -65,13 +67,13 @@ public sealed class ProbingProgram
         var path = NcInterpreter.Run(program, Dialect);
         if (path.Refusal is { } refusal)
         {
-            throw new FreeformException("bad-template", _template.File, $"the program that comes of it cannot be followed in the dialect {Dialect.Name}: {refusal.Message}");
+            throw new FreeformException("bad-template", Template.File, $"the program that comes of it cannot be followed in the dialect {Dialect.Name}: {refusal.Message}");
         }
 
         if (path.Problems.Count > 0)
         {
             var problem = path.Problems[0];
-            throw new FreeformException("bad-template", _template.File, $"the dialect {Dialect.Name} does not understand a block of the program that comes of it, \"{program.TextOf(program[problem.Block])}\": {problem.Message}");
+            throw new FreeformException("bad-template", Template.File, $"the dialect {Dialect.Name} does not understand a block of the program that comes of it, \"{program.TextOf(program[problem.Block])}\": {problem.Message}");
         }
     }
 
@@ -80,7 +82,7 @@ public sealed class ProbingProgram
         var text = new StringBuilder();
         foreach (var section in sections)
         {
-            Write(text, _template.Sections.GetValueOrDefault(section) ?? [], null, merged);
+            Write(text, Template.Sections.GetValueOrDefault(section) ?? [], null, merged);
         }
 
         return text.ToString();

@@ -6,24 +6,24 @@ namespace ErrorMatching.Freeform;
 internal sealed class BezierPatch
 {
     // x w, y w, z w, w of each pole, v running faster.
-    private readonly double[] _poles;
+    private readonly double[] _weighted;
+    private readonly Point3[] _poles;
     private readonly int _rows;
     private readonly int _columns;
 
-    private BezierPatch(double[] poles, int rows, int columns, Point2 from, Point2 to)
+    private BezierPatch(double[] weighted, int rows, int columns, Point2 from, Point2 to)
     {
-        (_poles, _rows, _columns, From, To) = (poles, rows, columns, from, to);
-        Box = Box3.Around(Points());
-        var (a, b) = (At(rows - 1, columns - 1) - At(0, 0), At(0, columns - 1) - At(rows - 1, 0));
-        var cross = a.Cross(b);
-        var length = cross.Length;
-        Direction = length > 0 ? cross * (1 / length) : new(0, 0, 1);
-        (Low, High) = (double.PositiveInfinity, double.NegativeInfinity);
-        for (var i = 0; i < _poles.Length; i += 4)
+        (_weighted, _rows, _columns, From, To) = (weighted, rows, columns, from, to);
+        _poles = new Point3[rows * columns];
+        for (var i = 0; i < _poles.Length; i++)
         {
-            var height = ((_poles[i] * Direction.X) + (_poles[i + 1] * Direction.Y) + (_poles[i + 2] * Direction.Z)) / _poles[i + 3];
-            (Low, High) = (Math.Min(Low, height), Math.Max(High, height));
+            var w = 1 / weighted[(4 * i) + 3];
+            _poles[i] = new(weighted[4 * i] * w, weighted[(4 * i) + 1] * w, weighted[(4 * i) + 2] * w);
         }
+
+        var box = Box3.Around(_poles);
+        (Middle, Radius) = (box.Min + ((box.Max - box.Min) * 0.5), box.Diagonal / 2);
+        (Lowest, Highest) = (box.Min.Z, box.Max.Z);
     }
 
     /// <summary>First pair of parameters.</summary>
@@ -32,17 +32,17 @@ internal sealed class BezierPatch
     /// <summary>Last pair of parameters.</summary>
     public Point2 To { get; }
 
-    /// <summary>A box around the poles.</summary>
-    public Box3 Box { get; }
+    /// <summary>The middle of a ball that holds the patch.</summary>
+    public Point3 Middle { get; }
 
-    /// <summary>A unit direction across the patch.</summary>
-    public Vector3 Direction { get; }
+    /// <summary>Radius of that ball.</summary>
+    public double Radius { get; }
 
-    /// <summary>The patch lies between two planes: from here along <see cref="Direction"/>.</summary>
-    public double Low { get; }
+    /// <summary>Height that the patch does not fall below.</summary>
+    public double Lowest { get; }
 
-    /// <summary>To here.</summary>
-    public double High { get; }
+    /// <summary>Height that the patch does not exceed.</summary>
+    public double Highest { get; }
 
     /// <summary>The pieces of a surface.</summary>
     public static IEnumerable<BezierPatch> Of(SplineSurface surface)
@@ -60,23 +60,43 @@ internal sealed class BezierPatch
         }
     }
 
-    /// <summary>A distance from a point that no place of the patch falls below.</summary>
-    public double LeastDistance(Point3 p)
+    /// <summary>
+    /// True if no place of the patch is nearer to a point than a distance: it lies beyond a plane across the direction, or beside the point, or both. Seen along the normal at its foot, a point over a convex surface is as far from that
+    /// plane as from the surface, however large the patch.
+    /// </summary>
+    /// <param name="point">The point.</param>
+    /// <param name="direction">A unit direction from the surface to the point.</param>
+    /// <param name="distance">The distance.</param>
+    public bool IsBeyond(Point3 point, Vector3 direction, double distance)
     {
-        var height = (p.X * Direction.X) + (p.Y * Direction.Y) + (p.Z * Direction.Z);
-        return Math.Max(Box.DistanceTo(p), Math.Max(height - High, Low - height));
+        var to = point - Middle;
+        var along = to.Dot(direction);
+        var beside = Math.Max(0, Math.Sqrt(Math.Max(0, to.Dot(to) - (along * along))) - Radius);
+        var highest = double.NegativeInfinity;
+        foreach (var pole in _poles)
+        {
+            highest = Math.Max(highest, (pole - Middle).Dot(direction));
+        }
+
+        var over = Math.Max(0, along - highest);
+        return (over * over) + (beside * beside) >= distance * distance;
     }
 
-    /// <summary>The smallest distance of a point from a corner of the patch.</summary>
-    public double CornerDistance(Point3 p) => Math.Min(
-        Math.Min((p - At(0, 0)).Length, (p - At(0, _columns - 1)).Length), Math.Min((p - At(_rows - 1, 0)).Length, (p - At(_rows - 1, _columns - 1)).Length));
+    /// <summary>True if a corner of the patch is nearer to a point than a distance.</summary>
+    public bool HasCornerNearer(Point3 point, double distance) =>
+        (point - _poles[0]).Length < distance || (point - _poles[^1]).Length < distance
+        || (point - _poles[_columns - 1]).Length < distance || (point - _poles[^_columns]).Length < distance;
+
+    /// <summary>The height of the highest corner.</summary>
+    public double HighestCorner => Math.Max(Math.Max(_poles[0].Z, _poles[^1].Z), Math.Max(_poles[_columns - 1].Z, _poles[^_columns].Z));
 
     /// <summary>Both halves, cut across the longer side (de Casteljau).</summary>
     public (BezierPatch First, BezierPatch Second) Halves()
     {
-        var alongU = (At(_rows - 1, 0) - At(0, 0)).Length + (At(_rows - 1, _columns - 1) - At(0, _columns - 1)).Length
-            >= (At(0, _columns - 1) - At(0, 0)).Length + (At(_rows - 1, _columns - 1) - At(_rows - 1, 0)).Length;
-        var (first, second) = ((double[])_poles.Clone(), (double[])_poles.Clone());
+        var (rows, columns) = (_rows - 1, _columns - 1);
+        var alongU = (At(rows, 0) - At(0, 0)).Length + (At(rows, columns) - At(0, columns)).Length
+            >= (At(0, columns) - At(0, 0)).Length + (At(rows, columns) - At(rows, 0)).Length;
+        var (first, second) = ((double[])_weighted.Clone(), (double[])_weighted.Clone());
         var (count, stride, lines, lineStride) = alongU ? (_rows, 4 * _columns, _columns, 4) : (_columns, 4, _rows, 4 * _columns);
         for (var line = 0; line < lines; line++)
         {
@@ -102,20 +122,5 @@ internal sealed class BezierPatch
             : (new(first, _rows, _columns, From, new(To.X, middle.Y)), new(second, _rows, _columns, new(From.X, middle.Y), To));
     }
 
-    private Point3 At(int row, int column)
-    {
-        var i = 4 * ((row * _columns) + column);
-        return new(_poles[i] / _poles[i + 3], _poles[i + 1] / _poles[i + 3], _poles[i + 2] / _poles[i + 3]);
-    }
-
-    private Point3[] Points()
-    {
-        var points = new Point3[_rows * _columns];
-        for (var i = 0; i < points.Length; i++)
-        {
-            points[i] = At(i / _columns, i % _columns);
-        }
-
-        return points;
-    }
+    private Point3 At(int row, int column) => _poles[(row * _columns) + column];
 }

@@ -77,11 +77,11 @@ internal sealed class PassBuilder(OffsetSurface offset, CenterRounding rounding,
     private void Walk(CutPiece piece, Point2 a, Point2 b, double from, double to, CenterLine into)
     {
         var d = b - a;
-        var longest = (to - from) * piece.LongestStep;
-        var (t, step) = (from, longest);
         var place = a.Lerp(b, from);
         var p = offset.At(place.X, place.Y);
         var velocity = (p.Du * d.X) + (p.Dv * d.Y);
+        var longest = Math.Min(to - from, Math.Max((to - from) * piece.LongestStep, 5 * Shortest * rounding.IncrementMm / Math.Max(velocity.Length, 1e-9)));
+        var (t, step) = (from, longest);
         if (into.Count == 0)
         {
             into.Add(place, rounding.Nearest(p.Center), p.Normal);

@@ -2,155 +2,138 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A surface cut into patches so small that each is nearly flat, to be asked whether the ball reaches into any of it. Parts outside the region of the piece are left out.</summary>
-/// <remarks>Answers are by bounds that hold for every place of the surface, not for samples of it.</remarks>
+/// <summary>A surface cut into patches, to be asked whether the ball reaches into any of it. Parts outside the region of the piece are left out.</summary>
+/// <remarks>Answers are by bounds that hold for every place of the surface, not for samples of it. Patches are halved where a question needs it, and stay so for the next one.</remarks>
 internal sealed class PatchTree
 {
-    private const int MostPatches = 400_000;
-    private const int Deepest = 40;
+    private const int MostPatches = 200_000;
+
+    /// <summary>Patches as small as this are decided by their corners, mm: what they hide is less than the hundredth of a micrometre.</summary>
+    private const double Smallest = 0.01;
 
     private readonly SurfaceRegion _region;
-    private readonly double _thickness;
-    private readonly double _size;
-    private readonly List<Node> _nodes = [];
-    private readonly int _root;
+    private readonly Node? _root;
+    private int _patches;
 
-    /// <param name="surface">The surface.</param>
-    /// <param name="thicknessMm">How far apart the planes may be that hold a patch.</param>
-    /// <param name="sizeMm">How large a patch may be.</param>
-    public PatchTree(PartSurface surface, double thicknessMm, double sizeMm)
+    public PatchTree(PartSurface surface)
     {
-        (_region, _thickness, _size) = (surface.Region, thicknessMm, sizeMm);
-        var roots = new List<int>();
+        _region = surface.Region;
+        var roots = new List<Node>();
         foreach (var patch in BezierPatch.Of(surface.Spline))
         {
-            if (Grow(patch, 0) is { } node)
+            if (!IsOutside(patch))
             {
-                roots.Add(node);
+                roots.Add(new(patch));
             }
         }
 
         while (roots.Count > 1)
         {
-            var pairs = new List<int>((roots.Count + 1) / 2);
+            var pairs = new List<Node>((roots.Count + 1) / 2);
             for (var i = 0; i < roots.Count; i += 2)
             {
-                pairs.Add(i + 1 < roots.Count ? Join(roots[i], roots[i + 1]) : roots[i]);
+                pairs.Add(i + 1 < roots.Count ? new(roots[i], roots[i + 1]) : roots[i]);
             }
 
             roots = pairs;
         }
 
-        _root = roots.Count > 0 ? roots[0] : -1;
-        HighestMm = _root < 0 ? double.NaN : _nodes[_root].Box.Max.Z;
+        _root = roots.Count > 0 ? roots[0] : null;
+        HighestMm = _root is null ? double.NaN : Highest(_root, double.NegativeInfinity);
     }
 
-    /// <summary>Height that no place of the surface exceeds, and that it reaches within the size of a patch.</summary>
+    /// <summary>Height that no place of the surface exceeds, and that it reaches within 0.01 mm.</summary>
     public double HighestMm { get; }
 
-    /// <summary>True if some place of the surface is nearer to a point than a distance. What is nearer by less than the hundredth of a micrometre may be passed over.</summary>
-    public bool IsNearer(Point3 point, double distanceMm)
-    {
-        if (_root < 0)
-        {
-            return false;
-        }
-
-        Span<int> stack = stackalloc int[Deepest + 64];
-        var count = 0;
-        stack[count++] = _root;
-        while (count > 0)
-        {
-            var node = _nodes[stack[--count]];
-            if (node.Box.DistanceTo(point) >= distanceMm)
-            {
-                continue;
-            }
-
-            if (node.Patch is { } patch)
-            {
-                if (IsNearer(patch, point, distanceMm, 0))
-                {
-                    return true;
-                }
-            }
-            else
-            {
-                (stack[count], stack[count + 1]) = (node.First, node.Second);
-                count += 2;
-            }
-        }
-
-        return false;
-    }
+    /// <summary>True if some place of the surface is nearer to a point than a distance.</summary>
+    /// <param name="point">The point.</param>
+    /// <param name="normal">Unit normal of the surface at the point's foot, if it has one: what is asked is soonest answered along it.</param>
+    /// <param name="distanceMm">The distance.</param>
+    public bool IsNearer(Point3 point, Vector3 normal, double distanceMm) => _root is not null && IsNearer(_root, point, normal, distanceMm);
 
     /// <summary>The distance of a point from the surface, to the tenth of a micrometre, if it is less than another.</summary>
-    public double DistanceBelow(Point3 point, double mostMm)
+    public double DistanceBelow(Point3 point, Vector3 normal, double mostMm)
     {
         var (low, high) = (0.0, mostMm);
         while (high - low > 1e-4)
         {
             var middle = (low + high) / 2;
-            (low, high) = IsNearer(point, middle) ? (low, middle) : (middle, high);
+            (low, high) = IsNearer(point, normal, middle) ? (low, middle) : (middle, high);
         }
 
         return high;
     }
 
-    private static bool IsNearer(BezierPatch patch, Point3 point, double distance, int depth)
+    private bool IsNearer(Node node, Point3 point, Vector3 normal, double distance)
     {
-        if (patch.LeastDistance(point) >= distance)
+        var reach = distance + node.Radius;
+        var to = point - node.Middle;
+        if (to.Dot(to) >= reach * reach)
         {
             return false;
         }
 
-        if (patch.CornerDistance(point) < distance)
+        if (node.Patch is { } patch)
         {
-            return true;
+            if (patch.IsBeyond(point, normal, distance))
+            {
+                return false;
+            }
+
+            if (patch.HasCornerNearer(point, distance))
+            {
+                return true;
+            }
+
+            if (patch.Radius < Smallest)
+            {
+                return false;
+            }
         }
 
-        if (depth == Deepest || patch.High - patch.Low < 1e-5)
-        {
-            // Flat: what is left is the part of a plane between the corners.
-            return patch.Box.Diagonal > 0.01 && depth < Deepest && Halve();
-        }
-
-        return Halve();
-
-        bool Halve()
-        {
-            var (first, second) = patch.Halves();
-            return IsNearer(first, point, distance, depth + 1) || IsNearer(second, point, distance, depth + 1);
-        }
+        Halve(node);
+        return (node.First is { } first && IsNearer(first, point, normal, distance)) || (node.Second is { } second && IsNearer(second, point, normal, distance));
     }
 
-    private int? Grow(BezierPatch patch, int depth)
+    private double Highest(Node node, double most)
     {
-        if (IsOutside(patch))
+        if (node.Highest < most + Smallest)
         {
-            return null;
+            return Math.Max(most, node.Highest);
         }
 
-        var size = patch.Box.Diagonal;
-        if ((size <= _size && patch.High - patch.Low <= _thickness) || size < 0.02 || depth == Deepest || _nodes.Count >= MostPatches)
+        most = Math.Max(most, node.Patch?.HighestCorner ?? double.NegativeInfinity);
+        if (node.Highest < most + Smallest)
         {
-            _nodes.Add(new(patch.Box, patch, -1, -1));
-            return _nodes.Count - 1;
+            return node.Highest;
         }
 
-        var (first, second) = patch.Halves();
-        return (Grow(first, depth + 1), Grow(second, depth + 1)) switch
+        Halve(node);
+        foreach (var half in (Node?[])[node.First, node.Second])
         {
-            ({ } a, { } b) => Join(a, b),
-            var (a, b) => a ?? b,
-        };
+            most = half is null ? most : Math.Max(most, Highest(half, most));
+        }
+
+        return most;
     }
 
-    private int Join(int a, int b)
+    private void Halve(Node node)
     {
-        var (one, other) = (_nodes[a].Box, _nodes[b].Box);
-        _nodes.Add(new(Box3.Around([one.Min, one.Max, other.Min, other.Max]), null, a, b));
-        return _nodes.Count - 1;
+        if (node.IsHalved)
+        {
+            return;
+        }
+
+        if (_patches > MostPatches)
+        {
+            // What was made so far is made again where it is asked for.
+            _root!.Forget();
+            _patches = 0;
+        }
+
+        _patches += 2;
+        var (first, second) = node.Patch!.Halves();
+        node.Halve(IsOutside(first) ? null : new(first), IsOutside(second) ? null : new(second));
     }
 
     // No edge of the region enters the patch, and its middle is outside.
@@ -182,5 +165,48 @@ internal sealed class PatchTree
         return true;
     }
 
-    private readonly record struct Node(Box3 Box, BezierPatch? Patch, int First, int Second);
+    /// <summary>A patch, halved or not, or two nodes as one.</summary>
+    private sealed class Node
+    {
+        public Node(BezierPatch patch) => (Patch, Middle, Radius, Highest) = (patch, patch.Middle, patch.Radius, patch.Highest);
+
+        public Node(Node first, Node second)
+        {
+            (First, Second, IsHalved) = (first, second, true);
+            var between = second.Middle - first.Middle;
+            var apart = between.Length;
+            Radius = Math.Max(Math.Max(first.Radius, second.Radius), (apart + first.Radius + second.Radius) / 2);
+            Middle = first.Middle + (between * (apart > 0 ? Math.Clamp((Radius - first.Radius) / apart, 0, 1) : 0));
+            Highest = Math.Max(first.Highest, second.Highest);
+        }
+
+        public BezierPatch? Patch { get; }
+
+        public Node? First { get; private set; }
+
+        public Node? Second { get; private set; }
+
+        public bool IsHalved { get; private set; }
+
+        public Point3 Middle { get; }
+
+        public double Radius { get; }
+
+        public double Highest { get; }
+
+        public void Halve(Node? first, Node? second) => (First, Second, IsHalved) = (first, second, true);
+
+        public void Forget()
+        {
+            if (Patch is null)
+            {
+                First?.Forget();
+                Second?.Forget();
+            }
+            else
+            {
+                (First, Second, IsHalved) = (null, null, false);
+            }
+        }
+    }
 }

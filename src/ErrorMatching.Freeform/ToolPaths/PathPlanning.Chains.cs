@@ -12,7 +12,6 @@ internal sealed partial class PathPlanning
             return;
         }
 
-        var line = new CenterLine();
         foreach (var edge in pieces.Where(_edgePieces.Contains))
         {
             Count(_edges[_edgePieces.IndexOf(edge)]);
@@ -34,7 +33,7 @@ internal sealed partial class PathPlanning
         foreach (var direction in (Vector3[])[at.Normal, new(0, 0, 1)])
         {
             var lead = direction * length;
-            if (IsFree(at.Center, at.Center + lead) && IsFree(at.Center + lead, (at.Center + lead) with { Z = TravelCenterZ }))
+            if (IsFree(at.Center, at.Center + lead, at.Normal) && IsFree(at.Center + lead, (at.Center + lead) with { Z = TravelCenterZ }, at.Normal))
             {
                 return lead;
             }
@@ -45,13 +44,13 @@ internal sealed partial class PathPlanning
     }
 
     // Behind its start, a straight way keeps the ball off the surface; looked at every quarter of a radius.
-    private bool IsFree(Point3 from, Point3 to)
+    private bool IsFree(Point3 from, Point3 to, Vector3 normal)
     {
         var way = to - from;
         var steps = (int)Math.Ceiling(4 * way.Length / _offset.RadiusMm);
         for (var i = 1; i <= steps; i++)
         {
-            if (_tree.IsNearer(from + (way * ((double)i / steps)), NearestMm - MostRaised))
+            if (_tree.IsNearer(from + (way * ((double)i / steps)), normal, NearestMm - MostRaised))
             {
                 return false;
             }

@@ -17,7 +17,7 @@ internal sealed partial class PathPlanning
         var centers = line.Centers;
         for (var i = 0; i < centers.Length; i++)
         {
-            if (Gouges(centers[i]) || (i + 1 < centers.Length && Gouges(Middle(centers[i], centers[i + 1]))))
+            if (Gouges(centers[i], line.Normals[i]) || (i + 1 < centers.Length && Gouges(Middle(centers[i], centers[i + 1]), Between(line.Normals[i], line.Normals[i + 1]))))
             {
                 return true;
             }
@@ -26,9 +26,16 @@ internal sealed partial class PathPlanning
         return false;
     }
 
-    private bool Gouges(Point3 center) => _tree.IsNearer(center, NearestMm);
+    private bool Gouges(Point3 center, Vector3 normal) => _tree.IsNearer(center, normal, NearestMm);
 
     private static Point3 Middle(Point3 a, Point3 b) => a + ((b - a) * 0.5);
+
+    // The unit normal half way between two.
+    private static Vector3 Between(Vector3 a, Vector3 b)
+    {
+        var sum = a + b;
+        return sum * (1 / Math.Max(1e-9, sum.Length));
+    }
 
     /// <summary>Raises the points along Z until the ball touches the surface and cuts nothing else.</summary>
     private CutPiece? Raise(CutPiece piece, CenterLine line)
@@ -36,7 +43,7 @@ internal sealed partial class PathPlanning
         var raised = new CenterLine();
         for (var i = 0; i < line.Count; i++)
         {
-            if (i > 0 && !Between(line.Places[i - 1], line.Places[i], raised, Free(line.Places[i], line.Centers[i], line.Normals[i]), 0))
+            if (i > 0 && !Refine(line.Places[i - 1], line.Places[i], raised, Free(line.Places[i], line.Centers[i], line.Normals[i]), 0))
             {
                 return null;
             }
@@ -59,38 +66,38 @@ internal sealed partial class PathPlanning
     }
 
     // More points between two, as long as the ball would cut half way between them.
-    private bool Between(Point2 from, Point2 to, CenterLine raised, (Point3 Center, double Raised)? end, int depth)
+    private bool Refine(Point2 from, Point2 to, CenterLine raised, (Point3 Center, double Raised)? end, int depth)
     {
         if (end is not { } next)
         {
             return false;
         }
 
-        if (depth > 12 || !Gouges(Middle(raised.Centers[^1], next.Center)))
+        var place = from.Lerp(to, 0.5);
+        var exact = _offset.At(place.X, place.Y);
+        if (depth > 12 || !Gouges(Middle(raised.Centers[^1], next.Center), exact.Normal))
         {
             return true;
         }
 
-        var place = from.Lerp(to, 0.5);
-        var exact = _offset.At(place.X, place.Y);
-        if (Free(place, _rounding.Nearest(exact.Center), exact.Normal) is not { } middle || !Between(from, place, raised, middle, depth + 1))
+        if (Free(place, _rounding.Nearest(exact.Center), exact.Normal) is not { } middle || !Refine(from, place, raised, middle, depth + 1))
         {
             return false;
         }
 
         raised.Add(place, middle.Center, exact.Normal, Math.Max(middle.Raised, RaiseStep));
-        return Between(place, to, raised, end, depth + 1);
+        return Refine(place, to, raised, end, depth + 1);
     }
 
     private (Point3 Center, double Raised)? Free(Point2 place, Point3 center, Vector3 normal)
     {
-        if (!Gouges(center))
+        if (!Gouges(center, normal))
         {
             return (center, 0);
         }
 
         var (low, high) = (0.0, RaiseStep);
-        while (high <= MostRaised && Gouges(center + new Vector3(0, 0, high)))
+        while (high <= MostRaised && Gouges(center + new Vector3(0, 0, high), normal))
         {
             (low, high) = (high, 2 * high);
         }
@@ -98,7 +105,7 @@ internal sealed partial class PathPlanning
         while (high - low > RaiseStep / 2)
         {
             var middle = (low + high) / 2;
-            (low, high) = Gouges(center + new Vector3(0, 0, middle)) ? (middle, high) : (low, middle);
+            (low, high) = Gouges(center + new Vector3(0, 0, middle), normal) ? (middle, high) : (low, middle);
         }
 
         var up = Math.Ceiling(high / _rounding.IncrementMm) * _rounding.IncrementMm;
@@ -107,7 +114,7 @@ internal sealed partial class PathPlanning
             return (_rounding.Nearest(center + new Vector3(0, 0, up)), up);
         }
 
-        var depth = _offset.DistanceMm - _tree.DistanceBelow(center, _offset.DistanceMm);
+        var depth = _offset.DistanceMm - _tree.DistanceBelow(center, normal, _offset.DistanceMm);
         _refusal ??= new("ball-does-not-fit", string.Create(
             CultureInfo.InvariantCulture,
             $"at {Named(place)} the ball of {2 * _offset.RadiusMm} mm would cut {depth:0.0000} mm too deep{Elsewhere(place)}. Use a smaller ball{SmallerThan(place)}, or leave that part out of the surface."));

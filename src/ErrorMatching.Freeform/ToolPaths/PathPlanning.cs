@@ -35,7 +35,7 @@ internal sealed partial class PathPlanning
     {
         (_offset, _rounding, _toolpath, _decimals) = (offset, rounding, toolpath, decimals);
         _builder = new(offset, rounding, toolpath.ChordMm, PassBuilder.LiftShare * toolpath.ScallopMm);
-        _tree = new(offset.Surface, 0.6 * toolpath.ChordMm, offset.RadiusMm);
+        _tree = new(offset.Surface);
         _strip = new(offset, _edges, toolpath.ScallopMm);
     }
 

@@ -74,4 +74,28 @@ internal static class SplinePoles
 
         return (poles, weights);
     }
+
+    /// <summary>
+    /// A bound of the distance between two splines over the same knots, from their poles as <see cref="Flatten"/> makes them: a spline lies in the hull of its poles. Of rational ones, the difference of A / w and B / h is
+    /// ((A - B) - (B / h) (w - h)) / w, seen from the middle of the poles.
+    /// </summary>
+    public static double Moved(ReadOnlySpan<double> before, ReadOnlySpan<double> after, bool rational)
+    {
+        var size = rational ? 4 : 3;
+        var box = Box3.Around(Unflatten(before, rational).Poles);
+        var middle = box.Min + ((box.Max - box.Min) * 0.5);
+        var (points, weights, reach, least) = (0.0, 0.0, 0.0, double.PositiveInfinity);
+        for (var i = 0; i < before.Length; i += size)
+        {
+            var (w, h) = rational ? (before[i + 3], after[i + 3]) : (1.0, 1.0);
+            var seen = new Vector3(after[i] - (h * middle.X), after[i + 1] - (h * middle.Y), after[i + 2] - (h * middle.Z));
+            var difference = new Vector3(before[i] - (w * middle.X), before[i + 1] - (w * middle.Y), before[i + 2] - (w * middle.Z)) - seen;
+            points = Math.Max(points, difference.Length);
+            weights = Math.Max(weights, Math.Abs(w - h));
+            reach = Math.Max(reach, seen.Length / h);
+            least = Math.Min(least, w);
+        }
+
+        return (points + (reach * weights)) / least;
+    }
 }

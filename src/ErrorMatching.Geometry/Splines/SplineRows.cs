@@ -4,7 +4,7 @@ namespace ErrorMatching.Geometry;
 /// <param name="Knots">Degree and knots.</param>
 /// <param name="Values">As many rows as the knots need, one behind the other.</param>
 /// <param name="Width">Numbers in a row.</param>
-internal sealed record SplineRows(KnotVector Knots, double[] Values, int Width)
+internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int Width)
 {
     /// <summary>The same spline, or a part of it, over clamped knots of the same degree that contain its own.</summary>
     /// <remarks>

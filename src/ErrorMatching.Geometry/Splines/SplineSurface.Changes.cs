@@ -74,11 +74,7 @@ public sealed partial class SplineSurface
     public SplineSurface Clamp() => WithKnots(KnotsU.Clamp(), KnotsV.Clamp());
 
     /// <summary>The surface with u and v exchanged; its normal turns over.</summary>
-    public SplineSurface Swap()
-    {
-        var rows = Rows();
-        return From(KnotsV, KnotsU, Transpose(rows.Values, CountU, CountV, Size), IsRational);
-    }
+    public SplineSurface Swap() => From((KnotsV, KnotsU, Transpose(Flat, CountU, CountV, Size)), IsRational);
 
     /// <summary>The surface run through backwards along u; its normal turns over.</summary>
     public SplineSurface ReverseU() => Each(r => r.Reverse(), r => r);
@@ -96,12 +92,12 @@ public sealed partial class SplineSurface
         new(KnotsU.Affine(startU, endU), KnotsV.Affine(startV, endV), _poles, _weights);
 
     /// <summary>The curve on the surface at a parameter u, running along v.</summary>
-    public SplineCurve CurveAtU(double u) => SplineCurve.From(new(KnotsV, Rows().RowAt(u), Size), IsRational);
+    public SplineCurve CurveAtU(double u) => SplineCurve.From(new(KnotsV, new SplineRows(KnotsU, Flat, CountV * Size).RowAt(u), Size), IsRational);
 
     /// <summary>The curve on the surface at a parameter v, running along u.</summary>
     public SplineCurve CurveAtV(double v)
     {
-        var turned = new SplineRows(KnotsV, Transpose(Rows().Values, CountU, CountV, Size), CountU * Size);
+        var turned = new SplineRows(KnotsV, Transpose(Flat, CountU, CountV, Size), CountU * Size);
         return SplineCurve.From(new(KnotsU, turned.RowAt(v), Size), IsRational);
     }
 
@@ -125,10 +121,19 @@ public sealed partial class SplineSurface
     /// <summary>A box that holds the surface: that of its poles.</summary>
     public Box3 Box() => Box3.Around(Clamp()._poles);
 
-    private static SplineSurface From(KnotVector u, KnotVector v, double[] values, bool rational)
+    private static SplineSurface From((KnotVector U, KnotVector V, double[] Values) parts, bool rational)
     {
-        var (poles, weights) = SplinePoles.Unflatten(values, rational);
-        return new(u, v, poles, weights);
+        var (poles, weights) = SplinePoles.Unflatten(parts.Values, rational);
+        return new(parts.U, parts.V, poles, weights);
+    }
+
+    /// <summary>Knots and poles after one operation on the splines along u and another on those along v.</summary>
+    private static (KnotVector U, KnotVector V, double[] Values) Apply((KnotVector U, KnotVector V, double[] Values) parts, int size, Func<SplineRows, SplineRows> alongU, Func<SplineRows, SplineRows> alongV)
+    {
+        var first = alongU(new(parts.U, parts.Values, parts.V.PoleCount * size));
+        var countU = first.Knots.PoleCount;
+        var second = alongV(new(parts.V, Transpose(first.Values, countU, parts.V.PoleCount, size), countU * size));
+        return (first.Knots, second.Knots, Transpose(second.Values, second.Knots.PoleCount, countU, size));
     }
 
     private static double[] Transpose(double[] values, int rows, int columns, int size)
@@ -148,14 +153,8 @@ public sealed partial class SplineSurface
     /// <summary>Numbers a pole.</summary>
     private int Size => IsRational ? 4 : 3;
 
-    private SplineRows Rows() => new(KnotsU, SplinePoles.Flatten(_poles, _weights), CountV * Size);
+    /// <summary>The poles as numbers, homogeneous if rational.</summary>
+    private double[] Flat => SplinePoles.Flatten(_poles, _weights);
 
-    /// <summary>The surface after one operation on its splines along u and another on those along v.</summary>
-    private SplineSurface Each(Func<SplineRows, SplineRows> alongU, Func<SplineRows, SplineRows> alongV)
-    {
-        var first = alongU(Rows());
-        var countU = first.Knots.PoleCount;
-        var second = alongV(new(KnotsV, Transpose(first.Values, countU, CountV, Size), countU * Size));
-        return From(first.Knots, second.Knots, Transpose(second.Values, second.Knots.PoleCount, countU, Size), IsRational);
-    }
+    private SplineSurface Each(Func<SplineRows, SplineRows> alongU, Func<SplineRows, SplineRows> alongV) => From(Apply((KnotsU, KnotsV, Flat), Size, alongU, alongV), IsRational);
 }

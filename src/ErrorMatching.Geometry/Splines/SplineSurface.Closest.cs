@@ -5,6 +5,9 @@ public sealed partial class SplineSurface
 {
     private SurfaceCell? _cells;
 
+    // Two threads may both make it; they make the same.
+    private SurfaceCell Cells => _cells ??= new(this);
+
     /// <summary>The place of the surface that is closest to a point.</summary>
     /// <remarks>
     /// Global, by branch and bound over parts of the surface: the distance found exceeds the smallest one by no more than <see cref="SurfaceFoot.Accuracy"/>, which is at most the tolerance (or the rounding of the point's
@@ -33,6 +36,15 @@ public sealed partial class SplineSurface
         return Search(p, tolerance, (nearU, nearV));
     }
 
+    /// <summary>All places at which a straight line meets the surface, by their distance along it. A line that touches the surface within 1 nm counts as meeting it.</summary>
+    /// <remarks>Complete, by branch and bound: no hit is missed between others. For the foot of a measured point along its probing direction, take the one with the smallest |Along|.</remarks>
+    /// <param name="from">A point of the line.</param>
+    /// <param name="direction">The line's direction, of any length but zero.</param>
+    /// <exception cref="GeometryException">The point or the direction is not finite, the direction is zero, or the line runs along the surface.</exception>
+    public IReadOnlyList<SurfaceHit> Hits(Point3 from, Vector3 direction) => from.IsFinite
+        ? new LineSearch(from, direction.Normalize()).Run(Cells)
+        : throw new GeometryException(GeometryError.NotFinite, "the line's point has a coordinate that is no finite number");
+
     private SurfaceFoot Search(Point3 p, double tolerance, (double U, double V)? near)
     {
         if (!p.IsFinite || !(tolerance > 0))
@@ -40,7 +52,6 @@ public sealed partial class SplineSurface
             throw new GeometryException(GeometryError.NotFinite, "the point to be projected has a coordinate that is no finite number, or the tolerance is not positive");
         }
 
-        _cells ??= new(this);
-        return SurfaceSearch.Run(this, _cells, p, tolerance, near);
+        return SurfaceSearch.Run(this, Cells, p, tolerance, near);
     }
 }

@@ -93,7 +93,7 @@ internal sealed class SurfaceCell
     public double DistanceBound(Point3 p)
     {
         var box = Box.DistanceTo(p);
-        return IsPiece ? Math.Max(box, DistanceToParallelogram(p - Center.Position) - OffPlane) : box;
+        return IsPiece ? Math.Max(box, DistanceToParallelogram(p - Center.Position, Ds, Dt) - OffPlane) : box;
     }
 
     /// <summary>
@@ -111,6 +111,12 @@ internal sealed class SurfaceCell
             + d.Dot(Dss) - Abs(Ds, Dss) - Abs(Dt, Dss) - (OffPlane * Dss.Length) - (far * (b[3, 0] + b[2, 1]));
         var tt = Dt.Dot(Dt) - (2 * (Abs(Dt, Dtt) + Abs(Dt, Dst) + (Dt.Length * restT)))
             + d.Dot(Dtt) - Abs(Ds, Dtt) - Abs(Dt, Dtt) - (OffPlane * Dtt.Length) - (far * (b[0, 3] + b[1, 2]));
+        if (b[0, 1] == 0)
+        {
+            // Nothing changes along t: a curve.
+            return ss > 0;
+        }
+
         if (!(ss > 0 && tt > 0))
         {
             return false;
@@ -121,6 +127,35 @@ internal sealed class SurfaceCell
             + ((b[2, 0] + b[1, 1]) * (b[1, 1] + b[0, 2]))
             + Abs(Ds, Dst) + Abs(Dt, Dst) + (OffPlane * Dst.Length) + (far * (b[2, 1] + b[1, 2]));
         return ss * tt > st * st;
+    }
+
+    /// <summary>A distance that no place of the parallelogram s a + t b with s and t from -1 to 1 is nearer to a point, which is seen from its center.</summary>
+    public static double DistanceToParallelogram(Vector3 p, Vector3 a, Vector3 b)
+    {
+        var (e, f, g) = (a.Dot(a), a.Dot(b), b.Dot(b));
+        var (x, y) = (p.Dot(a), p.Dot(b));
+        var area = (e * g) - (f * f);
+        var flat = !(area > 1e-10 * e * g);
+        if (!flat)
+        {
+            var (s, t) = (((g * x) - (f * y)) / area, ((e * y) - (f * x)) / area);
+            if (Math.Abs(s) <= 1 && Math.Abs(t) <= 1)
+            {
+                return (p - (a * s) - (b * t)).Length;
+            }
+        }
+
+        // The closest place is on the rim: two sides at s = 1 and -1, two at t = 1 and -1.
+        var best = double.PositiveInfinity;
+        for (var side = -1; side <= 1; side += 2)
+        {
+            var t = g > 0 ? Math.Clamp((y - (side * f)) / g, -1, 1) : 0;
+            var s = e > 0 ? Math.Clamp((x - (side * f)) / e, -1, 1) : 0;
+            best = Math.Min(best, Math.Min((p - (a * side) - (b * t)).Length, (p - (a * s) - (b * side)).Length));
+        }
+
+        // A sliver has no digits for its inside, which is no farther from the rim than half its width.
+        return flat && area > 0 ? best - Math.Sqrt(area / Math.Max(e, g)) : best;
     }
 
     private static double Abs(Vector3 a, Vector3 b) => Math.Abs(a.Dot(b));
@@ -154,34 +189,5 @@ internal sealed class SurfaceCell
         var (bendU, bendV) = (Bounds[2, 0], Bounds[0, 2]);
         var (longU, longV) = (Bounds[1, 0], Bounds[0, 1]);
         return bendU == bendV || Math.Max(bendU, bendV) < 1e-3 * Math.Max(longU, longV) ? longU >= longV : bendU > bendV;
-    }
-
-    /// <summary>Distance of a point, seen from the center, from the parallelogram s Ds + t Dt with s and t from -1 to 1.</summary>
-    private double DistanceToParallelogram(Vector3 p)
-    {
-        var (e, f, g) = (Ds.Dot(Ds), Ds.Dot(Dt), Dt.Dot(Dt));
-        var (x, y) = (p.Dot(Ds), p.Dot(Dt));
-        var area = (e * g) - (f * f);
-        var flat = !(area > 1e-10 * e * g);
-        if (!flat)
-        {
-            var (s, t) = (((g * x) - (f * y)) / area, ((e * y) - (f * x)) / area);
-            if (Math.Abs(s) <= 1 && Math.Abs(t) <= 1)
-            {
-                return (p - (Ds * s) - (Dt * t)).Length;
-            }
-        }
-
-        // The closest place is on the rim: two sides at s = 1 and -1, two at t = 1 and -1.
-        var best = double.PositiveInfinity;
-        for (var side = -1; side <= 1; side += 2)
-        {
-            var t = g > 0 ? Math.Clamp((y - (side * f)) / g, -1, 1) : 0;
-            var s = e > 0 ? Math.Clamp((x - (side * f)) / e, -1, 1) : 0;
-            best = Math.Min(best, Math.Min((p - (Ds * side) - (Dt * t)).Length, (p - (Ds * s) - (Dt * side)).Length));
-        }
-
-        // A sliver has no digits for its inside, which is no farther from the rim than half its width.
-        return flat && area > 0 ? best - Math.Sqrt(area / Math.Max(e, g)) : best;
     }
 }

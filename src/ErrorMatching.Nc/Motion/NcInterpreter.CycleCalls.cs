@@ -5,8 +5,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <content>
-/// Machining cycles with their arguments in parentheses: return plane, reference plane, safety distance, depth, depth below the reference plane. Drilling and boring are
-/// followed; of all others only the return plane is known.
+/// Machining cycles with their arguments in parentheses: return plane, reference plane, safety distance, depth, depth below the reference plane. Drilling, boring, tapping and
+/// patterns of holes are followed; of all others only the return plane is known. The motions are those of the Siemens cycles guide (docs/dialects.md says what of them is assumed).
 /// </content>
 public sealed partial class NcInterpreter
 {
@@ -51,51 +51,35 @@ public sealed partial class NcInterpreter
     {
         // It leaves the plane first, so that no corner is rounded.
         _corner = default;
-        var plane = _state.Plane;
-        var toolAxis = AxisSet.All & ~plane.Axes();
-        var unit = _state.Inch ? MmPerInch : 1;
-        var (top, reference, safety) = (call[0] * unit, call[1] * unit, Math.Abs(call[2] ?? 0) * unit);
-        if (IsFollowed(call) && top is { } t && reference is { } r && DepthOf(call) * unit is { } d && !double.IsNaN(t + r + d + safety))
+        if (PatternOf(call) is { } places)
         {
-            var start = Sum(r, d < r ? safety : -safety);
-            ToKnownHeight(MotionKind.Rapid, start, toolAxis);
-            ToKnownHeight(MotionKind.Line, d, toolAxis);
-            if (call.Number is 84 or 840 or 85 or 89)
-            {
-                ToKnownHeight(MotionKind.Line, start, toolAxis);
-            }
+            RunPattern(places, call.Number != 801);
+            return;
+        }
 
-            ToKnownHeight(MotionKind.Rapid, t, toolAxis);
+        if (HoleOf(call) is { } hole && StrokesOf(call, hole) is { } strokes)
+        {
+            RunHole(call, hole, strokes);
             return;
         }
 
         // Drilling cycles end over their hole at the return plane; of patterns, pockets and the like not even that is known.
         Note("cycle-not-followed", $"{call.Name} is not followed: what it does is the control's affair.");
+        var plane = _state.Plane;
+        var toolAxis = AxisSet.All & ~plane.Axes();
         var isDrilling = call.Number is (>= 81 and <= 89) or 840;
-        var height = isDrilling && top is { } known && !double.IsNaN(known) ? known : (double?)null;
+        var height = isDrilling && call[0] * Unit is { } known && !double.IsNaN(known) ? known : (double?)null;
         var unknown = isDrilling ? height is null ? _state.Unknown | toolAxis : _state.Unknown & ~toolAxis : AxisSet.All;
         DependOnPlace();
         Append(MotionKind.Cycle, MotionFlags.Cycle, plane.Lift(plane.Project(_state.Position), height ?? plane.Height(_state.Position)), unknown);
     }
 
-    // Boring with an oriented spindle (86) lifts off sideways where it is told to.
-    private static bool IsFollowed(CycleCall call) => call.Number switch
-    {
-        81 or 82 or 84 or 840 or 85 or 87 or 88 or 89 => true,
-        86 => (call[7] ?? 0) == 0 && (call[8] ?? 0) == 0,
-        _ => false,
-    };
+    private double Unit => _state.Inch ? MmPerInch : 1;
 
-    // The depth is given as a place or below the reference plane; what two values mean that disagree hangs on the version of the cycle.
-    private static double? DepthOf(CycleCall call)
-    {
-        var below = call[1] - Math.Abs(call[4] ?? double.NaN);
-        return call[4] is null ? call[3] : call[3] is not { } depth || Math.Abs(depth - below ?? 0) < 1e-9 ? below : null;
-    }
-
-    private void ToKnownHeight(MotionKind kind, double height, AxisSet toolAxis)
+    private void ToKnownHeight(MotionKind kind, double height)
     {
         var plane = _state.Plane;
+        var toolAxis = AxisSet.All & ~plane.Axes();
         if (plane.Height(_state.Position) != height || (_state.Unknown & toolAxis) != AxisSet.None)
         {
             Append(kind, MotionFlags.Cycle, plane.Lift(plane.Project(_state.Position), height), _state.Unknown & ~toolAxis);

@@ -22,6 +22,7 @@ public sealed partial class NcInterpreter
         {
             _cycleInitial = _state.Plane.Height(_state.Position);
             _cycle = default;
+            _cycleShift = null;
             _cycleUnknown = AxisSet.All;
         }
 
@@ -49,12 +50,12 @@ public sealed partial class NcInterpreter
         if (!isKnown || _state.Cycle == NcMeaning.OpaqueCycle)
         {
             // Over the position, at a height that depends.
-            var height = _state.RetractsToR ? _cycle.Plane : _cycleInitial;
+            var height = _state.RetractsToR && _state.Cycle != NcMeaning.BackBoreCycle ? _cycle.Plane : _cycleInitial;
             Append(MotionKind.Cycle, flags, plane.Lift(plane.Project(target), height), (unknown & plane.Axes()) | (isKnown ? AxisSet.None : toolAxis));
             return;
         }
 
-        var times = _words.Has('L') ? _words.Value('L') : _words.Has('K') ? _words.Value('K') : 1;
+        var times = _words.Has('L') ? _words.Value('L') : _words.Has('K') && !ShiftsByK ? _words.Value('K') : 1;
         _cycleSteps += times * (1 + PecksOfHole());
         if (!(_cycleSteps <= MostSteps))
         {
@@ -68,7 +69,14 @@ public sealed partial class NcInterpreter
             var place = i == 0 || !_state.Incremental ? plane.Project(target)
                 : _words.IsPolar ? plane.Project(PolarWordsTarget(_state.Position, _state.Unknown).End)
                 : plane.Project(_state.Position) + step;
-            Hole(flags, place, unknown & plane.Axes(), i == 0);
+            if (_state.Cycle == NcMeaning.BackBoreCycle)
+            {
+                BackBore(flags, place, unknown & plane.Axes());
+            }
+            else
+            {
+                Hole(flags, place, unknown & plane.Axes(), i == 0);
+            }
         }
     }
 
@@ -87,6 +95,7 @@ public sealed partial class NcInterpreter
             _cycleUnknown &= ~toolAxis;
         }
 
+        ReadCycleShift();
         _cycle.Peck = _words.Has('Q') ? Math.Abs(Length('Q')) : _cycle.Peck;
         _cycleUnknown |= UnknownWords() & toolAxis;
         if ((_words.Unknown & (BlockWords.Bit('R') | BlockWords.Bit('Q'))) != 0)
@@ -133,6 +142,12 @@ public sealed partial class NcInterpreter
         if (_state.Cycle is NcMeaning.FeedOutToClearCycle or NcMeaning.TapCycle)
         {
             ToHeight(MotionKind.Line, flags, clear);
+            return;
+        }
+
+        if (_state.Cycle == NcMeaning.FineBoreCycle)
+        {
+            LeaveOffTheWall(flags, place, unknown, clear);
             return;
         }
 

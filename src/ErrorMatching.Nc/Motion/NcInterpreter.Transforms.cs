@@ -58,7 +58,9 @@ public sealed partial class NcInterpreter
             case NcMeaning.Rotation:
                 var (plane, center) = (_state.Plane, Center(_state.Plane.Axes(), ref isKnown));
                 isKnown &= _words.Has('R');
-                _rotation = ProgramFrame.Rotation(plane, center, _words.Has('R') ? Degrees('R') : 0);
+
+                // A center that is named while scaling is active is scaled too, the angle is not (B-63944EN-2/02, page 211).
+                _rotation = ProgramFrame.Rotation(plane, _scale?.Apply(center) ?? center, _words.Has('R') ? Degrees('R') : 0);
                 Switch(Transforms.Rotation, on: true);
                 break;
             case NcMeaning.Scaling:

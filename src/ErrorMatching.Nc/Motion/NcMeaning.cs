@@ -189,7 +189,13 @@ public enum NcMeaning : byte
     /// <summary>Canned cycle: feed to depth, spindle stop, rapid out (G86).</summary>
     StopOutCycle,
 
-    /// <summary>A canned cycle whose motions are not followed; it ends over its position (G76, G87, G88).</summary>
+    /// <summary>Canned cycle: feed to depth, off the wall, rapid out (G76).</summary>
+    FineBoreCycle,
+
+    /// <summary>Canned cycle: off the wall, rapid below the hole, feed upwards to depth, off the wall, rapid out (G87).</summary>
+    BackBoreCycle,
+
+    /// <summary>A canned cycle whose motions are not followed; it ends over its position (G88).</summary>
     OpaqueCycle,
 
     /// <summary>Ends canned cycles.</summary>

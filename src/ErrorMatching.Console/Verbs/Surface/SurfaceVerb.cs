@@ -7,5 +7,12 @@ internal sealed class SurfaceVerb : Command
 {
     /// <summary>The group.</summary>
     public SurfaceVerb()
-        : base("surface", "Plans, measures, compensates and evaluates free-form surfaces.") => Subcommands.Add(new SurfaceFit());
+        : base("surface", "Plans, measures, compensates and evaluates free-form surfaces.")
+    {
+        Subcommands.Add(new SurfacePlan());
+        Subcommands.Add(new SurfaceProbe());
+        Subcommands.Add(new SurfaceCompensate());
+        Subcommands.Add(new SurfaceEvaluate());
+        Subcommands.Add(new SurfaceFit());
+    }
 }

@@ -12,13 +12,55 @@ internal static class StepFace
     /// <exception cref="FreeformException">It is broken, or a kind of surface that is not read.</exception>
     public static ReadSurface Read(StepItem item, string name)
     {
-        var face = IsFace(item.Instance) ? item.Instance.Records[0] : null;
-        var surface = face?.Instance(2) ?? item.Instance;
-        if (StepSplineSurface.Read(surface, item.MillimetersPerUnit) is { } spline)
+        var (instance, scale) = item;
+        var owner = instance.Records[0];
+        var surface = IsFace(instance) ? owner.Instance(2) : instance;
+        if (StepSplineSurface.Read(surface, scale) is { } spline)
         {
-            return new(name, spline, SurfaceRegion.Whole);
+            if (!IsFace(instance))
+            {
+                return new(name, spline, SurfaceRegion.Whole);
+            }
+
+            var loops = Trace(owner, surface, scale, SurfaceMap.Of(spline), hasParameters: true);
+            return new(name, spline, RegionLimits.Of(spline, loops, owner.Fail));
         }
 
-        throw surface.Records[0].Fail("not-read", $"a surface of the kind {surface.Keyword}, which is not read: B_SPLINE_SURFACE_WITH_KNOTS (rational too), BEZIER_SURFACE, PLANE and CYLINDRICAL_SURFACE are. Export the surface as a B-spline (NURBS)");
+        if (surface.Keyword is not ("PLANE" or "CYLINDRICAL_SURFACE"))
+        {
+            throw surface.Records[0].Fail("not-read", "this kind of surface is not read: B_SPLINE_SURFACE_WITH_KNOTS (rational too), BEZIER_SURFACE, PLANE and CYLINDRICAL_SURFACE are. Export the surface as a B-spline (NURBS)");
+        }
+
+        if (!IsFace(instance))
+        {
+            throw owner.Fail("no-limits", "a plane or cylinder without a face, so without limits; a face is expected");
+        }
+
+        var record = surface.Records[0];
+        var frame = StepPlacement.Of(record.Instance(1));
+        var origin = new Point3(frame.Origin.X * scale, frame.Origin.Y * scale, frame.Origin.Z * scale);
+        if (surface.Keyword == "PLANE")
+        {
+            var plane = new PlanePatch(origin, frame.X, frame.Y);
+            var (flat, inside) = plane.Inside(Trace(owner, surface, scale, plane.Map, hasParameters: false), owner.Fail);
+            return new(name, flat, inside);
+        }
+
+        var radius = record.Real(2) * scale;
+        var cylinder = new CylinderPatch(origin, frame.X, frame.Y, frame.Z, radius > 0 ? radius : throw record.Fail("bad-value", "a radius that is not positive"));
+        var (bent, region) = cylinder.Inside(Trace(owner, surface, scale, cylinder.Map, hasParameters: false), owner.Fail);
+        return new(name, bent, region);
+    }
+
+    private static IReadOnlyList<IReadOnlyList<Point2>> Trace(StepRecord face, StepInstance surface, double scale, SurfaceMap map, bool hasParameters)
+    {
+        var tracer = new RegionTracer(map, face.Fail);
+        var loops = new StepLoops(surface, scale, map, hasParameters, tracer);
+        foreach (var bound in face.Instances(1))
+        {
+            loops.Trace(bound);
+        }
+
+        return tracer.Loops;
     }
 }

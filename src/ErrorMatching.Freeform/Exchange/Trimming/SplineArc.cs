@@ -41,16 +41,6 @@ internal static class SplineArc
         return middle + (half * Math.Tan((angle - middle) / 2) / Math.Tan(half / 2));
     }
 
-    /// <summary>The angle of the arc at a parameter: the inverse of <see cref="ParameterOf"/>.</summary>
-    public static double AngleOf(double parameter, double from, double to)
-    {
-        var breaks = Breaks(from, to);
-        var piece = Math.Clamp((int)((parameter - from) / (to - from) * (breaks.Length - 1)), 0, breaks.Length - 2);
-        var (a, b) = (breaks[piece], breaks[piece + 1]);
-        var (middle, half) = ((a + b) / 2, (b - a) / 2);
-        return middle + (2 * Math.Atan((parameter - middle) / half * Math.Tan(half / 2)));
-    }
-
     private static int Pieces(double from, double to) => Math.Clamp((int)Math.Ceiling(((to - from) / (Math.PI / 2)) - 1e-9), 1, 4);
 
     private static double[] Breaks(double from, double to)

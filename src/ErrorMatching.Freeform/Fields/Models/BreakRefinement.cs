@@ -5,6 +5,9 @@ internal static class BreakRefinement
 {
     private const int MostSteps = 30;
 
+    /// <summary>A step that leaves more than this share of the sum of squares is the last: it changes the criterion by far less than one.</summary>
+    private const double LeastShare = 1 - 1e-5;
+
     /// <summary>The model with its breaks moved to where the sum of squares is least.</summary>
     public static PolynomialModel Run(PolynomialModel model)
     {
@@ -24,7 +27,7 @@ internal static class BreakRefinement
                 better = moved?.SquareSum < model.SquareSum ? moved : null;
             }
 
-            if (better is null || size < 1e-15)
+            if (better is null || size < 1e-15 || better.SquareSum > model.SquareSum * LeastShare)
             {
                 return better ?? model;
             }
@@ -38,7 +41,9 @@ internal static class BreakRefinement
     /// <summary>The Gauss-Newton step of each break; null if the model has none or they are not determined.</summary>
     private static Dictionary<(bool AlongU, double At), double>? Moves(PolynomialModel model)
     {
-        (bool AlongU, double At)[] breaks = [.. model.BreaksU.Select(b => (true, b)), .. model.BreaksV.Select(b => (false, b))];
+        // With a single line behind it, the place and the size of a break cannot be told apart: it stays where it is.
+        var (linesU, linesV) = model.Data.LinePlaces();
+        (bool AlongU, double At)[] breaks = [.. Between(model.BreaksU, linesU).Select(b => (true, b)), .. Between(model.BreaksV, linesV).Select(b => (false, b))];
         if (breaks.Length == 0)
         {
             return null;
@@ -58,6 +63,8 @@ internal static class BreakRefinement
 
         return moves;
     }
+
+    private static IEnumerable<double> Between(IReadOnlyList<double> breaks, double[] lines) => breaks.Where(b => lines.Length > 3 && b >= lines[1] && b <= lines[^2]);
 
     /// <summary>Derivative of the model's values by the place of a break.</summary>
     private static double[] Slope(PolynomialModel model, bool alongU, double at)
@@ -92,8 +99,8 @@ internal static class BreakRefinement
         var (linesU, linesV) = model.Data.LinePlaces();
         return [.. model.Terms.Select(t => new Term(Move(t.U, true, linesU), Move(t.V, false, linesV)))];
 
-        AxisFunction Move(AxisFunction function, bool alongU, double[] lines) => function.Break is { } at
-            ? function with { Break = Math.Clamp(at + (moves[(alongU, at)] * share), lines[1], lines[^2]) }
+        AxisFunction Move(AxisFunction function, bool alongU, double[] lines) => function.Break is { } at && moves.TryGetValue((alongU, at), out var move)
+            ? function with { Break = Math.Clamp(at + (move * share), lines[1], lines[^2]) }
             : function;
     }
 }

@@ -22,13 +22,19 @@ internal sealed class BreakSearch(FieldData data)
     {
         var model = PolynomialModel.Choose(data, [], []);
         var found = new List<PolynomialModel> { model };
-        // One break of two may explain nothing by itself: so the search goes on where it did not gain.
-        for (var count = 0; count < MostBreaks && Extend(model) is { } next; count++)
+        // One break of two may explain nothing by itself: so the search goes on once where it did not gain.
+        var failures = 0;
+        for (var count = 0; count < MostBreaks && failures < 2 && !found[^1].IsExact && Extend(model) is { } next; count++)
         {
             model = next;
             if (model.Criterion < found[^1].Criterion - LeastGain)
             {
                 found.Add(model);
+                failures = 0;
+            }
+            else
+            {
+                failures++;
             }
         }
 

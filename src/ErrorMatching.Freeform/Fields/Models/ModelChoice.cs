@@ -9,32 +9,31 @@ internal static class ModelChoice
     /// <summary>A model with breaks must leave this share of the line-out error of the best model without.</summary>
     private const double BreakShare = 0.7;
 
+    /// <summary>Breaks among waves are sought in so many values at most.</summary>
+    private const int MostForBreaksInWaves = 1000;
+
     /// <summary>The model of some values, of which there must be one at least.</summary>
     public static FieldModel Best(FieldData data)
     {
         var polynomials = new BreakSearch(data).Run();
-        var smooth = new List<FieldModel> { polynomials[0] };
-        Add(ProcessSearch.Run(data, ProcessSearch.Trend(1)));
-        Add(SplineModel.Run(data));
-        var best = smooth.MinBy(Error)!;
-        for (var k = polynomials.Count - 1; k > 0; k--)
+        if (polynomials[^1].IsExact && polynomials.Count == 1)
         {
-            if (Error(polynomials[k]) <= BreakShare * Error(best))
-            {
-                return polynomials[k];
-            }
+            return polynomials[0];
         }
 
-        return best;
-
-        void Add(FieldModel? model)
+        var process = ProcessSearch.Run(data, ProcessSearch.Trend(2));
+        var smooth = Least([polynomials[0], ProcessSearch.Run(data, ProcessSearch.Trend(1)), process, SplineModel.Run(data)])!;
+        var broken = polynomials.Skip(1).Cast<FieldModel?>().ToList();
+        if (process is not null && (polynomials.Count > 1 || smooth is ProcessModel) && !polynomials[^1].IsExact && data.Count <= MostForBreaksInWaves)
         {
-            if (model is not null)
-            {
-                smooth.Add(model);
-            }
+            broken.Add(ProcessSearch.WithBreak(process));
         }
+
+        var best = Least(broken.Where(m => m is not null && Error(m) <= BreakShare * Error(smooth)));
+        return best ?? smooth;
     }
+
+    private static FieldModel? Least(IEnumerable<FieldModel?> models) => models.OfType<FieldModel>().MinBy(Error);
 
     private static double Error(FieldModel model) => double.IsNaN(model.LineOut) ? double.MaxValue : model.LineOut;
 }

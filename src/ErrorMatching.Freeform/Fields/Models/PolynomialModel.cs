@@ -34,6 +34,9 @@ internal sealed class PolynomialModel : FieldModel
     /// <summary>The corrected information criterion.</summary>
     public double Criterion { get; }
 
+    /// <summary>True if nothing but rounding is left.</summary>
+    public bool IsExact => SquareSum <= Data.Count * TermSelection.Rounding(Data.Z);
+
     public override double Freedom => _terms.Length;
 
     public override double Noise => Math.Sqrt(_fit.SquareSum / Math.Max(1, Data.Count - _terms.Length - BreaksU.Count - BreaksV.Count));

@@ -31,8 +31,10 @@ internal sealed class ProcessModel : FieldModel
 
         _coefficients = [.. ordinary.Coefficients.Zip(correction, (a, b) => a + b)];
         _weights = covariance.Solve(rest);
+        var form = Math.Max(LeastSquares.Product(_weights, rest), 1e-26);
         var free = data.Count - trend.Length;
-        _variance = Math.Max(LeastSquares.Product(_weights, rest) / free, 1e-26);
+        _variance = form / free;
+        Criterion = (data.Count * Math.Log(form / data.Count)) + covariance.LogDeterminant + (2 * trend.Length);
         Likelihood = -0.5 * ((free * Math.Log(_variance)) + covariance.LogDeterminant + factor.LogDeterminant);
     }
 
@@ -50,6 +52,9 @@ internal sealed class ProcessModel : FieldModel
 
     /// <summary>Logarithm of the restricted likelihood with the best variance, less constants (Rasmussen and Williams, equation 2.45).</summary>
     public double Likelihood { get; }
+
+    /// <summary>Minus twice the logarithm of the full likelihood, less constants, and twice the number of trend coefficients: compares trends, which <see cref="Likelihood"/> cannot.</summary>
+    public double Criterion { get; }
 
     public Kernel Kernel => _kernel;
 

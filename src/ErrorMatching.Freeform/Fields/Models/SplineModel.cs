@@ -14,21 +14,20 @@ internal sealed class SplineModel : FieldModel
     private readonly double _weight;
     private readonly Cholesky _factor;
     private readonly double[] _poles;
+    private double? _freedom;
+    private double? _noise;
 
     private SplineModel(FieldData data, SplineAxis u, SplineAxis v, double weight, Cholesky factor, double[] poles)
         : base(data)
     {
         (_u, _v, _weight, _factor, _poles) = (u, v, weight, factor, poles);
-        Freedom = Trace();
-        var sum = Residuals().Sum(r => r * r);
-        Noise = Math.Sqrt(sum / Math.Max(1, data.Count - Freedom));
     }
 
     public override FieldModelKind Kind => FieldModelKind.CubicSpline;
 
-    public override double Freedom { get; }
+    public override double Freedom => _freedom ??= Trace();
 
-    public override double Noise { get; }
+    public override double Noise => _noise ??= Math.Sqrt(Residuals().Sum(r => r * r) / Math.Max(1, Data.Count - Freedom));
 
     public override int DegreeU => 3;
 

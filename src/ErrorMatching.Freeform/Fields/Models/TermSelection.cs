@@ -62,7 +62,7 @@ internal sealed class TermSelection
     }
 
     /// <summary>A variance of 0.1 pm, and what double precision leaves of large coordinates: below it a residual says nothing.</summary>
-    private static double Rounding(double[] values)
+    public static double Rounding(double[] values)
     {
         var largest = 0.0;
         foreach (var value in values)

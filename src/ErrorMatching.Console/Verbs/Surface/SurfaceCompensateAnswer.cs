@@ -1,0 +1,70 @@
+using System.Globalization;
+using ErrorMatching.Freeform;
+
+namespace ErrorMatching.Console;
+
+/// <summary>A compensation: its report, and the files that it was written to.</summary>
+/// <param name="report">The report.</param>
+/// <param name="folder">The folder that the files are in; null if nothing was written.</param>
+internal sealed class SurfaceCompensateAnswer(CompensationReport report, string? folder) : Answer
+{
+    private readonly byte[] _json = CompensationReportJson.Write(report);
+
+    /// <inheritdoc/>
+    public override byte[] ToJson() => _json;
+
+    /// <summary>What belongs into the folder. The program comes last: where it stands, its report stands too.</summary>
+    /// <param name="program">The finishing program.</param>
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program) =>
+    [
+        (In("compensation.csv"), CompensationCsv.Write(report.Result)),
+        (In("surface.stp"), StepWriter.Write(report.Result.Surface)),
+        (In("surface.igs"), IgesWriter.Write(report.Result.Surface)),
+        (In("report.json"), _json),
+        (In("report.html"), CompensationReportHtml.Write(report)),
+        (In("finishing.nc"), program),
+    ];
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        var (result, certificate) = (report.Result, report.ToolPath.Certificate);
+        page.Heading($"{report.Job.Name}: the surface is moved by at most {Um(result.LargestMoveMm)} um; standard deviation {Um(result.Before.StandardDeviationMm)} um, expected after {Um(result.Predicted.Statistics.StandardDeviationMm)} um");
+        page.Line();
+        page.Table(
+            ["", "points", "mean um", "standard deviation um", "profile ISO 1101 um", "largest - smallest um"],
+            [Row("measured", result.Before), Row("expected, mirror", result.Mirror.Statistics), Row("expected, tool radius", result.ToolRadius.Statistics)]);
+        page.Line("Errors along the normal, positive where material is left, less the stock of the stage. The job's method: " + result.Predicted.Method + ".");
+        page.Line();
+        page.Line(string.Create(
+            CultureInfo.InvariantCulture,
+            $"Tool path: {report.ToolPath.Passes} passes, {report.ToolPath.Points} points, {report.ToolPath.LengthMm:0} mm; chord at most {Um(certificate.ChordMm)} um, scallop at most {Um(certificate.ScallopMm)} um{(certificate.RaisedPoints > 0 ? $", {certificate.RaisedPoints} points raised by up to {Um(certificate.RaisedMm)} um where the ball does not fit" : ", no gouge")}."));
+        foreach (var warning in result.Warnings)
+        {
+            page.Line("Warning: " + warning);
+        }
+
+        foreach (var note in result.Notes)
+        {
+            page.Line("Note: " + note);
+        }
+
+        page.Line();
+        page.Line(folder is null
+            ? "Nothing was written. Add --out DIR to write the compensation points, the surface, the finishing program and the reports."
+            : $"Wrote {In("finishing.nc")}, {In("surface.stp")}, {In("surface.igs")}, {In("compensation.csv")}, {In("report.html")} and {In("report.json")}.");
+        if (folder is not null)
+        {
+            page.Line($"Next: open {In("report.html")} in a browser, cut with {In("finishing.nc")}, measure again, and compare by errormatch surface evaluate.");
+        }
+    }
+
+    private static IReadOnlyList<string> Row(string name, DeviationStatistics s) =>
+        [name, s.Count.ToString(CultureInfo.InvariantCulture), Signed(s.MeanMm), Um(s.StandardDeviationMm), Um(s.ProfileIsoMm), Um(s.ProfileRangeMm)];
+
+    private static string Um(double mm) => (mm * 1000).ToString("0.00", CultureInfo.InvariantCulture);
+
+    private static string Signed(double mm) => (mm * 1000).ToString("+0.00;-0.00;0.00", CultureInfo.InvariantCulture);
+
+    private string In(string name) => Path.Combine(folder ?? "", name);
+}

@@ -1,0 +1,46 @@
+using System.CommandLine;
+using ErrorMatching.Freeform;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch surface probe</c>.</summary>
+internal sealed class SurfaceProbe : Verb
+{
+    private readonly Argument<string> _job = new("JOB") { Description = "The job." };
+    private readonly Option<string> _after = FileOption("--after", "A semi-finishing program: probing follows it in one program, which then stops for the finishing program.");
+    private readonly Option<string> _out = SurfaceOptions.Out("The folder to write probe.nc and plan.csv to. Without it nothing is written.");
+
+    /// <summary>The verb.</summary>
+    public SurfaceProbe()
+        : base("probe", "Writes the program that measures the surface on the machine.", "errormatch surface probe samples/surface-one/job.json --out out")
+    {
+        Arguments.Add(_job);
+        Options.Add(_after);
+        Options.Add(_out);
+    }
+
+    /// <inheritdoc/>
+    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    {
+        var files = new FreeformFiles(arguments.GetRequiredValue(_job));
+        var plan = files.Plan(files.Surface());
+        if (plan.Refusals.Count > 0)
+        {
+            return FailureOf.Refused(files.Job.File, plan.Refusals);
+        }
+
+        var dialect = files.Dialect(files.Job.Measuring.Dialect);
+        cancellation.ThrowIfCancellationRequested();
+        var probing = ProbingProgram.Of(plan, files.Job.Name, dialect, Template(files, dialect));
+        var after = arguments.GetValue(_after);
+        var program = after is null ? probing.Bytes : probing.MergeAfter(files.Program(after), after);
+        var answer = new SurfaceProbeAnswer(files.Job, probing, after, arguments.GetValue(_out));
+        OutputFile.WriteAll(answer.Files(program), files.Read, cancellation);
+        return answer;
+    }
+
+    // The job's own template, which may be a built-in one by its name, or the one that has the name of the dialect.
+    private static ProbingTemplate Template(FreeformFiles files, Nc.NcDialect dialect) => files.Job.Measuring.Template is { } own && !ProbingTemplate.Names.Contains(own)
+        ? ProbingTemplate.Parse(files.Bytes("template", files.Job.PathOf(own), ProbingTemplate.MaxBytes), files.Job.PathOf(own))
+        : ProbingTemplate.Named(files.Job.Measuring.Template ?? dialect.Name);
+}

@@ -1,0 +1,57 @@
+using System.Globalization;
+using System.Text.Json;
+using ErrorMatching.Freeform;
+
+namespace ErrorMatching.Console;
+
+/// <summary>A probing program.</summary>
+/// <param name="job">The job.</param>
+/// <param name="probing">The program.</param>
+/// <param name="after">The program that it follows; null if it stands alone.</param>
+/// <param name="folder">The folder that it was written to; null if nothing was written.</param>
+internal sealed class SurfaceProbeAnswer(FreeformJob job, ProbingProgram probing, string? after, string? folder) : DocumentAnswer
+{
+    private const string FileName = "probe.nc";
+
+    /// <inheritdoc/>
+    public override string Schema => "errormatch/surface-probe/1";
+
+    /// <summary>What belongs into the folder; nothing without one.</summary>
+    /// <param name="program">The program alone, or behind the other one.</param>
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program) =>
+        folder is null ? [] : [(Path.Combine(folder, SurfacePlanAnswer.FileName), PlanCsv.Write(probing.Plan)), (Path.Combine(folder, FileName), program)];
+
+    /// <inheritdoc/>
+    public override void WriteJson(Utf8JsonWriter json)
+    {
+        SurfacePlanAnswer.WriteSummary(json, job, probing.Plan);
+        json.WriteString("dialect", probing.Dialect.Name);
+        json.WriteString("template", probing.Template.File);
+        json.WriteString("plan", ProbingProgram.PlanId(probing.Plan));
+        json.WriteString("after", after);
+        json.WriteStartArray("files");
+        foreach (var (path, _) in Files(default))
+        {
+            json.WriteStringValue(path);
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{job.Name}: {probing.Plan.Points.Count} points are touched by a program for {probing.Dialect.Name}"));
+        page.Line();
+        SurfacePlanAnswer.WriteSummary(page, probing.Plan);
+        page.Line($"Template {probing.Template.File}: {probing.Template.About}");
+        page.Line(string.Create(
+            CultureInfo.InvariantCulture,
+            $"All coordinates are those of the ball's center; the measuring move goes along the normal from {job.Measuring.ApproachMm:0.###} mm before the surface to {job.Measuring.OvertravelMm:0.###} mm behind it and stops with an alarm if it finds nothing."));
+        page.Line(after is null ? "The work offset is G54: a template of your own names another." : $"It follows {after} in one program, in the work offset of that, and stops behind the last point for the finishing program.");
+        page.Line();
+        page.Line(folder is null
+            ? $"Nothing was written. Add --out DIR to write {FileName} and {SurfacePlanAnswer.FileName}."
+            : $"Wrote {Path.Combine(folder, FileName)} and {Path.Combine(folder, SurfacePlanAnswer.FileName)}. Next: run it, fetch its log, then: errormatch surface compensate {job.File} --measured LOG --out {folder}");
+    }
+}

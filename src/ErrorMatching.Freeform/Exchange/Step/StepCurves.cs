@@ -1,0 +1,166 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Curves of a STEP file as B-splines: LINE, CIRCLE, ELLIPSE, POLYLINE and B-splines, between two points of theirs.</summary>
+internal static class StepCurves
+{
+    private const double SamePlaceMm = 1e-3;
+    private const int Starts = 16;
+
+    /// <summary>The part of a curve that leads from one point to another, in its own direction, in millimetres.</summary>
+    /// <param name="curve">The curve.</param>
+    /// <param name="from">Where the part begins.</param>
+    /// <param name="to">Where it ends; the same as the beginning for a closed curve.</param>
+    /// <param name="scale">Millimetres a unit.</param>
+    /// <exception cref="FreeformException">The curve is broken or one that is not read.</exception>
+    public static SplineCurve Between(StepInstance curve, Point3 from, Point3 to, double scale)
+    {
+        var record = curve.Records[0];
+        try
+        {
+            return curve.Keyword switch
+            {
+                "LINE" => Polygon([from, to]),
+                "CIRCLE" => Arc(record, record.Real(2), record.Real(2), from, to, scale),
+                "ELLIPSE" => Arc(record, record.Real(2), record.Real(3), from, to, scale),
+                _ => Spline(curve, scale) is { } spline ? Part(spline, from, to) : throw NotRead(record),
+            };
+        }
+        catch (GeometryException e)
+        {
+            throw record.Fail("bad-curve", e.Message);
+        }
+    }
+
+    /// <summary>A B-spline or polyline as a whole; null for any other curve.</summary>
+    /// <exception cref="FreeformException">The curve is broken.</exception>
+    public static SplineCurve? Spline(StepInstance curve, double scale)
+    {
+        if (curve.Find("POLYLINE") is { } polyline)
+        {
+            return Polygon(Points(polyline, 1, scale));
+        }
+
+        var simple = curve.Records is [var only] && only.Keyword is "B_SPLINE_CURVE_WITH_KNOTS" or "BEZIER_CURVE" ? curve.Records[0] : null;
+        var shape = simple ?? (curve.Records.Count > 1 ? curve.Find("B_SPLINE_CURVE") : null);
+        if (shape is null)
+        {
+            return null;
+        }
+
+        var first = simple is null ? 0 : 1;
+        var degree = shape.Int(first, 1, KnotVector.MaxDegree);
+        var poles = Points(shape, first + 1, scale);
+        var knots = simple is { Keyword: "B_SPLINE_CURVE_WITH_KNOTS" } ? simple : curve.Find("B_SPLINE_CURVE_WITH_KNOTS");
+        var own = knots == simple ? 6 : 0;
+        try
+        {
+            var vector = knots is not null ? StepKnots.Of(knots, degree, own, own + 1)
+                : curve.Find("BEZIER_CURVE") is not null ? KnotVector.Clamped(degree, [0, 1])
+                : throw NotRead(shape);
+            return new(vector, poles, curve.Find("RATIONAL_B_SPLINE_CURVE") is { } rational ? rational.Reals(0) : []);
+        }
+        catch (GeometryException e)
+        {
+            throw shape.Fail("bad-curve", e.Message);
+        }
+    }
+
+    /// <summary>The point of a VERTEX_POINT or CARTESIAN_POINT in millimetres.</summary>
+    public static Point3 Point(StepRecord owner, int index, double scale)
+    {
+        var vertex = owner.Record(index, "VERTEX_POINT");
+        var p = vertex.Coordinates(vertex.At(1), 1, "CARTESIAN_POINT") * scale;
+        return new(p.X, p.Y, p.Z);
+    }
+
+    /// <summary>A chain of straight lines, its parameter counting the points.</summary>
+    public static SplineCurve Polygon(IReadOnlyList<Point3> points) => new(KnotVector.Clamped(1, Enumerable.Range(0, points.Count).Select(i => (double)i).ToArray()), points.ToArray());
+
+    /// <summary>The points of a list of references in millimetres.</summary>
+    public static Point3[] Points(StepRecord record, int index, double scale)
+    {
+        var list = record.List(index);
+        var points = new Point3[list.Count];
+        for (var i = 0; i < points.Length; i++)
+        {
+            var p = record.Coordinates(list[i], index, "CARTESIAN_POINT") * scale;
+            points[i] = new(p.X, p.Y, p.Z);
+        }
+
+        return points;
+    }
+
+    private static FreeformException NotRead(StepRecord record) => record.Fail("not-read", "a curve of this kind is not read: LINE, CIRCLE, ELLIPSE, POLYLINE, B_SPLINE_CURVE_WITH_KNOTS (rational too) and BEZIER_CURVE are. Export edges as B-splines");
+
+    // Counter-clockwise about the placement's axis; a full turn where both points are the same.
+    private static SplineCurve Arc(StepRecord record, double first, double second, Point3 from, Point3 to, double scale)
+    {
+        var frame = StepPlacement.Of(record.Instance(1));
+        if (!(first > 0 && second > 0))
+        {
+            throw record.Fail("bad-value", "a radius that is not positive");
+        }
+
+        var center = frame.Origin * scale;
+        double Angle(Point3 p)
+        {
+            var d = new Vector3(p.X, p.Y, p.Z) - center;
+            return Math.Atan2(d.Dot(frame.Y) / second, d.Dot(frame.X) / first);
+        }
+
+        var (a, b) = (Angle(from), Angle(to));
+        var sweep = b - a;
+        sweep -= Math.Tau * Math.Floor(sweep / Math.Tau);
+        var closed = (to - from).Length <= SamePlaceMm && (sweep < 1 || sweep > Math.Tau - 1);
+        return SplineArc.Of(center, frame.X * (first * scale), frame.Y * (second * scale), a, a + (closed || sweep <= 0 ? Math.Tau : sweep));
+    }
+
+    // Most edges are their curve as a whole; others are cut from it where the ends of the edge are.
+    private static SplineCurve Part(SplineCurve curve, Point3 from, Point3 to)
+    {
+        var (start, end) = (curve.Knots.Start, curve.Knots.End);
+        if ((curve.PointAt(start) - from).Length <= RegionTracer.GapMm && (curve.PointAt(end) - to).Length <= RegionTracer.GapMm)
+        {
+            return curve;
+        }
+
+        var (a, b) = (Closest(curve, from), Closest(curve, to));
+        return a < b ? curve.Between(a, b)
+            : throw new GeometryException(GeometryError.CoincidentPoints, $"the edge ends before it begins on its curve, or passes the place where the curve closes");
+    }
+
+    // Nearest of many places, then halving towards the smaller distance: exact enough for the end of an edge.
+    private static double Closest(SplineCurve curve, Point3 p)
+    {
+        var breaks = curve.Knots.Breaks;
+        var (best, distance, step) = (breaks[0], double.PositiveInfinity, 0.0);
+        for (var i = 1; i < breaks.Count; i++)
+        {
+            for (var k = 0; k <= Starts; k++)
+            {
+                var t = breaks[i - 1] + ((breaks[i] - breaks[i - 1]) * k / Starts);
+                var d = (curve.PointAt(t) - p).Length;
+                if (d < distance)
+                {
+                    (best, distance, step) = (t, d, (breaks[i] - breaks[i - 1]) / Starts);
+                }
+            }
+        }
+
+        for (; step > 1e-13 * (breaks[^1] - breaks[0]); step /= 2)
+        {
+            foreach (var t in new[] { Math.Max(breaks[0], best - step), Math.Min(breaks[^1], best + step) })
+            {
+                var d = (curve.PointAt(t) - p).Length;
+                if (d < distance)
+                {
+                    (best, distance) = (t, d);
+                }
+            }
+        }
+
+        return best;
+    }
+}

@@ -1,0 +1,101 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>The loops of edges that limit a face of a STEP file.</summary>
+/// <param name="surface">The surface, as the edges' curves of parameters (PCURVE) name it.</param>
+/// <param name="scale">Millimetres a unit.</param>
+/// <param name="map">Its parameters.</param>
+/// <param name="hasParameters">False if the parameters are not those of the file, so that only curves in space tell where an edge is.</param>
+/// <param name="tracer">Receives the loops.</param>
+internal sealed class StepLoops(StepInstance surface, double scale, SurfaceMap map, bool hasParameters, RegionTracer tracer)
+{
+    /// <summary>Follows a bound of the face.</summary>
+    /// <param name="bound">FACE_BOUND or FACE_OUTER_BOUND.</param>
+    public void Trace(StepInstance bound)
+    {
+        if (bound.Keyword is not ("FACE_BOUND" or "FACE_OUTER_BOUND"))
+        {
+            throw bound.Records[0].Fail("bad-reference", "FACE_BOUND or FACE_OUTER_BOUND is expected among the bounds of a face");
+        }
+
+        var loop = bound.Records[0].Instance(1);
+        var record = loop.Records[0];
+        switch (loop.Keyword)
+        {
+            case "EDGE_LOOP":
+                foreach (var edge in record.Instances(1))
+                {
+                    Edge(edge);
+                }
+
+                break;
+            case "POLY_LOOP":
+                var points = StepCurves.Points(record, 1, scale);
+                if (points.Length < 3)
+                {
+                    throw record.Fail("bad-loop", $"a loop of {points.Length} points");
+                }
+
+                tracer.Space(StepCurves.Polygon([.. points, points[0]]));
+                break;
+            case "VERTEX_LOOP":
+                return; // the point where a surface ends by itself, as a cone does
+            default:
+                throw record.Fail("not-read", "a loop of this kind is not read: EDGE_LOOP, POLY_LOOP and VERTEX_LOOP are");
+        }
+
+        tracer.Close();
+    }
+
+    private void Edge(StepInstance oriented)
+    {
+        var record = oriented.Get("ORIENTED_EDGE");
+        var edge = record.Record(3, "EDGE_CURVE");
+        var forward = edge.Flag(4);
+        var (first, last) = (StepCurves.Point(edge, 1, scale), StepCurves.Point(edge, 2, scale));
+        var (from, to) = forward ? (first, last) : (last, first);
+        var backward = record.Flag(4) != forward;
+        var curve = edge.Instance(3);
+        if (hasParameters && OfParameters(curve, from, to) is { } flat)
+        {
+            tracer.Parameters(backward ? flat.Reverse() : flat);
+            return;
+        }
+
+        // A curve on surfaces has its curve in space first.
+        for (var depth = 0; curve.Keyword is "SURFACE_CURVE" or "SEAM_CURVE" or "INTERSECTION_CURVE"; depth++)
+        {
+            curve = depth < ExchangeLimits.MaxDepth ? curve.Records[0].Instance(1) : throw edge.Fail("too-deep", "curves that refer to one another without end");
+        }
+
+        var space = StepCurves.Between(curve, from, to, scale);
+        tracer.Space(backward ? space.Reverse() : space);
+    }
+
+    // The curve of parameters, if the edge is all of it: lines and circles do not tell where the edge ends.
+    private SplineCurve? OfParameters(StepInstance curve, Point3 from, Point3 to)
+    {
+        if (curve.Keyword is not ("SURFACE_CURVE" or "INTERSECTION_CURVE"))
+        {
+            return null;
+        }
+
+        foreach (var candidate in curve.Records[0].Instances(2))
+        {
+            if (candidate.Find("PCURVE") is { } own && own.At(1) is { Kind: StepValueKind.Reference } reference && (long)reference.Number == surface.Id)
+            {
+                var items = own.Record(2, "DEFINITIONAL_REPRESENTATION").Instances(1).ToList();
+                return items is [var only] && StepCurves.Spline(only, 1) is { } flat && IsAt(flat, flat.Knots.Start, from) && IsAt(flat, flat.Knots.End, to) ? flat : null;
+            }
+        }
+
+        return null;
+    }
+
+    private bool IsAt(SplineCurve flat, double t, Point3 place)
+    {
+        var q = flat.PointAt(t);
+        return (map.PointAt(new(q.X, q.Y)) - place).Length <= RegionTracer.GapMm;
+    }
+}

@@ -1,0 +1,8 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>A point that was measured one or several times.</summary>
+/// <param name="Mean">The point with the mean of its errors.</param>
+/// <param name="Count">How often it was measured.</param>
+/// <param name="StandardDeviationMm">Standard deviation of its measurements with n - 1, in millimetres; NaN for one measurement.</param>
+/// <param name="StandardErrorMm">Standard uncertainty of the mean, the standard deviation over the root of n, in millimetres; NaN for one measurement.</param>
+public sealed record RepeatedPoint(ErrorSample Mean, int Count, double StandardDeviationMm, double StandardErrorMm);

@@ -1,0 +1,140 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>Moran's I of values on a grid: are neighbors alike, or is it noise?</summary>
+/// <remarks>
+/// I = n / W * sum w_ij z_i z_j / sum z_i^2 with z the values less their mean. Neighbors, with weight 1, are the next points on the same curve and, on the curves before and after, the point nearest in u (the relation made symmetric);
+/// all other weights are zero. Expectation and variance are those under randomization (A. D. Cliff and J. K. Ord, Spatial Processes: Models and Applications, 1981, section 2.3): what all orders of the same values on the same places would give.
+/// Mean and trend of a systematic error count as structure; noise about a fitted field is judged by its residuals, whose I is a little below the expectation because a fit takes part of what neighbors share.
+/// </remarks>
+/// <param name="I">Moran's I: about 0 for noise, towards 1 for smooth fields, below 0 where neighbors alternate.</param>
+/// <param name="Expectation">-1 / (n - 1).</param>
+/// <param name="Variance">Variance of I under randomization.</param>
+/// <param name="Z">(I - expectation) / standard deviation.</param>
+/// <param name="P">Probability that chance alone gives as large an I or a larger one, by the normal distribution.</param>
+/// <param name="Verdict">What follows at the 5 % level.</param>
+public sealed record SpatialStructure(double I, double Expectation, double Variance, double Z, double P, SpatialVerdict Verdict)
+{
+    /// <summary>The probability below which neighbors count as alike.</summary>
+    public const double Level = 0.05;
+
+    /// <summary>Below this number of points the normal distribution says nothing.</summary>
+    public const int LeastPoints = 10;
+
+    /// <summary>The structure of measured errors.</summary>
+    /// <param name="samples">Errors on the curves of a grid.</param>
+    public static SpatialStructure Of(IReadOnlyList<ErrorSample> samples)
+    {
+        ArgumentNullException.ThrowIfNull(samples);
+        return Of(samples, [.. samples.Select(s => s.ErrorMm)]);
+    }
+
+    /// <summary>The structure of what a field leaves of measured errors: systematic residuals mean that the field misses something.</summary>
+    /// <param name="samples">The samples the field was fitted to.</param>
+    /// <param name="values">One value a sample, such as <see cref="FittedField.Residuals"/>, in the same order.</param>
+    /// <exception cref="ArgumentException">The counts differ.</exception>
+    public static SpatialStructure Of(IReadOnlyList<ErrorSample> samples, IReadOnlyList<double> values)
+    {
+        ArgumentNullException.ThrowIfNull(samples);
+        ArgumentNullException.ThrowIfNull(values);
+        if (samples.Count != values.Count)
+        {
+            throw new ArgumentException($"{values.Count} values for {samples.Count} samples", nameof(values));
+        }
+
+        return Of([.. values], Neighbors(samples));
+    }
+
+    /// <summary>The statistic for symmetric neighbors of weight 1.</summary>
+    internal static SpatialStructure Of(double[] values, IReadOnlyCollection<(int A, int B)> neighbors)
+    {
+        double n = values.Length;
+        var expectation = -1 / (n - 1);
+        var mean = values.Length > 0 ? values.Average() : 0;
+        var z = Array.ConvertAll(values, v => v - mean);
+        var m2 = z.Sum(x => x * x);
+        if (values.Length < 4 || neighbors.Count == 0 || !(m2 > 0))
+        {
+            return new(double.NaN, expectation, double.NaN, double.NaN, double.NaN, SpatialVerdict.Undetermined);
+        }
+
+        var m4 = z.Sum(x => x * x * x * x);
+        var degrees = new double[values.Length];
+        var cross = 0.0;
+        foreach (var (a, b) in neighbors)
+        {
+            cross += 2 * z[a] * z[b];
+            degrees[a]++;
+            degrees[b]++;
+        }
+
+        // Cliff and Ord: S0 the sum of the weights, S1 half the sum of (w_ij + w_ji)^2, S2 the sum of the squared sums of rows and columns; b2 the kurtosis.
+        var s0 = 2.0 * neighbors.Count;
+        var s1 = 2 * s0;
+        var s2 = degrees.Sum(d => 4 * d * d);
+        var b2 = n * m4 / (m2 * m2);
+        var i = n / s0 * cross / m2;
+        var square = ((n * ((((n * n) - (3 * n) + 3) * s1) - (n * s2) + (3 * s0 * s0))) - (b2 * ((((n * n) - n) * s1) - (2 * n * s2) + (6 * s0 * s0)))) / ((n - 1) * (n - 2) * (n - 3) * s0 * s0);
+        var variance = square - (expectation * expectation);
+        var score = (i - expectation) / Math.Sqrt(variance);
+        var p = NormalTail(score);
+        return new(i, expectation, variance, score, p, values.Length < LeastPoints ? SpatialVerdict.Undetermined : p < Level ? SpatialVerdict.Systematic : SpatialVerdict.Noise);
+    }
+
+    /// <summary>Pairs of neighbors, each once, the smaller number first.</summary>
+    internal static HashSet<(int A, int B)> Neighbors(IReadOnlyList<ErrorSample> samples)
+    {
+        var curves = Enumerable.Range(0, samples.Count).GroupBy(k => samples[k].J).OrderBy(g => g.Key).Select(g => g.OrderBy(k => samples[k].I).ToArray()).ToArray();
+        var pairs = new HashSet<(int A, int B)>();
+        for (var c = 0; c < curves.Length; c++)
+        {
+            for (var k = 0; k + 1 < curves[c].Length; k++)
+            {
+                Add(curves[c][k], curves[c][k + 1]);
+            }
+
+            if (c + 1 < curves.Length)
+            {
+                Across(curves[c], curves[c + 1]);
+                Across(curves[c + 1], curves[c]);
+            }
+        }
+
+        return pairs;
+
+        void Add(int a, int b) => pairs.Add((Math.Min(a, b), Math.Max(a, b)));
+
+        void Across(int[] from, int[] to)
+        {
+            foreach (var k in from)
+            {
+                Add(k, to.MinBy(other => Math.Abs(samples[other].U - samples[k].U)));
+            }
+        }
+    }
+
+    /// <summary>Probability that a standard normal number is larger: a series near zero, a continued fraction beyond 3 (Abramowitz and Stegun, Handbook of Mathematical Functions, 26.2.11 and 26.2.14).</summary>
+    internal static double NormalTail(double x)
+    {
+        var density = Math.Exp(-0.5 * x * x) / Math.Sqrt(2 * Math.PI);
+        if (Math.Abs(x) < 3)
+        {
+            var (term, sum) = (x, x);
+            for (var k = 1; Math.Abs(term) > 1e-17 * Math.Abs(sum); k++)
+            {
+                term *= x * x / ((2 * k) + 1);
+                sum += term;
+            }
+
+            return 0.5 - (density * sum);
+        }
+
+        var fraction = 0.0;
+        for (var k = 200; k > 0; k--)
+        {
+            fraction = k / (Math.Abs(x) + fraction);
+        }
+
+        var tail = density / (Math.Abs(x) + fraction);
+        return x > 0 ? tail : 1 - tail;
+    }
+}

@@ -1,0 +1,110 @@
+using System.Globalization;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>A compensation as one HTML file that needs no network and no script.</summary>
+public static class CompensationReportHtml
+{
+    /// <summary>The report as a page: UTF-8 without a byte order mark; the same report always gives the same bytes.</summary>
+    public static byte[] Write(CompensationReport report)
+    {
+        ArgumentNullException.ThrowIfNull(report);
+        return ReportPage.Write(
+            $"{report.Job.Name}: compensated surface",
+            report.Job.WorkOrder is { } order ? $"Work order {order}" : "No work order",
+            [
+                new("summary", "Summary", html => WriteSummary(html, report)),
+                new("predicted", "Before, and what is expected after", html => WritePredictions(html, report.Result)),
+                new("maps", "Where the error is, and what is left", html => WriteMaps(html, report.Result)),
+                new("plots", "Error by point", html => WritePlots(html, report.Result)),
+                new("fit", "How the error was fitted", html => WriteFit(html, report.Result)),
+                new("path", "Tool path", html => WritePath(html, report)),
+                new("points", "Points", html => SurfaceTables.WritePoints(html, "points-table", "Measured points: their feet on the nominal surface, and their errors", report.Result.Samples)),
+                new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "surface compensate", ("--measured", "measured"))),
+            ]);
+    }
+
+    private static void WriteSummary(HtmlText html, CompensationReport report)
+    {
+        var (result, before, after) = (report.Result, report.Result.Before, report.Result.Predicted.Statistics);
+        using (html.In("p", ("class", result.LargestMoveMm > 0 ? "verdict holds" : "verdict fails")))
+        {
+            html.Put("strong", result.LargestMoveMm > 0 ? $"✓ {report.Program.File} cuts a surface that is moved by at most {Micrometres.OfMm(result.LargestMoveMm)} µm." : "○ Nothing is compensated: the finishing program cuts the nominal surface.");
+            html.Text($" Expected: standard deviation {Micrometres.OfMm(before.StandardDeviationMm)} µm becomes {Micrometres.OfMm(after.StandardDeviationMm)} µm, profile {Micrometres.OfMm(before.ProfileIsoMm)} µm becomes {Micrometres.OfMm(after.ProfileIsoMm)} µm.");
+        }
+
+        ReportFacts.WriteWarnings(html, result.Warnings);
+        ReportFacts.WriteNotes(html, result.Notes);
+        ReportFacts.Write(html,
+            ("Errors", "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
+            ("Alignment", result.Alignment is { } a ? string.Create(CultureInfo.InvariantCulture, $"Best fit: moved by X{a.TranslateMm.X:0.0000} Y{a.TranslateMm.Y:0.0000} Z{a.TranslateMm.Z:0.0000} mm, turned by {a.RotateDegrees.Length:0.00000}°.") : "None: points are compared where they were measured."),
+            ("Compensation", string.Create(CultureInfo.InvariantCulture, $"{(result.Input.Job.Compensation.Mirror ? "Each place is moved by its own error to the other side" : "The whole surface is moved by the mean error, as by a modified tool radius")}, gain {result.Input.Job.Compensation.Gain:0.###}, at most {result.Input.Job.Compensation.LimitMm:0.###} mm.")),
+            ("Calculated in", string.Create(CultureInfo.InvariantCulture, $"{report.CalculatingS:0.00} s (the paper's CAD system: about 30 s).")));
+    }
+
+    private static void WritePredictions(HtmlText html, CompensationResult result)
+    {
+        SurfaceTables.WriteStatistics(html, "predictions", "Measured, and expected by either way of compensating", [("Measured", result.Before), ("Expected, mirrored", result.Mirror.Statistics), ("Expected, tool radius", result.ToolRadius.Statistics)]);
+        html.Put("p", $"Standard uncertainty of the expected error: {Micrometres.OfMm(result.Mirror.PointUncertaintyMm)} µm at a point, {Micrometres.OfMm(result.Mirror.MeanUncertaintyMm)} µm for the mean. What did not fit the field is expected to come again, as scatter: cutting and probing do not repeat exactly.");
+    }
+
+    private static void WriteMaps(HtmlText html, CompensationResult result)
+    {
+        var limit = 1000 * result.Samples.Max(s => Math.Abs(s.ErrorMm));
+        var map = new HeatMap(result.Input.Surface, limit);
+        Figure(html, () => map.Write(html, "measured", "Measured error", (u, v) => 1000 * result.Systematic.At(u, v), Labels(result, s => s.ErrorMm)), "Colors are the field that is taken as systematic; numbers are what was measured.");
+        var gain = result.Input.Job.Compensation.Gain;
+        Figure(html, () => map.Write(html, "left", "Expected systematic error after compensation", (u, v) => 1000 * (result.Systematic.At(u, v) - (gain * result.Compensated.At(u, v))), []), "The same colors. Nothing of it is measured yet.");
+        var uncertain = new HeatMap(result.Input.Surface, 1000 * result.Samples.Max(s => result.Systematic.StandardUncertaintyAt(s.U, s.V)));
+        Figure(html, () => uncertain.Write(html, "uncertain", "Standard uncertainty of the field", (u, v) => 1000 * result.Systematic.StandardUncertaintyAt(u, v), []), "How well the field is known; colors of their own.");
+    }
+
+    private static void WritePlots(HtmlText html, CompensationResult result)
+    {
+        foreach (var (id, name, prediction) in new[] { ("mirror-plot", "mirror", result.Mirror), ("radius-plot", "tool radius", result.ToolRadius) })
+        {
+            Figure(
+                html,
+                () => new ErrorByPointPlot([.. result.Samples.Zip(prediction.Errors).Select(p => (ReportNumber.Count(p.First.Point), 1000 * p.First.ErrorMm, (double?)(1000 * p.Second)))])
+                    .Write(html, id, $"Error by point, {name}", "measured", $"expected, {name}"),
+                "As figures 10 to 12 of the paper; after is expected, without scatter.");
+        }
+    }
+
+    private static void WriteFit(HtmlText html, CompensationResult result)
+    {
+        var field = result.Systematic as FittedField;
+        ReportFacts.Write(html,
+            ("Systematic?", result.Structure is { Verdict: not SpatialVerdict.Undetermined } s ? string.Create(CultureInfo.InvariantCulture, $"{(s.Verdict == SpatialVerdict.Systematic ? "Yes" : "No")}: Moran's I {s.I:0.###} (no structure: {s.Expectation:0.###}), z {s.Z:0.0}, p {s.P:0.####}.") : "Too few points to tell, or all errors are the same."),
+            ("Fit", $"{FitMethods.NameOf(result.Input.Job.Fit.Method)} of the {(result.Input.Job.Fit.OfError ? "error over (u, v), added to the exact nominal surface" : "compensation points")}."),
+            ("Model", field is null ? result.Systematic is ConstantField ? "A constant." : "The surface fit of that name." : FieldWords.Sentence(field.Kind)),
+            ("Breaks", field is null || field.BreaksU.Count + field.BreaksV.Count == 0 ? "None of the curvature found." : string.Create(CultureInfo.InvariantCulture, $"u: {string.Join(", ", field.BreaksU.Select(b => b.ToString("0.####", CultureInfo.InvariantCulture)))}; v: {string.Join(", ", field.BreaksV.Select(b => b.ToString("0.####", CultureInfo.InvariantCulture)))}.")),
+            ("With lines left out", field is null ? "–" : $"{Micrometres.OfMm(field.LeaveLineOutMm)} µm: the mean error where whole grid lines are predicted from the others."),
+            ("Residuals", field is null ? "–" : $"{Micrometres.OfMm(field.ResidualStandardDeviationMm)} µm."),
+            ("Surface as written", $"{ReportNumber.Count(result.Surface.Spline.CountU)} × {ReportNumber.Count(result.Surface.Spline.CountV)} poles, degrees {ReportNumber.Count(result.Surface.Spline.KnotsU.Degree)} and {ReportNumber.Count(result.Surface.Spline.KnotsV.Degree)}; {(result.ThroughPoints is null ? $"within {(result.ApproximationMm * 1e6).ToString("0.0", CultureInfo.InvariantCulture)} nm of the nominal surface moved by the field, with its parametrization and limits" : "laid through the compensation points")}."));
+    }
+
+    private static void WritePath(HtmlText html, CompensationReport report)
+    {
+        var (path, certificate) = (report.ToolPath, report.ToolPath.Certificate);
+        ReportFacts.Write(html,
+            ("Program", $"{report.Program.File}, SHA-256 {ReportInputs.ShortHash(report.Program.Sha256)}…"),
+            ("Passes", $"{ReportNumber.Count(path.Passes)} passes of {ReportNumber.Count(path.Points)} points, {path.LengthMm.ToString("0", CultureInfo.InvariantCulture)} mm."),
+            ("Chordal error", $"At most {Micrometres.OfMm(certificate.ChordMm)} µm, found by checking the rounded polyline densely."),
+            ("Scallop", $"At most {Micrometres.OfMm(certificate.ScallopMm)} µm."),
+            ("Gouges", certificate.RaisedPoints == 0 ? $"None: the ball was checked against the whole surface; it cuts at most {Micrometres.OfMm(certificate.GougeMm)} µm too deep by rounding." : $"{ReportNumber.Count(certificate.RaisedPoints)} points were raised by up to {Micrometres.OfMm(certificate.RaisedMm)} µm where the ball does not fit: there material is left."));
+    }
+
+    private static IReadOnlyList<(string, Geometry.Point3, double)> Labels(CompensationResult result, Func<ErrorSample, double> valueMm) =>
+        [.. result.Samples.Select(s => (ReportNumber.Count(s.Point), s.Nominal, 1000 * valueMm(s)))];
+
+    private static void Figure(HtmlText html, Action draw, string caption)
+    {
+        using (html.In("figure"))
+        {
+            draw();
+            html.Put("figcaption", caption);
+        }
+    }
+}

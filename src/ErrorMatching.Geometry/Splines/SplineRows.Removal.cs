@@ -1,0 +1,102 @@
+namespace ErrorMatching.Geometry;
+
+/// <content>Knot removal.</content>
+internal sealed partial record SplineRows
+{
+    /// <summary>The spline with one knot less that is closest to this one: the largest displacement of any of its poles, when they are counted over the old knots, is as small as it can be while the ends stay.</summary>
+    /// <remarks>
+    /// Boehm's insertion of the knot gives the old poles as P = A Q. They are of that form if n P = 0 for the one vector n with n A = 0; the smallest change that makes it 0 moves the poles between the first and the last one
+    /// concerned by n P / sum |n|, each with the sign of its n.
+    /// </remarks>
+    /// <param name="t">An inner knot of this clamped spline.</param>
+    public SplineRows Remove(double t)
+    {
+        var p = Knots.Degree;
+        var times = Knots.Multiplicity(t);
+        if (!(t > Knots.Start && t < Knots.End) || times == 0)
+        {
+            throw new GeometryException(GeometryError.BadKnots, FormattableString.Invariant($"{t} is no inner knot"));
+        }
+
+        double[] all = [.. Knots.Values];
+        var at = Array.LastIndexOf(all, t);
+        var coarse = new KnotVector(p, [.. all[..at], .. all[(at + 1)..]]);
+
+        // Over the coarse knots: t lies in the span that begins at knot k, and counts s times.
+        var (k, s) = (at - 1, times - 1);
+        var (first, last) = (k - p, k - s + 1);
+        var alpha = new double[last - first + 1];
+        alpha[0] = 1;
+        for (var i = first + 1; i < last; i++)
+        {
+            alpha[i - first] = (t - coarse.Values[i]) / (coarse.Values[i + p] - coarse.Values[i]);
+        }
+
+        var old = Straighten(first, alpha);
+        var values = new double[Values.Length - Width];
+        var target = values.AsSpan();
+        old.AsSpan(0, (first + 1) * Width).CopyTo(target);
+        old.AsSpan(last * Width).CopyTo(target[((last - 1) * Width)..]);
+
+        // From both ends towards the middle, so that no division is by less than a half.
+        var middle = first + 1;
+        for (; middle < last - 1 && alpha[middle - first] >= 0.5; middle++)
+        {
+            var a = alpha[middle - first];
+            Combine(old, middle, 1 / a, values, middle - 1, (a - 1) / a, target.Slice(middle * Width, Width));
+        }
+
+        for (var i = last - 1; i > middle; i--)
+        {
+            var a = alpha[i - first];
+            Combine(old, i, 1 / (1 - a), values, i, -a / (1 - a), target.Slice((i - 1) * Width, Width));
+        }
+
+        return new(coarse, values, Width);
+    }
+
+    /// <summary>The values with the poles from the first one on moved as little as makes the knot superfluous.</summary>
+    private double[] Straighten(int first, double[] alpha)
+    {
+        var count = alpha.Length;
+        var n = new double[count];
+        n[0] = 1;
+        for (var i = 1; i < count; i++)
+        {
+            n[i] = -n[i - 1] * alpha[i - 1] / (1 - alpha[i]);
+        }
+
+        // With a jump there is nothing between the first and the last.
+        var (from, to) = count == 2 ? (0, 1) : (1, count - 2);
+        var sum = 0.0;
+        for (var i = from; i <= to; i++)
+        {
+            sum += Math.Abs(n[i]);
+        }
+
+        var values = (double[])Values.Clone();
+        for (var c = 0; c < Width; c++)
+        {
+            var rest = 0.0;
+            for (var i = 0; i < count; i++)
+            {
+                rest += n[i] * Values[((first + i) * Width) + c];
+            }
+
+            for (var i = from; i <= to; i++)
+            {
+                values[((first + i) * Width) + c] -= Math.Sign(n[i]) * rest / sum;
+            }
+        }
+
+        return values;
+    }
+
+    private void Combine(double[] a, int rowA, double factorA, double[] b, int rowB, double factorB, Span<double> target)
+    {
+        for (var c = 0; c < Width; c++)
+        {
+            target[c] = (factorA * a[(rowA * Width) + c]) + (factorB * b[(rowB * Width) + c]);
+        }
+    }
+}

@@ -1,0 +1,194 @@
+using System.Globalization;
+using System.Text;
+using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
+using FsCheck;
+using FsCheck.Fluent;
+
+namespace ErrorMatching.Freeform.Tests;
+
+public sealed class MeasuredSurfaceReaderTests
+{
+    private static readonly MeasuringPlan Plan = Programs.Plan(Surfaces.Three);
+
+    [Fact]
+    public void Centers_become_the_contacts_that_they_came_of_wherever_the_ball_touched() => Check.One(Config.QuickThrowOnFailure.WithMaxTest(50), Prop.ForAll<int>(IsExact));
+
+    private static void IsExact(int seed)
+    {
+        // The ball touches a surface that lies 0.2 mm and an error over the nominal one, up to half a millimeter aside of where it was sent.
+        var random = new Random(seed);
+        var (centers, contacts) = (new Point3[Plan.Points.Count], new Point3[Plan.Points.Count]);
+        for (var i = 0; i < centers.Length; i++)
+        {
+            var point = Plan.Points[i];
+            var at = Plan.Surface.Spline.At(point.U + ((random.NextDouble() - 0.5) / 75), point.V + ((random.NextDouble() - 0.5) / 63));
+            contacts[i] = at.Position + (at.Normal * (0.2 + (0.1 * random.NextDouble())));
+            centers[i] = contacts[i] + (at.Normal * 3);
+        }
+
+        var measured = Read(Programs.Log(Plan, p => centers[p.Number - 1]));
+        Assert.All(measured.Points, p => Assert.True((p.Contact - contacts[p.Planned.Number - 1]).Length < 1e-9));
+        Assert.Equal(measured.Points[4].Contact, measured[5]);
+    }
+
+    [Fact]
+    public void The_planned_normal_would_be_wrong_on_a_slope()
+    {
+        // On a slope of 45 degrees that turns with a radius of 40 mm, a touch 0.5 mm aside makes 3 µm if the planned normal is taken: 0.5²/2 (1/40 - ...) - the contact found here has none of it.
+        var plan = Programs.Plan(Surfaces.Quadratic((x, _) => -x * x / 80));
+        var point = plan.Points.First(p => p.I == 2);
+        var at = plan.Surface.Spline.At(point.U + (0.5 / 75), point.V);
+        var center = at.Position + (at.Normal * (3 + 0.2));
+        var log = Programs.Log(plan, p => p == point ? center : plan.CenterOf(p));
+        var contact = MeasuredSurfaceReader.Read(Encoding.UTF8.GetBytes(log), "log", plan, plan.Measuring)[point.Number];
+        Assert.True((contact - (at.Position + (at.Normal * 0.2))).Length < 1e-9);
+        Assert.True((contact - (center + (point.Normal * -3))).Length > 0.005);
+    }
+
+    [Fact]
+    public void Logs_may_be_padded_as_controls_pad_them()
+    {
+        var lines = Programs.Log(Plan, Plan.CenterOf).Split('\n');
+        for (var i = 1; i < lines.Length; i++)
+        {
+            lines[i] = lines[i].Replace("X", "X   ", StringComparison.Ordinal).Replace("Z-", "Z-  ", StringComparison.Ordinal).Replace("P", "P  ", StringComparison.Ordinal);
+        }
+
+        var measured = Read("%_N_ERRORMATCH_MPF\r\n;$PATH=/_N_MPF_DIR\r\n" + string.Join("\r\n", lines) + "%\r\n");
+        Assert.All(measured.Points, p => Assert.True((p.Contact - Plan.ContactOf(p.Planned)).Length < 1e-9));
+        Assert.Empty(measured.Warnings);
+    }
+
+    [Fact]
+    public void A_contact_in_a_log_is_taken_as_it_is()
+    {
+        var contact = Plan.ContactOf(Plan.Points[0]) + new Vector3(0, 0, 0.01);
+        var log = Programs.Log(Plan, Plan.CenterOf).Split('\n');
+        log[1] = string.Create(CultureInfo.InvariantCulture, $"P1 S X{contact.X:R} Y{contact.Y:R} Z{contact.Z:R}");
+        Assert.Equal(contact, Read(string.Join('\n', log))[1]);
+    }
+
+    [Theory]
+    [InlineData(',')]
+    [InlineData(';')]
+    [InlineData('\t')]
+    public void Tables_name_points_by_their_numbers_or_by_their_places(char delimiter)
+    {
+        string Row(string first, PlanPoint p) => first + FormattableString.Invariant($",{Plan.ContactOf(p).X:R},{Plan.ContactOf(p).Y:R},{Plan.ContactOf(p).Z:R}\n").Replace(',', delimiter);
+        var byNumber = $"point{delimiter}x{delimiter}y{delimiter}z\n" + string.Concat(Plan.Points.Select(p => Row(FormattableString.Invariant($"P{p.Number}"), p)));
+        var byPlace = $"j{delimiter}i{delimiter}x{delimiter}y{delimiter}z\n" + string.Concat(Plan.Points.Reverse().Select(p => Row(FormattableString.Invariant($"{p.J}{delimiter}{p.I}"), p)));
+        foreach (var text in (string[])[byNumber, byPlace])
+        {
+            var measured = Read(text);
+            Assert.All(measured.Points, p => Assert.Equal(Plan.ContactOf(p.Planned), p.Contact));
+            Assert.Empty(measured.Warnings);
+        }
+    }
+
+    [Fact]
+    public void Tables_hold_centers_where_the_job_says_so()
+    {
+        var text = "point,x,y,z\n" + string.Concat(Plan.Points.Select(p => FormattableString.Invariant($"{p.Number},{Plan.CenterOf(p).X:R},{Plan.CenterOf(p).Y:R},{Plan.CenterOf(p).Z:R}\n")));
+        var measured = Read(text, Plan.Measuring with { ReportsStylusCenter = true });
+        Assert.All(measured.Points, p => Assert.True((p.Contact - Plan.ContactOf(p.Planned)).Length < 1e-9));
+        Assert.Contains("stylus-center", Assert.Throws<FreeformException>(() => Read(text)).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Gauge_tables_of_features_are_read()
+    {
+        var text = "feature,item,nominal,actual,deviation\n" + string.Concat(Plan.Points.SelectMany(p => "XYZ".Select(axis =>
+        {
+            var value = Math.Round(axis == 'X' ? Plan.ContactOf(p).X : axis == 'Y' ? Plan.ContactOf(p).Y : Plan.ContactOf(p).Z, 4);
+            return FormattableString.Invariant($"P{p.Number},{axis},{value:0.0000},{value:0.0000},0\n");
+        })));
+        Assert.All(Read(text).Points, p => Assert.True((p.Contact - Plan.ContactOf(p.Planned)).Length < 1e-4));
+    }
+
+    [Fact]
+    public void A_missing_point_is_named() => Refused(Without(3), "missing-point", null, "missing: 3.");
+
+    [Fact]
+    public void A_doubled_point_is_named_with_both_lines() => Refused(Log() + Log().Split('\n')[4] + "\n", "doubled-point", 22, "point 4 is here a second time, the first is in line 5");
+
+    [Fact]
+    public void A_point_that_the_plan_has_not_is_named() => Refused(Log() + "P21 C X0 Y0 Z0\n", "unknown-point", 22, "point 21");
+
+    [Fact]
+    public void A_far_off_point_is_named_with_its_distance() =>
+        Refused(Programs.Log(Plan, p => p.Number == 6 ? Plan.CenterOf(p) + new Vector3(0, 0, 5) : Plan.CenterOf(p)), "far-off-point", 7, "point 6 is");
+
+    [Fact]
+    public void A_touch_that_found_nothing_is_far_off() => Refused(Programs.Log(Plan, p => p.Number == 6 ? Plan.OvertravelOf(p) : Plan.CenterOf(p)), "far-off-point", 7, "(-2 mm along the normal");
+
+    [Fact]
+    public void Points_out_of_order_are_a_warning()
+    {
+        var lines = Log().Split('\n');
+        (lines[5], lines[6]) = (lines[6], lines[5]);
+        var measured = Read(string.Join('\n', lines));
+        Assert.Contains("line 7: point 5 stands behind point 6", Assert.Single(measured.Warnings), StringComparison.Ordinal);
+        Assert.Equal(7, measured.Points[4].Line);
+    }
+
+    [Fact]
+    public void A_log_of_another_plan_is_refused() => Refused(Programs.Log(Programs.Plan(Surfaces.Two), Plan.CenterOf), "other-plan", 1, "belongs to the plan");
+
+    [Fact]
+    public void Two_runs_in_one_log_are_refused() => Refused(Log() + Log(), "two-runs", 22, "began in line 1");
+
+    [Theory]
+    [InlineData("", "empty-file")]
+    [InlineData("hello", "missing-column")]
+    [InlineData("point,x,y\n1,2,3\n", "missing-column")]
+    [InlineData("point,x,y,z\n1,2,3\n", "short-row")]
+    [InlineData("point,x,y,z\n1,2,3,NaN\n", "bad-number")]
+    [InlineData("point,x,y,z\none,2,3,4\n", "bad-number")]
+    [InlineData("point,x,x,y,z\n1,2,3,4,5\n", "duplicate-column")]
+    [InlineData("ERRORMATCH PROBE\n", "bad-log")]
+    [InlineData("ERRORMATCH PROBE PLAN 0 INCH\n", "bad-log")]
+    [InlineData("i,j,x,y,z\n99,0,2,3,4\n", "unknown-point")]
+    [InlineData("point,x,y,z\n\0", "binary-file")]
+    public void What_is_no_measurement_is_refused(string text, string code) => Assert.Equal(code, Assert.Throws<FreeformException>(() => Read(text)).Code);
+
+    [Theory]
+    [InlineData("P1 C X1 Y2")]
+    [InlineData("P1 X1 Y2 Z3")]
+    [InlineData("P1 C X1 Y2 Z3 Q4")]
+    [InlineData("P1.5 C X1 Y2 Z3")]
+    [InlineData("P1 C X1 Y2 Z1.2.3")]
+    public void A_line_of_a_log_that_is_no_point_is_refused_with_its_line(string line) => Refused(Log().Split('\n')[0] + "\n" + line, "bad-log", 2, "expected a point such as");
+
+    [Fact]
+    public void Whatever_bytes_come_nothing_but_the_library_s_errors_does() => Check.One(Config.QuickThrowOnFailure.WithMaxTest(200), Prop.ForAll<byte[]>(Survives));
+
+    private static void Survives(byte[] bytes)
+    {
+        try
+        {
+            MeasuredSurfaceReader.Read(bytes, "any", Plan, Plan.Measuring);
+        }
+        catch (FreeformException e)
+        {
+            Assert.NotEmpty(e.Problem);
+        }
+        catch (MeasurementException e)
+        {
+            Assert.NotEmpty(e.Problem);
+        }
+    }
+
+    private static string Log() => Programs.Log(Plan, Plan.CenterOf);
+
+    private static string Without(int number) => string.Join('\n', Log().Split('\n').Where((_, i) => i != number));
+
+    private static MeasuredPoints Read(string text, JobMeasuring? measuring = null) => MeasuredSurfaceReader.Read(Encoding.UTF8.GetBytes(text), "measured.csv", Plan, measuring ?? Plan.Measuring);
+
+    private static void Refused(string text, string code, int? line, string reason)
+    {
+        var error = Assert.Throws<FreeformException>(() => Read(text));
+        Assert.Equal((code, "measured.csv", line), (error.Code, error.File, error.Line));
+        Assert.Contains(reason, error.Message, StringComparison.Ordinal);
+    }
+}

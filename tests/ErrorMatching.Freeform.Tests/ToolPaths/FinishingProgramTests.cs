@@ -1,0 +1,87 @@
+using System.Text;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Freeform.Tests;
+
+/// <summary>The program, read back by the interpreter of NC programs.</summary>
+public sealed class FinishingProgramTests
+{
+    public static TheoryData<string> Dialects => [.. NcDialects.Names];
+
+    [Theory]
+    [MemberData(nameof(Dialects))]
+    public void Each_control_s_program_is_understood_and_makes_the_moves_of_the_path(string name)
+    {
+        var dialect = NcDialects.Named(name);
+        var toolpath = Plans.Passes(0.02, 0.01, zigzag: false);
+        var path = Plans.Path(Shapes.Three, toolpath, dialect: dialect);
+        var bytes = FinishingProgram.Write(path, Plans.Job(toolpath, name), dialect);
+
+        var read = NcInterpreter.Run(NcProgram.Read(bytes), dialect);
+        Assert.Null(read.Refusal);
+        Assert.Empty(read.Problems);
+        var moves = path.Moves().ToList();
+        var offset = read.Motions.Length - moves.Count;
+        Assert.Equal(1, offset);
+        for (var i = 0; i < moves.Count; i++)
+        {
+            var motion = read.Motions[i + offset];
+            Assert.True((motion.End - moves[i].Center).Length < 1e-9, $"{motion.End} for {moves[i]}");
+            Assert.Equal(moves[i].IsRapid, motion.Kind == MotionKind.Rapid);
+            Assert.True(moves[i].IsRapid || motion.Feed == 1200);
+        }
+    }
+
+    [Fact]
+    public void The_tip_runs_a_radius_below_the_center()
+    {
+        var (center, tip) = (Plans.Passes(0.02, 0.01), Plans.Passes(0.02, 0.01, tip: true));
+        var path = Plans.Path(Shapes.One, tip);
+        var program = NcInterpreter.Run(NcProgram.Read(FinishingProgram.Write(path, Plans.Job(tip, "linuxcnc"), NcDialects.LinuxCnc)), NcDialects.LinuxCnc);
+
+        var moves = path.Moves().ToList();
+        Assert.Equal(moves[5].Center.Z - 3, program.Motions[6].End.Z, 1e-9);
+        Assert.Equal(Plans.Path(Shapes.One, center).Points, path.Points);
+    }
+
+    [Fact]
+    public void Words_are_written_where_they_change()
+    {
+        var toolpath = Plans.Passes(0.05, 0.01);
+        var text = Encoding.ASCII.GetString(FinishingProgram.Write(Plans.Path(Shapes.Plane(10, 1, 2), toolpath), Plans.Job(toolpath, "linuxcnc"), NcDialects.LinuxCnc));
+
+        Assert.Contains("S10000 M3\nG0 Z15.0000\nX0.0000 Y0.0000\nZ8.0000\nG1Z5.0000 F1200\nX".Replace("G1Z", "G1 Z", StringComparison.Ordinal), text, StringComparison.Ordinal);
+        Assert.EndsWith("\nG0 Z15.0000\nM5\nM2\n", text, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Words_of_the_job_cannot_end_a_comment()
+    {
+        var toolpath = Plans.Passes(0.05, 0.01);
+        var dialect = NcDialects.FanucMill;
+        var bytes = FinishingProgram.Write(Plans.Path(Shapes.Plane(10, 1), toolpath, dialect: dialect), Plans.Job(toolpath, "fanuc", "Wing) G0 X1000 (\\n%"), dialect, CuttingStage.Roughing);
+
+        var read = NcInterpreter.Run(NcProgram.Read(bytes), dialect);
+        Assert.Empty(read.Problems);
+        Assert.DoesNotContain(Enumerable.Range(0, read.Motions.Length).Select(i => read.Motions[i].End.X), x => x > 100);
+        Assert.Contains("(roughing: ", Encoding.ASCII.GetString(bytes), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_control_with_another_increment_than_planned_for_is_an_error() => Assert.Throws<ArgumentException>(() =>
+        FinishingProgram.Write(Plans.Path(Shapes.Plane(10, 1), Plans.Passes(0.05, 0.01)), Plans.Job(Plans.Passes(), "fanuc"), NcDialects.FanucMill));
+
+    [Fact]
+    public void Numbers_of_every_size_are_written_exactly()
+    {
+        foreach (var z in (double[])[0, 0.0001, -0.0001, 9.9999, 10, -10, 99.9999, 123456.789, -0.5])
+        {
+            using var stream = new MemoryStream();
+            var writer = new MoveWriter(stream, 4, 0, "F1"u8.ToArray(), 1e6);
+            writer.Write(new(new(z, 1, 2), true));
+            writer.Flush();
+
+            Assert.Equal(FormattableString.Invariant($"X{z:0.0000} Y1.0000 Z2.0000\n"), Encoding.ASCII.GetString(stream.ToArray()));
+        }
+    }
+}
