@@ -61,7 +61,7 @@ public sealed class GridReaderTests
         var text = new StringBuilder("i,j,x,y,z\n");
         for (var k = 0; k <= GridReader.MaxPoints; k++)
         {
-            text.Append("0,0,0,0,0\n");
+            text.Append("1,1,1,1,1\n");
         }
 
         var error = Assert.Throws<MeasurementException>(() => Read(text.ToString()));

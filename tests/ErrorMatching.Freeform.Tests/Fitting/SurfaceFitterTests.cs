@@ -134,7 +134,7 @@ public sealed class SurfaceFitterTests
         {
             var fit = SurfaceFitter.Fit(strip, method, ToleranceMm);
             Assert.True(double.IsNaN(fit.LeaveLineOutMm), $"{method} {fit.LeaveLineOutMm}");
-            Assert.Equal(0, new SurfaceDistance(fit.Surface).Of(strip.Points.Select(p => p.Position)).MaxMm, 9);
+            Assert.Equal(0, new SurfaceDistance(fit.Surface).Of(strip.Points.Select(p => p.Position)).MaxMm, 1e-7);
         }
     }
 

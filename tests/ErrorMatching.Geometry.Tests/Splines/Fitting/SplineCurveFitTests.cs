@@ -96,7 +96,7 @@ public sealed class SplineCurveFitTests
         double[] t = [0, 0.2, 0.3, 0.6, 0.8, 1];
         var knots = FittingKnots.ForLeastSquares(2, t, 4);
         Point3[][] points = [.. Enumerable.Range(0, 3).Select(j => t.Select(s => new Point3(s, Math.Cos(s * (j + 1)), Math.Exp(s * j))).ToArray())];
-        var family = SplineCurveFit.LeastSquares(points, t, knots);
+        var family = SplineCurveFit.LeastSquaresFamily(points, t, knots);
         for (var j = 0; j < 3; j++)
         {
             Near(SplineCurveFit.LeastSquares(points[j], t, knots).PointAt(0.37), family[j].PointAt(0.37), 1e-13);
