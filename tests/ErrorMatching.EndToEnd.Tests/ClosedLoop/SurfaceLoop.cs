@@ -1,6 +1,7 @@
 using System.Text;
 using ErrorMatching.Freeform;
 using ErrorMatching.Nc;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
