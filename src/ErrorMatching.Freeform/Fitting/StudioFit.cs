@@ -14,8 +14,8 @@ internal static class StudioFit
     public static SmoothedSurface Fit(FitGrid grid, double? weight)
     {
         var (points, us, vs) = grid.Scattered();
-        // Not more poles than points: cross-validation would have nothing to judge by.
-        return SplineSurfaceFit.Smooth(points, us, vs, Knots(grid.Us, points.Length / grid.Vs.Length), Knots(grid.Vs, grid.Vs.Length), grid.LengthU, grid.LengthV, weight);
+        // A ragged grid is as good as its shortest curve: poles that its points leave open would be the energy's alone.
+        return SplineSurfaceFit.Smooth(points, us, vs, Knots(grid.Us, grid.Curves.Min(c => c.Length)), Knots(grid.Vs, grid.Vs.Length), grid.LengthU, grid.LengthV, weight);
     }
 
     // The energy determines poles that points alone would not, so a cubic serves for two points as well.
