@@ -8,8 +8,8 @@ namespace ErrorMatching.Peers.Tests;
 /// <summary>We read the files that the CAD kernel writes: surfaces within the digits that it writes, limits as large as its own.</summary>
 public sealed class OcctWritesTests
 {
-    // It writes 10 digits in IGES and 13 in STEP.
-    private const double IgesMm = 2e-8;
+    // It writes 10 digits in IGES and 13 in STEP; a knot's last digit moves a point by up to 150 times as much.
+    private const double IgesMm = 2e-7;
     private const double StepMm = 1e-9;
 
     public static TheoryData<bool> Formats => [true, false];
@@ -71,8 +71,8 @@ public sealed class OcctWritesTests
     [Theory]
     [InlineData(true, "cylinder c 0 0 0 0 1 0 50\nmkface g c -1 1 0 63\n")]
     [InlineData(false, "cylinder c 0 0 0 0 1 0 50\nmkface g c -1 1 0 63\n")]
-    [InlineData(true, "plane p 0 0 40 0.1 0.2 1\nmkface g p -40 40 -1 63\n")]
-    [InlineData(false, "plane p 0 0 40 0.1 0.2 1\nmkface g p -40 40 -1 63\n")]
+    [InlineData(true, "plane p 0 0 40 0.1 0.2 1\nmkface g p -70 70 -70 70\n")]
+    [InlineData(false, "plane p 0 0 40 0.1 0.2 1\nmkface g p -70 70 -70 70\n")]
     [InlineData(true, "beziersurf s 3 3 -40 0 30 -40 30 40 -40 63 30 0 0 40 0 30 45 0 63 40 40 0 30 40 30 35 40 63 45\nmkface g s\n")]
     [InlineData(false, "beziersurf s 3 3 -40 0 30 -40 30 40 -40 63 30 0 0 40 0 30 45 0 63 40 40 0 30 40 30 35 40 63 45\nmkface g s\n")]
     public void A_face_with_a_drilled_hole_and_a_cut_side_has_the_kernels_area(bool step, string face)
@@ -121,7 +121,7 @@ public sealed class OcctWritesTests
     // Sum of the elements of area at the middles of small cells.
     private static double AreaOf(PartSurface surface)
     {
-        const int Steps = 1000;
+        const int Steps = 400;
         var (u, v) = (surface.Spline.KnotsU, surface.Spline.KnotsV);
         var cell = (u.End - u.Start) * (v.End - v.Start) / Steps / Steps;
         return Inside(surface, Steps).Sum(q => surface.Spline.At(q.U, q.V) is var at ? at.Du.Cross(at.Dv).Length * cell : 0);
