@@ -121,6 +121,29 @@ public sealed class IgesLimitTests
         Assert.Equal(Math.PI * 100, Math.Abs(RegionLoop.Area(loop)), 0.001 * Math.Tau * 10);
     }
 
+    [Theory]
+    [InlineData(0)]
+    [InlineData(0.3)]
+    [InlineData(-1.2)]
+    [InlineData(2)]
+    public void An_ellipse_is_followed_in_any_position(double turn)
+    {
+        // Semi-axes 20 and 10 about (30, 25), turned: ((x c + y s)/20)^2 + ((y c - x s)/10)^2 = 1, written out.
+        var (s, c) = Math.SinCos(turn);
+        var (a, b, k) = ((c * c / 400) + (s * s / 100), 2 * c * s * ((1 / 400.0) - (1 / 100.0)), (s * s / 400) + (c * c / 100));
+        var (d, e) = (-(2 * a * 30) - (b * 25), -(2 * k * 25) - (b * 30));
+        var f = (a * 900) + (b * 750) + (k * 625) - 1;
+        var (x, y) = (30 + (20 * c), 25 + (20 * s));
+        var file = new IgesText();
+        var surface = file.Add(128, IgesText.Flat(60, 60), dependent: true);
+        var numbers = string.Join(',', new[] { a, b, k, d, e, f, 0, x, y, x, y }.Select(n => n.ToString("R", System.Globalization.CultureInfo.InvariantCulture)));
+        var ellipse = file.Add(104, $"104,{numbers}", form: 1, dependent: true);
+        file.Add(144, $"144,{surface},1,0,{file.Add(142, $"142,0,{surface},0,{ellipse},2", dependent: true)}");
+        var loop = Assert.Single(file.Read().Region.Loops);
+        Assert.All(loop, q => Assert.Equal(0, (a * 3600 * q.X * q.X) + (b * 3600 * q.X * q.Y) + (k * 3600 * q.Y * q.Y) + (d * 60 * q.X) + (e * 60 * q.Y) + f, 1e-6));
+        Assert.Equal(Math.PI * 200, 3600 * Math.Abs(RegionLoop.Area(loop)), 0.1);
+    }
+
     [Fact]
     public void A_surface_of_revolution_is_round()
     {
