@@ -26,7 +26,7 @@ internal sealed class IgesCurves(IgesFile file)
         ? only
         : throw file.Fail("not-read", $"{entity} joins several curves; one is expected of which a surface is made", entity.Line);
 
-    private IEnumerable<SplineCurve> Read(IgesEntity entity, IgesTransform outer, double scale, int depth)
+    private List<SplineCurve> Read(IgesEntity entity, IgesTransform outer, double scale, int depth)
     {
         if (depth > ExchangeLimits.MaxDepth || ++_count > ExchangeLimits.MaxCurves)
         {
@@ -180,5 +180,5 @@ internal sealed class IgesCurves(IgesFile file)
     }
 
     // Points that follow one another at the same place are one.
-    private static SplineCurve Polygon(IReadOnlyList<Point3> points) => new(KnotVector.Clamped(1, Enumerable.Range(0, points.Count).Select(i => (double)i).ToArray()), points.ToArray());
+    private static SplineCurve Polygon(List<Point3> points) => new(KnotVector.Clamped(1, Enumerable.Range(0, points.Count).Select(i => (double)i).ToArray()), points.ToArray());
 }
