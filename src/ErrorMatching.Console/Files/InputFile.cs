@@ -2,12 +2,16 @@ using ErrorMatching.Freeform;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
+using Microsoft.Win32.SafeHandles;
 
 namespace ErrorMatching.Console;
 
 /// <summary>Reads inputs that the libraries take as bytes. Measurements have a reader of their own.</summary>
 internal static class InputFile
 {
+    /// <summary>From so many bytes on, a second core is worth its start.</summary>
+    private const int Many = 4_000_000;
+
     /// <summary>The job in a file.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JobException">It cannot be used.</exception>
@@ -45,7 +49,7 @@ internal static class InputFile
     public static ReadOnlyMemory<byte> Program(string path) => Open(path, p =>
     {
         var length = new FileInfo(p).Length;
-        return length <= NcProgram.MaxBytes ? File.ReadAllBytes(p) : throw new NcException(NcErrorCode.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read.");
+        return length <= NcProgram.MaxBytes ? length < Many ? File.ReadAllBytes(p) : InHalves(p, (int)length) : throw new NcException(NcErrorCode.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read.");
     });
 
     /// <summary>The bytes of a file.</summary>
@@ -60,6 +64,33 @@ internal static class InputFile
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JsonDocumentException">It cannot be used.</exception>
     public static WishFile Wish(string path) => WishFile.Read(Open(path, p => JsonInput.Load(p, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes })), path);
+
+    // Reading is copying, so a long file is read in two halves beside each other.
+    private static byte[] InHalves(string path, int length)
+    {
+        using var file = File.OpenHandle(path);
+        var bytes = GC.AllocateUninitializedArray<byte>(length);
+        var half = length / 2;
+        var behind = Task.Run(() => Fill(file, bytes.AsSpan(half), half));
+        Fill(file, bytes.AsSpan(0, half), 0);
+        behind.GetAwaiter().GetResult();
+        return bytes;
+    }
+
+    private static void Fill(SafeFileHandle file, Span<byte> bytes, long from)
+    {
+        while (bytes.Length > 0)
+        {
+            var read = RandomAccess.Read(file, bytes, from);
+            if (read == 0)
+            {
+                throw new EndOfStreamException("it got shorter while it was read");
+            }
+
+            bytes = bytes[read..];
+            from += read;
+        }
+    }
 
     private static T Open<T>(string path, Func<string, T> read)
     {

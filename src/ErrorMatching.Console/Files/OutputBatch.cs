@@ -22,13 +22,13 @@ internal sealed class OutputBatch : IDisposable
         stream.Flush(flushToDisk: true);
     }
 
-    /// <summary>Renames the next file to its place. What was there is copied beside it until the batch ends.</summary>
+    /// <summary>Renames the next file to its place. What was there is copied beside it until the batch ends, unless it is the last file: then nothing is left that could fail.</summary>
     /// <exception cref="IOException">It cannot be renamed.</exception>
     /// <exception cref="UnauthorizedAccessException">It must not be renamed.</exception>
     public void RevealNext()
     {
         var item = _items[_revealed];
-        if (File.Exists(item.Target))
+        if (_revealed + 1 < _items.Count && File.Exists(item.Target))
         {
             File.Copy(item.Target, item.Old);
         }

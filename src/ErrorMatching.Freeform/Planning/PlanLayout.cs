@@ -9,6 +9,9 @@ internal sealed class PlanLayout
     /// <summary>Curves whose mean decides where points lie that all curves share.</summary>
     private const int Lines = 9;
 
+    /// <summary>Part of a curve's share of all points that its turning decides; the rest is its length, for an error need not lie where the nominal surface bends.</summary>
+    private const double AnglePart = 0.3;
+
     private readonly PartSurface _surface;
     private readonly double _rimSetInMm;
     private readonly (double Start, double End) _v;
@@ -61,7 +64,7 @@ internal sealed class PlanLayout
         }
 
         var (angle, length) = (spacings.Sum(s => s.AngleRad), spacings.Sum(s => s.LengthMm));
-        var most = LargestRemainder.Divide(points, [.. spacings.Select(s => ((angle > 0 ? s.AngleRad / angle : 0) + (s.LengthMm / length)) / 2)]);
+        var most = LargestRemainder.Divide(points, [.. spacings.Select(s => (angle > 0 ? AnglePart * s.AngleRad / angle : 0) + ((1 - AnglePart) * s.LengthMm / length))]);
         var counts = most.Select((m, j) => Math.Max(m, breaks[j].Length + 2)).ToArray();
 
         // What curves got beyond their share so that they have their ends and breaks is taken from those that have most to spare.

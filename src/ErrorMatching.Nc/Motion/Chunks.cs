@@ -10,30 +10,68 @@ internal sealed class Chunks<T>
     private readonly Chunks<T>? _like;
     private T[][] _chunks = new T[16][];
     private T[] _last = [];
+    private int _used;
+
+    // Items from the seam on lie further behind by a gap: their pieces came from another list.
+    private int _seam = int.MaxValue;
+    private int _gap;
 
     /// <summary>An empty list.</summary>
     /// <param name="like">A list whose pieces are taken over where they are equal, byte for byte.</param>
     public Chunks(Chunks<T>? like = null) => _like = like;
 
-    public int Count { get; private set; }
+    public int Count => _used - _gap;
 
-    public ref T this[int index] => ref _chunks[index >> Shift][index & (Size - 1)];
+    public ref T this[int index]
+    {
+        get
+        {
+            var place = PlaceOf(index);
+            return ref _chunks[place >> Shift][place & (Size - 1)];
+        }
+    }
 
     public void Add(in T item)
     {
-        var at = Count & (Size - 1);
+        var at = _used & (Size - 1);
         if (at == 0)
         {
             Grow();
         }
 
         _last[at] = item;
-        Count++;
+        _used++;
     }
+
+    /// <summary>Takes over the pieces of another list, which gets no more items. Once only.</summary>
+    /// <param name="other">The list.</param>
+    /// <param name="from">Its first item that is taken.</param>
+    public void Join(Chunks<T> other, int from)
+    {
+        var (own, others) = (PiecesOf(_used), PiecesOf(other._used));
+        (_seam, _gap) = (Count, (own << Shift) + from - Count);
+        Array.Resize(ref _chunks, own + others + 1);
+        Array.Copy(other._chunks, 0, _chunks, own, others);
+        (_last, _used) = (other._last, (own << Shift) + other._used);
+    }
+
+    /// <summary>How many items from a position on lie at the same place of one piece that this list shares with another.</summary>
+    public int SharedFrom(int index, Chunks<T> other)
+    {
+        var (mine, its) = (PlaceOf(index), other.PlaceOf(index));
+        var isShared = ((mine ^ its) & (Size - 1)) == 0 && ReferenceEquals(_chunks[mine >> Shift], other._chunks[its >> Shift]);
+        return isShared ? Math.Min(Size - (mine & (Size - 1)), Math.Min(EndBehind(index), other.EndBehind(index)) - index) : 0;
+    }
+
+    private int EndBehind(int index) => index < _seam ? Math.Min(_seam, Count) : Count;
+
+    private int PlaceOf(int index) => index < _seam ? index : index + _gap;
+
+    private static int PiecesOf(int items) => (items + Size - 1) >> Shift;
 
     private void Grow()
     {
-        var piece = Count >> Shift;
+        var piece = _used >> Shift;
         if (piece == _chunks.Length)
         {
             Array.Resize(ref _chunks, piece * 2);
@@ -46,7 +84,7 @@ internal sealed class Chunks<T>
     // The piece just filled: if the other list has the same, its own memory is free for the next.
     private bool Share(int piece)
     {
-        if (_like is null || ((piece + 1) << Shift) > _like.Count)
+        if (_like is null || ((piece + 1) << Shift) > _like._used)
         {
             return false;
         }

@@ -85,7 +85,7 @@ internal sealed class ContourSearch
 
     private int WalkAhead(Point3 place, int from, int like)
     {
-        for (var i = from; i < _motions.Length && Belongs(i, like); i++)
+        for (var i = from; (i = _motions.PassAhead(i, like, place, _tolerance)) < _motions.Length && Belongs(i, like); i++)
         {
             if (IsSame(_motions.EndOf(i), place))
             {
@@ -98,7 +98,7 @@ internal sealed class ContourSearch
 
     private int WalkBack(Point3 place, int from, int like)
     {
-        for (var i = from; i >= 0 && Belongs(i, like); i--)
+        for (var i = from; i >= 0 && Belongs(i = _motions.PassBack(i, like, place, _tolerance), like); i--)
         {
             if (IsSame(_motions.StartOf(i), place))
             {

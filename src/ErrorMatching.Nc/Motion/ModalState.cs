@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>What a control remembers from block to block.</summary>
-internal struct ModalState
+internal record struct ModalState
 {
     public MotionKind Mode;
 
@@ -30,6 +30,12 @@ internal struct ModalState
     public AxisSet Unknown;
 
     public Unsure Unsure;
+
+    /// <summary>True if everything is the same, to the last bit of where the tool is.</summary>
+    public readonly bool SameAs(in ModalState other) => this == other
+        && Bits(Position.X) == Bits(other.Position.X) && Bits(Position.Y) == Bits(other.Position.Y) && Bits(Position.Z) == Bits(other.Position.Z) && Bits(Feed) == Bits(other.Feed);
+
+    private static long Bits(double value) => BitConverter.DoubleToInt64Bits(value);
 
     /// <summary>The state a program starts in, as far as it does not say otherwise; each dialect states these assumptions.</summary>
     public static ModalState Initial => new() { Mode = MotionKind.Line, Unknown = AxisSet.All };

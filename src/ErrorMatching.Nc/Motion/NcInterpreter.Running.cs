@@ -33,8 +33,19 @@ public sealed partial class NcInterpreter
     private NcPath Run()
     {
         _at = _dialect.Syntax == NcSyntax.Siemens && _program.Bytes.Span[SyntaxBytes.MarkLength(_program.Bytes.Span)..] is [(byte)'%', ..] ? Flow.First : 0;
+        using var ahead = new CancellationTokenSource();
         while (!_ended)
         {
+            if (_at == LeadIn && _program.BlockCount >= Many)
+            {
+                StartAhead(ahead.Token);
+            }
+
+            if (_at == _seam && TryJoinAhead())
+            {
+                continue;
+            }
+
             if (_at < _text.BlockCount)
             {
                 RunBlock(_text[_at]);
@@ -49,6 +60,7 @@ public sealed partial class NcInterpreter
             }
         }
 
+        ahead.Cancel();
         _cancellation.ThrowIfCancellationRequested();
         return new(_program, _dialect, _motions, _problems, _placeDependents, _frames, Notes(), _flow?.Refusal, _library);
     }

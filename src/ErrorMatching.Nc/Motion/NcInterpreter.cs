@@ -23,13 +23,14 @@ public sealed partial class NcInterpreter
     private readonly uint _otherAxes;
     private readonly uint _unknownLetters;
     private readonly uint _straightLetters;
+    private readonly uint _cutLetters;
     private readonly uint _lengthLetters;
     private ModalState _state = ModalState.Initial;
 
     // The block that motions belong to: the one being executed, or the one in this file that called a program of another file.
     private int _block;
 
-    private NcInterpreter(NcProgram program, NcDialect dialect, NcMotions? like, Func<string, NcProgram?>? library, CancellationToken cancellation)
+    private NcInterpreter(NcProgram program, NcDialect dialect, NcMotions motions, Func<string, NcProgram?>? library, CancellationToken cancellation)
     {
         _program = program;
         _text = program;
@@ -38,7 +39,7 @@ public sealed partial class NcInterpreter
         _dialect = dialect;
         _countsIntegers = dialect.NotesNumbersWithoutPoint;
         _state.RetractsToR = dialect.Syntax == NcSyntax.LinuxCnc;
-        _motions = new(like);
+        _motions = motions;
         for (var letter = 'A'; letter <= 'Z'; letter++)
         {
             var role = dialect.RoleOf((byte)letter);
@@ -48,6 +49,7 @@ public sealed partial class NcInterpreter
         }
 
         _straightLetters = StraightLetters & ~(_otherAxes | _unknownLetters);
+        _cutLetters = _straightLetters | (CutLetters & ~(_otherAxes | _unknownLetters));
     }
 
     private enum AxisUse
@@ -71,11 +73,11 @@ public sealed partial class NcInterpreter
     /// <param name="cancellation">Ends a long run.</param>
     /// <exception cref="OperationCanceledException">The run was canceled.</exception>
     public static NcPath Run(NcProgram program, NcDialect dialect, Func<string, NcProgram?>? library, CancellationToken cancellation) =>
-        new NcInterpreter(program.In(dialect.Syntax), dialect, null, library, cancellation).Run();
+        new NcInterpreter(program.In(dialect.Syntax), dialect, new(), library, cancellation).Run();
 
     /// <summary>Interprets a program as another was that it is much like: motions that are the same take no memory of their own.</summary>
     internal static NcPath Run(NcProgram program, NcPath like) =>
-        new NcInterpreter(program.In(like.Dialect.Syntax), like.Dialect, like.Motions, like.Library, CancellationToken.None).Run();
+        new NcInterpreter(program.In(like.Dialect.Syntax), like.Dialect, new(like.Motions), like.Library, CancellationToken.None).Run();
 
     private void Step()
     {

@@ -17,9 +17,12 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     private int _lastBlock = -1;
     private double _lastFeed;
     private int _lastFrame;
+    private readonly NcMotions? _like;
+    private NcMotions? _ahead;
 
     internal NcMotions(NcMotions? like = null)
     {
+        _like = like;
         _motions = new(like?._motions);
         _arcs = new(like?._arcs);
     }
@@ -139,6 +142,76 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
+    /// <summary>
+    /// Passes over straight cuts that have the modes of another one, move in the plane XY and do not end at a place: the first motion from a position on for which that is not so.
+    /// A walk along a contour has to look closely only there.
+    /// </summary>
+    internal int PassAhead(int from, int like, Point3 place, double tolerance)
+    {
+        ref readonly var model = ref _motions[like];
+        while (from > 0 && from < Length && PassesBy(from, model) && Math.Abs(_motions[from].X - place.X) >= tolerance)
+        {
+            from++;
+        }
+
+        return from;
+    }
+
+    /// <summary>The same backwards, for cuts that do not begin at a place.</summary>
+    internal int PassBack(int from, int like, Point3 place, double tolerance)
+    {
+        ref readonly var model = ref _motions[like];
+        while (from > 0 && PassesBy(from, model) && Math.Abs(_motions[from - 1].X - place.X) >= tolerance)
+        {
+            from--;
+        }
+
+        return from;
+    }
+
+    private bool PassesBy(int index, in StoredMotion model)
+    {
+        ref readonly var m = ref _motions[index];
+        ref readonly var before = ref _motions[index - 1];
+        return _lastFrame == 0 && m.SameModes(model) && m.IsPlainCut && before.UnknownEnd == AxisSet.None && (before.X != m.X || before.Y != m.Y);
+    }
+
+    /// <summary>The motions that differ from those at the same place of another list of the same length, in their order, as <see cref="SameAt"/> says.</summary>
+    /// <param name="other">The other list.</param>
+    /// <param name="border">The first block before which a line was inserted in the other.</param>
+    internal List<int> DifferencesFrom(NcMotions other, int border)
+    {
+        // What lies in one piece of memory for both is the same, as long as no motion has something beside and no line was inserted.
+        var mayPass = border == int.MaxValue && _starts.Count == 0 && other._starts.Count == 0 && _arcs.Count == 0 && other._arcs.Count == 0
+            && _newSettings.SameAs(other._newSettings) && SameSettings(other);
+        var different = new List<int>();
+        for (var i = 0; i < Length; i++)
+        {
+            if (!SameAt(other, i, _motions[i].Block < border ? 0 : 1))
+            {
+                different.Add(i);
+            }
+            else if (mayPass)
+            {
+                // The end of the one before is the start of the next, so that this one is the same stands for those behind it.
+                i += Math.Max(0, _motions.SharedFrom(i, other._motions) - 1);
+            }
+        }
+
+        return different;
+    }
+
+    private bool SameSettings(NcMotions other)
+    {
+        var same = _settingCount == other._settingCount;
+        for (var i = 0; same && i < _settingCount; i++)
+        {
+            same = _settings[i].SameAs(other._settings[i]);
+        }
+
+        return same;
+    }
+
     /// <summary>Appends a motion. Coordinates that are not known are kept as they would be on a control that begins at the origin.</summary>
     internal void Add(in NcMotion motion)
     {
@@ -180,6 +253,54 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         _motions.Add(new(block, state.Mode, state.Plane, flags, end, AxisSet.None));
     }
 
+    /// <summary>Begins a list that may be joined to this one later. Its first motion only says where it begins.</summary>
+    /// <param name="lead">Motions that end there.</param>
+    internal NcMotions Ahead(NcMotions lead)
+    {
+        var (end, unknown) = (lead.AssumedEnd(lead.Length - 1), lead._motions[lead.Length - 1].UnknownEnd);
+        var motions = new NcMotions(_like?._ahead);
+        motions.Add(new(-1, MotionKind.Rapid, CoordinatePlane.XY, MotionFlags.None, end, end, default, 0, 0, 0, unknown, unknown));
+        return motions;
+    }
+
+    /// <summary>True if the last motion ends, to the last bit, where a list of <see cref="Ahead"/> begins.</summary>
+    internal bool EndsWhereBegins(NcMotions ahead) => Length > 0 && _motions[Length - 1].SameEnd(ahead._motions[0]);
+
+    /// <summary>Appends the motions of a list of <see cref="Ahead"/> but its first; it gets no more.</summary>
+    internal void Join(NcMotions ahead)
+    {
+        if (ahead.Length == 1)
+        {
+            return;
+        }
+
+        // The first of them can have the setting of the last one here; whether the others begin a new one does not depend on what was before.
+        var first = Length;
+        var setting = ahead._newSettings[1] ? 1 : 0;
+        Share(ahead._settings[setting].Feed, ahead._settings[setting].Frame, ahead._areArcs[1]);
+        while (++setting < ahead._settingCount)
+        {
+            AddSetting(ahead._settings[setting]);
+        }
+
+        _newSettings.AddFrom(ahead._newSettings, 2);
+        _areArcs.AddFrom(ahead._areArcs, 2);
+        foreach (var (motion, start) in ahead._starts)
+        {
+            if (motion > 0)
+            {
+                _starts[first + motion - 1] = start;
+            }
+        }
+
+        HasPoints |= ahead.HasPoints;
+        FollowBlocks &= ahead.FollowBlocks;
+        (_lastBlock, _lastFeed, _lastFrame) = (ahead._lastBlock, ahead._lastFeed, ahead._lastFrame);
+        _motions.Join(ahead._motions, 1);
+        _arcs.Join(ahead._arcs, 0);
+        _ahead = ahead;
+    }
+
     private bool StartsAtLast(in Point3 place)
     {
         ref readonly var last = ref _motions[Length - 1];
@@ -200,16 +321,21 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         if (isNew)
         {
             (_lastFeed, _lastFrame) = (feed, frame);
-            if (_settingCount == _settings.Length)
-            {
-                Array.Resize(ref _settings, _settingCount * 2);
-            }
-
-            _settings[_settingCount++] = new(feed, frame);
+            AddSetting(new(feed, frame));
         }
 
         _newSettings.Add(isNew);
         _areArcs.Add(isArc);
+    }
+
+    private void AddSetting(MotionSetting setting)
+    {
+        if (_settingCount == _settings.Length)
+        {
+            Array.Resize(ref _settings, _settingCount * 2);
+        }
+
+        _settings[_settingCount++] = setting;
     }
 
     private MotionSetting SettingAt(int index) => _settings[_newSettings.CountTo(index) - 1];

@@ -15,18 +15,59 @@ internal sealed class RankedBits
         var word = _count >> 6;
         if ((_count & 63) == 0 && word > 0)
         {
-            if (word == _bits.Length)
-            {
-                Array.Resize(ref _bits, word * 2);
-                Array.Resize(ref _before, word * 2);
-            }
-
-            _before[word] = _before[word - 1] + BitOperations.PopCount(_bits[word - 1]);
+            Begin(word);
         }
 
         _bits[word] |= (bit ? 1UL : 0) << (_count & 63);
         _count++;
     }
+
+    /// <summary>Appends the bits of another list from a position on.</summary>
+    public void AddFrom(RankedBits other, int position)
+    {
+        // Up to a border of the other's words, then word by word, each in two parts.
+        for (; (position & 63) != 0 && position < other._count; position++)
+        {
+            Add(other[position]);
+        }
+
+        for (; position < other._count; position += 64)
+        {
+            var (bits, rest) = (other._bits[position >> 6], Math.Min(64, other._count - position));
+            while (rest > 0)
+            {
+                var (word, at) = (_count >> 6, _count & 63);
+                if (at == 0 && word > 0)
+                {
+                    Begin(word);
+                }
+
+                var part = Math.Min(rest, 64 - at);
+                _bits[word] |= bits << at;
+                bits = part < 64 ? bits >> part : 0;
+                (_count, rest) = (_count + part, rest - part);
+            }
+        }
+    }
+
+    private void Begin(int word)
+    {
+        if (word == _bits.Length)
+        {
+            Array.Resize(ref _bits, word * 2);
+            Array.Resize(ref _before, word * 2);
+        }
+
+        _before[word] = _before[word - 1] + BitOperations.PopCount(_bits[word - 1]);
+    }
+
+    /// <summary>The bit at a position.</summary>
+    public bool this[int position] => (_bits[position >> 6] >> (position & 63) & 1) != 0;
+
+    /// <summary>True if the other has the same bits.</summary>
+    public bool SameAs(RankedBits other) => _count == other._count && Words.SequenceEqual(other.Words);
+
+    private ReadOnlySpan<ulong> Words => _bits.AsSpan(0, (_count + 63) >> 6);
 
     /// <summary>How many bits are set up to a position, its own included.</summary>
     public int CountTo(int position) => _before[position >> 6] + BitOperations.PopCount(_bits[position >> 6] & (ulong.MaxValue >> (63 - (position & 63))));

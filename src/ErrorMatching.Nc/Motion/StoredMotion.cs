@@ -37,6 +37,12 @@ internal struct StoredMotion
 
     public readonly AxisSet UnknownEnd => (AxisSet)(_packed >> UnknownShift);
 
+    /// <summary>True for a straight cut in the plane XY that begins where the one before ends, ends at a known place and switches no compensation.</summary>
+    public readonly bool IsPlainCut => Kind == MotionKind.Line && Plane == CoordinatePlane.XY && UnknownEnd == AxisSet.None && (Flags & (MotionFlags.StartsElsewhere | MotionFlags.CompensationSwitches)) == MotionFlags.None;
+
+    /// <summary>True if both have the same kind, plane and flags, and the same axes are known of their ends.</summary>
+    public readonly bool SameModes(in StoredMotion other) => _packed == other._packed;
+
     /// <summary>True if everything that is stored here itself is the same, to the last bit; not the block.</summary>
     public readonly bool SameAs(in StoredMotion other) => _packed == other._packed && SamePlace(other);
 

@@ -1,4 +1,3 @@
-using System.Collections;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
@@ -25,9 +24,9 @@ public sealed partial class Prover
     private static Point3 PlaceOf(NcMotions motions, int joint) => joint < motions.Length ? motions.StartOf(joint) : motions.EndOf(joint - 1);
 
     /// <summary>Joints that may move: those of named motions, those that positioning shares with them, and the other end of a closed contour.</summary>
-    private BitArray AllowedJoints()
+    private bool[] AllowedJoints()
     {
-        var allowed = new BitArray(_before.Motions.Length + 1);
+        var allowed = new bool[_before.Motions.Length + 1];
         for (var run = 0; run < _elements.Count; run++)
         {
             for (var joint = _elements[run].First; joint <= _elements[run].Last + 1; joint++)
@@ -47,14 +46,14 @@ public sealed partial class Prover
         }
 
         // Joints that positioning shares: what one reaches, the next would reach as well, so each way is gone once.
-        for (var joint = 0; joint < _before.Motions.Length; joint++)
+        for (var joint = Array.IndexOf(allowed, true); joint >= 0 && joint < _before.Motions.Length; joint = Array.IndexOf(allowed, true, joint + 1))
         {
-            allowed[joint + 1] |= allowed[joint] && !_before.Motions.MovesInPlane(joint);
+            allowed[joint + 1] |= !_before.Motions.MovesInPlane(joint);
         }
 
-        for (var joint = _before.Motions.Length; joint > 0 && _elements.Count > 0; joint--)
+        for (var joint = _elements.Count > 0 ? Array.LastIndexOf(allowed, true) : 0; joint > 0; joint = Array.LastIndexOf(allowed, true, joint - 1))
         {
-            allowed[joint - 1] |= allowed[joint] && !_before.Motions.MovesInPlane(joint - 1);
+            allowed[joint - 1] |= !_before.Motions.MovesInPlane(joint - 1);
         }
 
         return allowed;

@@ -26,7 +26,7 @@ public sealed partial class Prover
     private readonly MotionRuns _elements = new();
     private readonly MotionRuns _endPoints = new();
     private readonly Dictionary<int, int> _closures = [];
-    private readonly List<int> _different = [];
+    private List<int> _different = [];
     private readonly List<NcRefusal> _failures = [];
     private readonly List<ProofNeighbor> _neighbors = [];
     private readonly Dictionary<(int Block, NeighborRole Role), int> _noted = [];
@@ -161,14 +161,9 @@ public sealed partial class Prover
         }
 
         var border = _marker is null ? int.MaxValue : markerBlock;
-        for (var i = 0; i < _before.Motions.Length; i++)
+        _different = _before.Motions.DifferencesFrom(_after.Motions, border);
+        foreach (var i in _different)
         {
-            if (_before.Motions.SameAt(_after.Motions, i, _before.Motions.BlockOf(i) < border ? 0 : 1))
-            {
-                continue;
-            }
-
-            _different.Add(i);
             var (was, now) = (_before.Motions[i], _after.Motions[i]);
             const MotionFlags Spelling = MotionFlags.ByRadius;
             if (now.Block != InResult(was.Block, markerBlock) || now.Kind != was.Kind || now.Plane != was.Plane || (now.Flags & ~Spelling) != (was.Flags & ~Spelling)

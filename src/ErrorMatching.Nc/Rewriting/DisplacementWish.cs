@@ -87,7 +87,7 @@ public sealed class DisplacementWish
                     return Obstacles.Of(path, motion) ?? Obstacles.UnknownPlace(path, motion);
                 }
 
-                elements.Add(ElementWish.AlongNormals(path, motion, left, left, left));
+                elements.Add(ElementWish.AlongNormals(m, motion, left, left, left));
             }
         }
 

@@ -19,6 +19,18 @@ public readonly record struct ElementWish(int Motion, Vector2 Start, Vector2 Mid
     public static ElementWish AlongNormals(NcPath path, int motion, double start, double middle, double end, bool isFillet = false)
     {
         var m = path.Motions[motion];
-        return new(motion, m.TangentAt(0).Left * start, m.TangentAt(0.5).Left * middle, m.TangentAt(1).Left * end, isFillet);
+        return AlongNormals(m, motion, start, middle, end, isFillet);
+    }
+
+    /// <summary>The same for a motion that is at hand.</summary>
+    internal static ElementWish AlongNormals(in NcMotion m, int motion, double start, double middle, double end, bool isFillet = false)
+    {
+        if (m.IsArc)
+        {
+            return new(motion, m.TangentAt(0).Left * start, m.TangentAt(0.5).Left * middle, m.TangentAt(1).Left * end, isFillet);
+        }
+
+        var normal = m.TangentAt(0).Left;
+        return new(motion, normal * start, normal * middle, normal * end, isFillet);
     }
 }

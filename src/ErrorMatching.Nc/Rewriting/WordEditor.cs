@@ -27,7 +27,8 @@ internal sealed partial class WordEditor
         _keepRadii = keepRadii;
         _path = change.Path;
 
-        (_patches, _changedBlocks) = (new(affected.Count), new(affected.Count));
+        // A motion mostly changes two words; room for both halves of them from the start, so that it is not copied.
+        (_patches, _changedBlocks) = (new(2 * affected.Count), new(affected.Count));
 
         // The control's least increment, or finer where the program itself is written finer.
         var dialect = _path.Dialect;
@@ -63,7 +64,7 @@ internal sealed partial class WordEditor
             return refusal;
         }
 
-        var program = _patches.Count == 0 ? _path.Program : NcProgram.Read(NcPatch.Apply(_path.Program.Bytes.Span, _patches), _path.Program.Syntax);
+        var program = _patches.Count == 0 ? _path.Program : NcProgram.Read(NcPatch.ApplyInHalves(_path.Program.Bytes, _patches), _path.Program.Syntax);
         return new Rewrite(program, _patches, _changedBlocks, _patches.Count, _increment);
     }
 

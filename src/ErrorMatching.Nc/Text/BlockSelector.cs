@@ -107,7 +107,7 @@ public sealed class BlockSelector
         var found = new List<(NcNumber Number, int Block)>();
         for (var i = first; i < behind; i++)
         {
-            if (program.TryNumberValue(program[i], out var number) && number.Trim() is var trimmed && (bits >> (int)(trimmed.Digits & 63) & 1) != 0 && wanted.ContainsKey(trimmed))
+            if (program.TryNumberValue(i, out var number) && number.Trim() is var trimmed && (bits >> (int)(trimmed.Digits & 63) & 1) != 0 && wanted.ContainsKey(trimmed))
             {
                 found.Add((trimmed, i));
             }

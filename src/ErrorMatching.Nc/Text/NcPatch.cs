@@ -1,3 +1,5 @@
+using System.Runtime.InteropServices;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>New bytes for a range of a program. Everything outside patches is copied, not printed.</summary>
@@ -19,22 +21,48 @@ public readonly record struct NcPatch(int Start, int Length, ReadOnlyMemory<byte
         }
 
         var result = GC.AllocateUninitializedArray<byte>(length);
-        var (from, to) = (0, 0);
-        foreach (var patch in patches)
+        Copy(bytes, 0, [.. patches], result);
+        return result;
+    }
+
+    /// <summary>Applies patches to the bytes of a long program, to the two halves of it beside each other.</summary>
+    internal static byte[] ApplyInHalves(ReadOnlyMemory<byte> bytes, List<NcPatch> patches)
+    {
+        // The border lies in the middle, or behind the patch that spans it.
+        var (border, first, shift, growth) = (bytes.Length / 2, 0, 0, 0);
+        foreach (ref readonly var patch in CollectionsMarshal.AsSpan(patches))
+        {
+            growth += patch.Bytes.Length - patch.Length;
+            if (patch.Start < bytes.Length / 2)
+            {
+                (border, first, shift) = (Math.Max(border, patch.Start + patch.Length), first + 1, growth);
+            }
+        }
+
+        var result = GC.AllocateUninitializedArray<byte>(bytes.Length + growth);
+        var behind = Task.Run(() => Copy(bytes.Span, border, CollectionsMarshal.AsSpan(patches)[first..], result.AsSpan(border + shift)));
+        Copy(bytes.Span[..border], 0, CollectionsMarshal.AsSpan(patches)[..first], result.AsSpan(0, border + shift));
+        behind.GetAwaiter().GetResult();
+        return result;
+    }
+
+    // What stands from a place on, patched.
+    private static void Copy(ReadOnlySpan<byte> bytes, int from, ReadOnlySpan<NcPatch> patches, Span<byte> result)
+    {
+        foreach (ref readonly var patch in patches)
         {
             if (patch.Start < from || patch.Start + patch.Length > bytes.Length)
             {
                 throw new ArgumentException("Patches must lie inside the program, in ascending order, without overlap.", nameof(patches));
             }
 
-            bytes[from..patch.Start].CopyTo(result.AsSpan(to));
-            to += patch.Start - from;
-            patch.Bytes.Span.CopyTo(result.AsSpan(to));
-            to += patch.Bytes.Length;
+            bytes[from..patch.Start].CopyTo(result);
+            result = result[(patch.Start - from)..];
+            patch.Bytes.Span.CopyTo(result);
+            result = result[patch.Bytes.Length..];
             from = patch.Start + patch.Length;
         }
 
-        bytes[from..].CopyTo(result.AsSpan(to));
-        return result;
+        bytes[from..].CopyTo(result);
     }
 }

@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using System.Text;
 
 namespace ErrorMatching.Nc;
@@ -11,6 +10,9 @@ public sealed class NcProgram
 {
     /// <summary>Largest program that is read, in bytes.</summary>
     public const int MaxBytes = 1 << 30;
+
+    /// <summary>From so many bytes on, a second core is worth its start.</summary>
+    private const int Many = 4_000_000;
 
     private readonly int[] _starts;
     private readonly int _count;
@@ -67,7 +69,6 @@ public sealed class NcProgram
     /// <param name="bytes">The program's bytes.</param>
     /// <param name="syntax">How it is spelled; <see cref="NcDialect.Syntax"/> of its dialect.</param>
     /// <exception cref="NcException">The program is larger than <see cref="MaxBytes"/>.</exception>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static NcProgram Read(ReadOnlyMemory<byte> bytes, NcSyntax syntax = NcSyntax.Iso)
     {
         if (bytes.Length > MaxBytes)
@@ -75,17 +76,41 @@ public sealed class NcProgram
             throw new NcException(NcErrorCode.ProgramTooLarge, $"The program has {bytes.Length} bytes; at most {MaxBytes} are read.");
         }
 
-        var span = bytes.Span;
-        var begins = new int[Math.Max(16, (span.Length / 24) + 1)];
-        var (count, position) = (0, 0);
+        // A long program is searched in two halves beside each other; behind any line feed a block begins.
+        var half = bytes.Length < Many ? -1 : bytes.Span[(bytes.Length / 2)..].IndexOf((byte)'\n');
+        if (half < 0)
+        {
+            var (starts, count) = BlocksOf(bytes, 0, bytes.Length, (bytes.Length / 24) + 1);
+            return new(bytes, starts, count, syntax);
+        }
+
+        half += (bytes.Length / 2) + 1;
+        var behind = Task.Run(() => BlocksOf(bytes, half, bytes.Length, ((bytes.Length - half) / 24) + 1));
+        var (all, before) = BlocksOf(bytes, 0, half, (bytes.Length / 24) + 1);
+        var (others, more) = behind.GetAwaiter().GetResult();
+        if (before + more > all.Length)
+        {
+            Array.Resize(ref all, before + more);
+        }
+
+        Array.Copy(others, 0, all, before, more);
+        return new(bytes, all, before + more, syntax);
+    }
+
+    // Where the blocks begin between two places, the first of which begins one; and how many they are.
+    private static (int[] Starts, int Count) BlocksOf(ReadOnlyMemory<byte> bytes, int position, int end, int expected)
+    {
+        var span = bytes.Span[..end];
+        var starts = new int[Math.Max(16, expected)];
+        var count = 0;
         while (position < span.Length)
         {
-            if (count == begins.Length)
+            if (count == starts.Length)
             {
-                Array.Resize(ref begins, begins.Length * 2);
+                Array.Resize(ref starts, starts.Length * 2);
             }
 
-            begins[count++] = position;
+            starts[count++] = position;
             var length = span[position..].IndexOfAny((byte)'\n', (byte)'\r');
             if (length < 0)
             {
@@ -96,7 +121,7 @@ public sealed class NcProgram
             position += span[position] == (byte)'\r' && position + 1 < span.Length && span[position + 1] == (byte)'\n' ? 2 : 1;
         }
 
-        return new(bytes, begins, count, syntax);
+        return (starts, count);
     }
 
     /// <summary>The same bytes in another spelling; where blocks begin does not depend on it.</summary>
@@ -121,10 +146,10 @@ public sealed class NcProgram
     public string NameOf(NcBlock block) => NumberOf(block) is { Length: > 0 } number ? number : $"line {block.Line}";
 
     /// <summary>The value of a block's N word, as <see cref="TryNumber"/> finds it.</summary>
-    internal bool TryNumberValue(NcBlock block, out NcNumber number)
+    internal bool TryNumberValue(int block, out NcNumber number)
     {
-        // Nearly all blocks begin with N and a whole number, and then a space and another word: those take no tokenizer.
-        var bytes = BytesOf(block);
+        // Nearly all blocks begin with N and a whole number, and then a space and another word: those take no tokenizer, nor where they end.
+        var bytes = Bytes.Span[_starts[block]..];
         if (bytes.Length > 0 && (bytes[0] | 0x20) == 'n')
         {
             long digits = 0;
@@ -134,14 +159,14 @@ public sealed class NcProgram
                 digits = (digits * 10) + (bytes[at] - '0');
             }
 
-            if (at > 1 && (at == bytes.Length || (at + 1 < bytes.Length && bytes[at] == ' ' && SyntaxBytes.IsLetter(bytes[at + 1]))))
+            if (at > 1 && at + 1 < bytes.Length && bytes[at] == ' ' && SyntaxBytes.IsLetter(bytes[at + 1]))
             {
                 number = new(digits, 0);
                 return true;
             }
         }
 
-        var found = TryNumber(block, out var token);
+        var found = TryNumber(this[block], out var token);
         number = token.Number;
         return found;
     }

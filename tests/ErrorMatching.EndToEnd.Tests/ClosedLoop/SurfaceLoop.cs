@@ -1,6 +1,7 @@
 using System.Text;
 using ErrorMatching.Freeform;
 using ErrorMatching.Nc;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
@@ -56,7 +57,7 @@ internal sealed class SurfaceLoop
         var dialect = NcDialects.Named(_job.Toolpath.Dialect);
         var path = ToolPathPlanner.Plan(surface, _job.Tool, _job.Toolpath, _job.Stock.Of(stage), dialect);
         Assert.Null(path.Refusal);
-        return StraightProgram.Read(Encoding.UTF8.GetString(FinishingProgram.Write(path.Path!, _job, stage, dialect)));
+        return StraightProgram.Read(Encoding.UTF8.GetString(FinishingProgram.Write(path.Path!, _job, dialect, stage)));
     }
 
     private static string Probing(MeasuringPlan plan)

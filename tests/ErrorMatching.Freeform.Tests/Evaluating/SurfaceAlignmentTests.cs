@@ -26,11 +26,10 @@ public sealed class SurfaceAlignmentTests
     }
 
     [Fact]
-    public void A_point_far_below_a_concave_place_is_refused_by_its_number()
+    public void A_point_that_no_normal_leads_to_is_refused_by_its_number()
     {
-        // The valley of design Two at x = 75 has the radius 125 mm along y: no normal leads to its center.
-        var point = PlanOf(PaperDesign.Two).First(p => p.Position is { X: 75, Y: 31.5 });
-        var e = Assert.Throws<FreeformException>(() => SurfaceErrors.Of(PaperDesign.Two, [(point, point.Position + (point.Normal * 200))], 0, "m.csv"));
+        var point = PlanOf(PaperDesign.Two).First();
+        var e = Assert.Throws<FreeformException>(() => SurfaceErrors.Of(PaperDesign.Two, [(point, new(1e300, 0, 0))], 0, "m.csv"));
 
         Assert.Equal(("no-foot", "m.csv"), (e.Code, e.File));
         Assert.Contains($"point {point.Number} ", e.Message, StringComparison.Ordinal);

@@ -59,7 +59,7 @@ internal sealed class SurfaceCompensate : Verb
 
             cancellation.ThrowIfCancellationRequested();
             var folder = arguments.GetValue(_out);
-            var program = FinishingProgram.Write(toolPath, job, CuttingStage.Finishing, dialect);
+            var program = FinishingProgram.Write(toolPath, job, dialect);
             var named = new ReportInput("finishing", Path.Combine(folder ?? "", "finishing.nc"), Convert.ToHexStringLower(SHA256.HashData(program)));
             var answer = new SurfaceCompensateAnswer(new(files.Named, files.Inputs, result, toolPath, named, clock.Elapsed.TotalSeconds), folder);
             if (folder is not null)
