@@ -3,9 +3,6 @@ namespace ErrorMatching.Freeform;
 /// <summary>Finds the kernel of greatest likelihood: the best of a few starts, then a simplex. The same values give the same kernel.</summary>
 internal static class ProcessSearch
 {
-    /// <summary>Lines of a grid in one direction from which the kernel is estimated at most; the process itself uses all.</summary>
-    private const int MostLines = 20;
-
     private const int MostEvaluations = 140;
     private const int PlacesPerCell = 6;
 
@@ -20,7 +17,7 @@ internal static class ProcessSearch
             return null;
         }
 
-        var few = data.Thinned(MostLines);
+        var few = data.Thinned(FieldData.EnoughLines);
         double[]? best = null;
         var least = double.PositiveInfinity;
         foreach (var length in (ReadOnlySpan<double>)[0.3, 0.8, 2])
@@ -46,7 +43,7 @@ internal static class ProcessSearch
             var (model, lines) = (Moved(smooth.Data, smooth.Kernel, place.AlongU, place.At, place.Reach), place.AlongU ? linesU : linesV);
             for (var round = 0; round < 2 && model is not null; round++)
             {
-                var kernel = Improved(smooth.Data.Thinned(MostLines), [Math.Log(model.Kernel.LengthU), Math.Log(model.Kernel.LengthV), Math.Log10(model.Kernel.Noise)], Broken(place.AlongU, At(model)));
+                var kernel = Improved(smooth.Data.Thinned(FieldData.EnoughLines), [Math.Log(model.Kernel.LengthU), Math.Log(model.Kernel.LengthV), Math.Log10(model.Kernel.Noise)], Broken(place.AlongU, At(model)));
                 model = Moved(smooth.Data, kernel, place.AlongU, At(model), place.Reach / 2);
             }
 
