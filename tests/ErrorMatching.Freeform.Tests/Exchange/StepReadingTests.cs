@@ -35,12 +35,15 @@ public sealed class StepReadingTests
         Assert.Equal(3 * millimeters, p.X, 1e-12 * millimeters);
     }
 
-    [Fact]
-    public void A_file_without_a_unit_of_length_is_refused()
+    [Theory]
+    [InlineData("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))", "bad-unit", 8)]
+    [InlineData("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.RADIAN.))", "bad-unit", 9)]
+    [InlineData("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.METRE.))", "bad-value", 9)]
+    public void A_file_without_a_unit_of_length_is_refused(string unit, string code, int line)
     {
-        var error = Assert.Throws<FreeformException>(() => StepByHand.Read(StepByHand.File("#100", Flat, "(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))")));
-        Assert.Equal("bad-unit", error.Code);
-        Assert.Equal(8, error.Line);
+        var error = Assert.Throws<FreeformException>(() => StepByHand.Read(StepByHand.File("#100", Flat, unit)));
+        Assert.Equal(code, error.Code);
+        Assert.Equal(line, error.Line);
     }
 
     [Fact]
