@@ -97,9 +97,9 @@ internal sealed class PlanLayout
         ? _across.Place(count, BreaksV)
         : throw PlanRefusedException.TooFew("curves", count, BreaksV.Count + 2, BreaksV.Count);
 
-    private static IReadOnlyList<(double U, PlanReason Reason)> Nodes(CurveSpacing spacing, int count, IReadOnlyList<double> breaks) => count >= breaks.Count + 2
+    private static IReadOnlyList<(double U, PlanReason Reason)> Nodes(CurveSpacing spacing, int count, double[] breaks) => count >= breaks.Length + 2
         ? spacing.Place(count, breaks)
-        : throw PlanRefusedException.TooFew("points on a curve", count, breaks.Count + 2, breaks.Count);
+        : throw PlanRefusedException.TooFew("points on a curve", count, breaks.Length + 2, breaks.Length);
 
     private IsoCurve CurveAt(double v) => new(_surface, AlongU: true, v);
 
