@@ -96,12 +96,12 @@ public static class Compensator
         return isReal ? new ConstantField(statistics.MeanMm, standardError) : new ConstantField(0, standardError);
     }
 
-    private static IReadOnlyList<ErrorSample> Average(IReadOnlyList<IReadOnlyList<ErrorSample>> repeats, List<string> notes, List<string> warnings)
+    private static IReadOnlyList<ErrorSample> Average(IReadOnlyList<ErrorSample>[] repeats, List<string> notes, List<string> warnings)
     {
         var mean = RepeatedMeasurement.Of(repeats);
         notes.Add(string.Create(
             CultureInfo.InvariantCulture,
-            $"Each point was measured {repeats.Count} times; their mean is used. One measurement repeats to {mean.RepeatabilityMm * 1000:0.00} um, their mean to {mean.RepeatabilityMm * 1000 / Math.Sqrt(repeats.Count):0.00} um."));
+            $"Each point was measured {repeats.Length} times; their mean is used. One measurement repeats to {mean.RepeatabilityMm * 1000:0.00} um, their mean to {mean.RepeatabilityMm * 1000 / Math.Sqrt(repeats.Length):0.00} um."));
         foreach (var outlier in mean.Outliers)
         {
             warnings.Add(string.Create(

@@ -1,5 +1,3 @@
-using ErrorMatching.Geometry;
-
 namespace ErrorMatching.Freeform;
 
 /// <summary>The field that a job wants fitted to the errors.</summary>
