@@ -28,7 +28,7 @@ internal static class ModelChoice
 
         var process = ProcessSearch.Run(data, ProcessSearch.Trend(2));
         var smooth = Least([polynomials[0], data.Count > MostForBreaksInWaves ? null : ProcessSearch.Run(data, ProcessSearch.Trend(1)), process, SplineModel.Run(data)])!;
-        var broken = polynomials.Skip(1).Cast<FieldModel?>().ToList();
+        var broken = polynomials.Skip(1).SelectMany(m => new FieldModel?[] { m, BreakSearch.Squares(m) }).ToList();
         if (process is not null && (polynomials.Count > 1 || smooth is ProcessModel) && !polynomials[^1].IsExact && data.Count <= MostForBreaksInWaves)
         {
             broken.Add(ProcessSearch.WithBreak(process));
