@@ -66,6 +66,9 @@ internal sealed class BreakSearch
         return PolynomialModel.Choose(_all, low.BreaksU, low.BreaksV);
     }
 
+    /// <summary>The terms up to squares that are chosen with the breaks of a model: a quadratic on each side may be all there is, and higher terms only follow noise.</summary>
+    public static PolynomialModel Squares(PolynomialModel model) => BreakRefinement.Run(PolynomialModel.Choose(model.Data, model.BreaksU, model.BreaksV, 2));
+
     private PolynomialModel? Extend(PolynomialModel model) =>
         Places(model).Select(place => Try(model, place.AlongU, place.At)).OfType<PolynomialModel>().MinBy(m => m.Criterion);
 
@@ -117,9 +120,9 @@ internal sealed class BreakSearch
 
     /// <summary>All products of functions up to the square.</summary>
     private static Term[] Low(IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV) =>
-        [.. from a in Squares(breaksU) from b in Squares(breaksV) select new Term(a, b)];
+        [.. from a in UpToSquare(breaksU) from b in UpToSquare(breaksV) select new Term(a, b)];
 
-    private static IEnumerable<AxisFunction> Squares(IReadOnlyList<double> breaks) => AxisFunction.Hierarchy(2, breaks).Where(f => f.Power <= 2);
+    private static IEnumerable<AxisFunction> UpToSquare(IReadOnlyList<double> breaks) => AxisFunction.Hierarchy(2, breaks).Where(f => f.Power <= 2);
 
     private List<(bool AlongU, double At, double Sum)> Minima(bool alongU, double[] lines, List<double[]> basis, double[] rest)
     {

@@ -9,6 +9,8 @@ internal static class ModelChoice
     /// <summary>A model with breaks must leave this share of the line-out error of the best model without.</summary>
     private const double BreakShare = 0.7;
 
+    private const double FreedomShare = 0.5;
+
     /// <summary>A line-out error that no other model needs to beat: a thousandth of a nanometer.</summary>
     private const double Nothing = 1e-9;
 
@@ -26,15 +28,18 @@ internal static class ModelChoice
 
         var process = ProcessSearch.Run(data, ProcessSearch.Trend(2));
         var smooth = Least([polynomials[0], data.Count > MostForBreaksInWaves ? null : ProcessSearch.Run(data, ProcessSearch.Trend(1)), process, SplineModel.Run(data)])!;
-        var broken = polynomials.Skip(1).Cast<FieldModel?>().ToList();
+        var broken = polynomials.Skip(1).SelectMany(m => new FieldModel?[] { m, BreakSearch.Squares(m) }).ToList();
         if (process is not null && (polynomials.Count > 1 || smooth is ProcessModel) && !polynomials[^1].IsExact && data.Count <= MostForBreaksInWaves)
         {
             broken.Add(ProcessSearch.WithBreak(process));
         }
 
-        var best = Least(broken.Where(m => m is not null && Error(m) <= BreakShare * Error(smooth)));
-        return best ?? smooth;
+        return Least(broken.Where(m => m is not null && IsEarned(m, smooth))) ?? smooth;
     }
+
+    /// <summary>True if breaks lower the line-out error enough; or, where noise hides the difference, if they do not raise it and say the same with half the freedom.</summary>
+    private static bool IsEarned(FieldModel broken, FieldModel smooth) =>
+        Error(broken) <= BreakShare * Error(smooth) || (Error(broken) <= Error(smooth) && broken.Freedom <= FreedomShare * smooth.Freedom);
 
     private static FieldModel? Least(IEnumerable<FieldModel?> models) => models.OfType<FieldModel>().MinBy(Error);
 

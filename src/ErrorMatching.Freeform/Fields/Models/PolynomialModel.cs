@@ -46,8 +46,8 @@ internal sealed class PolynomialModel : FieldModel
         LeastSquares.Solve([.. terms.Select(t => t.Over(data.U, data.V))], data.Z) is { } fit ? new(data, terms, fit) : null;
 
     /// <summary>The fit of the terms that <see cref="TermSelection"/> chooses.</summary>
-    public static PolynomialModel Choose(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV) =>
-        Fit(data, TermSelection.Of(data, breaksU, breaksV).Terms)!;
+    public static PolynomialModel Choose(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV, int degree = TermSelection.HighestDegree) =>
+        Fit(data, TermSelection.Of(data, breaksU, breaksV, degree).Terms)!;
 
     public override double At(double u, double v)
     {

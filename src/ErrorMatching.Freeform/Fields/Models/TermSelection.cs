@@ -10,7 +10,8 @@ namespace ErrorMatching.Freeform;
 /// </remarks>
 internal sealed class TermSelection
 {
-    private const int HighestDegree = 8;
+    public const int HighestDegree = 8;
+
     private const int MostTerms = 40;
     private const double MostAmplification = 1;
 
@@ -23,7 +24,7 @@ internal sealed class TermSelection
     private readonly double[] _rest;
     private readonly double[] _variance;
 
-    private TermSelection(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV)
+    private TermSelection(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV, int degree)
     {
         _data = data;
         _breaks = breaksU.Count + breaksV.Count;
@@ -34,9 +35,9 @@ internal sealed class TermSelection
         _variance = new double[betweenU.Length];
         _candidates =
         [
-            .. from a in AxisFunction.Hierarchy(Degree(data.Crossings.Length), breaksU)
-               from b in AxisFunction.Hierarchy(Degree(data.Curves.Length), breaksV)
-               where a.Power + b.Power <= HighestDegree
+            .. from a in AxisFunction.Hierarchy(Math.Min(degree, data.Crossings.Length - 1), breaksU)
+               from b in AxisFunction.Hierarchy(Math.Min(degree, data.Curves.Length - 1), breaksV)
+               where a.Power <= degree && b.Power <= degree && a.Power + b.Power <= HighestDegree
                let term = new Term(a, b)
                select new Candidate(term, term.Over(data.U, data.V), term.Over(betweenU, betweenV)),
         ];
@@ -47,9 +48,9 @@ internal sealed class TermSelection
     /// <summary>The criterion of the chosen terms; infinite if there are too few values for any.</summary>
     public double Criterion { get; private set; } = double.PositiveInfinity;
 
-    public static TermSelection Of(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV)
+    public static TermSelection Of(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV, int degree)
     {
-        var selection = new TermSelection(data, breaksU, breaksV);
+        var selection = new TermSelection(data, breaksU, breaksV, degree);
         selection.Run();
         return selection;
     }
@@ -79,8 +80,6 @@ internal sealed class TermSelection
     /// Three lines are trusted to show a square.
     /// </summary>
     private static int Most(int lines, int breaks) => breaks > 0 ? lines - 2 - breaks : Math.Max(lines - 1, Math.Min(lines, 3));
-
-    private static int Degree(int lines) => Math.Min(HighestDegree, lines - 1);
 
     private void Run()
     {
