@@ -21,5 +21,10 @@ if (args is ["huge"])
     return HugeFiles.Run();
 }
 
+if (args is ["toolpath"])
+{
+    return ToolPathBenchmark.Run();
+}
+
 BenchmarkSwitcher.FromAssembly(typeof(MatchBenchmarks).Assembly).Run(args);
 return 0;

@@ -122,6 +122,18 @@ public sealed class MacroFlowTests
     }
 
     [Fact]
+    public void Behind_an_alarm_that_the_machine_decides_on_the_program_goes_on()
+    {
+        var run = Runs("N1 X1\nIF[#5061LT0.1]THEN #3000=1(NOT TOUCHED)\nN2 X2\nIF [#5061 LT 0.2] THEN #3000=2\nN3 X3\nM30", "N1 N2 N3 6");
+        Assert.Equal("conditional-stop", Assert.Single(run.Flow.Notes).Code);
+        Assert.Null(run.Refusal);
+    }
+
+    [Fact]
+    public void An_assignment_that_the_machine_decides_on_is_still_refused() =>
+        Assert.Equal(NcRefusalCodes.UnknownCondition, FlowRun.Of(NcSyntax.Iso, "IF[#5061LT0.1]THEN #300=1\nN2 X2\nM30").Refusal?.Code);
+
+    [Fact]
     public void A_vacant_coordinate_is_as_if_not_written()
     {
         var run = Runs("#1=#0\nN1 X#1\nM30", "N1=vacant 3");

@@ -101,6 +101,23 @@ public sealed class SiemensFlowTests
         Assert.Equal((code, block), (refusal?.Code, refusal?.Block));
     }
 
+    [Fact]
+    public void Behind_a_stop_that_the_machine_decides_on_the_program_goes_on()
+    {
+        var run = FlowRun.Of(NcSyntax.Siemens, "N1 X1\nIF $AC_MEA[1]==0\nMSG(\"missed\")\nSETAL(65000,\"missed\")\nM30\nENDIF\nN2 X2\nM30");
+        Assert.Null(run.Refusal);
+        Assert.Equal("N1 N2 8", run.Trace);
+        Assert.Equal("conditional-stop", Assert.Single(run.Flow.Notes).Code);
+    }
+
+    [Theory]
+    [InlineData("IF $AC_MEA[1]==0\nSETAL(65000)\nENDIF")]
+    [InlineData("IF $AC_MEA[1]==0\nG0 X5\nM30\nENDIF")]
+    [InlineData("IF $AC_MEA[1]==0\nM30\nELSE\nN3 X3\nENDIF")]
+    [InlineData("IF $AC_MEA[1]==0\nR1=2\nENDIF")]
+    public void Other_branches_that_the_machine_decides_on_are_refused(string branch) =>
+        Assert.Equal(NcRefusalCodes.UnknownCondition, FlowRun.Of(NcSyntax.Siemens, branch + "\nN2 X2\nM30").Refusal?.Code);
+
     private static FlowRun Runs(string text, string trace, FlowSettings? settings = null)
     {
         var run = FlowRun.Of(NcSyntax.Siemens, text, settings);

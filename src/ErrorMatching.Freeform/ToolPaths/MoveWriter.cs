@@ -1,5 +1,3 @@
-using ErrorMatching.Geometry;
-
 namespace ErrorMatching.Freeform;
 
 /// <summary>Writes moves as blocks: words only where they change, numbers as exact decimals, straight into bytes.</summary>

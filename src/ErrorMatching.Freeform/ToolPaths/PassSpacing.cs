@@ -1,5 +1,3 @@
-using ErrorMatching.Geometry;
-
 namespace ErrorMatching.Freeform;
 
 /// <summary>Predicts how far from a pass the next one may be, from the surface along it and from how the strips before came out.</summary>

@@ -75,11 +75,6 @@ internal sealed partial class PathPlanning
             }
 
             planning._passes++;
-            foreach (var line in pass.Lines)
-            {
-                planning.Count(line);
-            }
-
             var link = Link(pass);
             if (link is null)
             {
@@ -121,7 +116,7 @@ internal sealed partial class PathPlanning
             }
 
             // The pass before ended where this one begins: at low u if it came backwards.
-            var (from, to) = _backwards ? (_last.Lines[0].Places[^1], pass.Lines[0].Places[^1]) : (_last.Lines[0].Places[0], pass.Lines[0].Places[0]);
+            var (from, to) = _backwards ? (_last.Ends[0].Last, pass.Ends[0].Last) : (_last.Ends[0].First, pass.Ends[0].First);
             var region = planning._offset.Surface.Region;
             foreach (var fraction in (double[])[0.25, 0.5, 0.75])
             {

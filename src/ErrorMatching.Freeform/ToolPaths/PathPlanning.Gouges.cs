@@ -117,22 +117,29 @@ internal sealed partial class PathPlanning
         var depth = _offset.DistanceMm - _tree.DistanceBelow(center, normal, _offset.DistanceMm);
         _refusal ??= new("ball-does-not-fit", string.Create(
             CultureInfo.InvariantCulture,
-            $"at {Named(place)} the ball of {2 * _offset.RadiusMm} mm would cut {depth:0.0000} mm too deep{Elsewhere(place)}. Use a smaller ball{SmallerThan(place)}, or leave that part out of the surface."));
+            $"at {Named(place)} the ball of {2 * _offset.RadiusMm} mm would cut {depth:0.0000} mm too deep. {Fitting()}, or leave that part out of the surface."));
         return null;
     }
 
-    private string Elsewhere(Point2 place) => Concave(place) * _offset.DistanceMm > 1 ? ": the surface is hollower than the ball there" : " into another part of the surface";
-
-    private string SmallerThan(Point2 place)
+    // The smallest hollow radius decides on the ball, if it is smaller than the ball: what lies further away is another part of the surface.
+    private string Fitting()
     {
-        var concave = Concave(place);
-        return concave * _offset.DistanceMm > 1 ? string.Create(CultureInfo.InvariantCulture, $", of at most {2 * ((1 / concave) - _offset.StockMm):0.00} mm") : "";
-    }
+        const int Samples = 100;
+        var (spline, hollow) = (_offset.Surface.Spline, 0.0);
+        for (var i = 0; i <= Samples; i++)
+        {
+            for (var j = 0; j <= Samples; j++)
+            {
+                var (u, v) = (spline.KnotsU.Start + ((spline.KnotsU.End - spline.KnotsU.Start) * i / Samples), spline.KnotsV.Start + ((spline.KnotsV.End - spline.KnotsV.Start) * j / Samples));
+                var (largest, smallest) = spline.At(u, v).PrincipalCurvatures;
+                var its = _offset.Surface.Outside > 0 ? largest : -smallest;
+                hollow = _offset.Surface.Region.Contains(u, v) && its > hollow ? its : hollow;
+            }
+        }
 
-    private double Concave(Point2 place)
-    {
-        var (largest, smallest) = _offset.Surface.Spline.At(place.X, place.Y).PrincipalCurvatures;
-        return _offset.Surface.Outside > 0 ? largest : -smallest;
+        return hollow * _offset.DistanceMm > 1 && (1 / hollow) > _offset.StockMm
+            ? string.Create(CultureInfo.InvariantCulture, $"Use a ball of at most {2 * ((1 / hollow) - _offset.StockMm):0.00} mm, twice the smallest hollow radius of the surface")
+            : "Use a smaller ball: it touches another part of the surface";
     }
 
     private FreeformRefusal? Impossible(CenterLine line)

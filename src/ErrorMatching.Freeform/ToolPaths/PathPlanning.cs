@@ -39,6 +39,10 @@ internal sealed partial class PathPlanning
         _strip = new(offset, _edges, toolpath.ScallopMm);
     }
 
+    // A part of the planning that runs beside another: what it changes is its own.
+    private PathPlanning(PathPlanning whole)
+        : this(whole._offset, whole._rounding, whole._toolpath, whole._decimals) => _edges.AddRange(whole._edges);
+
     // The polyline leaves the exact offset by the chordal error at most; a center that is nearer than twice that touches elsewhere.
     private double GougeMm => 2 * _toolpath.ChordMm;
 
@@ -90,52 +94,104 @@ internal sealed partial class PathPlanning
         }
     }
 
+    // One half on a second core: a pass in the middle belongs to both, and comes out alike.
     private void MakePasses()
     {
         var lines = new RegionLines(_offset.Surface);
-        var spacing = new PassSpacing(_offset, _toolpath.ScallopMm);
-        var (v, last) = (lines.First, lines.Last);
-        var pass = MakePass(lines, v);
-        var linker = new Chainer(this);
-        linker.Add(pass);
-        while (_refusal is null && v < last)
+        var middle = (lines.First + lines.Last) / 2;
+        var (before, behind) = (new PathPlanning(this), new PathPlanning(this));
+        var second = Task.Run(() => behind.Passes(lines, middle, lines.Last));
+        var passes = before.Passes(lines, lines.First, middle);
+        passes.AddRange(second.GetAwaiter().GetResult());
+        Take(before);
+        Take(behind);
+        var chainer = new Chainer(this);
+        foreach (var pass in passes)
         {
-            var width = spacing.From(pass);
-            CutPass? next = null;
-            for (var attempt = 0; next is null && _refusal is null; attempt++)
-            {
-                var to = width >= last - v ? last : width > (last - v) / 2 ? (v + last) / 2 : v + width;
-                var candidate = MakePass(lines, to);
-                if (_refusal is not null)
-                {
-                    break;
-                }
-
-                var (height, at) = _strip.Measure(pass.Lines, v, candidate.Lines, to);
-                if (height <= _toolpath.ScallopMm)
-                {
-                    next = candidate;
-                    spacing.Learn(to - v, height);
-                    _scallop = height > _scallop.Mm ? (height, at) : _scallop;
-                }
-                else if (attempt == Tries || to <= v)
-                {
-                    _refusal = NotReached("scallop", height, _toolpath.ScallopMm, at);
-                }
-                else
-                {
-                    width = (to - v) * Math.Clamp(Math.Sqrt(0.93 * _toolpath.ScallopMm / height), 0.3, 0.97);
-                }
-            }
-
-            if (next is not null)
-            {
-                (pass, v) = (next, next.V);
-                linker.Add(pass);
-            }
+            chainer.Add(pass);
         }
 
-        linker.End();
+        chainer.End();
+    }
+
+    private void Take(PathPlanning part)
+    {
+        _refusal ??= part._refusal;
+        _points += part._points;
+        _length += part._length;
+        _raisedPoints += part._raisedPoints;
+        _chord = part._chord.Mm > _chord.Mm ? part._chord : _chord;
+        _scallop = part._scallop.Mm > _scallop.Mm ? part._scallop : _scallop;
+        _raised = part._raised.Mm > _raised.Mm ? part._raised : _raised;
+    }
+
+    /// <summary>The passes from one line to another, both included if the first is that of the region.</summary>
+    private List<CutPass> Passes(RegionLines lines, double first, double last)
+    {
+        var spacing = new PassSpacing(_offset, _toolpath.ScallopMm);
+        var passes = new List<CutPass>();
+        var v = first;
+        var pass = MakePass(lines, v);
+        if (first == lines.First)
+        {
+            Keep(pass);
+        }
+
+        while (_refusal is null && v < last)
+        {
+            if (Next(lines, spacing, pass, last) is not { } next)
+            {
+                break;
+            }
+
+            pass.Lines.Clear();
+            (pass, v) = (next, next.V);
+            Keep(pass);
+        }
+
+        return passes;
+
+        void Keep(CutPass kept)
+        {
+            passes.Add(kept);
+            foreach (var line in kept.Lines)
+            {
+                kept.Ends.Add((line.Places[0], line.Places[^1]));
+                Count(line);
+            }
+        }
+    }
+
+    // The next pass, as far away as the ridge between allows.
+    private CutPass? Next(RegionLines lines, PassSpacing spacing, CutPass pass, double last)
+    {
+        var v = pass.V;
+        var width = spacing.From(pass);
+        for (var attempt = 0; ; attempt++)
+        {
+            var to = width >= last - v ? last : width > (last - v) / 2 ? (v + last) / 2 : v + width;
+            var candidate = MakePass(lines, to);
+            if (_refusal is not null)
+            {
+                return null;
+            }
+
+            var (height, at) = _strip.Measure(pass.Lines, v, candidate.Lines, to);
+            if (height <= _toolpath.ScallopMm)
+            {
+                spacing.Learn(to - v, height);
+                _scallop = height > _scallop.Mm ? (height, at) : _scallop;
+                return candidate;
+            }
+
+            if (attempt == Tries || to <= v)
+            {
+                _refusal = NotReached("scallop", height, _toolpath.ScallopMm, at);
+                return null;
+            }
+
+            width = (to - v) * Math.Clamp(Math.Sqrt(0.93 * _toolpath.ScallopMm / height), 0.3, 0.97);
+        }
     }
 
     private CutPass MakePass(RegionLines lines, double v)

@@ -1,5 +1,3 @@
-using ErrorMatching.Geometry;
-
 namespace ErrorMatching.Freeform;
 
 /// <summary>Where lines of constant v lie in the region of a surface.</summary>

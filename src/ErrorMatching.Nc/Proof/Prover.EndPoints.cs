@@ -2,17 +2,25 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <content>Moved end points: the named ones by the vector, retracts behind them in the plane only, arcs with their ends.</content>
+/// <content>Moved end points: the named ones by the vector, or each by its own; retracts behind them in the plane only, arcs with their ends.</content>
 public sealed partial class Prover
 {
     private void CheckEndPoint(int motion, in NcMotion was, in NcMotion now, bool startMoved, bool endMoved)
     {
         var plane = was.Plane;
         var moved = now.End - was.End;
-        if (_endPoints.Contains(motion))
+        if (_endPoints.IndexOf(motion) is >= 0 and var index)
         {
-            var off = moved - _wish.By;
+            var off = moved - _wish.ByOf(index);
             Measure(was.Block, Math.Max(Math.Abs(off.X), Math.Max(Math.Abs(off.Y), Math.Abs(off.Z))), (0.5 * _increment) + 1e-6);
+        }
+        else if (_wish.IsPointByPoint && endMoved)
+        {
+            Fail(was.Block, "it moved although it was not named.");
+        }
+        else if (_wish.IsPointByPoint && startMoved)
+        {
+            Note(was, NeighborRole.Follows, now.PlaneStart - was.PlaneStart);
         }
         else if (startMoved || endMoved)
         {

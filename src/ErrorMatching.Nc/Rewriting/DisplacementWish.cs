@@ -5,11 +5,14 @@ namespace ErrorMatching.Nc;
 /// <summary>What shall be displaced, and by how much: the only thing that the rewriter and the proof both know.</summary>
 public sealed class DisplacementWish
 {
-    private DisplacementWish(IReadOnlyList<ElementWish> elements, IReadOnlyList<int> endPoints, Vector3 by)
+    private readonly Vector3[]? _byEach;
+
+    private DisplacementWish(IReadOnlyList<ElementWish> elements, IReadOnlyList<int> endPoints, Vector3 by, Vector3[]? byEach = null)
     {
         Elements = elements;
         EndPoints = endPoints;
         By = by;
+        _byEach = byEach;
     }
 
     /// <summary>Displaced elements, in the order of the path; empty where end points move.</summary>
@@ -18,8 +21,15 @@ public sealed class DisplacementWish
     /// <summary>Motions whose end points move, in the order of the path; empty where elements are displaced.</summary>
     public IReadOnlyList<int> EndPoints { get; }
 
-    /// <summary>The vector by which the end points move, mm.</summary>
+    /// <summary>The vector by which the end points move, mm; zero where each has its own.</summary>
     public Vector3 By { get; }
+
+    /// <summary>True if each end point has a vector of its own. Then no other end moves: nothing retracts along, and no arc follows.</summary>
+    public bool IsPointByPoint => _byEach is not null;
+
+    /// <summary>The vector by which one of the end points moves, mm.</summary>
+    /// <param name="index">Its position in <see cref="EndPoints"/>.</param>
+    public Vector3 ByOf(int index) => _byEach is null ? By : _byEach[index];
 
     /// <summary>A wish for elements: lines stay lines, arcs stay arcs, corners stay corners.</summary>
     /// <param name="elements">One wish a motion, in any order.</param>
@@ -36,8 +46,26 @@ public sealed class DisplacementWish
     /// <param name="by">The vector, mm.</param>
     public static DisplacementWish OfEndPoints(IReadOnlyList<int> motions, Vector3 by) => new([], [.. motions.Distinct().Order()], by);
 
+    /// <summary>A wish for end points, each by a vector of its own: a path that follows a surface.</summary>
+    /// <param name="points">One wish a motion, in any order.</param>
+    /// <exception cref="ArgumentException">Two wishes name the same motion.</exception>
+    public static DisplacementWish OfPoints(IReadOnlyList<PointWish> points)
+    {
+        PointWish[] sorted = [.. points];
+        Array.Sort(sorted, (a, b) => a.Motion.CompareTo(b.Motion));
+        for (var i = 1; i < sorted.Length; i++)
+        {
+            if (sorted[i - 1].Motion == sorted[i].Motion)
+            {
+                throw new ArgumentException("A motion has two wishes.", nameof(points));
+            }
+        }
+
+        return new([], Array.ConvertAll(sorted, p => p.Motion), Vector3.Zero, Array.ConvertAll(sorted, p => p.By));
+    }
+
     /// <summary>True if nothing is to move.</summary>
-    internal bool IsZero => By == Vector3.Zero && Elements.All(e => e.Start == Vector2.Zero && e.Middle == Vector2.Zero && e.End == Vector2.Zero);
+    internal bool IsZero => By == Vector3.Zero && (_byEach is null || _byEach.AsSpan().IndexOfAnyExcept(Vector3.Zero) < 0) && Elements.All(e => e.Start == Vector2.Zero && e.Middle == Vector2.Zero && e.End == Vector2.Zero);
 
     /// <summary>The wish to displace all cutting motions of some blocks by one distance to the left of travel (negative: right).</summary>
     /// <returns>The wish, or a refusal where the blocks hold no cutting motion, or one that begins at an unknown place.</returns>

@@ -4,21 +4,26 @@ namespace ErrorMatching.Nc;
 
 /// <summary>
 /// Moves the end points of named motions by a vector: rapids and plunges too. The motion before stays; behind, what only moves along the tool axis keeps the
-/// moved place, and the first motion in the plane ends where it did.
+/// moved place, and the first motion in the plane ends where it did. Where each end has a vector of its own, no other end moves.
 /// </summary>
 internal static class EndPointDisplacer
 {
     public static NcOutcome<PathChange> Run(NcPath path, DisplacementWish wish)
     {
         var change = new PathChange(path);
-        foreach (var motion in wish.EndPoints)
+        for (var i = 0; i < wish.EndPoints.Count; i++)
         {
-            if (Obstacles.Of(path, motion) is { } refusal)
+            if (Obstacles.Of(path, wish.EndPoints[i]) is { } refusal)
             {
                 return refusal;
             }
 
-            change.Move(motion + 1, wish.By);
+            change.Move(wish.EndPoints[i] + 1, wish.ByOf(i));
+        }
+
+        if (wish.IsPointByPoint)
+        {
+            return ArcThatMoves(change) is { } arc ? arc : change;
         }
 
         foreach (var motion in wish.EndPoints)
@@ -37,6 +42,20 @@ internal static class EndPointDisplacer
             var plane = motions[joint].Plane;
             change.Move(joint + 1, plane.Lift(plane.Project(default(Point3) + by), 0) - default(Point3));
         }
+    }
+
+    private static NcRefusal? ArcThatMoves(PathChange change)
+    {
+        var path = change.Path;
+        foreach (var i in change.Affected())
+        {
+            if (path.Motions[i].IsArc && (change.MoveOf(i) != Vector3.Zero || change.MoveOf(i + 1) != Vector3.Zero))
+            {
+                return NcRefusal.At(path.Program, path.Motions[i].Block, NcRefusalCodes.ArcForm, "an arc cannot follow points that are displaced each by its own vector. Post it as short straight lines.");
+            }
+        }
+
+        return null;
     }
 
     private static NcRefusal? FollowWithArcs(PathChange change)

@@ -23,7 +23,7 @@ internal static class WishReader
         RefuseTwins(motions, file);
         var marker = root["marker"] is { Kind: JsonItemKind.Text } text ? text.Text : null;
         var wish = ends is not null
-            ? DisplacementWish.OfEndPoints([.. motions.Select(m => m.Motion)], ToVector3(ends["by"]))
+            ? EndPoints(motions, ToVector3(ends["by"]))
             : DisplacementWish.OfElements([.. motions.Select(m => ToElement(m.Motion, m.Source!))]);
         return new(root["dialect"].Text, root["beforeSha256"].Text, root["leastIncrementMm"].Number, marker, wish, motions);
     }
@@ -98,6 +98,11 @@ internal static class WishReader
             throw new JsonDocumentException(file, problems);
         }
     }
+
+    // One vector for all, or one of its own for each that names one.
+    private static DisplacementWish EndPoints(WishedMotion[] motions, Vector3 by) => motions.Any(m => m.Source!.Find("by") is not null)
+        ? DisplacementWish.OfPoints([.. motions.Select(m => new PointWish(m.Motion, m.Source!.Find("by") is { } own ? ToVector3(own) : by))])
+        : DisplacementWish.OfEndPoints([.. motions.Select(m => m.Motion)], by);
 
     private static ElementWish ToElement(int motion, JsonItem item)
     {

@@ -1,6 +1,7 @@
 using System.Buffers;
 using System.Text.Encodings.Web;
 using System.Text.Json;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
@@ -70,7 +71,8 @@ internal sealed class WishWriter : IDisposable
         for (var i = 0; i < file.Motions.Count; i++)
         {
             var (motion, element) = (file.Motions[i], file.Wish.Elements.Count > 0 ? file.Wish.Elements[i] : (ElementWish?)null);
-            Line(indent, json => WriteMotion(json, motion, element));
+            var by = file.Wish.IsPointByPoint ? file.Wish.ByOf(i) : (Vector3?)null;
+            Line(indent, json => WriteMotion(json, motion, element, by));
             if (_json.BytesPending > FlushAt)
             {
                 _json.Flush();
@@ -80,12 +82,18 @@ internal sealed class WishWriter : IDisposable
         _json.WriteEndArray();
     }
 
-    private static void WriteMotion(Utf8JsonWriter json, WishedMotion motion, ElementWish? wish)
+    private static void WriteMotion(Utf8JsonWriter json, WishedMotion motion, ElementWish? wish, Vector3? by)
     {
         json.WriteStartObject();
         json.WriteString("block", motion.Block);
         json.WriteNumber("line", motion.Line);
         json.WriteNumber("motion", motion.Motion);
+        if (by is { } vector)
+        {
+            json.WritePropertyName("by");
+            Vector(json, vector.X, vector.Y, vector.Z);
+        }
+
         if (wish is { } element)
         {
             json.WritePropertyName("start");

@@ -21,6 +21,16 @@ public sealed class MeasuringPlannerTests
     }
 
     [Fact]
+    public void A_curve_that_turns_more_gets_more_of_the_shared_points()
+    {
+        var plan = MeasuringPlanner.Plan(Surfaces.Three, Surfaces.Measuring(7, null, 68));
+        int Count(int j) => plan.Points.Count(p => p.J == j);
+
+        // Convex at y = 0, almost straight in the middle, concave at y = 63.
+        Assert.True(Count(0) > Count(3) && Count(6) > Count(3));
+    }
+
+    [Fact]
     public void Both_ends_of_every_curve_and_both_outer_curves_are_measured()
     {
         var plan = MeasuringPlanner.Plan(Surfaces.Three, Surfaces.Measuring(7, null, 68));

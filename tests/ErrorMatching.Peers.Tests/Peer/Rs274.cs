@@ -78,6 +78,9 @@ internal static class Rs274
 
         var lines = output.GetAwaiter().GetResult().Split('\n');
         var said = error.GetAwaiter().GetResult().Replace("executing\n", "", StringComparison.Ordinal).Trim();
-        return new(new CanonReader().Read(lines), process.ExitCode == 0 ? null : $"exit {process.ExitCode}: {said}");
+        return new(new CanonReader().Read(lines), process.ExitCode == 0 ? null : $"exit {process.ExitCode}: {said}")
+        {
+            Log = [.. lines.Select(l => l.IndexOf(" LOG(\"", StringComparison.Ordinal) is >= 0 and var at ? l[(at + 6)..l.LastIndexOf('"')] : null).OfType<string>()],
+        };
     }
 }

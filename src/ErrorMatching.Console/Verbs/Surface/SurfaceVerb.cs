@@ -12,6 +12,8 @@ internal sealed class SurfaceVerb : Command
         Subcommands.Add(new SurfacePlan());
         Subcommands.Add(new SurfaceProbe());
         Subcommands.Add(new SurfaceCompensate());
+        Subcommands.Add(new SurfaceToolpath());
+        Subcommands.Add(new SurfaceDisplace());
         Subcommands.Add(new SurfaceEvaluate());
         Subcommands.Add(new SurfaceFit());
     }

@@ -7,7 +7,7 @@ namespace ErrorMatching.Freeform;
 /// <remarks>
 /// At least two lines must lie on each side of a break: with one, any value there could be explained by many breaks. Breaks lie along grid lines; an oblique one cannot be found.
 /// </remarks>
-internal sealed class BreakSearch(FieldData data)
+internal sealed class BreakSearch
 {
     /// <summary>A break must lower the criterion by this much.</summary>
     private const double LeastGain = 10;
@@ -15,21 +15,39 @@ internal sealed class BreakSearch(FieldData data)
     private const int PlacesPerCell = 8;
     private const int MostBreaks = 4;
 
-    private readonly (double[] U, double[] V) _lines = data.LinePlaces();
+    /// <summary>Lines in one direction that are enough to find breaks between.</summary>
+    private const int EnoughLines = 15;
+
+    private readonly FieldData _all;
+    private readonly FieldData _data;
+    private readonly (double[] U, double[] V) _lines;
+
+    public BreakSearch(FieldData data)
+    {
+        _all = data;
+        _data = data.Thinned(EnoughLines);
+        _lines = _data.LinePlaces();
+    }
 
     /// <summary>The model without breaks, and those with more that lower the criterion enough below all with fewer.</summary>
     public IReadOnlyList<PolynomialModel> Run()
     {
-        var model = PolynomialModel.Choose(data, [], []);
+        var model = PolynomialModel.Choose(_all, [], []);
         var found = new List<PolynomialModel> { model };
+        if (_data != _all)
+        {
+            model = PolynomialModel.Choose(_data, [], []);
+        }
+
         // One break of two may explain nothing by itself: so the search goes on once where it did not gain.
         var failures = 0;
         for (var count = 0; count < MostBreaks && failures < 2 && !found[^1].IsExact && Extend(model) is { } next; count++)
         {
             model = next;
-            if (model.Criterion < found[^1].Criterion - LeastGain)
+            var full = _data == _all ? model : OverAll(model);
+            if (full.Criterion < found[^1].Criterion - LeastGain)
             {
-                found.Add(model);
+                found.Add(full);
                 failures = 0;
             }
             else
@@ -41,6 +59,13 @@ internal sealed class BreakSearch(FieldData data)
         return found;
     }
 
+    /// <summary>The terms chosen over all values, with the breaks of a low polynomial: to move those of a high one takes too long.</summary>
+    private PolynomialModel OverAll(PolynomialModel model)
+    {
+        var low = PolynomialModel.Fit(_all, Low(model.BreaksU, model.BreaksV)) is { } fit ? BreakRefinement.Run(fit) : model;
+        return PolynomialModel.Choose(_all, low.BreaksU, low.BreaksV);
+    }
+
     private PolynomialModel? Extend(PolynomialModel model) =>
         Places(model).Select(place => Try(model, place.AlongU, place.At)).OfType<PolynomialModel>().MinBy(m => m.Criterion);
 
@@ -49,7 +74,7 @@ internal sealed class BreakSearch(FieldData data)
         double[] u = alongU ? [.. model.BreaksU, at] : [.. model.BreaksU];
         double[] v = alongU ? [.. model.BreaksV] : [.. model.BreaksV, at];
         var wanted = u.Length + v.Length;
-        if (PolynomialModel.Fit(data, Low(u, v)) is not { } low)
+        if (PolynomialModel.Fit(_data, Low(u, v)) is not { } low)
         {
             return null;
         }
@@ -58,9 +83,9 @@ internal sealed class BreakSearch(FieldData data)
         low = BreakRefinement.Run(low);
         (u, v) = ([.. low.BreaksU], [.. low.BreaksV]);
         PolynomialModel? result = null;
-        for (var round = 0; round < 3; round++)
+        for (var round = 0; round < 2; round++)
         {
-            var chosen = BreakRefinement.Run(PolynomialModel.Choose(data, u, v));
+            var chosen = BreakRefinement.Run(PolynomialModel.Choose(_data, u, v));
             if (chosen.BreaksU.Count + chosen.BreaksV.Count < wanted || chosen.Criterion >= (result?.Criterion ?? double.PositiveInfinity))
             {
                 break;
@@ -77,10 +102,10 @@ internal sealed class BreakSearch(FieldData data)
     private IEnumerable<(bool AlongU, double At)> Places(PolynomialModel model)
     {
         var basis = new List<double[]>();
-        var rest = (double[])data.Z.Clone();
+        var rest = (double[])_data.Z.Clone();
         foreach (var term in Low(model.BreaksU, model.BreaksV))
         {
-            if (Unit(term.Over(data.U, data.V), basis) is { } unit)
+            if (Unit(term.Over(_data.U, _data.V), basis) is { } unit)
             {
                 basis.Add(unit);
                 LeastSquares.Remove(rest, unit);
@@ -119,7 +144,7 @@ internal sealed class BreakSearch(FieldData data)
         for (var power = 0; power <= 2; power++)
         {
             var (one, other) = (new AxisFunction(2, at), new AxisFunction(power));
-            if (Unit((alongU ? new Term(one, other) : new Term(other, one)).Over(data.U, data.V), all) is { } unit)
+            if (Unit((alongU ? new Term(one, other) : new Term(other, one)).Over(_data.U, _data.V), all) is { } unit)
             {
                 all.Add(unit);
                 var part = LeastSquares.Product(rest, unit);

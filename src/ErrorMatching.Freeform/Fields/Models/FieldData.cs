@@ -11,6 +11,13 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
     /// <summary>Lines of one direction that are left out at most, evenly chosen: more do not change the mean, only the time.</summary>
     private const int MostLinesOut = 12;
 
+    private const int FewLinesOut = 4;
+
+    private const int ManyValues = 1000;
+
+    /// <summary>Lines in one direction that are enough to find the parameters of a model; its fit then takes all.</summary>
+    public const int EnoughLines = 20;
+
     private const int MostPlacesBetween = 400;
 
     public int Count => Z.Length;
@@ -53,16 +60,15 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
     private SampleGrid? _grid;
     private bool _gridSought;
 
-    /// <summary>The values on some lines of a grid, evenly chosen, at most so many in each direction; all values where there is no grid.</summary>
+    /// <summary>The values on some lines, evenly chosen, at most so many in each direction; the outermost stay.</summary>
     public FieldData Thinned(int lines)
     {
-        if (Grid is not { } grid || (grid.U.Length <= lines && grid.V.Length <= lines))
+        if (Curves.Length <= lines && Array.TrueForAll(Curves, c => c.Length <= lines))
         {
             return this;
         }
 
-        var (u, v) = (Chosen(grid.U.Length, lines), Chosen(grid.V.Length, lines));
-        return Only([.. from i in u from j in v select grid.Index[(i * grid.V.Length) + j]]);
+        return Only([.. Chosen(Curves.Length, lines).Select(c => Curves[c]).SelectMany(curve => Chosen(curve.Length, lines).Select(k => curve[k]))]);
     }
 
     private static int[] Chosen(int count, int most) =>
@@ -88,7 +94,7 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
     private static IEnumerable<int[]> Inner(int[][] lines)
     {
         var inner = lines.Length - 2;
-        var count = Math.Min(inner, MostLinesOut);
+        var count = Math.Min(inner, lines.Sum(line => line.Length) > ManyValues ? FewLinesOut : MostLinesOut);
         for (var k = 0; k < count; k++)
         {
             yield return lines[1 + (int)(((2L * k) + 1) * inner / (2 * count))];

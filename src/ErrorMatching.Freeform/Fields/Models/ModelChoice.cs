@@ -9,6 +9,9 @@ internal static class ModelChoice
     /// <summary>A model with breaks must leave this share of the line-out error of the best model without.</summary>
     private const double BreakShare = 0.7;
 
+    /// <summary>A line-out error that no other model needs to beat: a thousandth of a nanometer.</summary>
+    private const double Nothing = 1e-9;
+
     /// <summary>Breaks among waves are sought in so many values at most.</summary>
     private const int MostForBreaksInWaves = 1000;
 
@@ -16,13 +19,13 @@ internal static class ModelChoice
     public static FieldModel Best(FieldData data)
     {
         var polynomials = new BreakSearch(data).Run();
-        if (polynomials[^1].IsExact && polynomials.Count == 1)
+        if (polynomials[^1].IsExact && !(Error(polynomials[^1]) > Nothing))
         {
-            return polynomials[0];
+            return polynomials[^1];
         }
 
         var process = ProcessSearch.Run(data, ProcessSearch.Trend(2));
-        var smooth = Least([polynomials[0], ProcessSearch.Run(data, ProcessSearch.Trend(1)), process, SplineModel.Run(data)])!;
+        var smooth = Least([polynomials[0], data.Count > MostForBreaksInWaves ? null : ProcessSearch.Run(data, ProcessSearch.Trend(1)), process, SplineModel.Run(data)])!;
         var broken = polynomials.Skip(1).Cast<FieldModel?>().ToList();
         if (process is not null && (polynomials.Count > 1 || smooth is ProcessModel) && !polynomials[^1].IsExact && data.Count <= MostForBreaksInWaves)
         {

@@ -3,9 +3,6 @@ namespace ErrorMatching.Freeform;
 /// <summary>Finds the kernel of greatest likelihood: the best of a few starts, then a simplex. The same values give the same kernel.</summary>
 internal static class ProcessSearch
 {
-    /// <summary>Lines of a grid in one direction from which the kernel is estimated at most; the process itself uses all.</summary>
-    private const int MostLines = 20;
-
     private const int MostEvaluations = 140;
     private const int PlacesPerCell = 6;
 
@@ -20,7 +17,7 @@ internal static class ProcessSearch
             return null;
         }
 
-        var few = data.Thinned(MostLines);
+        var few = data.Thinned(FieldData.EnoughLines);
         double[]? best = null;
         var least = double.PositiveInfinity;
         foreach (var length in (ReadOnlySpan<double>)[0.3, 0.8, 2])
@@ -46,7 +43,7 @@ internal static class ProcessSearch
             var (model, lines) = (Moved(smooth.Data, smooth.Kernel, place.AlongU, place.At, place.Reach), place.AlongU ? linesU : linesV);
             for (var round = 0; round < 2 && model is not null; round++)
             {
-                var kernel = Improved(smooth.Data.Thinned(MostLines), [Math.Log(model.Kernel.LengthU), Math.Log(model.Kernel.LengthV), Math.Log10(model.Kernel.Noise)], Broken(place.AlongU, At(model)));
+                var kernel = Improved(smooth.Data.Thinned(FieldData.EnoughLines), [Math.Log(model.Kernel.LengthU), Math.Log(model.Kernel.LengthV), Math.Log10(model.Kernel.Noise)], Broken(place.AlongU, At(model)));
                 model = Moved(smooth.Data, kernel, place.AlongU, At(model), place.Reach / 2);
             }
 
@@ -54,6 +51,13 @@ internal static class ProcessSearch
         }
 
         return best;
+    }
+
+    /// <summary>The same kernel over other values, the break moved within half a cell.</summary>
+    public static ProcessModel? WithBreakMoved(ProcessModel model, FieldData other)
+    {
+        var alongU = model.BreaksU.Count > 0;
+        return Moved(other, model.Kernel, alongU, At(model), 1.0 / ((alongU ? model.Data.Crossings : model.Data.Curves).Length - 1), 1e-5);
     }
 
     private static double At(ProcessModel model) => model.BreaksU.Concat(model.BreaksV).Single();
@@ -72,17 +76,17 @@ internal static class ProcessSearch
             }
         }
 
-        return places.Where((p, k) => (k == 0 || p.Criterion <= places[k - 1].Criterion) && (k + 1 == places.Count || p.Criterion <= places[k + 1].Criterion));
+        return places.Where((p, k) => p.Criterion < smooth.Criterion - LeastGain && (k == 0 || p.Criterion <= places[k - 1].Criterion) && (k + 1 == places.Count || p.Criterion <= places[k + 1].Criterion));
     }
 
     /// <summary>The process with its break moved by less than a reach, by golden sections.</summary>
-    private static ProcessModel? Moved(FieldData data, Kernel kernel, bool alongU, double at, double reach)
+    private static ProcessModel? Moved(FieldData data, Kernel kernel, bool alongU, double at, double reach, double tolerance = 1e-9)
     {
         var share = (Math.Sqrt(5) - 1) / 2;
         var (low, high) = (at - reach, at + reach);
         var (left, right) = (high - (share * (high - low)), low + (share * (high - low)));
         var (atLeft, atRight) = (Value(left), Value(right));
-        while (high - low > 1e-9)
+        while (high - low > tolerance)
         {
             if (atLeft < atRight)
             {

@@ -9,6 +9,8 @@ internal sealed class SplineModel : FieldModel
     /// <summary>Pieces along one axis at most: the band of the equations grows with them.</summary>
     private const int MostPieces = 24;
 
+    private static readonly double[] Weights = [1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
+
     private readonly SplineAxis _u;
     private readonly SplineAxis _v;
     private readonly double _weight;
@@ -47,7 +49,9 @@ internal sealed class SplineModel : FieldModel
         }
 
         var (axisU, axisV) = (SplineAxis.Over(u, MostPieces), SplineAxis.Over(v, MostPieces));
-        return new[] { 1e-9, 1e-7, 1e-5, 1e-3, 1e-1 }.Select(weight => Fit(data, axisU, axisV, weight)).OfType<SplineModel>().MinBy(model => model.LineOut);
+        var few = data.Thinned(FieldData.EnoughLines);
+        var best = Weights.Select(weight => Fit(few, axisU, axisV, weight)).OfType<SplineModel>().MinBy(model => model.LineOut);
+        return best is null ? null : Fit(data, axisU, axisV, best._weight);
     }
 
     public override double At(double u, double v)

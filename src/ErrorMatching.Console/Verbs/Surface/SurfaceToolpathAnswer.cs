@@ -1,0 +1,83 @@
+using System.Globalization;
+using System.Text.Json;
+using ErrorMatching.Freeform;
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Console;
+
+/// <summary>A tool path over a surface.</summary>
+/// <param name="job">The job.</param>
+/// <param name="path">The path.</param>
+/// <param name="dialect">The control that it is for.</param>
+/// <param name="stage">What it leaves.</param>
+/// <param name="folder">The folder that the program was written to; null if nothing was written.</param>
+internal sealed class SurfaceToolpathAnswer(FreeformJob job, ToolPath path, NcDialect dialect, CuttingStage stage, string? folder) : DocumentAnswer
+{
+    /// <inheritdoc/>
+    public override string Schema => "errormatch/surface-toolpath/1";
+
+    /// <summary>Where the program goes.</summary>
+    public string File => Path.Combine(folder ?? "", FinishingProgram.FileOf(stage));
+
+    private string Stage => Path.GetFileNameWithoutExtension(FinishingProgram.FileOf(stage));
+
+    /// <inheritdoc/>
+    public override void WriteJson(Utf8JsonWriter json)
+    {
+        var c = path.Certificate;
+        json.WriteString("job", job.Name);
+        json.WriteString("stage", Stage);
+        json.WriteString("dialect", dialect.Name);
+        json.WriteString("file", folder is null ? null : File);
+        json.WriteNumber("stockMm", path.StockMm);
+        json.WriteNumber("passes", path.Passes);
+        json.WriteNumber("points", path.Points);
+        json.WriteNumber("lengthMm", path.LengthMm);
+        json.WriteNumber("cuttingMinutes", path.LengthMm / job.Tool.FeedMmPerMin);
+        json.WriteStartObject("certificate");
+        Measured(json, "scallop", c.ScallopMm, job.Toolpath.ScallopMm, c.ScallopAt);
+        Measured(json, "chord", c.ChordMm, job.Toolpath.ChordMm, c.ChordAt);
+        json.WriteNumber("noCenterNearerThanMm", path.RadiusMm + path.StockMm - c.GougeMm);
+        json.WriteNumber("raisedPoints", c.RaisedPoints);
+        json.WriteNumber("raisedMm", c.RaisedMm);
+        json.WriteEndObject();
+    }
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        var c = path.Certificate;
+        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{job.Name}: {Stage} in {path.Passes} passes with {path.Points} points, {path.LengthMm:0} mm or {path.LengthMm / job.Tool.FeedMmPerMin:0.0} min at the feed"));
+        page.Line();
+        page.Table(
+            ["measured on the rounded numbers", "mm", "allowed", "at x", "y", "z"],
+            [Row("scallop", c.ScallopMm, job.Toolpath.ScallopMm, c.ScallopAt), Row("chordal error", c.ChordMm, job.Toolpath.ChordMm, c.ChordAt)]);
+        page.Line(string.Create(
+            CultureInfo.InvariantCulture,
+            $"Coordinates have {path.Decimals} decimals ({dialect.Name}); the program moves the {(job.Toolpath.ProgramsTip ? "tip" : "center")} of the ball and leaves {path.StockMm:0.###} mm. No center is nearer to the surface than {path.RadiusMm + path.StockMm - c.GougeMm:0.000###} mm."));
+        if (c.RaisedPoints > 0)
+        {
+            page.Line(string.Create(CultureInfo.InvariantCulture, $"Warning: {c.RaisedPoints} points were raised by up to {c.RaisedMm:0.0000} mm where the ball does not fit, near x {c.RaisedAt.X:0.000}, y {c.RaisedAt.Y:0.000}: more stock is left there."));
+        }
+
+        page.Line();
+        page.Line(folder is null ? "Nothing was written. Add --out DIR to write the program." : $"Wrote {File}. Next: put the call of your tool into its head, and look at it with errormatch nc check {File} --dialect {dialect.Name}.");
+    }
+
+    private static void Measured(Utf8JsonWriter json, string name, double mm, double allowed, Point3 at)
+    {
+        json.WriteStartObject(name);
+        json.WriteNumber("mm", mm);
+        json.WriteNumber("allowedMm", allowed);
+        json.WriteNumber("x", at.X);
+        json.WriteNumber("y", at.Y);
+        json.WriteNumber("z", at.Z);
+        json.WriteEndObject();
+    }
+
+    private static IReadOnlyList<string> Row(string name, double mm, double allowed, Point3 at) =>
+        [name, mm.ToString("0.000000", CultureInfo.InvariantCulture), allowed.ToString("0.000###", CultureInfo.InvariantCulture), Coordinate(at.X), Coordinate(at.Y), Coordinate(at.Z)];
+
+    private static string Coordinate(double mm) => mm.ToString("0.000", CultureInfo.InvariantCulture);
+}

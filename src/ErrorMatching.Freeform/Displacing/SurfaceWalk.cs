@@ -1,0 +1,50 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Finds the feet of centers that follow one another: mostly near the one before.</summary>
+internal sealed class SurfaceWalk(PartSurface surface, ErrorField field, double gain, double radiusMm, bool programsTip)
+{
+    // A foot this much beyond the edge, as a share of the range, is on the edge.
+    private const double OnEdge = 1e-9;
+
+    private readonly Box3 _box = surface.Spline.Box();
+    private (double U, double V)? _last;
+
+    public SurfaceContact At(Point3 programmed)
+    {
+        var center = programsTip ? programmed + new Vector3(0, 0, radiusMm) : programmed;
+        var away = _box.DistanceTo(center);
+        if (away > (2 * radiusMm) + 1)
+        {
+            return new(away - radiusMm, Vector3.Zero);
+        }
+
+        var foot = Foot(center);
+        var normal = surface.NormalOf(foot);
+        var offset = center - foot.Position;
+        var height = offset.Dot(normal);
+
+        // Below the surface, but beside it: what lies beyond an edge cuts nothing.
+        var over = height >= 0 || (offset - (normal * height)).Length < 1e-6 ? (height < 0 ? -offset.Length : offset.Length) - radiusMm : offset.Length - radiusMm;
+        return new(over, normal * (-gain * field.At(foot.U, foot.V)));
+    }
+
+    // Newton's method from the foot before leads to the nearest place as long as the surface is not hollower than the ball, and the point not far.
+    private SurfacePoint Foot(Point3 center)
+    {
+        var (u, v) = (surface.Spline.KnotsU, surface.Spline.KnotsV);
+        if (_last is { } near && NormalFoot.Of(surface.Spline, center, near.U, near.V) is { } found && Inside(found.U, u) && Inside(found.V, v)
+            && (center - found.Position).Length <= 2 * radiusMm && (center - found.Position).Dot(surface.NormalOf(found)) > 0)
+        {
+            _last = (found.U, found.V);
+            return found;
+        }
+
+        var foot = surface.Spline.ClosestPoint(center).At;
+        _last = (foot.U, foot.V);
+        return foot;
+    }
+
+    private static bool Inside(double t, KnotVector knots) => t >= knots.Start - (OnEdge * (knots.End - knots.Start)) && t <= knots.End + (OnEdge * (knots.End - knots.Start));
+}

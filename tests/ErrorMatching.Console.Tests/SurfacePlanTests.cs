@@ -1,0 +1,89 @@
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Console.Tests;
+
+public sealed class SurfacePlanTests
+{
+    [Theory]
+    [InlineData("surface-one", 70)]
+    [InlineData("surface-two", 49)]
+    [InlineData("surface-three", 68)]
+    public void The_samples_are_planned_with_the_paper_s_numbers_of_points(string sample, int points)
+    {
+        using var folder = new TemporaryFolder();
+        var plan = Shell.Json(0, "errormatch/surface-plan/1", "surface", "plan", Job(sample), "--out", folder.Path);
+        Assert.Equal((points, 7), (plan.GetProperty("count").GetInt32(), plan.GetProperty("curves").GetInt32()));
+        Assert.Equal(points, plan.GetProperty("points").GetArrayLength());
+        Assert.Equal(folder["plan.csv"], Assert.Single(plan.GetProperty("files").EnumerateArray()).GetString());
+        var lines = File.ReadAllLines(folder["plan.csv"]);
+        Assert.Equal("point,i,j,x,y,z,nx,ny,nz,reason", lines[0]);
+        Assert.Equal(points + 1, lines.Length);
+    }
+
+    [Fact]
+    public void Without_a_folder_nothing_is_written_and_the_answer_says_so()
+    {
+        var (exit, output, error) = Shell.Run("surface", "plan", Job("surface-one"));
+        Assert.Equal((0, ""), (exit, error));
+        Assert.Contains("Nothing was written", output, StringComparison.Ordinal);
+        Assert.Contains("7 curves of 10 points; stock on the surface 0.2 mm", output, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("siemens-840d")]
+    [InlineData("fanuc")]
+    [InlineData("linuxcnc")]
+    public void The_probing_program_passes_the_check_of_its_dialect(string dialect)
+    {
+        using var folder = new TemporaryFolder();
+        var job = Changed(folder, "\"approachMm\": 2,\n    \"dialect\": \"siemens-840d\"", $"\"approachMm\": 2,\n    \"dialect\": \"{dialect}\"");
+        var probe = Shell.Json(0, "errormatch/surface-probe/1", "surface", "probe", job, "--out", folder["out"]);
+        Assert.Equal((dialect, dialect), (probe.Text("dialect"), probe.Text("template")));
+        Assert.True(File.Exists(folder["out/plan.csv"]));
+        var check = Shell.Json(0, "errormatch/nc-check/1", "nc", "check", folder["out/probe.nc"], "--dialect", dialect);
+        Assert.Equal(0, check.GetProperty("problems").GetArrayLength());
+        Assert.Equal(70, Shell.Run("nc", "motion", folder["out/probe.nc"], "--dialect", dialect).Output.Split(",probe,").Length - 1);
+    }
+
+    [Fact]
+    public void Probing_follows_a_semi_finishing_program_in_one_program()
+    {
+        using var folder = new TemporaryFolder();
+        var semi = folder.File("semi.nc", "G54 G17 G90\nM3 S10000\nG0 X0 Y0 Z60\nG1 Z50 F1200\nX75\nG0 Z60\nM5\nM30\n");
+        var probe = Shell.Json(0, "errormatch/surface-probe/1", "surface", "probe", Job("surface-one"), "--after", semi, "--out", folder["out"]);
+        Assert.Equal(semi, probe.Text("after"));
+        Assert.Equal(4 + 1 + (70 * 5), Shell.Run("nc", "motion", folder["out/probe.nc"], "--dialect", "siemens-840d").Output.Split('\n').Length - 2);
+    }
+
+    [Fact]
+    public void A_mistake_in_the_shop_s_template_is_named_by_its_line_and_nothing_is_written()
+    {
+        using var folder = new TemporaryFolder();
+        folder.File("own.txt", "@body\n@each point\nG0 X{aproach.x}\n@next\n");
+        var job = Changed(folder, "\"approachMm\": 2,", "\"approachMm\": 2, \"template\": \"own.txt\",");
+        var error = Shell.Error(1, "surface", "probe", job, "--out", folder["out"]);
+        Assert.Equal(("bad-template", folder["own.txt"], 3), (error.Text("code"), error.Text("file"), error.GetProperty("line").GetInt32()));
+        Assert.False(Directory.Exists(folder["out"]));
+    }
+
+    [Fact]
+    public void A_surface_that_cannot_be_touched_is_refused_and_nothing_is_written()
+    {
+        using var folder = new TemporaryFolder();
+        var job = Changed(folder, "\"surface\": \"surface.igs\"", "\"surface\": \"surface.igs\", \"outside\": \"-z\"");
+        var (exit, output, error) = Shell.Run("surface", "plan", job, "--out", folder["out"]);
+        Assert.Equal((2, ""), (exit, output));
+        Assert.Contains("normal points down", error, StringComparison.Ordinal);
+        Assert.False(Directory.Exists(folder["out"]));
+    }
+
+    private static string Job(string sample) => Repository.PathTo("samples", sample, "job.json");
+
+    private static string Changed(TemporaryFolder folder, string old, string changed)
+    {
+        File.Copy(Repository.PathTo("samples", "surface-one", "surface.igs"), folder["surface.igs"]);
+        var text = File.ReadAllText(Job("surface-one")).ReplaceLineEndings("\n");
+        Assert.Contains(old, text, StringComparison.Ordinal);
+        return folder.File("job.json", text.Replace(old, changed, StringComparison.Ordinal));
+    }
+}

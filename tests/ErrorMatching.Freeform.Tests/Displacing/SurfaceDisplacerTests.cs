@@ -1,0 +1,149 @@
+using System.Text;
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Freeform.Tests;
+
+/// <summary>A shop's own finishing program that follows the compensation.</summary>
+public sealed class SurfaceDisplacerTests
+{
+    private static readonly NcDialect Dialect = NcDialects.LinuxCnc;
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Over_a_plane_each_point_goes_down_by_its_own_error(bool tip)
+    {
+        var surface = Shapes.Plane(75, 63);
+        var toolpath = Plans.Passes(0.05, 0.01, tip: tip);
+        var program = Program(surface, toolpath);
+        var result = Displace(surface, new Wave(), program, 0.5, tip);
+
+        var (before, after) = (result.Before, NcInterpreter.Run(result.Program, Dialect));
+        var cuts = 0;
+        for (var i = 1; i < before.Motions.Length; i++)
+        {
+            var (was, now) = (before.Motions[i].End, after.Motions[i].End);
+            var touches = Math.Abs(was.Z - (tip ? 0 : 3)) < 1e-6;
+            cuts += touches ? 1 : 0;
+            Assert.Equal(was.X, now.X, 1e-9);
+            Assert.Equal(was.Y, now.Y, 1e-9);
+            Assert.Equal(touches ? was.Z - (0.5 * Wave.Error(was.X, was.Y)) : was.Z, now.Z, touches ? 0.00005 + 1e-9 : 0.011);
+        }
+
+        Assert.Equal(cuts, result.OnSurface);
+        Assert.True(result.Proof.Holds);
+        Assert.InRange(result.LargestMoveMm, 0.0045, 0.01);
+    }
+
+    [Theory]
+    [InlineData(0.01)]
+    [InlineData(-0.01)]
+    public void A_constant_error_changes_the_distance_of_every_touching_center_by_just_as_much(double error)
+    {
+        var surface = Shapes.Three;
+        var result = Displace(surface, new ConstantField(error, 0), Program(surface, Plans.Passes(0.05, 0.01, zigzag: false)), 1, false);
+
+        var (before, after) = (result.Before, NcInterpreter.Run(result.Program, Dialect));
+        for (var i = 1; i < before.Motions.Length; i += 5)
+        {
+            var (was, now) = (Graphs.DistanceTo(3, before.Motions[i].End), Graphs.DistanceTo(3, after.Motions[i].End));
+            if (before.Motions[i].Kind == MotionKind.Line && was < 3.05)
+            {
+                Assert.Equal(was - error, now, 0.0001);
+            }
+
+            Assert.True(now > 3 - 0.01 - 0.0101, $"{now} at motion {i}");
+        }
+    }
+
+    [Fact]
+    public void Comments_and_what_is_far_from_the_surface_stay_as_they_are()
+    {
+        var surface = Shapes.Plane(75, 63);
+        var program = Program(surface, Plans.Passes(0.5, 0.01));
+        var result = Displace(surface, new Wave(), program, 1, false);
+
+        var (was, now) = (Lines(program), Lines(result.Program.Bytes));
+        Assert.Equal(was.Length, now.Length);
+        Assert.Equal(was[..9], now[..9]);
+        Assert.Equal(was[^3..], now[^3..]);
+        Assert.True(result.Proof.UntouchedBytesIdentical);
+    }
+
+    [Fact]
+    public void Ways_straight_up_and_down_stay_upright()
+    {
+        var surface = Shapes.Graph((x, _) => 0.5 * x, 20, 10);
+        var result = Displace(surface, new ConstantField(0.02, 0), Program(surface, Plans.Passes(0.05, 0.01, zigzag: false)), 1, false);
+
+        var (before, after) = (result.Before, NcInterpreter.Run(result.Program, Dialect));
+        var upright = 0;
+        for (var i = 1; i < before.Motions.Length; i++)
+        {
+            var (was, now) = (before.Motions[i], after.Motions[i]);
+            if (was.Start.X == was.End.X && was.Start.Y == was.End.Y && was.Start.Z != was.End.Z && was.UnknownStart == AxisSet.None)
+            {
+                Assert.Equal((now.Start.X, now.Start.Y), (now.End.X, now.End.Y));
+                upright += was.Start.X != now.Start.X ? 1 : 0;
+            }
+        }
+
+        Assert.True(upright > 10);
+    }
+
+    [Fact]
+    public void An_error_that_bends_between_two_points_is_said()
+    {
+        var surface = Shapes.Plane(75, 63);
+        var result = Displace(surface, new Wave(), "G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nX75\nG0 Z20\nM2\n"u8.ToArray(), 1, false);
+
+        // The wave leaves the straight line between its values at both ends by this, looked for every micrometer of the way.
+        var bend = Enumerable.Range(0, 75_001).Max(i => Math.Abs(Wave.Error(0.001 * i, 10) - Wave.Error(0, 10) - ((Wave.Error(75, 10) - Wave.Error(0, 10)) * i / 75_000)));
+        Assert.Equal(bend, result.LargestMisfitMm, 0.00001);
+    }
+
+    [Theory]
+    [InlineData("G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nG2 X20 Y10 I10 J0\nG0 Z20\nM2\n", "arc-form")]
+    [InlineData("G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z8 F500\nX20\nG0 Z20\nM2\n", "program-off-surface")]
+    [InlineData("G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z2.5 F500\nX20\nG0 Z20\nM2\n", "program-in-surface")]
+    [InlineData("G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nX[10+10]\nG0 Z20\nM2\n", "expression")]
+    public void What_cannot_follow_is_refused(string program, string code)
+    {
+        var result = SurfaceDisplacer.Displace(Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), Encoding.ASCII.GetBytes(program), Dialect, programsTip: false);
+
+        Assert.Equal(code, result.Refusal?.Code);
+    }
+
+    [Fact]
+    public void Beyond_the_edge_the_edge_counts()
+    {
+        var result = Displace(Shapes.Plane(75, 63), new Wave(), "G21 G90 G17\nG0 X-2 Y10 Z20\nG1 Z3 F500\nX0\nX75\nX77\nG0 Z20\nM2\n"u8.ToArray(), 1, false);
+
+        var after = NcInterpreter.Run(result.Program, Dialect);
+        Assert.Equal(3 - Wave.Error(0, 10), after.Motions[1].End.Z, 0.00005);
+        Assert.Equal(3 - Wave.Error(75, 10), after.Motions[4].End.Z, 0.00005);
+    }
+
+    private static byte[] Program(PartSurface surface, JobToolpath toolpath) =>
+        FinishingProgram.Write(Plans.Path(surface, toolpath), Plans.Job(toolpath, "linuxcnc"), Dialect);
+
+    private static DisplacedProgram Displace(PartSurface surface, ErrorField field, byte[] program, double gain, bool tip)
+    {
+        var result = SurfaceDisplacer.Displace(surface, field, gain, Plans.Ball(6), program, Dialect, tip);
+        Assert.True(result.IsUsable, result.Refusal?.Message);
+        return result.Value;
+    }
+
+    private static string[] Lines(ReadOnlyMemory<byte> bytes) => Encoding.ASCII.GetString(bytes.Span).Split('\n');
+
+    // An error over 75 x 63 mm whose place is its parameter.
+    private sealed class Wave : ErrorField
+    {
+        public static double Error(double x, double y) => (0.006 * Math.Sin(x / 20)) + (0.004 * Math.Cos(y / 15));
+
+        public override double At(double u, double v) => Error(75 * u, 63 * v);
+
+        public override double StandardUncertaintyAt(double u, double v) => 0;
+    }
+}
