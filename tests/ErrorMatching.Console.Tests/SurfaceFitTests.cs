@@ -40,6 +40,22 @@ public class SurfaceFitTests
     }
 
     [Fact]
+    public void A_break_of_the_curvature_is_named_with_its_place()
+    {
+        using var folder = new TemporaryFolder();
+        // Flat up to x = 40, a parabola behind: the curvature jumps by 0.004 / mm inside a cell of the grid.
+        var rows = Enumerable.Range(0, 70).Select(k => (I: k % 10, J: k / 10)).Select(n =>
+        {
+            var (x, y) = (n.I * 75 / 9.0, n.J * 10.5);
+            var over = Math.Max(0, x - 40);
+            return string.Create(CultureInfo.InvariantCulture, $"{n.I},{n.J},{x:R},{y:R},{24 + (0.002 * over * over):R}\n");
+        });
+        var place = Assert.Single(Shell.Json(0, "errormatch/surface-fit/1", "surface", "fit", folder.File("p.csv", "i,j,x,y,z\n" + string.Concat(rows))).GetProperty("breaks").EnumerateArray());
+        Assert.Equal("u", place.Text("direction"));
+        Assert.Equal(40, place.Number("x"), 0.5);
+    }
+
+    [Fact]
     public void Without_check_points_there_is_no_d2() =>
         Assert.False(Shell.Json(0, "errormatch/surface-fit/1", "surface", "fit", Points, "--method", "tensor").TryGetProperty("d2", out _));
 

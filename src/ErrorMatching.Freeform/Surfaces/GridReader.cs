@@ -13,6 +13,9 @@ public static class GridReader
     /// <summary>The most points that a file may have.</summary>
     public const int MaxPoints = 100_000;
 
+    /// <summary>The largest number of a point along its curve, or of a curve: time grows with the square of the longest line.</summary>
+    public const int MaxNumber = 2_000;
+
     /// <summary>No machine of this trade is a kilometer long: a coordinate beyond it has lost its decimal point or has another unit.</summary>
     private const double LargestMm = 1e6;
 
@@ -112,9 +115,9 @@ public static class GridReader
         Wrong(table, row, column, MeasurementError.MissingPoint, found, "curves of at least two points numbered without gaps, i along each curve and j across: measure the missing points, or correct the numbers");
 
     private static int Number(NumberTable table, int row, string column) =>
-        int.TryParse(table[column][row], NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number <= MaxPoints
+        int.TryParse(table[column][row], NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number <= MaxNumber
             ? number
-            : throw Wrong(table, row, column, MeasurementError.NumberOutOfRange, $"\"{table[column][row]}\" in column {column}", $"a whole number from 0 to {MaxPoints}");
+            : throw Wrong(table, row, column, MeasurementError.NumberOutOfRange, $"\"{table[column][row]}\" in column {column}", $"a whole number from 0 to {MaxNumber}");
 
     private static double Coordinate(NumberTable table, int row, string column)
     {

@@ -32,6 +32,7 @@ public sealed class GridReaderTests
     [InlineData(Good + "1.5,0,9,9,9\n", "number-out-of-range", 6, 1)]
     [InlineData(Good + "2,-1,9,9,9\n", "number-out-of-range", 6, 2)]
     [InlineData(Good + "99999999999,1,9,9,9\n", "number-out-of-range", 6, 1)]
+    [InlineData(Good + "2001,1,9,9,9\n", "number-out-of-range", 6, 1)]
     [InlineData(Good + "2,0,nan,9,9\n", "not-a-number", 6, 3)]
     [InlineData(Good + "2,0,9,inf,9\n", "infinite-number", 6, 4)]
     [InlineData(Good + "2,0,9,9,\n", "empty-cell", 6, 5)]
