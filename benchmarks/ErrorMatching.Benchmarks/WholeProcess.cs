@@ -20,6 +20,11 @@ internal static class WholeProcess
         {
             Report("errormatch --version", console, ["--version"]);
             Report("errormatch match complex-mating --out", console, ["match", sample, "--out", Path.Combine(folder, "out")]);
+            foreach (var design in new[] { "surface-one", "surface-two", "surface-three" })
+            {
+                Report($"errormatch surface compensate {design} --out", console, ["surface", "compensate", Repository.PathTo("samples", design, "job.json"), "--measured", Repository.PathTo("samples", design, "measured.csv"), "--out", Path.Combine(folder, design)]);
+            }
+
             var program = Path.Combine(folder, "wave.nc");
             File.WriteAllBytes(program, ProgramBenchmarks.Wave(100_000));
             Report("errormatch nc displace, 10,000 of 100,000 blocks", console, ["nc", "displace", program, "--blocks", "N450000..N549990", "--normal", "0.02", "--dialect", "fanuc", "--out", Path.Combine(folder, "moved.nc")]);

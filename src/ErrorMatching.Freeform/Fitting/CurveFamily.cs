@@ -44,7 +44,7 @@ internal sealed record CurveFamily(int Degree, int Poles)
     {
         if (parameters.All(p => ReferenceEquals(p, parameters[0])))
         {
-            return [.. SplineCurveFit.LeastSquares(points, parameters[0], KnotsOf(parameters[0]))];
+            return [.. SplineCurveFit.LeastSquaresFamily(points, parameters[0], KnotsOf(parameters[0]))];
         }
 
         return [.. points.Select((p, j) => SplineCurveFit.LeastSquares(p, parameters[j], KnotsOf(parameters[j])))];

@@ -14,11 +14,12 @@ internal static class StudioFit
     public static SmoothedSurface Fit(FitGrid grid, double? weight)
     {
         var (points, us, vs) = grid.Scattered();
-        return SplineSurfaceFit.Smooth(points, us, vs, Knots(grid.Us), Knots(grid.Vs), grid.LengthU, grid.LengthV, weight);
+        // A ragged grid is as good as its shortest curve: poles that its points leave open would be the energy's alone.
+        return SplineSurfaceFit.Smooth(points, us, vs, Knots(grid.Us, grid.Curves.Min(c => c.Length)), Knots(grid.Vs, grid.Vs.Length), grid.LengthU, grid.LengthV, weight);
     }
 
     // The energy determines poles that points alone would not, so a cubic serves for two points as well.
-    private static KnotVector Knots(double[] parameters) => parameters.Length < 4
+    private static KnotVector Knots(double[] parameters, int poles) => poles < 4
         ? KnotVector.Clamped(3, [0, 1])
-        : FittingKnots.ForLeastSquares(3, parameters, Math.Min(parameters.Length, MostPoles));
+        : FittingKnots.ForLeastSquares(3, parameters, Math.Min(poles, MostPoles));
 }

@@ -72,11 +72,11 @@ internal sealed class CurveSpacing
     private void Add(IsoCurve curve, double weight)
     {
         var (angles, lengths) = (new double[Parts], new double[Parts]);
-        var before = curve.At(_t[0]);
+        var (before, line) = (curve.At(_t[0]), curve.Line);
         for (var i = 0; i < Parts; i++)
         {
             var behind = curve.At(_t[i + 1]);
-            if (curve.IsInside((_t[i] + _t[i + 1]) / 2))
+            if (line.IsInside((_t[i] + _t[i + 1]) / 2))
             {
                 var (a, b) = (curve.Tangent(before), curve.Tangent(behind));
                 angles[i] = Math.Atan2(a.Cross(b).Length, a.Dot(b));

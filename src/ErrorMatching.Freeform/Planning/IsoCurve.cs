@@ -14,8 +14,8 @@ internal readonly record struct IsoCurve(PartSurface Surface, bool AlongU, doubl
     /// <summary>The place of the surface at a parameter.</summary>
     public SurfacePoint At(double t) => AlongU ? Surface.Spline.At(t, Fixed) : Surface.Spline.At(Fixed, t);
 
-    /// <summary>True if the place belongs to the piece.</summary>
-    public bool IsInside(double t) => AlongU ? Surface.Region.Contains(t, Fixed) : Surface.Region.Contains(Fixed, t);
+    /// <summary>Which of its places belong to the piece.</summary>
+    public RegionLine Line => new(Surface.Region, AlongU, Fixed);
 
     /// <summary>First derivative by the parameter.</summary>
     public Vector3 Derivative(SurfacePoint at) => AlongU ? at.Du : at.Dv;

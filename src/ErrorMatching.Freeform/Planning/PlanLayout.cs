@@ -97,9 +97,9 @@ internal sealed class PlanLayout
         ? _across.Place(count, BreaksV)
         : throw PlanRefusedException.TooFew("curves", count, BreaksV.Count + 2, BreaksV.Count);
 
-    private static IReadOnlyList<(double U, PlanReason Reason)> Nodes(CurveSpacing spacing, int count, IReadOnlyList<double> breaks) => count >= breaks.Count + 2
+    private static IReadOnlyList<(double U, PlanReason Reason)> Nodes(CurveSpacing spacing, int count, double[] breaks) => count >= breaks.Length + 2
         ? spacing.Place(count, breaks)
-        : throw PlanRefusedException.TooFew("points on a curve", count, breaks.Count + 2, breaks.Count);
+        : throw PlanRefusedException.TooFew("points on a curve", count, breaks.Length + 2, breaks.Length);
 
     private IsoCurve CurveAt(double v) => new(_surface, AlongU: true, v);
 
@@ -128,13 +128,14 @@ internal sealed class PlanLayout
         if (!_surface.Region.IsWhole)
         {
             const int parts = 1000;
-            var inside = Enumerable.Range(0, parts + 1).Where(i => curve.IsInside(At(i))).ToArray();
+            var line = curve.Line;
+            var inside = Enumerable.Range(0, parts + 1).Where(i => line.IsInside(At(i))).ToArray();
             if (inside.Length < 2)
             {
                 throw PlanRefusedException.NoRoom(string.Create(System.Globalization.CultureInfo.InvariantCulture, $"the curve at v = {v:0.####}"));
             }
 
-            (start, end) = (Edge(curve, At(inside[0]), At(inside[0] - 1)), Edge(curve, At(inside[^1]), At(inside[^1] + 1)));
+            (start, end) = (Edge(line, At(inside[0]), At(inside[0] - 1)), Edge(line, At(inside[^1]), At(inside[^1] + 1)));
             setIn = Math.Max(setIn, TrimSetInMm);
 
             double At(int i) => knots.Start + ((knots.End - knots.Start) * Math.Clamp(i, 0, parts) / parts);
@@ -144,12 +145,12 @@ internal sealed class PlanLayout
         return ends.Start < ends.End ? ends : throw PlanRefusedException.NoRoom(string.Create(System.Globalization.CultureInfo.InvariantCulture, $"the curve at v = {v:0.####}"));
     }
 
-    private static double Edge(IsoCurve curve, double inside, double outside)
+    private static double Edge(RegionLine line, double inside, double outside)
     {
         for (var i = 0; i < 50 && inside != outside; i++)
         {
             var middle = (inside + outside) / 2;
-            (inside, outside) = curve.IsInside(middle) ? (middle, outside) : (inside, middle);
+            (inside, outside) = line.IsInside(middle) ? (middle, outside) : (inside, middle);
         }
 
         return inside;

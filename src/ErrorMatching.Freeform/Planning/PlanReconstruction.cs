@@ -39,11 +39,13 @@ internal sealed class PlanReconstruction
             foreach (var fraction in j + 1 < _v.Length ? Fractions : [0])
             {
                 var v = fraction == 0 ? _v[j] : _v[j] + (fraction * (_v[j + 1] - _v[j]));
+                var line = new RegionLine(_surface.Region, alongU: true, v);
                 for (var i = 0; i + 1 < longest.Length; i++)
                 {
                     foreach (var part in Fractions)
                     {
-                        var error = ErrorAt(longest[i] + (part * (longest[i + 1] - longest[i])), v);
+                        var u = longest[i] + (part * (longest[i + 1] - longest[i]));
+                        var error = line.IsInside(u) ? ErrorAt(u, v) : 0;
                         everywhere = Math.Max(everywhere, error);
                         onCurves = fraction == 0 ? Math.Max(onCurves, error) : onCurves;
                     }
@@ -57,11 +59,6 @@ internal sealed class PlanReconstruction
     // Where the points reach; beyond them nothing is claimed.
     private double ErrorAt(double u, double v)
     {
-        if (!_surface.Region.Contains(u, v))
-        {
-            return 0;
-        }
-
         Span<double> across = stackalloc double[Support];
         Span<double> along = stackalloc double[Support];
         var first = Weights(_v, _isBreakV, v, ref across);

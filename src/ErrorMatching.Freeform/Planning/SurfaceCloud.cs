@@ -24,12 +24,14 @@ internal sealed class SurfaceCloud
         var (countU, countV) = (Count(surface, alongU: true, stepMm), Count(surface, alongU: false, stepMm));
         for (var i = 0; i <= countU; i++)
         {
+            var u = knotsU.Start + ((knotsU.End - knotsU.Start) * i / countU);
+            var line = new RegionLine(surface.Region, alongU: false, u);
             for (var j = 0; j <= countV; j++)
             {
-                var (u, v) = (knotsU.Start + ((knotsU.End - knotsU.Start) * i / countU), knotsV.Start + ((knotsV.End - knotsV.Start) * j / countV));
-                var at = surface.Spline.At(u, v);
-                if (surface.Region.IsWhole || surface.Region.Contains(u, v))
+                var v = knotsV.Start + ((knotsV.End - knotsV.Start) * j / countV);
+                if (line.IsInside(v))
                 {
+                    var at = surface.Spline.At(u, v);
                     Add(at.Position + (surface.NormalOf(at) * stockMm));
                 }
             }

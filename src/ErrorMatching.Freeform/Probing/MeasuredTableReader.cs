@@ -1,3 +1,4 @@
+using System.Buffers;
 using System.Globalization;
 using ErrorMatching.Geometry;
 
@@ -6,6 +7,8 @@ namespace ErrorMatching.Freeform;
 /// <summary>Reads a table with one line a point: a header with the columns point, or i and j, and x, y, z; other columns are passed over.</summary>
 internal sealed class MeasuredTableReader(string file, bool isCenter)
 {
+    private static readonly SearchValues<char> OfNumbers = SearchValues.Create("-+.0123456789");
+
     private char _delimiter;
 
     public IReadOnlyList<RawPoint> Read(IReadOnlyList<string> lines)
@@ -68,7 +71,7 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
             digits--;
         }
 
-        return int.TryParse(label.AsSpan(digits), NumberStyles.None, CultureInfo.InvariantCulture, out var number) && label.AsSpan(0, digits).IndexOfAny("-+.0123456789") < 0 ? number : -1;
+        return int.TryParse(label.AsSpan(digits), NumberStyles.None, CultureInfo.InvariantCulture, out var number) && !label.AsSpan(0, digits).ContainsAny(OfNumbers) ? number : -1;
     }
 
     private int Label(string label, int row, int column) => NumberOf(label) is >= 0 and var number

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform;
 
@@ -51,6 +52,18 @@ public sealed class ProbingTemplate
         using var bytes = new MemoryStream();
         stream.CopyTo(bytes);
         return Parse(bytes.ToArray(), name);
+    }
+
+    /// <summary>The built-in template for a dialect: the one of its name, else the one of its family for a shop's own dialect.</summary>
+    /// <exception cref="FreeformException">There is none (<c>unknown-template</c>).</exception>
+    public static ProbingTemplate For(NcDialect dialect)
+    {
+        ArgumentNullException.ThrowIfNull(dialect);
+        return Named(dialect.Files.Count == 0 ? dialect.Name
+            : dialect.Syntax == NcSyntax.Siemens ? "siemens-840d"
+            : dialect.Syntax == NcSyntax.LinuxCnc ? "linuxcnc"
+            : dialect.MeaningOf("DPRNT"u8) == NcMeaning.Harmless ? "fanuc"
+            : dialect.Name);
     }
 
     /// <summary>The text of a built-in template, to begin a shop's own with.</summary>

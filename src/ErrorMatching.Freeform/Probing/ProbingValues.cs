@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform;

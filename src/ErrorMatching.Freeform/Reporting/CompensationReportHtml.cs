@@ -93,7 +93,7 @@ public static class CompensationReportHtml
             ("Passes", $"{ReportNumber.Count(path.Passes)} passes of {ReportNumber.Count(path.Points)} points, {path.LengthMm.ToString("0", CultureInfo.InvariantCulture)} mm."),
             ("Chordal error", $"At most {Micrometres.OfMm(certificate.ChordMm)} µm, found by checking the rounded polyline densely."),
             ("Scallop", $"At most {Micrometres.OfMm(certificate.ScallopMm)} µm."),
-            ("Gouges", certificate.RaisedPoints == 0 ? $"None: the ball was checked against the whole surface; it cuts at most {Micrometres.OfMm(certificate.GougeMm)} µm too deep by rounding." : $"{ReportNumber.Count(certificate.RaisedPoints)} points were raised by up to {Micrometres.OfMm(certificate.RaisedMm)} µm where the ball does not fit: there material is left."));
+            ("Gouges", certificate.RaisedPoints == 0 ? $"None: nowhere on the whole surface does the ball come nearer to it than {Micrometres.OfMm(certificate.GougeMm)} µm, chords and rounding included." : $"{ReportNumber.Count(certificate.RaisedPoints)} points were raised by up to {Micrometres.OfMm(certificate.RaisedMm)} µm where the ball does not fit: there material is left."));
     }
 
     private static IReadOnlyList<(string, Geometry.Point3, double)> Labels(CompensationResult result, Func<ErrorSample, double> valueMm) =>

@@ -5,7 +5,7 @@ namespace ErrorMatching.Geometry;
 /// </summary>
 /// <remarks>
 /// A polynomial lies in the hull of its poles, and the poles of its derivatives are differences of them. A rational surface S = A / w is bounded through
-/// w S^(k,l) = A^(k,l) - sum C(k,i) C(l,j) w^(i,j) S^(k-i,l-j) (The NURBS Book, equation 4.20), seen from a point near it, so that A is small.
+/// w S^(k,l) = A^(k,l) - sum C(k,i) C(l,j) w^(i,j) S^(k-i,l-j) (The NURBS Book, equation 4.20), after its tangent plane in the middle has been subtracted, so that all S on the right are small.
 /// </remarks>
 internal sealed class DerivativeBounds
 {
@@ -15,31 +15,45 @@ internal sealed class DerivativeBounds
 
     /// <summary>Bounds of a surface.</summary>
     /// <param name="piece">A surface without inner breaks.</param>
-    /// <param name="near">A point near it, from which the poles are seen.</param>
-    public DerivativeBounds(SplineSurface piece, Point3 near)
+    /// <param name="center">The point in the middle of its parameters.</param>
+    /// <param name="ds">First derivative there by the first parameter from -1 to 1.</param>
+    /// <param name="dt">First derivative there by the second parameter from -1 to 1.</param>
+    public DerivativeBounds(SplineSurface piece, Point3 center, Vector3 ds, Vector3 dt)
     {
-        var (p, q) = (piece.KnotsU.Degree, piece.KnotsV.Degree);
-        var values = Homogeneous(piece, near);
-        Span<double> weight = stackalloc double[Orders * Orders];
-        var least = double.PositiveInfinity;
-        for (var i = 3; i < values.Length; i += 4)
+        var (countU, countV) = (piece.CountU, piece.CountV);
+        var values = Homogeneous(piece, center);
+        var least = 1.0;
+        if (piece.IsRational)
         {
-            least = Math.Min(least, values[i]);
-        }
-
-        for (var k = 0; k < Orders; k++)
-        {
-            var row = (double[])values.Clone();
-            for (var l = 0; k + l < Orders; l++)
+            least = double.PositiveInfinity;
+            foreach (var w in piece.Weights)
             {
-                (_length[(k * Orders) + l], weight[(k * Orders) + l]) = k > p || l > q ? (0, 0) : Largest(row, p + 1 - k, q + 1 - l, q + 1);
-                Differentiate(row, p + 1 - k, q + 1 - l, q + 1, alongU: false);
+                least = Math.Min(least, w);
             }
 
-            Differentiate(values, p + 1 - k, q + 1, q + 1, alongU: true);
+            values = WithoutPlane(values, countU, countV, ds, dt);
+            (countU, countV) = (countU + 1, countV + 1);
         }
 
-        Project(weight, least);
+        Span<double> weight = stackalloc double[Orders * Orders];
+        for (var k = 0; k < Math.Min(Orders, countU); k++)
+        {
+            var row = (double[])values.Clone();
+            for (var l = 0; k + l < Orders && l < countV; l++)
+            {
+                (_length[(k * Orders) + l], weight[(k * Orders) + l]) = Largest(row, countU - k, countV - l, countV);
+                Differentiate(row, countU - k, countV - l, countV, alongU: false);
+            }
+
+            Differentiate(values, countU - k, countV, countV, alongU: true);
+        }
+
+        if (piece.IsRational)
+        {
+            Project(weight, least);
+            _length[Orders] += ds.Length;
+            _length[1] += dt.Length;
+        }
     }
 
     private DerivativeBounds()
@@ -62,6 +76,38 @@ internal sealed class DerivativeBounds
         }
 
         return values;
+    }
+
+    /// <summary>The poles of A - w (s Ds + t Dt), which has one degree more in each direction: w times s has the poles i / n w(i - 1) - (1 - i / n) w(i) for n the new degree.</summary>
+    private static double[] WithoutPlane(double[] values, int countU, int countV, Vector3 ds, Vector3 dt)
+    {
+        var raised = new double[(countU + 1) * (countV + 1) * 4];
+        for (var i = 0; i <= countU; i++)
+        {
+            for (var j = 0; j <= countV; j++)
+            {
+                var target = raised.AsSpan(((i * (countV + 1)) + j) * 4, 4);
+                for (var corner = 0; corner < 4; corner++)
+                {
+                    var (a, b) = (corner & 1, corner >> 1);
+                    var (shareU, shareV) = ((double)i / countU, (double)j / countV);
+                    var share = (a == 1 ? shareU : 1 - shareU) * (b == 1 ? shareV : 1 - shareV);
+                    if (share == 0)
+                    {
+                        continue;
+                    }
+
+                    var source = values.AsSpan((((i - a) * countV) + j - b) * 4, 4);
+                    var plane = (ds * (a == 1 ? 1 : -1)) + (dt * (b == 1 ? 1 : -1));
+                    target[0] += share * (source[0] - (source[3] * plane.X));
+                    target[1] += share * (source[1] - (source[3] * plane.Y));
+                    target[2] += share * (source[2] - (source[3] * plane.Z));
+                    target[3] += share * source[3];
+                }
+            }
+        }
+
+        return raised;
     }
 
     private static (double Length, double Weight) Largest(double[] values, int countU, int countV, int stride)

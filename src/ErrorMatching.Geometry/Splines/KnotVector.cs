@@ -197,6 +197,62 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
         }
     }
 
+    /// <summary>The basis functions that do not vanish in a piece (The NURBS Book, A2.2).</summary>
+    /// <param name="span">The piece, from <see cref="SpanAt"/>.</param>
+    /// <param name="t">The parameter.</param>
+    /// <param name="values">Receives degree + 1 numbers for poles span - degree to span.</param>
+    internal void Basis0(int span, double t, Span<double> values)
+    {
+        values[0] = 1;
+        for (var j = 1; j <= Degree; j++)
+        {
+            var saved = 0.0;
+            for (var r = 0; r < j; r++)
+            {
+                var (right, left) = (_values[span + r + 1], _values[span + 1 - j + r]);
+                var part = values[r] / (right - left);
+                values[r] = saved + ((right - t) * part);
+                saved = (t - left) * part;
+            }
+
+            values[j] = saved;
+        }
+    }
+
+    /// <summary>The same with first and second derivatives, faster than <see cref="Basis"/>: the recursion of Cox and de Boor, differentiated by the rule for products.</summary>
+    /// <param name="span">The piece, from <see cref="SpanAt"/>.</param>
+    /// <param name="t">The parameter.</param>
+    /// <param name="result">3 rows of degree + 1 numbers: values, first and second derivatives for poles span - degree to span.</param>
+    internal void Basis2(int span, double t, Span<double> result)
+    {
+        var p = Degree;
+        var width = p + 1;
+        var values = result[..width];
+        var first = result.Slice(width, width);
+        var second = result.Slice(2 * width, width);
+        values[0] = 1;
+        first[0] = second[0] = 0;
+        for (var j = 1; j <= p; j++)
+        {
+            var (saved, savedFirst, savedSecond) = (0.0, 0.0, 0.0);
+            for (var r = 0; r < j; r++)
+            {
+                var (right, left) = (_values[span + r + 1], _values[span + 1 - j + r]);
+                var share = 1 / (right - left);
+                var (n, d, dd) = (values[r] * share, first[r] * share, second[r] * share);
+
+                values[r] = saved + ((right - t) * n);
+                first[r] = savedFirst + ((right - t) * d) - n;
+                second[r] = savedSecond + ((right - t) * dd) - (2 * d);
+                saved = (t - left) * n;
+                savedFirst = ((t - left) * d) + n;
+                savedSecond = ((t - left) * dd) + (2 * d);
+            }
+
+            (values[j], first[j], second[j]) = (saved, savedFirst, savedSecond);
+        }
+    }
+
     private static void Check(int degree, ReadOnlySpan<double> values)
     {
         var run = 1;

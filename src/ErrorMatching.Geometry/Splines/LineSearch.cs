@@ -6,7 +6,7 @@ namespace ErrorMatching.Geometry;
 /// </summary>
 internal sealed class LineSearch(Point3 from, Vector3 direction)
 {
-    private const int MaxCells = 50_000;
+    private const int MaxCells = 5_000;
     private const int MaxSteps = 20;
 
     // A line may touch the surface without crossing it: so near counts as a touch.

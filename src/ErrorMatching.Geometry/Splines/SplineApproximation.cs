@@ -14,6 +14,7 @@ public sealed record SplineApproximation(SplineSurface Surface, double ErrorMm)
 
     /// <summary>The surface that meets a function at the Greville points of its knots, which are refined where it is farther away than wanted.</summary>
     /// <remarks>
+    /// A function of a surface's normals is once less smooth than the surface: where its knots are breaks of such a function, begin with each of them once more often.
     /// In each direction the error is measured where the other direction is exact, so that only the direction that needs them gets knots. Where the wanted error is not reached with 400 poles along u or v,
     /// the best surface comes back with the error that it has.
     /// </remarks>

@@ -5,8 +5,8 @@ internal sealed partial record SplineRows
 {
     /// <summary>The spline with one knot less that is closest to this one: the largest displacement of any of its poles, when they are counted over the old knots, is as small as it can be while the ends stay.</summary>
     /// <remarks>
-    /// Boehm's insertion of the knot gives the old poles as P = A Q. They are of that form if n P = 0 for the one vector n with n A = 0; the smallest change that makes it 0 moves the poles between the first and the last one
-    /// concerned by n P / sum |n|, each with the sign of its n.
+    /// Boehm's insertion of the knot gives the old poles as P = A Q. They are of that form if n P = 0 for the one vector n with n A = 0; the smallest change that makes it 0 moves the poles
+    /// concerned, but for the ends, by n P / sum |n|, each with the sign of its n.
     /// </remarks>
     /// <param name="t">An inner knot of this clamped spline.</param>
     public SplineRows Remove(double t)
@@ -66,8 +66,8 @@ internal sealed partial record SplineRows
             n[i] = -n[i - 1] * alpha[i - 1] / (1 - alpha[i]);
         }
 
-        // With a jump there is nothing between the first and the last.
-        var (from, to) = count == 2 ? (0, 1) : (1, count - 2);
+        // The ends of the spline stay.
+        var (from, to) = (first == 0 ? 1 : 0, first + count == Knots.PoleCount ? count - 2 : count - 1);
         var sum = 0.0;
         for (var i = from; i <= to; i++)
         {

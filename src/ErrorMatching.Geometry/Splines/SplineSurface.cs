@@ -1,3 +1,5 @@
+using System.Runtime.Intrinsics;
+
 namespace ErrorMatching.Geometry;
 
 /// <summary>A tensor-product B-spline surface in space, rational if it has weights. Lengths in millimetres.</summary>
@@ -6,6 +8,9 @@ public sealed partial class SplineSurface
 {
     private readonly Point3[] _poles;
     private readonly double[]? _weights;
+
+    // The poles once more as (wx, wy, wz, w), which evaluation adds up in one step each.
+    private readonly Vector256<double>[] _homogeneous;
 
     /// <summary>A surface of its knots and poles.</summary>
     /// <param name="knotsU">Degree and knots along u.</param>
@@ -21,6 +26,12 @@ public sealed partial class SplineSurface
         (KnotsU, KnotsV) = (knotsU, knotsV);
         _poles = poles.ToArray();
         _weights = SplinePoles.Weights(weights);
+        _homogeneous = new Vector256<double>[_poles.Length];
+        for (var i = 0; i < _poles.Length; i++)
+        {
+            var (pole, w) = (_poles[i], _weights?[i] ?? 1);
+            _homogeneous[i] = Vector256.Create(pole.X * w, pole.Y * w, pole.Z * w, w);
+        }
     }
 
     /// <summary>Degree and knots along u.</summary>
@@ -47,17 +58,72 @@ public sealed partial class SplineSurface
     /// <summary>The point at a pair of parameters.</summary>
     public Point3 PointAt(double u, double v)
     {
-        Span<Vector3> value = stackalloc Vector3[1];
-        Derivatives(u, v, 0, value);
-        return new(value[0].X, value[0].Y, value[0].Z);
+        var (p, q) = (KnotsU.Degree, KnotsV.Degree);
+        var (spanU, spanV) = (KnotsU.SpanAt(u), KnotsV.SpanAt(v));
+        Span<double> basisU = stackalloc double[p + 1];
+        Span<double> basisV = stackalloc double[q + 1];
+        KnotsU.Basis0(spanU, u, basisU);
+        KnotsV.Basis0(spanV, v, basisV);
+        var sum = Vector256<double>.Zero;
+        for (var i = 0; i <= p; i++)
+        {
+            var row = Vector256<double>.Zero;
+            var poles = _homogeneous.AsSpan(((spanU - p + i) * CountV) + spanV - q, q + 1);
+            for (var j = 0; j < poles.Length; j++)
+            {
+                row += poles[j] * basisV[j];
+            }
+
+            sum += row * basisU[i];
+        }
+
+        return _weights is null ? new(sum[0], sum[1], sum[2]) : new(sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]);
     }
 
     /// <summary>The place at a pair of parameters, with first and second derivatives.</summary>
     public SurfacePoint At(double u, double v)
     {
-        Span<Vector3> d = stackalloc Vector3[9];
-        Derivatives(u, v, 2, d);
-        return new(u, v, new(d[0].X, d[0].Y, d[0].Z), d[3], d[1], d[6], d[4], d[2]);
+        var (p, q) = (KnotsU.Degree, KnotsV.Degree);
+        var (spanU, spanV) = (KnotsU.SpanAt(u), KnotsV.SpanAt(v));
+        Span<double> basisU = stackalloc double[3 * (p + 1)];
+        Span<double> basisV = stackalloc double[3 * (q + 1)];
+        KnotsU.Basis2(spanU, u, basisU);
+        KnotsV.Basis2(spanV, v, basisV);
+        var (s, su, sv) = (Vector256<double>.Zero, Vector256<double>.Zero, Vector256<double>.Zero);
+        var (suu, suv, svv) = (s, s, s);
+        for (var i = 0; i <= p; i++)
+        {
+            var (row, rowV, rowVV) = (Vector256<double>.Zero, Vector256<double>.Zero, Vector256<double>.Zero);
+            var poles = _homogeneous.AsSpan(((spanU - p + i) * CountV) + spanV - q, q + 1);
+            for (var j = 0; j < poles.Length; j++)
+            {
+                row += poles[j] * basisV[j];
+                rowV += poles[j] * basisV[q + 1 + j];
+                rowVV += poles[j] * basisV[(2 * (q + 1)) + j];
+            }
+
+            var (n, d, dd) = (basisU[i], basisU[p + 1 + i], basisU[(2 * (p + 1)) + i]);
+            s += row * n;
+            sv += rowV * n;
+            svv += rowVV * n;
+            su += row * d;
+            suv += rowV * d;
+            suu += row * dd;
+        }
+
+        if (_weights is not null)
+        {
+            // From the weighted surface to the surface (The NURBS Book, equation 4.20).
+            var (w, wu, wv, wuu, wuv, wvv) = (1 / s[3], su[3], sv[3], suu[3], suv[3], svv[3]);
+            s *= w;
+            su = (su - (s * wu)) * w;
+            sv = (sv - (s * wv)) * w;
+            suu = (suu - (su * (2 * wu)) - (s * wuu)) * w;
+            suv = (suv - (su * wv) - (sv * wu) - (s * wuv)) * w;
+            svv = (svv - (sv * (2 * wv)) - (s * wvv)) * w;
+        }
+
+        return new(u, v, new(s[0], s[1], s[2]), Space(su), Space(sv), Space(suu), Space(suv), Space(svv));
     }
 
     /// <summary>Position and derivatives at a pair of parameters.</summary>
@@ -131,6 +197,8 @@ public sealed partial class SplineSurface
             }
         }
     }
+
+    private static Vector3 Space(Vector256<double> v) => new(v[0], v[1], v[2]);
 
     private static double Binomial(int n, int k)
     {

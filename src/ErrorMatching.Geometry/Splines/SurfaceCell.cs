@@ -34,7 +34,7 @@ internal sealed class SurfaceCell
         Center = Surface.At(u.Start + halfU, v.Start + halfV);
         (Ds, Dt) = (Center.Du * halfU, Center.Dv * halfV);
         (Dss, Dst, Dtt) = (Center.Duu * (halfU * halfU), Center.Duv * (halfU * halfV), Center.Dvv * (halfV * halfV));
-        Bounds = new(Surface, Center.Position);
+        Bounds = new(Surface, Center.Position, Ds, Dt);
         OffPlane = (0.5 * Bounds[2, 0]) + Bounds[1, 1] + (0.5 * Bounds[0, 2]);
     }
 

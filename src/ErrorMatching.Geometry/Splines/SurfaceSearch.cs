@@ -7,11 +7,13 @@ namespace ErrorMatching.Geometry;
 internal struct SurfaceSearch(Point3 point, double tolerance)
 {
     // Only where very many places are equally close (a point in the center of a sphere) are there so many cells: then the accuracy says what was reached.
-    private const int MaxCells = 20_000;
+    private const int MaxCells = 5_000;
 
     private double _distance = double.PositiveInfinity;
-    private double _u;
-    private double _v;
+    private SurfacePoint _at;
+
+    // True if descent ended at the place; one from the middle of a cell may be good enough for the tolerance, yet it is no foot.
+    private bool _settled;
     private double _bound = double.PositiveInfinity;
     private int _cells;
 
@@ -21,27 +23,23 @@ internal struct SurfaceSearch(Point3 point, double tolerance)
         var search = new SurfaceSearch(point, tolerance);
         if (hint is { } start)
         {
-            search.Offer(SurfaceDescent.From(surface, point, start.U, start.V));
+            search.Offer(SurfaceDescent.From(surface, point, start.U, start.V), settled: true);
         }
 
         search.Visit(root);
-
-        // A place from the middle of a cell is good enough for the tolerance, not yet a foot.
-        var here = surface.At(search._u, search._v);
-        var at = SurfaceDescent.From(surface, point, search._u, search._v);
-        if ((at.Position - point).Length > (here.Position - point).Length)
+        if (!search._settled)
         {
-            at = here;
+            search.Offer(SurfaceDescent.From(surface, point, search._at.U, search._at.V), settled: true);
         }
 
-        var offset = point - at.Position;
-        return new(at, offset, Math.Max(0, offset.Length - search._bound));
+        var offset = point - search._at.Position;
+        return new(search._at, offset, Math.Max(0, offset.Length - search._bound));
     }
 
     /// <summary>Looks at cells in the order of their bounds until none can hold anything closer.</summary>
     private void Visit(SurfaceCell root)
     {
-        var open = new PriorityQueue<SurfaceCell, double>();
+        var open = new PriorityQueue<SurfaceCell, double>(32);
         Keep(open, root, root.DistanceBound(point));
         while (open.TryDequeue(out var cell, out var bound))
         {
@@ -53,7 +51,7 @@ internal struct SurfaceSearch(Point3 point, double tolerance)
 
             if (cell.IsPiece)
             {
-                Offer(cell.Center);
+                Offer(cell.Center, settled: false);
                 bound = cell.IsConvexFrom(point) ? Math.Max(bound, Finish(cell)) : bound;
             }
 
@@ -85,8 +83,16 @@ internal struct SurfaceSearch(Point3 point, double tolerance)
     private double Finish(SurfaceCell cell)
     {
         var surface = cell.Surface;
-        var at = SurfaceDescent.From(surface, point, _u, _v);
-        Offer(at);
+
+        // On a border, derivatives may be those of the cell beyond a crease.
+        var inside = _at.U > surface.KnotsU.Start && _at.U < surface.KnotsU.End && _at.V > surface.KnotsV.Start && _at.V < surface.KnotsV.End;
+        var at = _at;
+        if (!_settled || !inside)
+        {
+            at = SurfaceDescent.From(surface, point, _at.U, _at.V);
+            Offer(at, settled: true);
+        }
+
         var d = at.Position - point;
         var (gu, gv) = (d.Dot(at.Du), d.Dot(at.Dv));
         var square = d.Dot(d)
@@ -95,12 +101,12 @@ internal struct SurfaceSearch(Point3 point, double tolerance)
         return Math.Sqrt(Math.Max(0, square));
     }
 
-    private void Offer(in SurfacePoint at)
+    private void Offer(in SurfacePoint at, bool settled)
     {
         var distance = (at.Position - point).Length;
         if (distance < _distance)
         {
-            (_distance, _u, _v) = (distance, at.U, at.V);
+            (_distance, _at, _settled) = (distance, at, settled);
         }
     }
 }

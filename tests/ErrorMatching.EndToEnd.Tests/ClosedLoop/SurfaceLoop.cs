@@ -38,7 +38,14 @@ internal sealed class SurfaceLoop
     public int Points => _plan.Points.Count;
 
     /// <summary>The statistics before and after, on a machine of its own.</summary>
-    public (DeviationStatistics Before, DeviationStatistics After, SurfacePrediction Predicted) Run(int seed)
+    public (DeviationStatistics Before, DeviationStatistics After) Run(int seed)
+    {
+        var (before, after) = Measure(seed);
+        return (SurfaceEvaluation.Of(_job, _surface, [before]).Together, SurfaceEvaluation.Of(_finished, _surface, [after]).Together);
+    }
+
+    /// <summary>What was measured after semi-finishing and after finishing, on a machine of its own.</summary>
+    public (MeasuredPoints Before, MeasuredPoints After) Measure(int seed)
     {
         var random = new Random(seed);
         var machine = MachineError.Systematic(random);
@@ -49,7 +56,7 @@ internal sealed class SurfaceLoop
         var result = outcome.Result!;
         var finishing = Moves(result.Surface, CuttingStage.Finishing);
         var after = Measure(new CutSurface(finishing, radius, machine.NextCut(random)), _finishedProbing, _finishedPlan, _finished, random);
-        return (SurfaceEvaluation.Of(_job, _surface, [before]).Together, SurfaceEvaluation.Of(_finished, _surface, [after]).Together, result.Predicted);
+        return (before, after);
     }
 
     private IReadOnlyList<AxisMove> Moves(PartSurface surface, CuttingStage stage)

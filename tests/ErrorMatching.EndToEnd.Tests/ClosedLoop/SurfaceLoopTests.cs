@@ -1,4 +1,6 @@
+using System.Globalization;
 using ErrorMatching.Freeform;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
@@ -36,7 +38,31 @@ public sealed class SurfaceLoopTests
         Assert.All(runs, r => Assert.True(Math.Abs(r.After.MeanMm) < 0.001, $"mean {r.After.MeanMm}"));
     }
 
+    [Theory]
+    [InlineData("surface-one")]
+    [InlineData("surface-two")]
+    [InlineData("surface-three")]
+    public void Measured_points_of_the_samples_are_those_of_the_virtual_machine(string sample)
+    {
+        var (before, after) = new SurfaceLoop(sample, mirror: true).Measure(seed: 2019);
+        foreach (var (name, points) in new[] { ("measured.csv", before), ("after.csv", after) })
+        {
+            var file = Repository.PathTo("samples", sample, name);
+            if (Environment.GetEnvironmentVariable("UPDATE_SAMPLES") == "1")
+            {
+                File.WriteAllText(file, "point,x,y,z\n" + string.Concat(points.Points.Select(p => string.Create(CultureInfo.InvariantCulture, $"{p.Planned.Number},{p.Contact.X:0.0000},{p.Contact.Y:0.0000},{p.Contact.Z:0.0000}\n"))));
+            }
+
+            var rows = File.ReadAllLines(file).Skip(1).Select(l => l.Split(',').Select(c => double.Parse(c, CultureInfo.InvariantCulture)).ToArray()).ToArray();
+            Assert.Equal(points.Points.Count, rows.Length);
+            Assert.All(points.Points.Zip(rows), p => Assert.Equal(
+                [p.First.Planned.Number, p.First.Contact.X, p.First.Contact.Y, p.First.Contact.Z],
+                p.Second,
+                (a, b) => Math.Abs(a - b) < 0.0002));
+        }
+    }
+
     /// <summary>Share in percent by which a figure became smaller, over all runs as one: root mean square before and after.</summary>
-    private static double Reduction((DeviationStatistics Before, DeviationStatistics After, SurfacePrediction Predicted)[] runs, Func<DeviationStatistics, double> figure) =>
+    private static double Reduction((DeviationStatistics Before, DeviationStatistics After)[] runs, Func<DeviationStatistics, double> figure) =>
         100 * (1 - Math.Sqrt(runs.Sum(r => Math.Pow(figure(r.After), 2)) / runs.Sum(r => Math.Pow(figure(r.Before), 2))));
 }

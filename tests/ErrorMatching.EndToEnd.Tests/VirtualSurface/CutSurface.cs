@@ -37,7 +37,7 @@ internal sealed class CutSurface
     /// <returns>The center at the touch, or null if nothing is met.</returns>
     public Place? Touch(Place from, Place to, double stylusRadius)
     {
-        const double reach = 0.5, grid = 0.05;
+        const double reach = 0.4, grid = 0.1;
         var down = (to - from).Unit();
         var a = (Math.Abs(down.X) < 0.9 ? new Place(1, 0, 0) : new Place(0, 1, 0)).Cross(down).Unit();
         var b = down.Cross(a);
@@ -49,10 +49,15 @@ internal sealed class CutSurface
 
         // Depths along the move from its beginning: the cut goes as deep as the deepest ball, the stylus only as deep as the highest cusp lets it.
         var stop = double.MaxValue;
-        for (var s = -reach; s <= reach; s += grid)
+        for (var s = -reach; s < reach + (grid / 2); s += grid)
         {
-            for (var t = -reach; t <= reach; t += grid)
+            for (var t = -reach; t < reach + (grid / 2); t += grid)
             {
+                if ((s * s) + (t * t) >= stylusRadius * stylusRadius)
+                {
+                    continue;
+                }
+
                 var cut = double.MinValue;
                 foreach (var (p, q, depth) in near)
                 {

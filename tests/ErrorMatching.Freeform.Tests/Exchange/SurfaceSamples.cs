@@ -27,7 +27,7 @@ internal static class SurfaceSamples
         return new($"TOP {seed} of a piece", surface, limited ? new([Circle(u, v, 0.45), Circle(u, v, 0.1 + (0.2 * random.NextDouble()))]) : SurfaceRegion.Whole, 1);
     }
 
-    private static IReadOnlyList<Point2> Circle(KnotVector u, KnotVector v, double size)
+    private static List<Point2> Circle(KnotVector u, KnotVector v, double size)
     {
         var points = new List<Point2>();
         for (var k = 0; k < 60; k++)

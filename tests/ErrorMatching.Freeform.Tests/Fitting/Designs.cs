@@ -10,7 +10,7 @@ internal static class Designs
     private const double K = 0.004;
 
     /// <summary>Identical quadratic curves along u, straight along v.</summary>
-    public static double One(double x, double y) => 24 + (K * (y - y + Square(x - 50)));
+    public static double One(double x, double y) => 24 + (K * Square(x - 50));
 
     /// <summary>Straight along u with varying slope, along v quadratic from convex to concave.</summary>
     public static double Two(double x, double y) => 24 + (K * Square(y - 31.5) * ((2 * x / Width) - 1));

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -30,7 +31,7 @@ public sealed class ProbingTemplateTests
     public void Doubled_braces_are_braces()
     {
         var template = ProbingTemplate.Parse("@about mine\n@body\n; {{{count}}\nM30\n"u8, "own.txt");
-        var program = ProbingProgram.Of(Programs.Plan(), "", Nc.NcDialects.Siemens840D, template);
+        var program = ProbingProgram.Of(Programs.Plan(), "", NcDialects.Siemens840D, template);
         Assert.Equal("; {20}\nM30\n", Encoding.UTF8.GetString(program.Bytes.Span));
         Assert.Equal("mine", template.About);
     }
@@ -41,6 +42,18 @@ public sealed class ProbingTemplateTests
         var error = Assert.Throws<FreeformException>(() => ProbingTemplate.Named("delta-nc300"));
         Assert.Equal("unknown-template", error.Code);
         Assert.Contains("fanuc-p98xx", error.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_shop_s_own_dialect_has_the_template_of_its_family()
+    {
+        foreach (var name in (string[])["siemens-840d", "fanuc", "linuxcnc"])
+        {
+            var own = NcDialects.Parse(Encoding.UTF8.GetBytes($$"""{ "name": "ours", "description": "Ours.", "like": "{{name}}" }"""), "ours.json");
+            Assert.Equal(name, ProbingTemplate.For(own).File);
+        }
+
+        Assert.Throws<FreeformException>(() => ProbingTemplate.For(NcDialects.DeltaNc300));
     }
 
     [Fact]

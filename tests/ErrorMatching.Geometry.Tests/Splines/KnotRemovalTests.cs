@@ -47,6 +47,28 @@ public sealed class KnotRemovalTests
     });
 
     [Fact]
+    public void No_other_poles_are_nearer_to_the_old_ones() => Draw.Law(Cases.Where(c => !c.Curve.IsRational && c.Curve.Knots.Degree > 1).Zip(Gen.Choose(0, 1_000_000)), c =>
+    {
+        var before = c.Item1.Curve.Clamp();
+        var inner = before.Knots.Breaks.Skip(1).First();
+        if (inner == before.Knots.End || before.Knots.Multiplicity(inner) >= before.Knots.Degree)
+        {
+            return true;
+        }
+
+        // The most displaced pole of any other curve with the same ends over the fewer knots is displaced as far.
+        var (best, bound) = before.RemoveKnot(inner);
+        var noise = Draw.Noise(c.Item2, 3 * best.Poles.Length);
+        Point3[] poles = [.. best.Poles];
+        for (var i = 1; i < poles.Length - 1; i++)
+        {
+            poles[i] += new Vector3(noise[3 * i], noise[(3 * i) + 1], noise[(3 * i) + 2]) * (0.1 * bound);
+        }
+
+        return Poles(new SplineCurve(best.Knots, poles).WithKnots(before.Knots), before) >= bound - 1e-9;
+    });
+
+    [Fact]
     public void Knot_that_bends_a_polyline_moves_it_by_its_height_over_the_chord()
     {
         // Degree 1: the only freedom is the middle pole, and without its knot it lies on the chord.

@@ -23,18 +23,20 @@ public sealed class SplineApproximationTests
             return at.Position + (at.Normal * 5);
         }
 
-        var found = SplineApproximation.Of(Offset, waves.KnotsU, waves.KnotsV, 1e-4);
+        // Normals are once less smooth than the surface, so its knots count twice.
+        var found = SplineApproximation.Of(Offset, KnotVector.Clamped(3, [.. waves.KnotsU.Breaks], 2), KnotVector.Clamped(3, [.. waves.KnotsV.Breaks], 2), 1e-4);
         var worst = 0.0;
-        for (var i = 0; i <= 300; i++)
+        for (var i = 0; i <= 150; i++)
         {
-            for (var j = 0; j <= 300; j++)
+            for (var j = 0; j <= 150; j++)
             {
-                var (u, v) = (75 * i / 300.0, 63 * j / 300.0);
+                var (u, v) = (75 * i / 150.0, 63 * j / 150.0);
                 worst = Math.Max(worst, (Offset(u, v) - found.Surface.PointAt(u, v)).Length);
             }
         }
 
         Assert.InRange(found.ErrorMm, 1e-9, 1e-4);
+        Assert.InRange(found.Surface.CountU, 18, 40);
         Assert.InRange(worst, 0.2 * found.ErrorMm, 1.5 * found.ErrorMm);
     }
 

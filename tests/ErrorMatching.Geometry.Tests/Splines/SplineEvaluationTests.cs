@@ -1,3 +1,5 @@
+using FsCheck.Fluent;
+
 namespace ErrorMatching.Geometry.Tests;
 
 public sealed class SplineEvaluationTests
@@ -53,6 +55,20 @@ public sealed class SplineEvaluationTests
         Assert.Equal(-0.2, smallest, 12);
         Assert.Equal(at.Position.X / 5, at.Normal.X, 12);
     }
+
+    [Fact]
+    public void Second_derivatives_of_the_fast_way_are_those_of_the_general_one() => Draw.Law(DrawSpline.Surface.Zip(Gen.Choose(-999, 999).Two()), c =>
+    {
+        var surface = c.Item1;
+        var (u, v) = (DrawSpline.Inside(surface.KnotsU, c.Item2.Item1 / 1000.0), DrawSpline.Inside(surface.KnotsV, c.Item2.Item2 / 1000.0));
+        var at = surface.At(u, v);
+        var d = new Vector3[9];
+        surface.Derivatives(u, v, 2, d);
+        return Same(d[0], at.Position - default(Point3)) && Same(d[0], surface.PointAt(u, v) - default(Point3))
+            && Same(d[3], at.Du) && Same(d[1], at.Dv) && Same(d[6], at.Duu) && Same(d[4], at.Duv) && Same(d[2], at.Dvv);
+
+        static bool Same(Vector3 a, Vector3 b) => (a - b).Length < 1e-11 * (100 + a.Length);
+    });
 
     [Fact]
     public void Weights_that_are_all_alike_say_nothing()

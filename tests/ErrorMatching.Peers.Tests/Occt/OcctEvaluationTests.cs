@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using ErrorMatching.Geometry;
 
@@ -27,7 +28,7 @@ public sealed class OcctEvaluationTests
             for (var i = 0; i < Places; i++)
             {
                 var (u, v) = (RandomSpline.Inside(random, surface.KnotsU), RandomSpline.Inside(random, surface.KnotsV));
-                script.Append($"svalue s {OcctSurface.Number(u)} {OcctSurface.Number(v)} {string.Join(' ', Names)}\nputs \"at {Values(Names)}\"\n");
+                script.Append(CultureInfo.InvariantCulture, $"svalue s {OcctSurface.Number(u)} {OcctSurface.Number(v)} {string.Join(' ', Names)}\nputs \"at {Values(Names)}\"\n");
                 var at = surface.At(u, v);
                 expected.Add([at.Position.X, at.Position.Y, at.Position.Z, .. Parts(at.Du), .. Parts(at.Dv), .. Parts(at.Duu), .. Parts(at.Dvv), .. Parts(at.Duv)]);
             }
@@ -51,7 +52,7 @@ public sealed class OcctEvaluationTests
             for (var i = 0; i < Places; i++)
             {
                 var t = RandomSpline.Inside(random, curve.Knots);
-                script.Append($"cvalue c {OcctSurface.Number(t)} {string.Join(' ', names)}\nputs \"at {Values(names)}\"\n");
+                script.Append(CultureInfo.InvariantCulture, $"cvalue c {OcctSurface.Number(t)} {string.Join(' ', names)}\nputs \"at {Values(names)}\"\n");
                 var d = new Vector3[2];
                 curve.Derivatives(t, d);
                 expected.Add([.. Parts(d[0]), .. Parts(d[1])]);

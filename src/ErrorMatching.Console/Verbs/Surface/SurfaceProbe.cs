@@ -39,8 +39,10 @@ internal sealed class SurfaceProbe : Verb
         return answer;
     }
 
-    // The job's own template, which may be a built-in one by its name, or the one that has the name of the dialect.
-    private static ProbingTemplate Template(FreeformFiles files, Nc.NcDialect dialect) => files.Job.Measuring.Template is { } own && !ProbingTemplate.Names.Contains(own)
-        ? ProbingTemplate.Parse(files.Bytes("template", files.Job.PathOf(own), ProbingTemplate.MaxBytes), files.Job.PathOf(own))
-        : ProbingTemplate.Named(files.Job.Measuring.Template ?? dialect.Name);
+    // The job's own template, which may be a built-in one by its name, or the one of the dialect.
+    private static ProbingTemplate Template(FreeformFiles files, Nc.NcDialect dialect) => files.Job.Measuring.Template is not { } own
+        ? ProbingTemplate.For(dialect)
+        : ProbingTemplate.Names.Contains(own)
+            ? ProbingTemplate.Named(own)
+            : ProbingTemplate.Parse(files.Bytes("template", files.Job.PathOf(own), ProbingTemplate.MaxBytes), files.Job.PathOf(own));
 }

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Curves of an IGES file as B-splines: 126, lines 110, arcs 100, polylines 106 and 102, which joins curves.</summary>
+/// <summary>Curves of an IGES file as B-splines: 126, lines 110, arcs 100, ellipses 104, polylines 106 and 102, which joins curves.</summary>
 /// <param name="file">The file.</param>
 internal sealed class IgesCurves(IgesFile file)
 {
@@ -26,7 +26,7 @@ internal sealed class IgesCurves(IgesFile file)
         ? only
         : throw file.Fail("not-read", $"{entity} joins several curves; one is expected of which a surface is made", entity.Line);
 
-    private IEnumerable<SplineCurve> Read(IgesEntity entity, IgesTransform outer, double scale, int depth)
+    private List<SplineCurve> Read(IgesEntity entity, IgesTransform outer, double scale, int depth)
     {
         if (depth > ExchangeLimits.MaxDepth || ++_count > ExchangeLimits.MaxCurves)
         {
@@ -41,10 +41,11 @@ internal sealed class IgesCurves(IgesFile file)
             {
                 100 => [Arc(parameters, map, scale)],
                 102 => Chain(entity, parameters, map, scale, depth),
+                104 => [Ellipse(parameters, map, scale)],
                 106 => [Polyline(entity, parameters, map, scale)],
                 110 => [Line(parameters, map, scale)],
                 126 => [Spline(parameters, map, scale)],
-                _ => throw file.Fail("not-read", $"{entity} as a curve: 100, 102, 106, 110 and 126 are read. Export curves as B-splines (126)", entity.Line),
+                _ => throw file.Fail("not-read", $"{entity} as a curve: 100, 102, 104 (ellipses), 106, 110 and 126 are read. Export curves as B-splines (126)", entity.Line),
             };
             _poles += entity.Type == 102 ? 0 : read[0].Poles.Length;
             return _poles <= ExchangeLimits.MaxPoles ? read : throw file.Fail("too-large", $"{entity}: curves of more than {ExchangeLimits.MaxPoles} poles", entity.Line);
@@ -97,9 +98,39 @@ internal sealed class IgesCurves(IgesFile file)
             throw parameters.Fail("bad-curve", "an arc of radius 0");
         }
 
-        var arc = SplineArc.Of(new(p[1], p[2], p[0]), new(x, y, 0), new(-y, x, 0), 0, sweep > FullTurn ? sweep : sweep + Math.Tau);
-        return new(arc.Knots, arc.Poles.ToArray().Select(q => map.Map(new(q.X, q.Y, q.Z), scale)).ToArray(), arc.Weights);
+        return Mapped(SplineArc.Of(new(p[1], p[2], p[0]), new(x, y, 0), new(-y, x, 0), 0, sweep > FullTurn ? sweep : sweep + Math.Tau), map, scale);
     }
+
+    // a x^2 + b x y + c y^2 + d x + e y + f = 0 at a height; its axes are those of the matrix ((a, b/2), (b/2, c)).
+    private static SplineCurve Ellipse(IgesParameters parameters, IgesTransform map, double scale)
+    {
+        var p = parameters.Reals("coefficients, height, start and end of the conic", 11);
+        var (a, b, c, d, e, f) = (p[0], p[1], p[2], p[3], p[4], p[5]);
+        var det = (4 * a * c) - (b * b);
+        if (!(det > 1e-12 * ((a * a) + (c * c))))
+        {
+            throw parameters.Fail("not-read", "a parabola or hyperbola, which is not read: export curves as B-splines (126)");
+        }
+
+        var (x0, y0) = (((b * e) - (2 * c * d)) / det, ((b * d) - (2 * a * e)) / det);
+        var level = -(f + (((d * x0) + (e * y0)) / 2));
+        var (sin, cos) = Math.SinCos(0.5 * Math.Atan2(b, a - c));
+        var (along, across) = (level / ((a * cos * cos) + (b * cos * sin) + (c * sin * sin)), level / ((a * sin * sin) - (b * cos * sin) + (c * cos * cos)));
+        if (!(along > 0 && across > 0))
+        {
+            throw parameters.Fail("bad-curve", "a conic without points");
+        }
+
+        var (first, second) = (Math.Sqrt(along), Math.Sqrt(across));
+        double Angle(double x, double y) => Math.Atan2((-((x - x0) * sin) + ((y - y0) * cos)) / second, (((x - x0) * cos) + ((y - y0) * sin)) / first);
+        var (from, to) = (Angle(p[7], p[8]), Angle(p[9], p[10]));
+        var sweep = to - from;
+        sweep -= Math.Tau * Math.Floor(sweep / Math.Tau);
+        return Mapped(SplineArc.Of(new(x0, y0, p[6]), new(first * cos, first * sin, 0), new(-second * sin, second * cos, 0), from, from + (sweep > FullTurn ? sweep : Math.Tau)), map, scale);
+    }
+
+    private static SplineCurve Mapped(SplineCurve curve, IgesTransform map, double scale) =>
+        new(curve.Knots, curve.Poles.ToArray().Select(q => map.Map(new(q.X, q.Y, q.Z), scale)).ToArray(), curve.Weights);
 
     private SplineCurve Polyline(IgesEntity entity, IgesParameters parameters, IgesTransform map, double scale)
     {
@@ -149,5 +180,5 @@ internal sealed class IgesCurves(IgesFile file)
     }
 
     // Points that follow one another at the same place are one.
-    private static SplineCurve Polygon(IReadOnlyList<Point3> points) => new(KnotVector.Clamped(1, Enumerable.Range(0, points.Count).Select(i => (double)i).ToArray()), points.ToArray());
+    private static SplineCurve Polygon(List<Point3> points) => new(KnotVector.Clamped(1, Enumerable.Range(0, points.Count).Select(i => (double)i).ToArray()), points.ToArray());
 }

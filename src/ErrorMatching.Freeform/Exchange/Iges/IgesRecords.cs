@@ -85,7 +85,7 @@ internal sealed class IgesRecords(string product)
     }
 
     // A number must not be broken between records; a string may be.
-    private static void Wrap(IReadOnlyList<IgesValue> values, int width, Action<string> add)
+    private static void Wrap(List<IgesValue> values, int width, Action<string> add)
     {
         var line = new StringBuilder();
         for (var i = 0; i < values.Count; i++)

@@ -51,7 +51,7 @@ internal sealed class IgesSections
     public int ParameterCount => _parameters.Count;
 
     /// <summary>The 72 columns of a record of the global section; null behind the last.</summary>
-    public ReadOnlyMemory<char>? Global(int record) => record < _global.Count ? _text.AsMemory(_global[record].Offset, SectionColumn) : null;
+    public ReadOnlyMemory<char>? Global(int record) => record < _global.Count ? _text.AsMemory(_global[record].Offset, SectionColumn) : default(ReadOnlyMemory<char>?);
 
     /// <summary>Line of a record of the global section; 1 if there is none.</summary>
     public int GlobalLine(int record) => _global.Count == 0 ? 1 : _global[Math.Min(record, _global.Count - 1)].Line;
@@ -65,7 +65,7 @@ internal sealed class IgesSections
     public int DirectoryLine(int record) => _directory[record].Line;
 
     /// <summary>The 64 columns of data of a record of parameters; null behind the last.</summary>
-    public ReadOnlyMemory<char>? Parameters(int record) => record < _parameters.Count ? _text.AsMemory(_parameters[record].Offset, 64) : null;
+    public ReadOnlyMemory<char>? Parameters(int record) => record < _parameters.Count ? _text.AsMemory(_parameters[record].Offset, 64) : default(ReadOnlyMemory<char>?);
 
     /// <summary>Line of a record of parameters.</summary>
     public int ParameterLine(int record) => _parameters[Math.Clamp(record, 0, _parameters.Count - 1)].Line;

@@ -44,11 +44,26 @@ internal static class IgesSplineSurface
 
         try
         {
-            return new(new(m1, knotsU), new(m2, knotsV), poles, weights);
+            return Cut(new(new(m1, knotsU), new(m2, knotsV), poles, weights), parameters);
         }
         catch (GeometryException e)
         {
             throw file.Fail("bad-surface", $"{entity}: {e.Message}", entity.Line);
         }
+    }
+
+    // The last parameters say which part of the knots belongs to the surface; nearly always it is all of it.
+    private static SplineSurface Cut(SplineSurface whole, IgesParameters parameters)
+    {
+        if (parameters.Left < 4)
+        {
+            return whole;
+        }
+
+        var (u, v) = (whole.KnotsU, whole.KnotsV);
+        var (u0, u1) = (Math.Max(u.Start, parameters.Real("U(0)")), Math.Min(u.End, parameters.Real("U(1)")));
+        var (v0, v1) = (Math.Max(v.Start, parameters.Real("V(0)")), Math.Min(v.End, parameters.Real("V(1)")));
+        var all = u0 == u.Start && u1 == u.End && v0 == v.Start && v1 == v.End;
+        return all || !(u0 < u1 && v0 < v1) ? whole : whole.Between(u0, u1, v0, v1);
     }
 }

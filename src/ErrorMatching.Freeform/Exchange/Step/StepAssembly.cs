@@ -1,5 +1,3 @@
-using ErrorMatching.Geometry;
-
 namespace ErrorMatching.Freeform;
 
 /// <summary>Whether a STEP file moves its parts: then a surface is not where its own coordinates say.</summary>

@@ -87,7 +87,7 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
     }
 
     /// <summary>An attribute.</summary>
-    public StepValue At(int index) => index < Values.Count ? Values[index] : throw Fail("bad-value", $"{Values.Count} attributes; at least {index + 1} are expected");
+    public StepValue At(int index) => index >= 0 && index < Values.Count ? Values[index] : throw Fail("bad-value", $"it has {Values.Count} attributes; more are expected");
 
     /// <summary>An error in this instance.</summary>
     public FreeformException Fail(string code, string problem) => new(code, File.Name, $"{this}: {problem}", Line);

@@ -53,12 +53,18 @@ public static class StepWriter
     {
         var spline = lines.Surface(surface.Spline, name);
         var edges = new StepEdges(lines, surface.Spline, spline);
+        IReadOnlyList<IReadOnlyList<Point2>> loops = surface.Region.IsWhole ? [RegionLimits.Border(surface.Spline)] : surface.Region.Loops;
+        var outer = loops.MaxBy(l => Math.Abs(RegionLoop.Area(l)));
         List<string> bounds = [];
-        foreach (var loop in surface.Region.IsWhole ? [edges.Border()] : surface.Region.Loops.Select(edges.Polygon))
+        foreach (var loop in loops)
         {
-            bounds.Add(lines.Add($"{(bounds.Count == 0 ? "FACE_OUTER_BOUND" : "FACE_BOUND")}('',{loop},.T.)"));
+            // The outer bound runs counter-clockwise about the normal out of the material, holes clockwise.
+            var isOuter = ReferenceEquals(loop, outer);
+            var asItIs = ((RegionLoop.Area(loop) > 0) == isOuter) == (surface.Outside > 0);
+            var edge = surface.Region.IsWhole ? edges.Border() : edges.Polygon(loop);
+            bounds.Add(lines.Add($"{(isOuter ? "FACE_OUTER_BOUND" : "FACE_BOUND")}('',{edge},{(asItIs ? ".T." : ".F.")})"));
         }
 
-        return lines.Add($"ADVANCED_FACE({name},({string.Join(',', bounds)}),{spline},.T.)");
+        return lines.Add($"ADVANCED_FACE({name},({string.Join(',', bounds)}),{spline},{(surface.Outside > 0 ? ".T." : ".F.")})");
     }
 }

@@ -20,7 +20,7 @@ internal static class BreakRefinement
 
             var better = (PolynomialModel?)null;
             var size = 0.0;
-            for (var share = 1.0; share > 1e-3 && better is null; share /= 2)
+            for (var share = 1.0; share > 0.03 && better is null; share /= 2)
             {
                 var moved = PolynomialModel.Fit(model.Data, Moved(model, moves, share));
                 size = moves.Values.Max(Math.Abs) * share;

@@ -15,6 +15,9 @@ internal sealed class BreakSearch
     private const int PlacesPerCell = 8;
     private const int MostBreaks = 4;
 
+    /// <summary>Lines in one direction that are enough to find breaks between.</summary>
+    private const int EnoughLines = 15;
+
     private readonly FieldData _all;
     private readonly FieldData _data;
     private readonly (double[] U, double[] V) _lines;
@@ -22,7 +25,7 @@ internal sealed class BreakSearch
     public BreakSearch(FieldData data)
     {
         _all = data;
-        _data = data.Thinned(FieldData.EnoughLines);
+        _data = data.Thinned(EnoughLines);
         _lines = _data.LinePlaces();
     }
 
@@ -80,7 +83,7 @@ internal sealed class BreakSearch
         low = BreakRefinement.Run(low);
         (u, v) = ([.. low.BreaksU], [.. low.BreaksV]);
         PolynomialModel? result = null;
-        for (var round = 0; round < 3; round++)
+        for (var round = 0; round < 2; round++)
         {
             var chosen = BreakRefinement.Run(PolynomialModel.Choose(_data, u, v));
             if (chosen.BreaksU.Count + chosen.BreaksV.Count < wanted || chosen.Criterion >= (result?.Criterion ?? double.PositiveInfinity))

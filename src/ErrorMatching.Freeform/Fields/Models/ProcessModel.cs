@@ -134,5 +134,7 @@ internal sealed class ProcessModel : FieldModel
         return variance + (more * LeastSquares.Product(solved, solved));
     }
 
-    public override FieldModel? Refit(FieldData other) => Fit(other, _kernel, _trend);
+    /// <inheritdoc/>
+    /// <remarks>A break moves again: kept, it would tell of the values that are left out.</remarks>
+    public override FieldModel? Refit(FieldData other) => BreaksU.Count + BreaksV.Count == 0 ? Fit(other, _kernel, _trend) : ProcessSearch.WithBreakMoved(this, other);
 }

@@ -53,6 +53,13 @@ internal static class ProcessSearch
         return best;
     }
 
+    /// <summary>The same kernel over other values, the break moved within half a cell.</summary>
+    public static ProcessModel? WithBreakMoved(ProcessModel model, FieldData other)
+    {
+        var alongU = model.BreaksU.Count > 0;
+        return Moved(other, model.Kernel, alongU, At(model), 1.0 / ((alongU ? model.Data.Crossings : model.Data.Curves).Length - 1), 1e-5);
+    }
+
     private static double At(ProcessModel model) => model.BreaksU.Concat(model.BreaksV).Single();
 
     /// <summary>Places in the cells along one direction at which a break is likelier than at their neighbors.</summary>
@@ -69,17 +76,17 @@ internal static class ProcessSearch
             }
         }
 
-        return places.Where((p, k) => (k == 0 || p.Criterion <= places[k - 1].Criterion) && (k + 1 == places.Count || p.Criterion <= places[k + 1].Criterion));
+        return places.Where((p, k) => p.Criterion < smooth.Criterion - LeastGain && (k == 0 || p.Criterion <= places[k - 1].Criterion) && (k + 1 == places.Count || p.Criterion <= places[k + 1].Criterion));
     }
 
     /// <summary>The process with its break moved by less than a reach, by golden sections.</summary>
-    private static ProcessModel? Moved(FieldData data, Kernel kernel, bool alongU, double at, double reach)
+    private static ProcessModel? Moved(FieldData data, Kernel kernel, bool alongU, double at, double reach, double tolerance = 1e-9)
     {
         var share = (Math.Sqrt(5) - 1) / 2;
         var (low, high) = (at - reach, at + reach);
         var (left, right) = (high - (share * (high - low)), low + (share * (high - low)));
         var (atLeft, atRight) = (Value(left), Value(right));
-        while (high - low > 1e-9)
+        while (high - low > tolerance)
         {
             if (atLeft < atRight)
             {

@@ -9,6 +9,8 @@ internal sealed class SplineModel : FieldModel
     /// <summary>Pieces along one axis at most: the band of the equations grows with them.</summary>
     private const int MostPieces = 24;
 
+    private static readonly double[] Weights = [1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
+
     private readonly SplineAxis _u;
     private readonly SplineAxis _v;
     private readonly double _weight;
@@ -48,7 +50,7 @@ internal sealed class SplineModel : FieldModel
 
         var (axisU, axisV) = (SplineAxis.Over(u, MostPieces), SplineAxis.Over(v, MostPieces));
         var few = data.Thinned(FieldData.EnoughLines);
-        var best = new[] { 1e-9, 1e-7, 1e-5, 1e-3, 1e-1 }.Select(weight => Fit(few, axisU, axisV, weight)).OfType<SplineModel>().MinBy(model => model.LineOut);
+        var best = Weights.Select(weight => Fit(few, axisU, axisV, weight)).OfType<SplineModel>().MinBy(model => model.LineOut);
         return best is null ? null : Fit(data, axisU, axisV, best._weight);
     }
 

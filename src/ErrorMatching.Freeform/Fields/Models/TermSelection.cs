@@ -11,7 +11,7 @@ namespace ErrorMatching.Freeform;
 internal sealed class TermSelection
 {
     private const int HighestDegree = 8;
-    private const int MostTerms = 64;
+    private const int MostTerms = 40;
     private const double MostAmplification = 1;
 
     private readonly FieldData _data;

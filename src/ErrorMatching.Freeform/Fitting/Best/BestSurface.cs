@@ -5,7 +5,7 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>Lays a surface through a grid of points that is known by nothing else, by the rule that fits error fields: polynomials of few terms with breaks of the curvature, Gaussian processes for waves, cubic splines as last resort.</summary>
 /// <remarks>
-/// A grid over a parallelogram of a coordinate plane is fitted as height over it, so that a quadratic height is met exactly; the parameters are then lengths along the sides of the parallelogram. Any other grid is fitted
+/// A grid over a parallelogram of a coordinate plane, or of its own mean plane, is fitted as height over it, so that a quadratic height is met exactly; the parameters are then lengths along the sides of the parallelogram. Any other grid is fitted
 /// in x, y and z over its mean chord lengths from 0 to 1.
 /// A break of the curvature is found only along grid lines, with two lines at least on each side. One that runs obliquely to the grid is rounded off; so is a break too faint for the noise.
 /// Waves take a Gaussian process; beyond some 300 points it needs a grid of straight lines, else the cubic spline stands in for it.

@@ -19,9 +19,10 @@ internal sealed record PlacedGrid(ParameterRange U, ParameterRange V, (Vector3 M
     /// <summary>The sine of the least angle between the sides of a parallelogram, and between the surface and the axis of its heights.</summary>
     private const double LeastSine = 0.3;
 
-    public static PlacedGrid Of(PointGrid grid) => OverPlane(grid) ?? OverChords(grid);
+    public static PlacedGrid Of(PointGrid grid) => OverPlane(grid, Largest) ?? OverPlane(grid, normal => normal.Normalize()) ?? OverChords(grid);
 
-    private static PlacedGrid? OverPlane(PointGrid grid)
+    /// <summary>The heights along an axis that is chosen by the mean normal; null if they are none, or the points fill no parallelogram.</summary>
+    private static PlacedGrid? OverPlane(PointGrid grid, Func<Vector3, Vector3> choose)
     {
         var curves = grid.Curves;
         var along = Mean(curves.Select(c => c[^1].Position - c[0].Position));
@@ -32,7 +33,7 @@ internal sealed record PlacedGrid(ParameterRange U, ParameterRange V, (Vector3 M
             return null;
         }
 
-        var axis = Largest(normal);
+        var axis = choose(normal);
         if (Math.Abs(normal.Dot(axis)) < LeastSine * normal.Length)
         {
             return null;

@@ -6,7 +6,7 @@ namespace ErrorMatching.Freeform;
 /// <summary>Errors of a surface seen from above: colors for the field, a number at each measured point.</summary>
 internal sealed class HeatMap
 {
-    private const double Width = 820, Left = 20, Right = 690, Top = 30, LegendLeft = 716, LegendWidth = 22;
+    private const double Width = 820, Left = 20, Right = 690, Top = 46, LegendLeft = 716, LegendWidth = 22;
     private const int CellsU = 48, CellsV = 40;
 
     // More numbers than this would cover the colors; then there are dots, and the numbers stand in the table.
@@ -20,7 +20,9 @@ internal sealed class HeatMap
     /// <param name="limitUm">Absolute value in micrometres of the last colors; maps that are compared share it.</param>
     public HeatMap(PartSurface surface, double limitUm)
     {
-        (_surface, _limitUm) = (surface, RoundNumber.AtLeast(Math.Max(limitUm, 0.1)));
+        // A round limit that is not much larger than what is shown: a tenth of it is 1, 2 or 5 times a power of ten.
+        var step = RoundNumber.AtLeast(Math.Max(limitUm, 0.1) / 10);
+        (_surface, _limitUm) = (surface, Math.Ceiling(Math.Max(limitUm, 0.1) / step) * step);
         var (minX, maxX, minY, maxY) = (double.MaxValue, double.MinValue, double.MaxValue, double.MinValue);
         for (var i = 0; i <= CellsU; i++)
         {

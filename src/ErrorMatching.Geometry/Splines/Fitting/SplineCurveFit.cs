@@ -34,7 +34,7 @@ public static class SplineCurveFit
     /// <param name="parameters">Rising parameters.</param>
     /// <param name="knots">Degree and knots.</param>
     /// <exception cref="GeometryException">As for one curve.</exception>
-    public static IReadOnlyList<SplineCurve> LeastSquares(IReadOnlyList<Point3[]> curves, ReadOnlySpan<double> parameters, KnotVector knots)
+    public static IReadOnlyList<SplineCurve> LeastSquaresFamily(IReadOnlyList<Point3[]> curves, ReadOnlySpan<double> parameters, KnotVector knots)
     {
         ArgumentNullException.ThrowIfNull(curves);
         ArgumentNullException.ThrowIfNull(knots);

@@ -1,0 +1,55 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>A line of constant u or v with its crossings of a region's edges: many places of it are asked for, and edges can be long.</summary>
+internal sealed class RegionLine
+{
+    // Null for the whole surface.
+    private readonly double[]? _crossings;
+
+    /// <summary>A line.</summary>
+    /// <param name="region">The region.</param>
+    /// <param name="alongU">True if u runs.</param>
+    /// <param name="at">The parameter that stays.</param>
+    public RegionLine(SurfaceRegion region, bool alongU, double at)
+    {
+        if (region.IsWhole)
+        {
+            return;
+        }
+
+        var crossings = new List<double>();
+        foreach (var loop in region.Loops)
+        {
+            for (var i = 0; i < loop.Count; i++)
+            {
+                var (a, b) = (loop[i], loop[i + 1 < loop.Count ? i + 1 : 0]);
+                var (a1, a2, b1, b2) = alongU ? (a.X, a.Y, b.X, b.Y) : (a.Y, a.X, b.Y, b.X);
+                if (a2 > at != b2 > at)
+                {
+                    crossings.Add(a1 + ((b1 - a1) * ((at - a2) / (b2 - a2))));
+                }
+            }
+        }
+
+        crossings.Sort();
+        _crossings = [.. crossings];
+    }
+
+    /// <summary>True if a place of the line belongs to the region: an odd number of crossings lies behind it, as <see cref="SurfaceRegion.Contains"/> counts.</summary>
+    public bool IsInside(double t)
+    {
+        if (_crossings is null)
+        {
+            return true;
+        }
+
+        var (low, high) = (0, _crossings.Length);
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            (low, high) = _crossings[middle] > t ? (low, middle) : (middle + 1, high);
+        }
+
+        return ((_crossings.Length - low) & 1) == 1;
+    }
+}
