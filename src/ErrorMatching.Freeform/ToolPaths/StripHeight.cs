@@ -14,7 +14,7 @@ internal sealed class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine
     private int _hint;
     private int _otherHint;
 
-    /// <summary>The highest place between two passes.</summary>
+    /// <summary>The highest place between two passes, or the first that is higher than the scallop may be.</summary>
     /// <param name="first">Pieces of one pass.</param>
     /// <param name="v">Its parameter.</param>
     /// <param name="second">Pieces of the next.</param>
@@ -32,7 +32,7 @@ internal sealed class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine
         foreach (var line in lines)
         {
             (_hint, _otherHint) = (0, 0);
-            for (var i = 0; i < line.Count; i++)
+            for (var i = 0; i < line.Count && highest <= scallopMm; i++)
             {
                 At(line.Places[i].X, ref highest, ref where);
                 if (i + 1 < line.Count)
