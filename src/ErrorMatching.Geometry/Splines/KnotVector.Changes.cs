@@ -120,13 +120,12 @@ public sealed partial class KnotVector
         return new(degree, [.. clamped.Breaks.SelectMany(b => Enumerable.Repeat(b, clamped.Multiplicity(b) + degree - Degree))]);
     }
 
-    /// <summary>The clamped knots at which every inner break separates Bezier pieces.</summary>
-    internal KnotVector Pieces()
-    {
-        var breaks = Breaks;
-        var values = breaks.Select((b, i) => (Value: b, Times: i == 0 || i == breaks.Count - 1 ? Degree + 1 : Math.Max(Degree, Multiplicity(b))));
-        return new(Degree, [.. values.SelectMany(v => Enumerable.Repeat(v.Value, v.Times))]);
-    }
+    /// <summary>The numbers of the knots at which the pieces begin, as <see cref="SpanAt"/> counts them.</summary>
+    internal int[] Spans() => [.. Enumerable.Range(Degree, PoleCount - Degree).Where(i => _values[i + 1] > _values[i])];
+
+    /// <summary>The knots that matter to one piece.</summary>
+    /// <param name="span">The piece, from <see cref="SpanAt"/>.</param>
+    internal KnotVector OfPiece(int span) => new(Degree, _values.AsSpan(span - Degree, 2 * (Degree + 1)));
 
     /// <summary>
     /// Weights of the poles in the polar form (blossom) of one polynomial piece: the point that de Boor's algorithm gives if each of its steps takes an argument of its own.

@@ -102,24 +102,47 @@ public sealed partial class SplineSurface
     }
 
     /// <summary>The polynomial pieces, u by u and v running faster, each a Bezier surface over its own part of the parameters.</summary>
-    public IReadOnlyList<SplineSurface> Pieces()
-    {
-        var (u, v) = (KnotsU.Breaks, KnotsV.Breaks);
-        var pieces = new List<SplineSurface>();
-        for (var i = 1; i < u.Count; i++)
-        {
-            var strip = Each(r => r.Onto(KnotsU.Between(u[i - 1], u[i])), r => r);
-            for (var j = 1; j < v.Count; j++)
-            {
-                pieces.Add(strip.Each(r => r, r => r.Onto(KnotsV.Between(v[j - 1], v[j]))));
-            }
-        }
-
-        return pieces;
-    }
+    public IReadOnlyList<SplineSurface> Pieces() =>
+        [.. from u in KnotsU.Spans() from v in KnotsV.Spans() select Piece(u, v)];
 
     /// <summary>A box that holds the surface: that of its poles.</summary>
     public Box3 Box() => Box3.Around(Clamp()._poles);
+
+    /// <summary>A box that holds a range of pieces: that of the poles that matter to them.</summary>
+    internal Box3 Box(int firstU, int lastU, int firstV, int lastV)
+    {
+        var (startV, count) = (firstV - KnotsV.Degree, lastV - firstV + KnotsV.Degree + 1);
+        var box = Box3.Around(_poles.AsSpan(((firstU - KnotsU.Degree) * CountV) + startV, count));
+        for (var i = firstU - KnotsU.Degree + 1; i <= lastU; i++)
+        {
+            var row = Box3.Around(_poles.AsSpan((i * CountV) + startV, count));
+            box = Box3.Around([box.Min, box.Max, row.Min, row.Max]);
+        }
+
+        return box;
+    }
+
+    /// <summary>One piece as a Bezier surface over its own part of the parameters, made of the poles that matter to it.</summary>
+    internal SplineSurface Piece(int spanU, int spanV)
+    {
+        var (p, q) = (KnotsU.Degree, KnotsV.Degree);
+        if ((CountU, CountV) == (p + 1, q + 1))
+        {
+            return Clamp();
+        }
+
+        var (poles, weights) = (new List<Point3>(), new List<double>());
+        for (var i = spanU - p; i <= spanU; i++)
+        {
+            for (var j = spanV - q; j <= spanV; j++)
+            {
+                poles.Add(_poles[(i * CountV) + j]);
+                weights.Add(_weights?[(i * CountV) + j] ?? 1);
+            }
+        }
+
+        return new SplineSurface(KnotsU.OfPiece(spanU), KnotsV.OfPiece(spanV), [.. poles], [.. weights]).Clamp();
+    }
 
     private static SplineSurface From((KnotVector U, KnotVector V, double[] Values) parts, bool rational)
     {

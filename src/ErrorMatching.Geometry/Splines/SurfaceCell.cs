@@ -8,22 +8,25 @@ namespace ErrorMatching.Geometry;
 /// </summary>
 internal sealed class SurfaceCell
 {
-    // Cells are kept once made, up to so many in a tree; beyond, they are made anew for each search.
-    private const int Kept = 100_000;
+    // Pieces and their parts are kept once made, up to so many in a tree; beyond, they are made anew for each search.
+    private const int Kept = 30_000;
 
+    private readonly int[] _spansU;
+    private readonly int[] _spansV;
     private readonly StrongBox<int> _count;
     private SurfaceCell[]? _children;
 
     public SurfaceCell(SplineSurface surface)
-        : this(surface, new StrongBox<int>())
+        : this(surface.Clamp(), surface.KnotsU.Clamp().Spans(), surface.KnotsV.Clamp().Spans(), new StrongBox<int>())
     {
     }
 
-    private SurfaceCell(SplineSurface surface, StrongBox<int> count)
+    private SurfaceCell(SplineSurface surface, int[] spansU, int[] spansV, StrongBox<int> count)
     {
-        (Surface, _count) = (surface.Clamp(), count);
-        Box = Box3.Around(Surface.Poles);
-        IsPiece = Surface.CountU == Surface.KnotsU.Degree + 1 && Surface.CountV == Surface.KnotsV.Degree + 1;
+        (_spansU, _spansV, _count) = (spansU, spansV, count);
+        IsPiece = spansU.Length == 1 && spansV.Length == 1;
+        Surface = IsPiece ? surface.Piece(spansU[0], spansV[0]) : surface;
+        Box = IsPiece ? Box3.Around(Surface.Poles) : surface.Box(spansU[0], spansU[^1], spansV[0], spansV[^1]);
         if (!IsPiece)
         {
             return;
@@ -38,7 +41,7 @@ internal sealed class SurfaceCell
         OffPlane = (0.5 * Bounds[2, 0]) + Bounds[1, 1] + (0.5 * Bounds[0, 2]);
     }
 
-    /// <summary>The part of the surface over its own parameters.</summary>
+    /// <summary>A piece over its own parameters; of a part with inner breaks, the whole surface.</summary>
     public SplineSurface Surface { get; }
 
     /// <summary>A box that holds the part.</summary>
@@ -71,7 +74,7 @@ internal sealed class SurfaceCell
     /// <summary>No place of the cell is farther than this from Center + s Ds + t Dt at its own s and t (Taylor's theorem).</summary>
     public double OffPlane { get; }
 
-    /// <summary>The two halves, cut at the break nearest to the middle, or where there is none at the middle of the direction that bends more; null where halves can no longer be told apart.</summary>
+    /// <summary>The two halves, cut at the break in the middle of the direction that has more of them, or where there is none in the middle of the direction that bends more; null where halves can no longer be told apart.</summary>
     public SurfaceCell[]? Children()
     {
         if (_children is not null)
@@ -80,7 +83,7 @@ internal sealed class SurfaceCell
         }
 
         var halves = Split();
-        if (halves is not null && Interlocked.Add(ref _count.Value, 2) <= Kept)
+        if (halves is not null && (!(halves[0].IsPiece || halves[1].IsPiece) || Interlocked.Add(ref _count.Value, 2) <= Kept))
         {
             // Two threads may both make them; they make the same.
             _children = halves;
@@ -160,32 +163,31 @@ internal sealed class SurfaceCell
 
     private static double Abs(Vector3 a, Vector3 b) => Math.Abs(a.Dot(b));
 
-    private static double? Between(IReadOnlyList<double> breaks) => breaks.Count == 2 ? null : breaks[breaks.Count / 2];
-
     private SurfaceCell[]? Split()
     {
-        var (u, v) = (Surface.KnotsU, Surface.KnotsV);
-        var (breakU, breakV) = (Between(u.Breaks), Between(v.Breaks));
-        var alongU = breakU is null == breakV is null ? Bends() : breakU is not null;
-        var knots = alongU ? u : v;
-        var at = (alongU ? breakU : breakV) ?? (knots.Start + (0.5 * (knots.End - knots.Start)));
+        if (!IsPiece)
+        {
+            var (countU, countV) = (_spansU.Length, _spansV.Length);
+            return countU >= countV
+                ? [new(Surface, _spansU[..(countU / 2)], _spansV, _count), new(Surface, _spansU[(countU / 2)..], _spansV, _count)]
+                : [new(Surface, _spansU, _spansV[..(countV / 2)], _count), new(Surface, _spansU, _spansV[(countV / 2)..], _count)];
+        }
+
+        var alongU = BendsAlongU();
+        var knots = alongU ? Surface.KnotsU : Surface.KnotsV;
+        var at = knots.Start + (0.5 * (knots.End - knots.Start));
         if (!(at > knots.Start && at < knots.End))
         {
             return null;
         }
 
         var (before, after) = alongU ? Surface.SplitU(at) : Surface.SplitV(at);
-        return [new(before, _count), new(after, _count)];
+        return [new(before, before.KnotsU.Spans(), before.KnotsV.Spans(), _count), new(after, after.KnotsU.Spans(), after.KnotsV.Spans(), _count)];
     }
 
-    /// <summary>True if the cell is to be cut across u: it has more pieces there, bends more there, or is longer there.</summary>
-    private bool Bends()
+    /// <summary>True if the piece bends more along u, or is longer there where it hardly bends.</summary>
+    private bool BendsAlongU()
     {
-        if (!IsPiece)
-        {
-            return Surface.CountU >= Surface.CountV;
-        }
-
         var (bendU, bendV) = (Bounds[2, 0], Bounds[0, 2]);
         var (longU, longV) = (Bounds[1, 0], Bounds[0, 1]);
         return bendU == bendV || Math.Max(bendU, bendV) < 1e-3 * Math.Max(longU, longV) ? longU >= longV : bendU > bendV;
