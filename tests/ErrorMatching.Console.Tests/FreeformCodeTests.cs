@@ -11,7 +11,7 @@ public sealed partial class FreeformCodeTests
         var pages = string.Concat(Directory.GetFiles(Repository.PathTo("docs"), "*.md").Select(File.ReadAllText));
         var codes = Directory.GetFiles(Repository.PathTo("src", "ErrorMatching.Freeform"), "*.cs", SearchOption.AllDirectories)
             .SelectMany(f => Codes().Matches(File.ReadAllText(f)))
-            .Select(m => m.Groups[1].Value)
+            .Select(m => m.Groups["code"].Value)
             .Distinct()
             .ToArray();
 
@@ -19,6 +19,6 @@ public sealed partial class FreeformCodeTests
         Assert.All(codes, c => Assert.Contains($"`{c}`", pages, StringComparison.Ordinal));
     }
 
-    [GeneratedRegex("(?:FreeformException|FreeformRefusal|Refused|Refuse|Broken|new)\\(\\s*\"([a-z]+(?:-[a-z]+)+)\"")]
+    [GeneratedRegex("(FreeformException|FreeformRefusal|Refused|Refuse|Broken|new)\\(\\s*\"(?<code>[a-z]+(-[a-z]+)+)\"", RegexOptions.ExplicitCapture, 10_000)]
     private static partial Regex Codes();
 }

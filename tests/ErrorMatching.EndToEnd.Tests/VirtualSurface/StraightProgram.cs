@@ -25,8 +25,8 @@ internal static partial class StraightProgram
             double? toX = null, toY = null, toZ = null;
             foreach (Match word in Words().Matches(text.Replace("MEAS=1", "", StringComparison.Ordinal)))
             {
-                var value = double.Parse(word.Groups[2].Value, CultureInfo.InvariantCulture);
-                switch (word.Groups[1].Value)
+                var value = double.Parse(word.Groups["value"].Value, CultureInfo.InvariantCulture);
+                switch (word.Groups["letter"].Value)
                 {
                     case "G" when value is 0 or 1: motion = value; break;
                     case "G" when value is 38.2 or 31: (motion, measuring) = (1, true); break;
@@ -58,12 +58,12 @@ internal static partial class StraightProgram
         return moves;
     }
 
-    [GeneratedRegex(@"\([^)]*\)|;.*")]
+    [GeneratedRegex(@"\([^)]*\)|;.*", RegexOptions.ExplicitCapture, 10_000)]
     private static partial Regex Comments();
 
-    [GeneratedRegex("\"[^\"]*\"")]
+    [GeneratedRegex("\"[^\"]*\"", RegexOptions.ExplicitCapture, 10_000)]
     private static partial Regex Texts();
 
-    [GeneratedRegex(@"([A-Z])\s*([-+]?[0-9]*\.?[0-9]+|[-+]?[0-9]+\.)(?![A-Z_\[(=])")]
+    [GeneratedRegex(@"(?<letter>[A-Z])\s*(?<value>[-+]?[0-9]*\.?[0-9]+|[-+]?[0-9]+\.)(?![A-Z_\[(=])", RegexOptions.ExplicitCapture, 10_000)]
     private static partial Regex Words();
 }

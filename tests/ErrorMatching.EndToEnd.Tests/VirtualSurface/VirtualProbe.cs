@@ -21,7 +21,7 @@ internal static partial class VirtualProbe
         var next = 0;
         foreach (Match line in LogLines().Matches(program))
         {
-            var text = line.Groups[1].Value;
+            var text = line.Groups["text"].Value;
             if (text.Contains("#5061", StringComparison.Ordinal))
             {
                 var at = touches[next++];
@@ -45,6 +45,6 @@ internal static partial class VirtualProbe
 
     private static string Six(double value) => value.ToString("0.000000", CultureInfo.InvariantCulture);
 
-    [GeneratedRegex(@"\(LOG,([^)]*)\)")]
+    [GeneratedRegex(@"\(LOG,(?<text>[^)]*)\)", RegexOptions.ExplicitCapture, 10_000)]
     private static partial Regex LogLines();
 }

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform.Tests;
 

@@ -1,6 +1,5 @@
 using System.Security.Cryptography;
 using ErrorMatching.Freeform;
-using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 using ErrorMatching.Reporting;
 
