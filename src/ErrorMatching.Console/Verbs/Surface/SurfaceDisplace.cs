@@ -1,7 +1,6 @@
 using System.CommandLine;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
-using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
