@@ -18,7 +18,7 @@ public class DialectTests
         var (exit, page, error) = Shell.Run("nc", "dialects", "siemens-840d");
         Assert.Equal((0, ""), (exit, error));
         var lines = page.Split('\n');
-        Assert.Contains(lines, l => l.StartsWith("TRANS  ", StringComparison.Ordinal) && l.Contains("  frame-shift  ", StringComparison.Ordinal) && l.Contains("programming manual", StringComparison.Ordinal) && l.EndsWith("  siemens-840d", StringComparison.Ordinal));
+        Assert.Contains(lines, l => l.StartsWith("TRANS  ", StringComparison.Ordinal) && l.Contains("  frame-shift  ", StringComparison.Ordinal) && l.Contains("SINUMERIK", StringComparison.Ordinal) && l.EndsWith("  siemens-840d", StringComparison.Ordinal));
         Assert.Contains("Programs that are in the machine", lines);
         Assert.Single(Shell.Json(0, "errormatch/nc-dialects/1", "nc", "dialects", "siemens-840d").GetProperty("dialects").EnumerateArray());
     }
