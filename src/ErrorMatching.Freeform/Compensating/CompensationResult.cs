@@ -56,7 +56,7 @@ public sealed record CompensationResult
     public Geometry.Point3 PointOf(ErrorSample sample)
     {
         ArgumentNullException.ThrowIfNull(sample);
-        var error = Input.Job.Compensation.Mirror && ReferenceEquals(Compensated, Systematic) && Systematic is not ConstantField ? sample.ErrorMm : Compensated.At(sample.U, sample.V);
+        var error = Input.Job.Compensation.Mirror && Systematic is not ConstantField ? sample.ErrorMm : Compensated.At(sample.U, sample.V);
         return MirrorEquations.Compensated(sample.Nominal, sample.Normal, error, Input.Job.Compensation.Gain);
     }
 

@@ -13,19 +13,8 @@ public static class CompensationReportJson
         var (result, job) = (report.Result, report.Result.Input.Job);
         return ReportWriter.Document("errormatch/surface-compensate/1", json =>
         {
-            json.Object("job", () =>
-            {
-                json.Text("name", report.Job.Name);
-                json.Text("workOrder", report.Job.WorkOrder);
-                json.Text("file", report.Job.File);
-                json.Text("sha256", report.Job.Sha256);
-            });
-            json.List("inputs", report.Inputs, i =>
-            {
-                json.Text("role", i.Role);
-                json.Text("file", i.File);
-                json.Text("sha256", i.Sha256);
-            });
+            json.Job("freeform", report.Job);
+            json.Inputs(report.Inputs);
             EvaluationReportJson.Alignment(json, result.Alignment);
             json.Object("before", () => EvaluationReportJson.Statistics(json, result.Before));
             json.Object("structure", () => Structure(json, result.Structure));

@@ -11,19 +11,8 @@ public static class EvaluationReportJson
         ArgumentNullException.ThrowIfNull(report);
         return ReportWriter.Document("errormatch/surface-evaluate/1", json =>
         {
-            json.Object("job", () =>
-            {
-                json.Text("name", report.Job.Name);
-                json.Text("workOrder", report.Job.WorkOrder);
-                json.Text("file", report.Job.File);
-                json.Text("sha256", report.Job.Sha256);
-            });
-            json.List("inputs", report.Inputs, i =>
-            {
-                json.Text("role", i.Role);
-                json.Text("file", i.File);
-                json.Text("sha256", i.Sha256);
-            });
+            json.Job("freeform", report.Job);
+            json.Inputs(report.Inputs);
             Evaluation(json, report.Measured);
             json.Optional("before", report.Before, b => Evaluation(json, b));
             json.Optional("improvement", report.Before, b =>

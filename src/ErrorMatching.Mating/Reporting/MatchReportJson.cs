@@ -15,8 +15,8 @@ public static class MatchReportJson
         ArgumentNullException.ThrowIfNull(report);
         return ReportWriter.Document(Schema, w =>
         {
-            WriteJob(w, report.Job);
-            WriteInputs(w, report.Inputs);
+            w.Job("mating", report.Job);
+            w.Inputs(report.Inputs);
             w.Object("alignment", () => WriteAlignments(w, report.Alignments));
             w.Optional("originCheck", report.OriginCheck, c => WriteOriginCheck(w, c));
             w.Object("compensation", () => WriteCompensation(w, report.Compensation));
@@ -36,22 +36,6 @@ public static class MatchReportJson
             w.Texts("notes", report.Notes);
         });
     }
-
-    internal static void WriteJob(ReportWriter w, ReportJob job) => w.Object("job", () =>
-    {
-        w.Text("kind", "mating");
-        w.Text("name", job.Name);
-        w.Text("workOrder", job.WorkOrder);
-        w.Text("file", job.File);
-        w.Text("sha256", job.Sha256);
-    });
-
-    internal static void WriteInputs(ReportWriter w, IReadOnlyList<ReportInput> inputs) => w.List("inputs", inputs, i =>
-    {
-        w.Text("role", i.Role);
-        w.Text("file", i.File);
-        w.Text("sha256", i.Sha256);
-    });
 
     /// <summary>The part's alignment stands at the top; the others, aligned in the same way, follow.</summary>
     private static void WriteAlignments(ReportWriter w, IReadOnlyList<ReportAlignment> alignments)

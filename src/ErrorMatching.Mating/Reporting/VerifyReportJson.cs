@@ -15,8 +15,8 @@ public static class VerifyReportJson
         ArgumentNullException.ThrowIfNull(report);
         return ReportWriter.Document(Schema, w =>
         {
-            MatchReportJson.WriteJob(w, report.Job);
-            MatchReportJson.WriteInputs(w, report.Inputs);
+            w.Job("mating", report.Job);
+            w.Inputs(report.Inputs);
             w.List("points", report.Result.Points, p =>
             {
                 w.Text("point", p.Label);

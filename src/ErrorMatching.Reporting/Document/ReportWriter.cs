@@ -26,6 +26,26 @@ public sealed class ReportWriter(Utf8JsonWriter json)
         return buffer.ToArray();
     }
 
+    /// <summary>The job that a report is about.</summary>
+    /// <param name="kind">The kind of job: <c>mating</c> or <c>freeform</c>.</param>
+    /// <param name="job">The job.</param>
+    public void Job(string kind, ReportJob job) => Object("job", () =>
+    {
+        Text("kind", kind);
+        Text("name", job.Name);
+        Text("workOrder", job.WorkOrder);
+        Text("file", job.File);
+        Text("sha256", job.Sha256);
+    });
+
+    /// <summary>The files that a report was made from.</summary>
+    public void Inputs(IReadOnlyList<ReportInput> inputs) => List("inputs", inputs, i =>
+    {
+        Text("role", i.Role);
+        Text("file", i.File);
+        Text("sha256", i.Sha256);
+    });
+
     /// <summary>A text, or null.</summary>
     public void Text(string name, string? value) => json.WriteString(name, value);
 
