@@ -1,0 +1,47 @@
+using System.Text;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform.Tests;
+
+/// <summary>A design of the paper with an error of one's choice, measured.</summary>
+internal sealed class MeasuredDesign
+{
+    public MeasuredDesign(PartSurface surface, string change = "", string to = "")
+    {
+        Surface = surface;
+        Job = FreeformJob.Parse(Encoding.UTF8.GetBytes(change.Length == 0 ? FreeformTemplate.Text : FreeformTemplate.Text.Replace(change, to, StringComparison.Ordinal)), "job.json");
+        Plan = MeasuringPlanner.Plan(surface, Job.Measuring, Job.Stock.Of(Job.Measuring.After));
+    }
+
+    public PartSurface Surface { get; }
+
+    public FreeformJob Job { get; }
+
+    public MeasuringPlan Plan { get; }
+
+    /// <summary>The points of a piece whose error is a function of u and v, in millimetres, on the stock of the job's stage.</summary>
+    public MeasuredPoints With(Func<double, double, double> error, string file = "measured.csv") => Over(Job.Stock.Of(Job.Measuring.After), error, file);
+
+    /// <summary>The same on another stock.</summary>
+    public MeasuredPoints Over(double stock, Func<double, double, double> error, string file = "measured.csv") =>
+        new(file, new string('0', 64), [.. Plan.Points.Select((p, i) => new MeasuredPoint(p, p.Position + (p.Normal * (stock + error(p.U, p.V))), i + 2))], []);
+
+    public CompensationOutcome Compensate(params MeasuredPoints[] measured) => Compensator.Compensate(new(Job, Surface, Plan, measured));
+
+    /// <summary>Largest distance of a surface from the nominal one moved by -gain error, at the same parameters.</summary>
+    public double Off(SplineSurface surface, Func<double, double, double> error, double gain = 1)
+    {
+        var largest = 0.0;
+        for (var i = 0; i <= 40; i++)
+        {
+            for (var j = 0; j <= 40; j++)
+            {
+                var (u, v) = (i / 40.0, j / 40.0);
+                var wanted = Surface.Spline.PointAt(u, v) + (Surface.NormalAt(u, v) * (-gain * error(u, v)));
+                largest = Math.Max(largest, (surface.PointAt(u, v) - wanted).Length);
+            }
+        }
+
+        return largest;
+    }
+}
