@@ -43,23 +43,24 @@ internal sealed class MotionRuns
             return -1;
         }
 
-        // Motions are mostly asked for in their order.
-        var run = _runs[_recent];
+        // Motions are mostly asked for in their order, by two cores in different places: what the other remembers must not change under this one's hands.
+        var recent = _recent;
+        var run = _runs[recent];
         if (motion < run.First || motion > run.Last)
         {
-            _recent = RunFrom(motion);
-            run = _runs[_recent];
+            _recent = recent = RunFrom(motion, recent);
+            run = _runs[recent];
         }
 
         return motion >= run.First && motion <= run.Last ? run.Index + motion - run.First : -1;
     }
 
     // The last run that begins at a motion or before it, or the first run of all.
-    private int RunFrom(int motion)
+    private int RunFrom(int motion, int recent)
     {
-        if (_recent + 1 < _runs.Count && _runs[_recent].Last < motion && motion < _runs[_recent + 1].First)
+        if (recent + 1 < _runs.Count && _runs[recent].Last < motion && motion < _runs[recent + 1].First)
         {
-            return _recent;
+            return recent;
         }
 
         var (low, high) = (0, _runs.Count - 1);

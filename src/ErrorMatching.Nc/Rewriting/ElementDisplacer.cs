@@ -183,8 +183,38 @@ internal sealed partial class ElementDisplacer
 
     private NcRefusal? Joints(int first, int last)
     {
-        var begin = _path.Motions[first];
+        var moves = new Vector2?[last - first];
+        if (Halves.Refusal(first + 1, last + 1, (from, behind) => SmoothMoves(first, from, behind, moves)) is { } unfit)
+        {
+            return unfit;
+        }
+
+        var plane = _path.Motions[first].Plane;
         for (var joint = first + 1; joint <= last; joint++)
+        {
+            if (moves[joint - first - 1] is { } move)
+            {
+                _change.Move(joint, plane, move);
+                _smoothJoints[joint] = true;
+            }
+        }
+
+        for (var joint = first + 1; joint <= last; joint++)
+        {
+            if (!_change.IsSet(joint) && Corner(joint, first, last) is { } refusal)
+            {
+                return refusal;
+            }
+        }
+
+        return null;
+    }
+
+    // The displacements of joints of the run that begins with a motion, as far as they are smooth and not yet set; looks only, so that two cores can do it.
+    private NcRefusal? SmoothMoves(int first, int from, int behind, Vector2?[] moves)
+    {
+        var begin = _path.Motions[first];
+        for (var joint = from; joint < behind; joint++)
         {
             var motion = _path.Motions[joint];
             if (motion.Plane != begin.Plane)
@@ -197,19 +227,7 @@ internal sealed partial class ElementDisplacer
                 return At(motion, NcRefusalCodes.FrameChange, "the work offset or origin changes inside the named blocks.");
             }
 
-            if (!_change.IsSet(joint) && Smooth(joint - 1, joint) is { } move)
-            {
-                _change.Move(joint, motion.Plane, move);
-                _smoothJoints[joint] = true;
-            }
-        }
-
-        for (var joint = first + 1; joint <= last; joint++)
-        {
-            if (!_change.IsSet(joint) && Corner(joint, first, last) is { } refusal)
-            {
-                return refusal;
-            }
+            moves[joint - first - 1] = _change.IsSet(joint) ? null : Smooth(joint - 1, joint);
         }
 
         return null;
@@ -341,9 +359,16 @@ internal sealed partial class ElementDisplacer
     // No element may turn round: that is a loop in the path, and a mark on the piece.
     private NcRefusal? CheckSense()
     {
+        var affected = _change.Affected();
+        return Halves.Refusal(0, affected.Count, (from, behind) => CheckSense(affected, from, behind));
+    }
+
+    private NcRefusal? CheckSense(List<int> affected, int from, int behind)
+    {
         var motions = _path.Motions;
-        foreach (var i in _change.Affected())
+        for (var k = from; k < behind; k++)
         {
+            var i = affected[k];
             if (motions[i] is not { IsCut: true, MovesInPlane: true } motion || !(_change.IsSet(i) || _change.IsSet(i + 1)) || _shrunk.Contains(i))
             {
                 continue;
