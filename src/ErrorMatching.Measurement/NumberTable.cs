@@ -28,20 +28,20 @@ public sealed class NumberTable
     /// <exception cref="KeyNotFoundException">The table was read without this column.</exception>
     public int ColumnOf(string name) => _positions[name];
 
-    /// <summary>Reads columns of a CSV file in UTF-8 with commas and decimal points.</summary>
+    /// <summary>Reads columns of a CSV file in UTF-8 with decimal points; commas between the cells, or semicolons or tabs where the header has them.</summary>
     /// <param name="path">The file, named in errors as it is given here.</param>
     /// <param name="columns">The columns wanted. In the header each may end in <c>_mm</c>; other columns are ignored.</param>
     /// <exception cref="MeasurementException">The file cannot be opened, lacks a column or has it twice, has no rows, or has a cell there that is no decimal number.</exception>
     public static NumberTable Read(string path, params IReadOnlyList<string> columns) => Read(FileBytes.Read(path, MeasurementFormat.Points.MaxBytes), path, columns);
 
-    /// <summary>Reads columns of the bytes of a CSV file in UTF-8 with commas and decimal points.</summary>
+    /// <summary>Reads columns of the bytes of a CSV file in UTF-8 with decimal points; commas between the cells, or semicolons or tabs where the header has them.</summary>
     /// <param name="bytes">The bytes.</param>
     /// <param name="fileName">The name of the file in errors.</param>
     /// <param name="columns">The columns wanted. In the header each may end in <c>_mm</c>; other columns are ignored.</param>
     /// <exception cref="MeasurementException">The file lacks a column or has it twice, has no rows, or has a cell there that is no decimal number.</exception>
     public static NumberTable Read(ReadOnlyMemory<byte> bytes, string fileName, params IReadOnlyList<string> columns)
     {
-        var format = MeasurementFormat.Points;
+        var format = MeasurementFormat.Points with { Delimiter = DelimiterOf(bytes.Span) };
         FileBytes.ThrowIfTooLarge(fileName, bytes.Length, format.MaxBytes);
         var table = Table.Read(SourceText.Decode(bytes.Span, fileName, format.Encoding, format.Delimiter), fileName, format, hasHeader: true);
         var indexes = columns.Select(c => table.FindNamed(c, [c, c + "_mm"])).ToArray();
@@ -61,5 +61,13 @@ public sealed class NumberTable
                 texts.ToDictionary(t => t.Key, t => (IReadOnlyList<string>)t.Value, StringComparer.Ordinal),
                 columns.Zip(indexes).ToDictionary(c => c.First, c => c.Second + 1, StringComparer.Ordinal))
             : throw table.Top(indexes[0]).Fail(MeasurementError.NoPoints, "a table without rows", "at least one row of numbers");
+    }
+
+    // Names of columns have no semicolons and no tabs: one of them in the header is what stands between the cells.
+    private static char DelimiterOf(ReadOnlySpan<byte> bytes)
+    {
+        var end = bytes.IndexOfAny((byte)'\n', (byte)'\r');
+        var header = end < 0 ? bytes : bytes[..end];
+        return header.Contains((byte)';') ? ';' : header.Contains((byte)'\t') ? '\t' : ',';
     }
 }

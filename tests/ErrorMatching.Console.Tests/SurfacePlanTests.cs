@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Console.Tests;
@@ -67,14 +68,51 @@ public sealed class SurfacePlanTests
     }
 
     [Fact]
-    public void A_surface_that_cannot_be_touched_is_refused_and_nothing_is_written()
+    public void A_surface_that_faces_down_is_planned_but_not_probed_or_cut()
     {
         using var folder = new TemporaryFolder();
         var job = Changed(folder, "\"surface\": \"surface.igs\"", "\"surface\": \"surface.igs\", \"outside\": \"-z\"");
-        var (exit, output, error) = Shell.Run("surface", "plan", job, "--out", folder["out"]);
+        var (exit, output, _) = Shell.Run("surface", "plan", job, "--out", folder["out"]);
+        Assert.Equal(0, exit);
+        Assert.Contains("The surface faces down", output, StringComparison.Ordinal);
+        var rows = File.ReadAllLines(folder["out/plan.csv"]).Skip(1).Select(l => l.Split(',')).ToArray();
+        Assert.Equal(70, rows.Length);
+        Assert.All(rows, r => Assert.StartsWith("-", r[8], StringComparison.Ordinal));
+
+        (exit, output, var error) = Shell.Run("surface", "probe", job, "--out", folder["probe"]);
         Assert.Equal((2, ""), (exit, output));
         Assert.Contains("normal points down", error, StringComparison.Ordinal);
-        Assert.False(Directory.Exists(folder["out"]));
+        Assert.Equal("faces-down", Shell.Error(2, "surface", "toolpath", job, "--out", folder["probe"]).Text("code"));
+        Assert.False(Directory.Exists(folder["probe"]));
+    }
+
+    [Fact]
+    public void A_surface_that_faces_down_is_evaluated()
+    {
+        using var folder = new TemporaryFolder();
+        var job = Changed(folder, "\"surface\": \"surface.igs\"", "\"surface\": \"surface.igs\", \"outside\": \"-z\"");
+        Shell.Json(0, "errormatch/surface-plan/1", "surface", "plan", job, "--out", folder.Path);
+
+        // 5 um of material over the stock of 0.2 mm, everywhere.
+        var measured = File.ReadAllLines(folder["plan.csv"]).Skip(1).Select(l => l.Split(',')).Select(r => string.Join(',', (string[])[r[0], Moved(r, 3), Moved(r, 4), Moved(r, 5)]));
+        var file = folder.File("measured.csv", "point,x,y,z\n" + string.Join('\n', measured) + "\n");
+        var evaluated = Shell.Json(0, "errormatch/surface-evaluate/1", "surface", "evaluate", job, "--measured", file);
+        Assert.Equal(5, evaluated.Number("meanUm"), 0.01);
+        Assert.Equal(0, evaluated.Number("standardDeviationUm"), 0.01);
+
+        static string Moved(string[] row, int column) => (Read(row[column]) + (0.205 * Read(row[column + 3]))).ToString("R", CultureInfo.InvariantCulture);
+        static double Read(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+    }
+
+    [Fact]
+    public void No_zero_has_a_minus()
+    {
+        foreach (var sample in new[] { "surface-one", "surface-two", "surface-three" })
+        {
+            Assert.DoesNotContain("-0.0000 ", Shell.Run("surface", "plan", Job(sample)).Output, StringComparison.Ordinal);
+        }
+
+        Assert.Equal(["0.0000", "0.0000", "-0.0001"], new[] { -0.0, -0.00004, -0.00006 }.Select(Show.Mm));
     }
 
     private static string Job(string sample) => Repository.PathTo("samples", sample, "job.json");

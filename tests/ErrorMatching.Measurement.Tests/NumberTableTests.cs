@@ -14,6 +14,17 @@ public class NumberTableTests
         Assert.Equal((2, "data.csv"), (table.Count, table.File));
     }
 
+    [Theory]
+    [InlineData("x;y\r\n1.5;2\r\n")]
+    [InlineData("x\ty\n1.5\t2")]
+    [InlineData("\uFEFFy;note, if any;x\n2;a,b;1.5\n")]
+    public void Cells_may_stand_between_semicolons_or_tabs(string text)
+    {
+        var table = Read(text, "x", "y");
+        Assert.Equal(["1.5"], table["x"]);
+        Assert.Equal(["2"], table["y"]);
+    }
+
     [Fact]
     public void Numbers_have_no_unit_and_no_plausible_limit() => Assert.Equal(["1e300"], Read("x\n1e300\n", "x")["x"]);
 

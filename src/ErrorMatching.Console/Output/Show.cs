@@ -5,8 +5,8 @@ namespace ErrorMatching.Console;
 /// <summary>How numbers look in text for people. Scripts read JSON, which has all digits.</summary>
 internal static class Show
 {
-    /// <summary>A length in millimeters, to a tenth of a micrometer.</summary>
-    public static string Mm(double value) => value.ToString("0.0000", CultureInfo.InvariantCulture);
+    /// <summary>A length in millimeters, to a tenth of a micrometer; no sign where it rounds to nothing.</summary>
+    public static string Mm(double value) => value.ToString("0.0000;-0.0000;0.0000", CultureInfo.InvariantCulture);
 
     /// <summary>A length in millimeters that has a direction, with its sign; no sign where it rounds to nothing.</summary>
     public static string Signed(double value) => value.ToString("+0.0000;-0.0000;0.0000", CultureInfo.InvariantCulture);

@@ -47,6 +47,9 @@ public sealed record MeasuringPlan
     /// <summary>What keeps the plan from being used; empty where every point can be touched.</summary>
     public required IReadOnlyList<FreeformRefusal> Refusals { get; init; }
 
+    /// <summary>True if every point faces down, as those of a job with "outside": "-z" do: no vertical stylus touches them, but the plan says where a machine measures that reaches them from below.</summary>
+    public bool FacesDown => Points.Count > 0 && Points.All(p => p.Normal.Z < 0);
+
     /// <summary>Radius of the stylus ball.</summary>
     public double StylusRadiusMm => Measuring.StylusDiameterMm / 2;
 

@@ -42,6 +42,12 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
                 throw new FreeformException("short-row", file, FormattableString.Invariant($"found a line of {cells.Length} cells; expected {names.Length} as in the header."), row + 1);
             }
 
+            // A coordinate with a decimal comma would be taken for two, and the point for another one.
+            if (cells.Skip(names.Length).Any(c => c.Trim().Length > 0))
+            {
+                throw new FreeformException("long-row", file, FormattableString.Invariant($"found a line of {cells.Length} cells; expected {names.Length} as in the header, and numbers with a decimal point."), row + 1);
+            }
+
             var position = new Point3(Number(cells, x, row), Number(cells, y, row), Number(cells, z, row));
             points.Add(point >= 0
                 ? new(Label(cells[point].Trim().Trim('"'), row, point), 0, 0, position, isCenter, row + 1)

@@ -28,7 +28,7 @@ public static class GridReader
     public static PointGrid Read(string path) => Grid(NumberTable.Read(path, "i", "j", "x", "y", "z"));
 
     /// <summary>Reads a grid from the bytes of a file.</summary>
-    /// <param name="bytes">The bytes: UTF-8 with commas and decimal points.</param>
+    /// <param name="bytes">The bytes: UTF-8 with decimal points; commas between the cells, or semicolons or tabs where the header has them.</param>
     /// <param name="file">The name of the file in errors.</param>
     /// <exception cref="MeasurementException">The bytes are no grid: where, what was found, and what is expected.</exception>
     public static PointGrid Read(ReadOnlyMemory<byte> bytes, string file) => Grid(NumberTable.Read(bytes, file, "i", "j", "x", "y", "z"));

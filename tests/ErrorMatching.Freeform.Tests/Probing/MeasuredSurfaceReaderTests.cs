@@ -107,6 +107,9 @@ public sealed class MeasuredSurfaceReaderTests
     }
 
     [Fact]
+    public void A_decimal_comma_between_commas_is_no_other_number() => Refused("point,x,y,z\n1,0,5000,0,2500,30,1000\n", "long-row", 2, "found a line of 7 cells; expected 4");
+
+    [Fact]
     public void A_missing_point_is_named() => Refused(Without(3), "missing-point", null, "missing: 3.");
 
     [Fact]

@@ -58,6 +58,23 @@ public sealed class OcctReadsTests
         Assert.Equal(2400 - 40 - 120, OcctSurface.Lines(output, "area")[0][0], 1e-6);
     }
 
+    // The surface is z = x² / 100: its element of area is sqrt(1 + (x/50)²), the integral of which is 25 (s sqrt(1 + s²) + asinh s) with s = x / 50.
+    [Theory]
+    [MemberData(nameof(Formats))]
+    public void A_written_limit_of_few_corners_lies_on_a_curved_surface(bool step)
+    {
+        OcctDraw.IsNeeded();
+        Point3[] poles = [new(0, 0, 0), new(0, 40, 0), new(30, 0, 0), new(30, 40, 0), new(60, 0, 36), new(60, 40, 36)];
+        IReadOnlyList<Point2>[] loops = [[new(0.1, 0.25), new(0.9, 0.25), new(0.9, 0.75), new(0.1, 0.75)]];
+        var surface = new PartSurface("TROUGH", new(KnotVector.Clamped(2, [0, 1]), KnotVector.Clamped(1, [0, 1]), poles), new(loops), 1);
+        var text = Encoding.ASCII.GetString(step ? StepWriter.Write(surface) : IgesWriter.Write(surface));
+        var output = OcctDraw.Run($"{ReadCommand(0, step)}\nset p [sprops r0 1e-9]\nregexp {{Mass :\\s+([-0-9.e+]+)}} $p all mass\nputs \"area $mass\"\nregexp {{EDGE\\s+: MAX=([-0-9.e+]+)}} [tolerance r0] all most\nputs \"off $most\"\n", (step ? "0.stp" : "0.igs", text));
+        Assert.Equal(20 * (Integral(54) - Integral(6)), OcctSurface.Lines(output, "area")[0][0], 0.01);
+        Assert.InRange(OcctSurface.Lines(output, "off")[0][0], 0, 0.0015);
+
+        static double Integral(double x) => 25 * ((x / 50 * Math.Sqrt(1 + (x * x / 2500))) + Math.Asinh(x / 50));
+    }
+
     // The whole shape as r, its face as f: a face by itself from IGES, a shell from STEP.
     private static string ReadCommand(int n, bool step) => step
         ? $"stepread {n}.stp t{n} *\nrenamevar t{n}_1 r{n}\nexplode r{n} f\nrenamevar r{n}_1 f{n}"

@@ -30,7 +30,7 @@ internal sealed class SurfaceEvaluate : Verb
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var surface = files.Surface();
         var plan = files.Plan(surface);
-        if (plan.Refusals.Count > 0)
+        if (plan.Refusals.Count > 0 && !plan.FacesDown)
         {
             return FailureOf.Refused(files.Job.File, plan.Refusals);
         }

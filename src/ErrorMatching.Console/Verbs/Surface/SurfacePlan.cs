@@ -23,7 +23,7 @@ internal sealed class SurfacePlan : Verb
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var plan = files.Plan(files.Surface());
         cancellation.ThrowIfCancellationRequested();
-        if (plan.Refusals.Count > 0)
+        if (plan.Refusals.Count > 0 && !plan.FacesDown)
         {
             return FailureOf.Refused(files.Job.File, plan.Refusals);
         }

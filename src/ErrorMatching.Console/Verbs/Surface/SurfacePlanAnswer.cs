@@ -86,7 +86,7 @@ internal sealed class SurfacePlanAnswer(FreeformJob job, MeasuringPlan plan, str
             ["point", "i", "j", "x", "y", "z", "nx", "ny", "nz", "reason"],
             plan.Points.Take(RowsShown).Select(p => (IReadOnlyList<string>)
             [
-                Whole(p.Number), Whole(p.I), Whole(p.J), Show.Mm(p.Position.X), Show.Mm(p.Position.Y), Show.Mm(p.Position.Z), Part(p.Normal.X), Part(p.Normal.Y), Part(p.Normal.Z), PlanCsv.NameOf(p.Reason),
+                Whole(p.Number), Whole(p.I), Whole(p.J), Show.Mm(p.Position.X), Show.Mm(p.Position.Y), Show.Mm(p.Position.Z), Show.Mm(p.Normal.X), Show.Mm(p.Normal.Y), Show.Mm(p.Normal.Z), PlanCsv.NameOf(p.Reason),
             ]));
         if (plan.Points.Count > RowsShown)
         {
@@ -95,12 +95,16 @@ internal sealed class SurfacePlanAnswer(FreeformJob job, MeasuringPlan plan, str
 
         page.Line();
         WriteSummary(page, plan);
-        page.Line();
-        page.Line(folder is null ? $"Nothing was written. Add --out DIR to write {FileName}." : $"Wrote {Path.Combine(folder, FileName)}. Next: errormatch surface probe {job.File} --out {folder}");
-    }
+        if (plan.FacesDown)
+        {
+            page.Line("The surface faces down: only a machine that reaches it from below can measure it. Turn the piece over for a probing program and a tool path.");
+        }
 
-    // A minus before zeros only is none.
-    private static string Part(double value) => Show.Mm(Math.Round(value, 4) + 0.0);
+        page.Line();
+        page.Line(folder is null
+            ? $"Nothing was written. Add --out DIR to write {FileName}."
+            : $"Wrote {Path.Combine(folder, FileName)}." + (plan.FacesDown ? "" : $" Next: errormatch surface probe {job.File} --out {folder}"));
+    }
 
     private static string Whole(int value) => value.ToString(CultureInfo.InvariantCulture);
 }

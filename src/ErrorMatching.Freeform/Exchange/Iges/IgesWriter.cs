@@ -58,7 +58,7 @@ public static class IgesWriter
         return at;
     }
 
-    // A polygon of (u, v) as a B-spline of degree 1, and the same way on the surface for readers that want it in space.
+    // A polygon of (u, v) as a B-spline of degree 1; readers that want it in space lay it onto the surface.
     private static int Boundary(IgesRecords file, int basis, IReadOnlyList<Point2> loop)
     {
         List<Point2> closed = [.. loop, loop[0]];

@@ -30,14 +30,21 @@ internal sealed class StepEdges(StepLines lines, SplineSurface surface, string r
         return lines.Add($"EDGE_LOOP('',({string.Join(',', edges)}))");
     }
 
-    /// <summary>A loop of one edge that follows a polygon of the parameters.</summary>
+    /// <summary>A loop of one edge for each side of a polygon of the parameters.</summary>
     public string Polygon(IReadOnlyList<Point2> loop)
     {
-        List<Point2> closed = [.. loop, loop[0]];
-        var numbers = Enumerable.Range(0, closed.Count).Select(i => (double)i).ToArray();
-        var vertex = Vertex(loop[0]);
-        var curve = lines.Curve(KnotVector.Clamped(1, numbers), closed.Select(p => lines.Point(surface.PointAt(p.X, p.Y))).ToList(), []);
-        return lines.Add($"EDGE_LOOP('',({Edge(vertex, vertex, curve, closed, numbers, forward: true)}))");
+        var vertices = loop.Select(Vertex).ToArray();
+        List<string> edges = [];
+        for (var i = 0; i < loop.Count; i++)
+        {
+            var next = (i + 1) % loop.Count;
+            var side = LoopOnSurface.Side(surface, loop[i], loop[next]);
+            var numbers = Enumerable.Range(0, side.Count).Select(n => (double)n).ToArray();
+            var curve = lines.Curve(KnotVector.Clamped(1, numbers), side.Select(p => lines.Point(surface.PointAt(p.X, p.Y))).ToList(), []);
+            edges.Add(Edge(vertices[i], vertices[next], curve, side, numbers, forward: true));
+        }
+
+        return lines.Add($"EDGE_LOOP('',({string.Join(',', edges)}))");
     }
 
     private string Edge(string from, string to, string curve, IEnumerable<Point2> parameters, double[] knots, bool forward)
