@@ -34,7 +34,7 @@ public sealed class RoundTripTests
             Assert.Equal(surface.Region.Loops.Count, read.Region.Loops.Count);
             for (var i = 0; i < surface.Region.Loops.Count; i++)
             {
-                Assert.Equal(surface.Region.Loops[i], read.Region.Loops[i]);
+                SameLoop(surface.Region.Loops[i], read.Region.Loops[i], mayDivide: file.EndsWith(".stp", StringComparison.Ordinal));
             }
         }
     }
@@ -62,6 +62,26 @@ public sealed class RoundTripTests
     {
         var lines = System.Text.Encoding.ASCII.GetString(IgesWriter.Write(SurfaceSamples.Of(3, limited: true))).TrimEnd('\n').Split('\n');
         Assert.All(lines, l => Assert.Equal(80, l.Length));
+    }
+
+    // Each corner comes back to the last bit. A side that is straight in the parameters is bent in space: STEP has more edges for it, whose ends lie on it.
+    private static void SameLoop(IReadOnlyList<Point2> written, IReadOnlyList<Point2> read, bool mayDivide)
+    {
+        var next = 0;
+        foreach (var point in read)
+        {
+            if (next < written.Count && point == written[next])
+            {
+                next++;
+                continue;
+            }
+
+            Assert.True(mayDivide && next > 0, $"{point} was not written");
+            var (from, to) = (written[next - 1], written[next % written.Count]);
+            Assert.True((point - from).Length + (to - point).Length - (to - from).Length < 1e-9, $"{point} lies beside the side from {from} to {to}");
+        }
+
+        Assert.Equal(written.Count, next);
     }
 
     private static byte[] Write(PartSurface surface, string file) => file.EndsWith(".igs", StringComparison.Ordinal) ? IgesWriter.Write(surface) : StepWriter.Write(surface);

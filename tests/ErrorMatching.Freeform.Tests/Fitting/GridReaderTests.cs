@@ -25,7 +25,6 @@ public sealed class GridReaderTests
 
     [Theory]
     [InlineData("i,j,x,y\n0,0,0,0\n", "missing-column", 1, 1)]
-    [InlineData("i;j;x;y;z\n0;0;0;0;1\n", "missing-column", 1, 1)]
     [InlineData("i,j,x,y,z,Z_mm\n", "duplicate-column", 1, 6)]
     [InlineData("i,j,x,y,z\n", "no-points", 1, 1)]
     [InlineData(Good + "0,0,9,9,9\n", "duplicate-point", 6, 1)]
