@@ -13,7 +13,8 @@ public sealed partial class DocumentationTests
 
     public static TheoryData<string> Verbs =>
     [
-        "match", "verify", "job check", "job new", "job schema", "nc check", "nc motion", "nc locate", "nc displace", "nc diff", "nc prove", "nc dialects", "fit line", "fit polynomial", "fit circle", "surface fit",
+        "match", "verify", "job check", "job new", "job schema", "nc check", "nc motion", "nc locate", "nc displace", "nc diff", "nc prove", "nc dialects", "fit line", "fit polynomial", "fit circle",
+        "surface plan", "surface probe", "surface compensate", "surface toolpath", "surface displace", "surface evaluate", "surface fit",
     ];
 
     [Theory]
@@ -47,7 +48,7 @@ public sealed partial class DocumentationTests
 
     [Fact]
     public void The_pages_for_users_have_commands() => Assert.All(
-        new[] { "README.md", "docs/first-match.md", "docs/write-a-job.md", "docs/read-the-report.md", "docs/feedback-from-a-counterpart.md", "docs/displace-blocks-by-hand.md", "docs/dialects.md", "docs/prove-a-program.md", "docs/refusals.md" },
+        new[] { "README.md", "docs/first-match.md", "docs/write-a-job.md", "docs/read-the-report.md", "docs/feedback-from-a-counterpart.md", "docs/displace-blocks-by-hand.md", "docs/dialects.md", "docs/prove-a-program.md", "docs/refusals.md", "docs/compensate-a-surface.md", "docs/probe-a-surface.md", "docs/cut-a-surface.md", "docs/fit-a-surface.md" },
         p => Assert.NotEmpty(DocumentedCommand.Of(File.ReadAllText(Repository.PathTo(p)))));
 
     [Theory]
