@@ -41,7 +41,7 @@ internal sealed partial class PathPlanning
 
     // A part of the planning that runs beside another: what it changes is its own.
     private PathPlanning(PathPlanning whole)
-        : this(whole._offset, whole._rounding, whole._toolpath, whole._decimals) => _edges.AddRange(whole._edges);
+        : this(new(whole._offset.Surface, whole._offset.RadiusMm, whole._offset.StockMm), whole._rounding, whole._toolpath, whole._decimals) => _edges.AddRange(whole._edges);
 
     // The polyline leaves the exact offset by the chordal error at most; a center that is nearer than twice that touches elsewhere.
     private double GougeMm => 2 * _toolpath.ChordMm;
