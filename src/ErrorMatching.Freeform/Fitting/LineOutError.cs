@@ -11,6 +11,11 @@ internal static class LineOutError
     /// <summary>Lines of one direction that are left out at most, evenly chosen: more hardly change the mean, only the time.</summary>
     private const int MostLines = 50;
 
+    private const int MostLinesOfMany = 12;
+
+    /// <summary>From so many points on, every line holds enough of them for fewer lines to tell the mean.</summary>
+    private const int ManyPoints = 1000;
+
     /// <summary>Mean distance in millimetres along the fitted surfaces' normals; NaN if no direction has an inner line.</summary>
     /// <param name="grid">The points.</param>
     /// <param name="parameters">The same with parameters, near which the feet lie.</param>
@@ -18,6 +23,7 @@ internal static class LineOutError
     public static double Mean(PointGrid grid, FitGrid parameters, Func<PointGrid, SplineSurface> lay)
     {
         var (sum, count) = (0.0, 0);
+        var mostLines = grid.Curves.Sum(c => c.Count) > ManyPoints ? MostLinesOfMany : MostLines;
         foreach (var left in Chosen(Enumerable.Range(1, grid.Curves.Count - 2)))
         {
             LeaveOut((curve, _) => curve == left, new([.. grid.Curves.Where((_, k) => k != left)]));
@@ -32,10 +38,10 @@ internal static class LineOutError
 
         return count == 0 ? double.NaN : sum / count;
 
-        static IEnumerable<int> Chosen(IEnumerable<int> lines)
+        IEnumerable<int> Chosen(IEnumerable<int> lines)
         {
             var all = lines.ToArray();
-            var most = Math.Min(all.Length, MostLines);
+            var most = Math.Min(all.Length, mostLines);
             return Enumerable.Range(0, most).Select(k => all[(int)(((2L * k) + 1) * all.Length / (2 * most))]);
         }
 

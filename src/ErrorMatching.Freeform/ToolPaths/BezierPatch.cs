@@ -1,3 +1,5 @@
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
@@ -7,23 +9,34 @@ internal sealed class BezierPatch
 {
     // x w, y w, z w, w of each pole, v running faster.
     private readonly double[] _weighted;
-    private readonly Point3[] _poles;
+
+    // x of each pole, then y, then z; the last pole is repeated until four at once come out even.
+    private readonly double[] _poles;
+    private readonly int _padded;
     private readonly int _rows;
     private readonly int _columns;
 
     private BezierPatch(double[] weighted, int rows, int columns, Point2 from, Point2 to)
     {
         (_weighted, _rows, _columns, From, To) = (weighted, rows, columns, from, to);
-        _poles = new Point3[rows * columns];
-        for (var i = 0; i < _poles.Length; i++)
+        var count = rows * columns;
+        _padded = (count + Vector256<double>.Count - 1) / Vector256<double>.Count * Vector256<double>.Count;
+        _poles = new double[3 * _padded];
+        var (minX, minY, minZ) = (double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity);
+        var (maxX, maxY, maxZ) = (double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity);
+        for (var i = 0; i < _padded; i++)
         {
-            var w = 1 / weighted[(4 * i) + 3];
-            _poles[i] = new(weighted[4 * i] * w, weighted[(4 * i) + 1] * w, weighted[(4 * i) + 2] * w);
+            var number = 4 * Math.Min(i, count - 1);
+            var w = 1 / weighted[number + 3];
+            var (x, y, z) = (weighted[number] * w, weighted[number + 1] * w, weighted[number + 2] * w);
+            (_poles[i], _poles[_padded + i], _poles[(2 * _padded) + i]) = (x, y, z);
+            (minX, minY, minZ) = (Math.Min(minX, x), Math.Min(minY, y), Math.Min(minZ, z));
+            (maxX, maxY, maxZ) = (Math.Max(maxX, x), Math.Max(maxY, y), Math.Max(maxZ, z));
         }
 
-        var box = Box3.Around(_poles);
-        (Middle, Radius) = (box.Min + ((box.Max - box.Min) * 0.5), box.Diagonal / 2);
-        (Lowest, Highest) = (box.Min.Z, box.Max.Z);
+        var diagonal = new Vector3(maxX - minX, maxY - minY, maxZ - minZ);
+        (Middle, Radius) = (new Point3(minX, minY, minZ) + (diagonal * 0.5), diagonal.Length / 2);
+        (Lowest, Highest) = (minZ, maxZ);
     }
 
     /// <summary>First pair of parameters.</summary>
@@ -72,23 +85,20 @@ internal sealed class BezierPatch
         var to = point - Middle;
         var along = to.Dot(direction);
         var beside = Math.Max(0, Math.Sqrt(Math.Max(0, to.Dot(to) - (along * along))) - Radius);
-        var highest = double.NegativeInfinity;
-        foreach (var pole in _poles)
-        {
-            highest = Math.Max(highest, (pole - Middle).Dot(direction));
-        }
-
-        var over = Math.Max(0, along - highest);
+        var over = Math.Max(0, along - HighestAlong(direction));
         return (over * over) + (beside * beside) >= distance * distance;
     }
 
     /// <summary>True if a corner of the patch is nearer to a point than a distance.</summary>
-    public bool HasCornerNearer(Point3 point, double distance) =>
-        (point - _poles[0]).Length < distance || (point - _poles[^1]).Length < distance
-        || (point - _poles[_columns - 1]).Length < distance || (point - _poles[^_columns]).Length < distance;
+    public bool HasCornerNearer(Point3 point, double distance)
+    {
+        var (row, column) = (_rows - 1, _columns - 1);
+        return (point - At(0, 0)).Length < distance || (point - At(row, column)).Length < distance
+            || (point - At(0, column)).Length < distance || (point - At(row, 0)).Length < distance;
+    }
 
     /// <summary>The height of the highest corner.</summary>
-    public double HighestCorner => Math.Max(Math.Max(_poles[0].Z, _poles[^1].Z), Math.Max(_poles[_columns - 1].Z, _poles[^_columns].Z));
+    public double HighestCorner => Math.Max(Math.Max(At(0, 0).Z, At(_rows - 1, _columns - 1).Z), Math.Max(At(0, _columns - 1).Z, At(_rows - 1, 0).Z));
 
     /// <summary>Both halves, cut across the longer side (de Casteljau).</summary>
     public (BezierPatch First, BezierPatch Second) Halves()
@@ -122,5 +132,27 @@ internal sealed class BezierPatch
             : (new(first, _rows, _columns, From, new(To.X, middle.Y)), new(second, _rows, _columns, new(From.X, middle.Y), To));
     }
 
-    private Point3 At(int row, int column) => _poles[(row * _columns) + column];
+    // How far the poles reach along a direction, from the middle.
+    private double HighestAlong(Vector3 direction)
+    {
+        var middle = (Middle.X * direction.X) + (Middle.Y * direction.Y) + (Middle.Z * direction.Z);
+        ref var poles = ref MemoryMarshal.GetArrayDataReference(_poles);
+        var highest = Vector256.Create(double.NegativeInfinity);
+        for (var i = 0; i < _padded; i += Vector256<double>.Count)
+        {
+            highest = Vector256.Max(
+                highest,
+                (Vector256.LoadUnsafe(ref poles, (nuint)i) * direction.X)
+                    + (Vector256.LoadUnsafe(ref poles, (nuint)(_padded + i)) * direction.Y)
+                    + (Vector256.LoadUnsafe(ref poles, (nuint)((2 * _padded) + i)) * direction.Z));
+        }
+
+        return Math.Max(Math.Max(highest[0], highest[1]), Math.Max(highest[2], highest[3])) - middle;
+    }
+
+    private Point3 At(int row, int column)
+    {
+        var i = (row * _columns) + column;
+        return new(_poles[i], _poles[_padded + i], _poles[(2 * _padded) + i]);
+    }
 }

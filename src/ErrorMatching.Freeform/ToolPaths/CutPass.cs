@@ -14,4 +14,7 @@ internal sealed record CutPass(double V)
 
     /// <summary>The polylines of its pieces, as long as the next pass is measured against them.</summary>
     public List<CenterLine> Lines { get; } = [];
+
+    /// <summary>True if the ball had to be raised somewhere.</summary>
+    public bool IsRaised { get; set; }
 }

@@ -11,6 +11,6 @@ internal sealed record CutPiece(IReadOnlyList<Point2> Guide, double Finer, doubl
     /// <summary>True if the tool goes from the last point to the first.</summary>
     public bool Backwards { get; init; }
 
-    /// <summary>The points themselves where some had to be raised; null where they follow from the guide.</summary>
-    public IReadOnlyList<Point3>? Raised { get; init; }
+    /// <summary>The points themselves where some had to be raised, or where the path is short enough to keep them; null where they are made again from the guide.</summary>
+    public IReadOnlyList<Point3>? Centers { get; init; }
 }

@@ -62,7 +62,7 @@ internal sealed partial class PathPlanning
             line.Add(raised.Places[i], raised.Centers[i], raised.Normals[i], raised.Raised[i]);
         }
 
-        return piece with { Raised = line.Centers.ToArray() };
+        return piece with { Centers = line.Centers.ToArray() };
     }
 
     // More points between two, as long as the ball would cut half way between them.

@@ -9,6 +9,9 @@ internal sealed partial class PathPlanning
     /// <summary>Most points of a path: beyond it a tolerance or a unit is wrong.</summary>
     private const int MostPoints = 50_000_000;
 
+    /// <summary>So many points are kept as they are; those of a longer path are made again when they are written.</summary>
+    private const int MostKept = 100_000;
+
     /// <summary>How often something is made finer before it is refused.</summary>
     private const int Tries = 24;
 
@@ -41,7 +44,7 @@ internal sealed partial class PathPlanning
 
     // A part of the planning that runs beside another: what it changes is its own.
     private PathPlanning(PathPlanning whole)
-        : this(whole._offset, whole._rounding, whole._toolpath, whole._decimals) => _edges.AddRange(whole._edges);
+        : this(new(whole._offset.Surface, whole._offset.RadiusMm, whole._offset.StockMm), whole._rounding, whole._toolpath, whole._decimals) => _edges.AddRange(whole._edges);
 
     // The polyline leaves the exact offset by the chordal error at most; a center that is nearer than twice that touches elsewhere.
     private double GougeMm => 2 * _toolpath.ChordMm;
@@ -132,6 +135,7 @@ internal sealed partial class PathPlanning
         var passes = new List<CutPass>();
         var v = first;
         var pass = MakePass(lines, v);
+        Free(pass);
         if (first == lines.First)
         {
             Keep(pass);
@@ -154,10 +158,15 @@ internal sealed partial class PathPlanning
         void Keep(CutPass kept)
         {
             passes.Add(kept);
-            foreach (var line in kept.Lines)
+            for (var i = 0; i < kept.Lines.Count; i++)
             {
+                var line = kept.Lines[i];
                 kept.Ends.Add((line.Places[0], line.Places[^1]));
                 Count(line);
+                if (_points <= MostKept / 2)
+                {
+                    kept.Pieces[i] = kept.Pieces[i] with { Centers = kept.Pieces[i].Centers ?? line.Centers.ToArray() };
+                }
             }
         }
     }
@@ -171,12 +180,30 @@ internal sealed partial class PathPlanning
         {
             var to = width >= last - v ? last : width > (last - v) / 2 ? (v + last) / 2 : v + width;
             var candidate = MakePass(lines, to);
+            // Whether something is cut takes the longest to find: a pass that will probably have to be made again is asked last, unless it lies where balls are raised.
+            var isFreed = pass.IsRaised || attempt > 0;
+            if (isFreed)
+            {
+                Free(candidate);
+            }
+
             if (_refusal is not null)
             {
                 return null;
             }
 
             var (height, at) = _strip.Measure(pass.Lines, v, candidate.Lines, to);
+            if (height <= _toolpath.ScallopMm && !isFreed)
+            {
+                Free(candidate);
+                if (_refusal is not null)
+                {
+                    return null;
+                }
+
+                (height, at) = candidate.IsRaised ? _strip.Measure(pass.Lines, v, candidate.Lines, to) : (height, at);
+            }
+
             if (height <= _toolpath.ScallopMm)
             {
                 spacing.Learn(to - v, height);
@@ -200,7 +227,7 @@ internal sealed partial class PathPlanning
         foreach (var (from, to) in lines.On(v))
         {
             var line = new CenterLine();
-            if (Make([new(from, v), new(to, v)], line) is not { } piece)
+            if (Follow([new(from, v), new(to, v)], line) is not { } piece)
             {
                 break;
             }
@@ -212,8 +239,25 @@ internal sealed partial class PathPlanning
         return pass;
     }
 
+    /// <summary>Raises what of a pass would cut elsewhere.</summary>
+    private void Free(CutPass pass)
+    {
+        for (var i = 0; i < pass.Pieces.Count && _refusal is null; i++)
+        {
+            if (Gouges(pass.Lines[i]) && Raise(pass.Pieces[i], pass.Lines[i]) is { } raised)
+            {
+                pass.Pieces[i] = raised;
+                pass.IsRaised = true;
+            }
+        }
+    }
+
     /// <summary>Makes a piece that keeps the chordal error and cuts nothing else.</summary>
-    private CutPiece? Make(IReadOnlyList<Point2> guide, CenterLine line)
+    private CutPiece? Make(IReadOnlyList<Point2> guide, CenterLine line) =>
+        Follow(guide, line) is not { } piece ? null : Gouges(line) ? Raise(piece, line) : piece;
+
+    /// <summary>Makes a piece that keeps the chordal error.</summary>
+    private CutPiece? Follow(IReadOnlyList<Point2> guide, CenterLine line)
     {
         var piece = new CutPiece(guide, 1, 0.25);
         for (var attempt = 0; ; attempt++)
@@ -240,7 +284,7 @@ internal sealed partial class PathPlanning
             piece = piece with { Finer = 1.15 * piece.Finer, LongestStep = Math.Max(0.7 * piece.LongestStep, 1e-3) };
         }
 
-        return Gouges(line) ? Raise(piece, line) : piece;
+        return piece;
     }
 
     // What counts for the path as a whole, once a piece is part of it.

@@ -45,7 +45,7 @@ internal sealed class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine
         void At(double u, ref double highest, ref Point2 where)
         {
             var (a, b) = (Covering(first, u), Covering(second, u));
-            var (height, at) = a is not null && b is not null ? Ridge(u, a, v, b, next) : Open(u, a, b, v, next);
+            var (height, at) = a is not null && b is not null ? Ridge(u, a, v, b, next, highest) : Open(u, a, b, v, next);
             if (height > highest)
             {
                 (highest, where) = (height, new(u, at));
@@ -66,7 +66,8 @@ internal sealed class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine
         return null;
     }
 
-    private (double Mm, double V) Ridge(double u, CenterLine a, double v, CenterLine b, double next)
+    // The ridge at u, or something above it that is no higher than what was found elsewhere.
+    private (double Mm, double V) Ridge(double u, CenterLine a, double v, CenterLine b, double next, double highest)
     {
         var (x, slope) = (0.5, 0.0);
         var (lastX, last) = (x, 0.0);
@@ -82,7 +83,7 @@ internal sealed class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine
             var (place, normal) = offset.Left(u, at);
             var (ta, tb) = (Leaves(place, normal, a, ref _hint), Leaves(place, normal, b, ref _otherHint));
             var (higher, difference) = (Math.Max(ta, tb), ta - tb);
-            if (i == Corrections || !(Math.Abs(difference) > 0.02 * scallopMm) || !double.IsFinite(difference))
+            if (i == Corrections || higher <= highest || !(Math.Abs(difference) > 0.02 * scallopMm) || !double.IsFinite(difference))
             {
                 return (higher, at);
             }

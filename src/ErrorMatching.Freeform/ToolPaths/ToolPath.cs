@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The way of a ball end mill over a surface, with what was measured on it. It holds what the passes are made from, not their points: these are made again, alike, when they are asked for.</summary>
+/// <summary>The way of a ball end mill over a surface, with what was measured on it. Of a long path it holds what the passes are made from, not their points: these are made again, alike, when they are asked for.</summary>
 public sealed class ToolPath
 {
     private readonly Func<PassBuilder> _builder;
@@ -51,16 +51,16 @@ public sealed class ToolPath
             for (var i = 0; i < chain.Pieces.Count; i++)
             {
                 var piece = chain.Pieces[i];
-                if (piece.Raised is null)
+                if (piece.Centers is null)
                 {
                     builder.Build(piece, line);
                 }
 
-                var count = piece.Raised?.Count ?? line.Count;
+                var count = piece.Centers?.Count ?? line.Count;
                 for (var k = 0; k < count; k++)
                 {
                     var at = piece.Backwards ? count - 1 - k : k;
-                    var center = piece.Raised is { } raised ? raised[at] : line.Centers[at];
+                    var center = piece.Centers is { } centers ? centers[at] : line.Centers[at];
                     if (i == 0 && k == 0)
                     {
                         var above = _rounding.Nearest(center + chain.LeadIn);

@@ -66,6 +66,22 @@ public sealed class CertificateTests
     }
 
     [Fact]
+    public void A_path_too_long_to_be_kept_is_made_again_as_it_was_measured()
+    {
+        var path = Plans.Path(Shapes.One, Plans.Passes(0.0002, 0.0002));
+        var (cut, from) = (0.0, default(Point3));
+        foreach (var move in path.Moves())
+        {
+            cut += move.IsRapid ? 0 : (move.Center - from).Length;
+            from = move.Center;
+        }
+
+        Assert.True(path.Points > 150_000, $"{path.Points} points");
+        // The way in and the way out are each as long as the ball's radius.
+        Assert.Equal(path.LengthMm + 6, cut, 0.001);
+    }
+
+    [Fact]
     public void A_path_is_the_same_each_time_its_moves_are_asked_for()
     {
         var path = Plans.Path(Shapes.Three, Plans.Passes(0.02, 0.01));

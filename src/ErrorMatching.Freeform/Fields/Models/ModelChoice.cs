@@ -20,14 +20,19 @@ internal static class ModelChoice
     /// <summary>The model of some values, of which there must be one at least.</summary>
     public static FieldModel Best(FieldData data)
     {
-        var polynomials = new BreakSearch(data).Run();
+        // The models know nothing of each other: polynomials are sought on one core, the others on a second. What both ask of the values is made before.
+        _ = (data.Grid, data.Crossings);
+        var search = Task.Run(() => new BreakSearch(data).Run());
+        var process = ProcessSearch.Run(data, ProcessSearch.Trend(2));
+        var linear = data.Count > MostForBreaksInWaves ? null : ProcessSearch.Run(data, ProcessSearch.Trend(1));
+        var spline = SplineModel.Run(data);
+        var polynomials = search.GetAwaiter().GetResult();
         if (polynomials[^1].IsExact && !(Error(polynomials[^1]) > Nothing))
         {
             return polynomials[^1];
         }
 
-        var process = ProcessSearch.Run(data, ProcessSearch.Trend(2));
-        var smooth = Least([polynomials[0], data.Count > MostForBreaksInWaves ? null : ProcessSearch.Run(data, ProcessSearch.Trend(1)), process, SplineModel.Run(data)])!;
+        var smooth = Least([polynomials[0], linear, process, spline])!;
         var broken = polynomials.Skip(1).SelectMany(m => new FieldModel?[] { m, BreakSearch.Squares(m) }).ToList();
         if (process is not null && (polynomials.Count > 1 || smooth is ProcessModel) && !polynomials[^1].IsExact && data.Count <= MostForBreaksInWaves)
         {

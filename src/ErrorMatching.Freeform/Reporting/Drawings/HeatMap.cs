@@ -15,6 +15,9 @@ internal sealed class HeatMap
     private readonly PartSurface _surface;
     private readonly double _minX, _maxY, _scale, _height, _limitUm;
 
+    // The corners of the cells as they are written: each belongs to four cells of every map.
+    private readonly string[] _corners;
+
     /// <summary>A map of a surface.</summary>
     /// <param name="surface">The surface.</param>
     /// <param name="limitUm">Absolute value in micrometres of the last colors; maps that are compared share it.</param>
@@ -24,11 +27,12 @@ internal sealed class HeatMap
         var step = RoundNumber.AtLeast(Math.Max(limitUm, 0.1) / 10);
         (_surface, _limitUm) = (surface, Math.Ceiling(Math.Max(limitUm, 0.1) / step) * step);
         var (minX, maxX, minY, maxY) = (double.MaxValue, double.MinValue, double.MaxValue, double.MinValue);
+        var corners = new Point3[(CellsU + 1) * (CellsV + 1)];
         for (var i = 0; i <= CellsU; i++)
         {
             for (var j = 0; j <= CellsV; j++)
             {
-                var p = Corner(i, j);
+                var p = corners[CornerNumber(i, j)] = _surface.Spline.PointAt(U(i), V(j));
                 (minX, maxX, minY, maxY) = (Math.Min(minX, p.X), Math.Max(maxX, p.X), Math.Min(minY, p.Y), Math.Max(maxY, p.Y));
             }
         }
@@ -36,6 +40,7 @@ internal sealed class HeatMap
         _scale = (Right - Left) / Math.Max(maxX - minX, 1e-9);
         (_minX, _maxY) = (minX, maxY);
         _height = Math.Clamp((maxY - minY) * _scale, 60, 1200);
+        _corners = Array.ConvertAll(corners, p => SvgNumber.Points([Place(p)]));
     }
 
     /// <summary>Writes the map.</summary>
@@ -65,7 +70,7 @@ internal sealed class HeatMap
 
     private void WriteCells(HtmlText html, Func<double, double, double> fieldUm)
     {
-        var cells = new List<(double X, double Y)[]>[DivergingColors.Count];
+        var cells = new List<string>[DivergingColors.Count];
         for (var i = 0; i < CellsU; i++)
         {
             for (var j = 0; j < CellsV; j++)
@@ -77,7 +82,7 @@ internal sealed class HeatMap
                 }
 
                 var color = DivergingColors.IndexOf(fieldUm(u, v), _limitUm);
-                (cells[color] ??= []).Add([Place(Corner(i, j)), Place(Corner(i + 1, j)), Place(Corner(i + 1, j + 1)), Place(Corner(i, j + 1))]);
+                (cells[color] ??= []).Add($"M{Corner(i, j)}L{Corner(i + 1, j)} {Corner(i + 1, j + 1)} {Corner(i, j + 1)}Z");
             }
         }
 
@@ -85,7 +90,7 @@ internal sealed class HeatMap
         {
             if (cells[color] is { } list)
             {
-                var path = string.Concat(list.Select(c => $"M{SvgNumber.Points([c[0]])}L{SvgNumber.Points(c.Skip(1))}Z"));
+                var path = string.Concat(list);
                 // The stroke closes the hairlines that a browser leaves between neighbors.
                 html.Empty("path", ("d", path), ("fill", DivergingColors.Hex(color)), ("stroke", DivergingColors.Hex(color)), ("stroke-width", "0.6"));
             }
@@ -139,7 +144,9 @@ internal sealed class HeatMap
 
     private double V(double cell) => _surface.Spline.KnotsV.Start + ((_surface.Spline.KnotsV.End - _surface.Spline.KnotsV.Start) * cell / CellsV);
 
-    private Point3 Corner(int i, int j) => _surface.Spline.PointAt(U(i), V(j));
+    private string Corner(int i, int j) => _corners[CornerNumber(i, j)];
+
+    private static int CornerNumber(int i, int j) => (i * (CellsV + 1)) + j;
 
     private (double X, double Y) Place(Point3 p) => (Left + ((p.X - _minX) * _scale), Top + ((_maxY - p.Y) * _scale));
 
