@@ -15,7 +15,7 @@ internal static class ModelChoice
     private const double Nothing = 1e-9;
 
     /// <summary>Breaks among waves are sought in so many values at most.</summary>
-    private const int MostForBreaksInWaves = 1000;
+    private const int MostForBreaksInWaves = 300;
 
     /// <summary>The model of some values, of which there must be one at least.</summary>
     public static FieldModel Best(FieldData data)
