@@ -71,34 +71,10 @@ public sealed class DisplacementWish
     /// <returns>The wish, or a refusal where the blocks hold no cutting motion, or one that begins at an unknown place.</returns>
     public static NcOutcome<DisplacementWish> Normal(NcPath path, IReadOnlyList<int> blocks, double left)
     {
-        blocks = InOrder(blocks) ? blocks : [.. blocks.Distinct()];
-        List<ElementWish> elements;
-        NcRefusal? refusal;
-        if (blocks.Count < Halves.Many || !path.Motions.FollowBlocks)
-        {
-            (elements, refusal) = AlongNormals(path, blocks, 0, blocks.Count, left);
-        }
-        else
-        {
-            var (first, second) = Halves.Of(0, blocks.Count, (from, behind) => AlongNormals(path, blocks, from, behind, left));
-            (elements, refusal) = (first.Elements, first.Refusal ?? second.Refusal);
-            elements.AddRange(second.Elements);
-        }
-
-        if (refusal is not null)
-        {
-            return refusal;
-        }
-
-        return elements.Count == 0 ? NoMotion(path, blocks) : IsAscending(elements) ? new DisplacementWish(elements, [], Vector3.Zero) : OfElements(elements);
-    }
-
-    private static (List<ElementWish> Elements, NcRefusal? Refusal) AlongNormals(NcPath path, IReadOnlyList<int> blocks, int from, int behind, double left)
-    {
         var elements = new List<ElementWish>(blocks.Count);
-        for (var i = from; i < behind; i++)
+        foreach (var block in InOrder(blocks) ? blocks : blocks.Distinct())
         {
-            for (var run = 0; path.RunOf(blocks[i], run) is >= 0 and var motion; run++)
+            for (var run = 0; path.RunOf(block, run) is >= 0 and var motion; run++)
             {
                 var m = path.Motions[motion];
                 if (!m.IsCut || !MayMoveInPlane(path, motion, m))
@@ -108,14 +84,14 @@ public sealed class DisplacementWish
 
                 if (!m.IsKnownInPlane)
                 {
-                    return (elements, Obstacles.Of(path, motion) ?? Obstacles.UnknownPlace(path, motion));
+                    return Obstacles.Of(path, motion) ?? Obstacles.UnknownPlace(path, motion);
                 }
 
                 elements.Add(ElementWish.AlongNormals(m, motion, left, left, left));
             }
         }
 
-        return (elements, null);
+        return elements.Count == 0 ? NoMotion(path, blocks) : IsAscending(elements) ? new DisplacementWish(elements, [], Vector3.Zero) : OfElements(elements);
     }
 
     // Between unknown places a motion does not show that it moves; its words do.

@@ -183,7 +183,8 @@ internal sealed partial class ElementDisplacer
 
     private NcRefusal? Joints(int first, int last)
     {
-        var moves = new Vector2?[last - first];
+        // Not a number where a joint is not smooth.
+        var moves = new Vector2[last - first];
         if (Halves.Refusal(first + 1, last + 1, (from, behind) => SmoothMoves(first, from, behind, moves)) is { } unfit)
         {
             return unfit;
@@ -192,7 +193,7 @@ internal sealed partial class ElementDisplacer
         var plane = _path.Motions[first].Plane;
         for (var joint = first + 1; joint <= last; joint++)
         {
-            if (moves[joint - first - 1] is { } move)
+            if (moves[joint - first - 1] is var move && !double.IsNaN(move.X))
             {
                 _change.Move(joint, plane, move);
                 _smoothJoints[joint] = true;
@@ -211,7 +212,7 @@ internal sealed partial class ElementDisplacer
     }
 
     // The displacements of joints of the run that begins with a motion, as far as they are smooth and not yet set; looks only, so that two cores can do it.
-    private NcRefusal? SmoothMoves(int first, int from, int behind, Vector2?[] moves)
+    private NcRefusal? SmoothMoves(int first, int from, int behind, Vector2[] moves)
     {
         var begin = _path.Motions[first];
         for (var joint = from; joint < behind; joint++)
@@ -227,7 +228,7 @@ internal sealed partial class ElementDisplacer
                 return At(motion, NcRefusalCodes.FrameChange, "the work offset or origin changes inside the named blocks.");
             }
 
-            moves[joint - first - 1] = _change.IsSet(joint) ? null : Smooth(joint - 1, joint);
+            moves[joint - first - 1] = (_change.IsSet(joint) ? null : Smooth(joint - 1, joint)) ?? new(double.NaN, double.NaN);
         }
 
         return null;
