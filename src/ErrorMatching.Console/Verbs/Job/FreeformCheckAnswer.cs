@@ -28,17 +28,7 @@ internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
         json.WriteString("fit", FitMethods.NameOf(job.Fit.Method));
         json.WriteString("of", job.Fit.OfError ? "error" : "points");
         json.WriteEndObject();
-        json.WriteStartArray("files");
-        foreach (var (role, file) in Files)
-        {
-            json.WriteStartObject();
-            json.WriteString("role", role);
-            json.WriteString("file", file);
-            json.WriteBoolean("exists", File.Exists(file));
-            json.WriteEndObject();
-        }
-
-        json.WriteEndArray();
+        new NamedFiles(Files).WriteJson(json);
     }
 
     /// <inheritdoc/>
@@ -55,7 +45,7 @@ internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
             ["compensation", $"{Method}, gain {Number(job.Compensation.Gain)}, at most {Mm(job.Compensation.LimitMm)}; {FitMethods.NameOf(job.Fit.Method)} fit of the {(job.Fit.OfError ? "error" : "points")}"],
         ]);
         page.Line();
-        page.Table(["file", "", ""], Files.Select(f => (IReadOnlyList<string>)[f.Role, f.File, File.Exists(f.File) ? "" : "not there yet"]));
+        new NamedFiles(Files).WriteText(page);
     }
 
     private string Method => job.Compensation.Mirror ? "mirror" : "tool-radius";

@@ -39,17 +39,7 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
 
         json.WriteEndArray();
         json.WriteEndObject();
-        json.WriteStartArray("files");
-        foreach (var (role, file) in Files)
-        {
-            json.WriteStartObject();
-            json.WriteString("role", role);
-            json.WriteString("file", file);
-            json.WriteBoolean("exists", File.Exists(file));
-            json.WriteEndObject();
-        }
-
-        json.WriteEndArray();
+        new NamedFiles(Files).WriteJson(json);
     }
 
     /// <inheritdoc/>
@@ -66,7 +56,7 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
         page.Line();
         page.Line($"Compensation from the {ReportWords.Of(job.Compensation.From)}, {ReportWords.Of(job.Compensation.Amount)} deviation along the {ReportWords.Of(job.Compensation.Along)}, dialect {job.Counterpart.Dialect}.");
         page.Line();
-        page.Table(["file", "", ""], Files.Select(f => (IReadOnlyList<string>)[f.Role, f.File, File.Exists(f.File) ? "" : "not there yet"]));
+        new NamedFiles(Files).WriteText(page);
     }
 
     private IEnumerable<(string Role, string File)> Files => new (string Role, string? File)[]
