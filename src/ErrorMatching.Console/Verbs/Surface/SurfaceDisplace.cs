@@ -33,7 +33,8 @@ internal sealed class SurfaceDisplace : Verb
         var job = files.Job;
         var surface = files.Surface();
         var plan = files.Plan(surface);
-        if (plan.Refusals.Count > 0)
+        // What was measured was touched somehow: only a plan without points stops here, not one that this stylus does not reach.
+        if (plan.Points.Count == 0 || plan.FacesDown)
         {
             return FailureOf.Refused(job.File, plan.Refusals);
         }

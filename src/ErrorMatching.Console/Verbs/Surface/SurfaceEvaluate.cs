@@ -30,7 +30,8 @@ internal sealed class SurfaceEvaluate : Verb
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var surface = files.Surface();
         var plan = files.Plan(surface);
-        if (plan.Refusals.Count > 0 && !plan.FacesDown)
+        // What was measured was touched somehow: only a plan without points stops here, not one that this stylus does not reach.
+        if (plan.Points.Count == 0)
         {
             return FailureOf.Refused(files.Job.File, plan.Refusals);
         }
