@@ -32,23 +32,15 @@ internal sealed class SurfaceCompensate : Verb
         var clock = Stopwatch.StartNew();
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var job = files.Job;
-        var surface = files.Surface();
-        var plan = files.Plan(surface);
-        // What was measured was touched somehow: only a plan without points stops here, not one that this stylus does not reach.
-        if (plan.Points.Count == 0 || plan.FacesDown)
-        {
-            return FailureOf.Refused(job.File, plan.Refusals);
-        }
-
-        var measured = arguments.GetRequiredValue(_measured).Select(f => files.Measured("measured", f, plan)).ToArray();
+        var measured = arguments.GetRequiredValue(_measured);
         var dialect = files.Dialect(job.Toolpath.Dialect);
         cancellation.ThrowIfCancellationRequested();
         try
         {
-            var outcome = Compensator.Compensate(new(job, surface, plan, measured));
-            if (outcome.Result is not { } result)
+            var (compensated, failure) = MeasuredCompensation.Of(files, measured, cancellation);
+            if (compensated is not { } result)
             {
-                return FailureOf.Refused(job.File, outcome.Refusals);
+                return failure!;
             }
 
             cancellation.ThrowIfCancellationRequested();
@@ -72,7 +64,7 @@ internal sealed class SurfaceCompensate : Verb
         }
         catch (GeometryException e)
         {
-            return FailureOf.Geometry(e, measured[0].File);
+            return FailureOf.Geometry(e, measured[0]);
         }
     }
 }

@@ -31,28 +31,20 @@ internal sealed class SurfaceDisplace : Verb
     {
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var job = files.Job;
-        var surface = files.Surface();
-        var plan = files.Plan(surface);
-        // What was measured was touched somehow: only a plan without points stops here, not one that this stylus does not reach.
-        if (plan.Points.Count == 0 || plan.FacesDown)
-        {
-            return FailureOf.Refused(job.File, plan.Refusals);
-        }
-
-        var measured = arguments.GetRequiredValue(_measured).Select(f => files.Measured("measured", f, plan)).ToArray();
+        var measured = arguments.GetRequiredValue(_measured);
         var dialect = files.Dialect(job.Toolpath.Dialect);
         var program = arguments.GetRequiredValue(_program);
         var bytes = files.Program(program);
         cancellation.ThrowIfCancellationRequested();
         try
         {
-            var outcome = Compensator.Compensate(new(job, surface, plan, measured));
-            if (outcome.Result is not { } compensation)
+            var (compensated, failure) = MeasuredCompensation.Of(files, measured, cancellation);
+            if (compensated is not { } compensation)
             {
-                return FailureOf.Refused(job.File, outcome.Refusals);
+                return failure!;
             }
 
-            var displaced = SurfaceDisplacer.Displace(surface, compensation.Compensated, job.Compensation.Gain, job.Tool, bytes, dialect, job.Toolpath.ProgramsTip);
+            var displaced = SurfaceDisplacer.Displace(compensation.Input.Surface, compensation.Compensated, job.Compensation.Gain, job.Tool, bytes, dialect, job.Toolpath.ProgramsTip);
             if (!displaced.IsUsable)
             {
                 return FailureOf.Refused(program, displaced.Refusal);
@@ -69,7 +61,7 @@ internal sealed class SurfaceDisplace : Verb
         }
         catch (GeometryException e)
         {
-            return FailureOf.Geometry(e, measured[0].File);
+            return FailureOf.Geometry(e, measured[0]);
         }
     }
 }
