@@ -19,7 +19,9 @@ public sealed class HouseTests
         ["Reporting"] = ["Geometry"],
         ["Mating"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting"],
         ["Freeform"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting"],
-        ["Console"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform"],
+        ["Jobs"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform"],
+        ["Cell"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs"],
+        ["Console"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs", "Cell"],
     };
 
     private static readonly string[] TextEndings = [".cs", ".csproj", ".props", ".json", ".md", ".html", ".nc", ".csv", ".yml", ".txt", ".sln", ".sh"];

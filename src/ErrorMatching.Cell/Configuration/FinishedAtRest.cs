@@ -1,0 +1,5 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>Size and time of change have stayed the same.</summary>
+/// <param name="For">For how long.</param>
+public sealed record FinishedAtRest(TimeSpan For) : FinishedRule;

@@ -1,0 +1,71 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>One incoming file and what became of it. Every file that arrives becomes one, whatever it is. Hashes are SHA-256 as 64 lower-case hexadecimal digits; what they name is in the store.</summary>
+/// <param name="Id">Number in the store, in order of arrival.</param>
+/// <param name="State">How far it has come.</param>
+/// <param name="Version">Counts its changes; a step says which one it starts from.</param>
+/// <param name="Gauge">The gauge that it came from.</param>
+/// <param name="FileName">The file's name, without folders.</param>
+/// <param name="ArrivedAt">When it was archived.</param>
+/// <param name="MeasurementSha256">Its content.</param>
+/// <param name="MeasurementBytes">Its length.</param>
+public sealed record Correction(
+    long Id, CorrectionState State, int Version, string Gauge, string FileName, DateTimeOffset ArrivedAt, string MeasurementSha256, long MeasurementBytes)
+{
+    /// <summary>When the last step was taken.</summary>
+    public DateTimeOffset ChangedAt { get; init; }
+
+    /// <summary>Name of the cell's job; null before it is recognized.</summary>
+    public string? Job { get; init; }
+
+    /// <summary>Whose measurement it is: <c>part</c>, <c>counterpart</c> or <c>surface</c>; null before it is recognized.</summary>
+    public string? Piece { get; init; }
+
+    /// <summary>Serial number of the piece; null if nothing says it.</summary>
+    public string? Serial { get; init; }
+
+    /// <summary>The work order; null if nothing says it.</summary>
+    public string? WorkOrder { get; init; }
+
+    /// <summary>SHA-256 over measurement, job and base program: a correction of one identity is applied once. Null before it is recognized.</summary>
+    public string? Identity { get; init; }
+
+    /// <summary>The job's file.</summary>
+    public string? JobSha256 { get; init; }
+
+    /// <summary>The program that it starts from.</summary>
+    public string? BaseSha256 { get; init; }
+
+    /// <summary>The machine; null before it is recognized.</summary>
+    public string? Machine { get; init; }
+
+    /// <summary>The machine's slot.</summary>
+    public string? Slot { get; init; }
+
+    /// <summary>The compensated program; null before it is computed.</summary>
+    public string? ProgramSha256 { get; init; }
+
+    /// <summary>The report as JSON.</summary>
+    public string? ReportSha256 { get; init; }
+
+    /// <summary>The report as a page.</summary>
+    public string? PageSha256 { get; init; }
+
+    /// <summary>The largest displacement of this step in mm.</summary>
+    public double? LargestMm { get; init; }
+
+    /// <summary>The largest sum of displacements since the original program in mm, where the job accumulates; else that of this step.</summary>
+    public double? SumMm { get; init; }
+
+    /// <summary>What the slot held before the program was sent; null if it held nothing or nothing was sent yet.</summary>
+    public string? PreviousSha256 { get; init; }
+
+    /// <summary>Stable word for why it was refused, rejected, recorded or failed; else null.</summary>
+    public string? Code { get; init; }
+
+    /// <summary>The reason in a setter's words; null where there is none.</summary>
+    public string? Reason { get; init; }
+
+    /// <summary>The W3C trace that this correction is followed by from file to verified; null where nothing traces.</summary>
+    public string? Trace { get; init; }
+}

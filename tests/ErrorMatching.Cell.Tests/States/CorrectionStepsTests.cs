@@ -1,0 +1,34 @@
+namespace ErrorMatching.Cell.Tests;
+
+public sealed class CorrectionStepsTests
+{
+    [Fact]
+    public void Every_state_has_its_row() => Assert.All(Enum.GetValues<CorrectionState>(), s => Assert.NotNull(CorrectionSteps.From(s)));
+
+    [Fact]
+    public void Every_state_but_the_first_is_reached_from_it()
+    {
+        var reached = new HashSet<CorrectionState> { CorrectionState.Archived };
+        var open = new Queue<CorrectionState>(reached);
+        while (open.TryDequeue(out var state))
+        {
+            foreach (var next in CorrectionSteps.From(state).Where(reached.Add))
+            {
+                open.Enqueue(next);
+            }
+        }
+
+        Assert.Equal(Enum.GetValues<CorrectionState>().Order(), reached.Order());
+    }
+
+    [Theory]
+    [InlineData(CorrectionState.Superseded), InlineData(CorrectionState.Recorded), InlineData(CorrectionState.Refused), InlineData(CorrectionState.Rejected), InlineData(CorrectionState.Reverted)]
+    public void Nothing_follows_an_end(CorrectionState end) => Assert.True(CorrectionSteps.IsEnd(end));
+
+    [Fact]
+    public void Nothing_reaches_the_machine_without_an_approval()
+    {
+        Assert.Equal([CorrectionState.Approved], Enum.GetValues<CorrectionState>().Where(s => CorrectionSteps.Allows(s, CorrectionState.Uploading)));
+        Assert.Equal([CorrectionState.Uploading], Enum.GetValues<CorrectionState>().Where(s => CorrectionSteps.Allows(s, CorrectionState.Verified)));
+    }
+}
