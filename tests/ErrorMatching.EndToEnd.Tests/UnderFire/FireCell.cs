@@ -1,0 +1,185 @@
+using System.Diagnostics;
+using System.Text;
+using System.Text.Json;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.EndToEnd.Tests;
+
+/// <summary>A cell in a temporary folder, run by the built console: incoming files, slots with ready files, and ways to end the process.</summary>
+internal sealed class FireCell : IDisposable
+{
+    private readonly string _configuration;
+    private readonly StringBuilder _said = new();
+    private Process? _process;
+
+    /// <summary>Lays out a cell.</summary>
+    /// <param name="slots">How many slots it has; jobs are told by the slot in the file's name.</param>
+    /// <param name="store">The store's part of the configuration.</param>
+    /// <param name="transport">The machine's transport; null for a folder.</param>
+    /// <param name="machine">The folder in which the machine's files lie as the machine itself sees it; null for one of the cell's.</param>
+    public FireCell(int slots, string store = """{ "kind": "sqlite", "file": "store/cell.db" }""", string? transport = null, string? machine = null)
+    {
+        Slots = [.. Enumerable.Range(0, slots).Select(i => $"S{i:00}")];
+        Machine = machine ?? this["machine"];
+        Directory.CreateDirectory(Machine);
+        Directory.CreateDirectory(Incoming);
+        foreach (var file in Directory.EnumerateFiles(Repository.PathTo("samples", "complex-mating")))
+        {
+            Directory.CreateDirectory(this["job"]);
+            File.Copy(file, Path.Combine(this["job"], Path.GetFileName(file)));
+        }
+
+        foreach (var slot in Slots)
+        {
+            File.Copy(this["job", "counterpart.nc"], Path.Combine(Machine, ProgramOf(slot)), overwrite: true);
+        }
+
+        _configuration = this["cell.json"];
+        File.WriteAllText(_configuration, $$"""
+            {
+              "kind": "cell", "name": "Under fire",
+              "store": {{store}},
+              "gauges": [{ "name": "cmm", "incoming": "incoming", "files": "*.csv", "finished": "rename", "everyMs": 50, "mostMB": 16 }],
+              "machines": [{
+                "name": "vmc", "dialect": "delta-nc300", "transport": {{transport ?? """{ "kind": "folder", "folder": "machine" }"""}},
+                "slots": [{{string.Join(", ", Slots.Select(s => $$"""{ "name": "{{s}}", "program": "{{ProgramOf(s)}}", "readyFile": "{{s}}.READY" }"""))}}],
+              }],
+              "jobs": [{{string.Join(", ", Slots.Select(s => $$"""{ "name": "job-{{s}}", "job": "job/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^{{s}}_(?<serial>[0-9]+)\\.csv$" }, "machine": "vmc", "slot": "{{s}}" }"""))}}],
+              "policy": { "approve": "automatic", "limitMm": 1.0 },
+            }
+            """);
+    }
+
+    /// <summary>The slots' names.</summary>
+    public IReadOnlyList<string> Slots { get; }
+
+    /// <summary>The cell's folder.</summary>
+    public string Folder { get; } = Directory.CreateTempSubdirectory("errormatch-fire-").FullName;
+
+    /// <summary>The machine's folder.</summary>
+    public string Machine { get; }
+
+    /// <summary>The gauge's folder.</summary>
+    public string Incoming => this["incoming"];
+
+    /// <summary>What the process said on its error stream, all of them together.</summary>
+    public string Said
+    {
+        get
+        {
+            lock (_said)
+            {
+                return _said.ToString();
+            }
+        }
+    }
+
+    public string this[params string[] parts] => Path.Combine([Folder, .. parts]);
+
+    /// <summary>The program's name in a slot.</summary>
+    public static string ProgramOf(string slot) => $"O{slot}.NC";
+
+    /// <summary>Lets a finished file appear as a gauge does: written under another name, then renamed.</summary>
+    public void Drop(string name, ReadOnlySpan<byte> bytes)
+    {
+        var beside = this["beside-" + Guid.NewGuid().ToString("N")];
+        File.WriteAllBytes(beside, bytes);
+        File.Move(beside, Path.Combine(Incoming, name));
+    }
+
+    /// <summary>Starts the cell.</summary>
+    public Process Start()
+    {
+        var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", _configuration])
+        {
+            UseShellExecute = false,
+            WorkingDirectory = Folder,
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+        };
+        var process = Process.Start(start)!;
+        process.StandardInput.Close();
+        process.ErrorDataReceived += (_, line) => Heard(line.Data);
+        process.OutputDataReceived += (_, line) => Heard(line.Data);
+        process.BeginErrorReadLine();
+        process.BeginOutputReadLine();
+        return _process = process;
+    }
+
+    /// <summary>Ends the process as a power cut does.</summary>
+    public async Task Kill()
+    {
+        _process!.Kill(entireProcessTree: true);
+        await _process.WaitForExitAsync(TestContext.Current.CancellationToken);
+    }
+
+    /// <summary>Ends the process as a service manager does.</summary>
+    /// <returns>Its exit code and how long it took.</returns>
+    public async Task<(int Exit, TimeSpan Took)> Stop()
+    {
+        var clock = Stopwatch.StartNew();
+        using (var kill = Process.Start("kill", ["-TERM", _process!.Id.ToString(System.Globalization.CultureInfo.InvariantCulture)]))
+        {
+            await kill.WaitForExitAsync(TestContext.Current.CancellationToken);
+        }
+
+        await _process.WaitForExitAsync(TestContext.Current.CancellationToken);
+        return (_process.ExitCode, clock.Elapsed);
+    }
+
+    /// <summary>All corrections, as the console tells them.</summary>
+    public async Task<IReadOnlyList<JsonElement>> History()
+    {
+        var run = await ConsoleRun.Of(Folder, "cell", "history", _configuration, "--most", "1000000", "--json");
+        Assert.True(run.Exit == 0, run.Output + run.Error);
+        return [.. run.Json.GetProperty("corrections").EnumerateArray()];
+    }
+
+    /// <summary>Fails unless the audit trail is whole.</summary>
+    public async Task AuditHolds()
+    {
+        var run = await ConsoleRun.Of(Folder, "audit", "verify", _configuration);
+        Assert.True(run.Exit == 0, run.Output + run.Error);
+    }
+
+    /// <summary>Waits until something is so.</summary>
+    public async Task Until(Func<Task<bool>> isSo, TimeSpan atMost, string what)
+    {
+        var clock = Stopwatch.StartNew();
+        while (!await isSo())
+        {
+            Assert.True(clock.Elapsed < atMost, $"{what}: not after {atMost}. {Tail()}");
+            await Task.Delay(100, TestContext.Current.CancellationToken);
+        }
+    }
+
+    public void Dispose()
+    {
+        if (_process is { HasExited: false })
+        {
+            _process.Kill(entireProcessTree: true);
+            _process.WaitForExit();
+        }
+
+        _process?.Dispose();
+        Directory.Delete(Folder, recursive: true);
+    }
+
+    private string Tail()
+    {
+        var said = Said;
+        return said.Length > 4000 ? said[^4000..] : said;
+    }
+
+    private void Heard(string? line)
+    {
+        if (line is not null)
+        {
+            lock (_said)
+            {
+                _said.AppendLine(line);
+            }
+        }
+    }
+}
