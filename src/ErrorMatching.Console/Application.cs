@@ -1,5 +1,6 @@
 using System.CommandLine;
 using ErrorMatching.Freeform;
+using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
@@ -70,6 +71,10 @@ internal static class Application
         catch (NcException e)
         {
             return FailureOf.Nc(e);
+        }
+        catch (PointsException e)
+        {
+            return FailureOf.Points(e);
         }
         catch (WrongPieceException e)
         {
