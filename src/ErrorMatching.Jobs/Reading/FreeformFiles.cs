@@ -47,17 +47,24 @@ public sealed class FreeformFiles
     /// <param name="plan">The plan that it was measured by.</param>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="FreeformException">It cannot be used.</exception>
-    public MeasuredPoints Measured(string role, string file, MeasuringPlan plan) =>
-        MeasuredSurfaceReader.Read(Bytes(role, file, MeasuredSurfaceReader.MaxBytes), file, plan, Job.Measuring);
+    public MeasuredPoints Measured(string role, GivenFile file, MeasuringPlan plan)
+    {
+        ArgumentNullException.ThrowIfNull(file);
+        return MeasuredSurfaceReader.Read((file.Bytes is { } given ? Note(role, file.File, given) : Bytes(role, file.File, MeasuredSurfaceReader.MaxBytes)).Span, file.File, plan, Job.Measuring);
+    }
 
     /// <summary>An existing program.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
-    public ReadOnlyMemory<byte> Program(string file)
+    public ReadOnlyMemory<byte> Program(GivenFile file)
     {
-        _read.Add(file);
-        var bytes = InputFile.Program(file);
-        _inputs.Add(new("program", file, Convert.ToHexStringLower(SHA256.HashData(bytes.Span))));
-        return bytes;
+        ArgumentNullException.ThrowIfNull(file);
+        if (file.Bytes is { } given)
+        {
+            return Note("program", file.File, given);
+        }
+
+        _read.Add(file.File);
+        return Note("program", file.File, InputFile.Program(file.File));
     }
 
     /// <summary>A dialect that the job names: a file of the shop is found from the job's folder.</summary>
@@ -86,7 +93,13 @@ public sealed class FreeformFiles
     {
         _read.Add(file);
         var bytes = InputFile.Bytes(file, mostBytes);
-        _inputs.Add(new(role, file, Convert.ToHexStringLower(SHA256.HashData(bytes))));
+        _ = Note(role, file, bytes);
+        return bytes;
+    }
+
+    private ReadOnlyMemory<byte> Note(string role, string file, ReadOnlyMemory<byte> bytes)
+    {
+        _inputs.Add(new(role, file, Convert.ToHexStringLower(SHA256.HashData(bytes.Span))));
         return bytes;
     }
 }
