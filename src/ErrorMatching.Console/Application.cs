@@ -1,5 +1,6 @@
 using System.CommandLine;
 using ErrorMatching.Freeform;
+using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;

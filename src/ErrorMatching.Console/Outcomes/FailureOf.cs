@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
+using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Diagnostics;
 using ErrorMatching.Geometry;
+using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 
 namespace ErrorMatching.Console;

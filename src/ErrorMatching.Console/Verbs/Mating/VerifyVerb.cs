@@ -1,5 +1,6 @@
 using System.CommandLine;
 using ErrorMatching.Geometry;
+using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 
 namespace ErrorMatching.Console;

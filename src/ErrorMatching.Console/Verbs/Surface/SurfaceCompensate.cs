@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Security.Cryptography;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
+using ErrorMatching.Jobs;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
@@ -37,10 +38,10 @@ internal sealed class SurfaceCompensate : Verb
         cancellation.ThrowIfCancellationRequested();
         try
         {
-            var (compensated, failure) = MeasuredCompensation.Of(files, measured, cancellation);
-            if (compensated is not { } result)
+            var compensated = MeasuredCompensation.Of(files, measured, cancellation);
+            if (compensated.Result is not { } result)
             {
-                return failure!;
+                return FailureOf.Refused(job.File, compensated.Refusals);
             }
 
             cancellation.ThrowIfCancellationRequested();

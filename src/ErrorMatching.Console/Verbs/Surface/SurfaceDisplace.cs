@@ -1,6 +1,7 @@
 using System.CommandLine;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
@@ -38,10 +39,10 @@ internal sealed class SurfaceDisplace : Verb
         cancellation.ThrowIfCancellationRequested();
         try
         {
-            var (compensated, failure) = MeasuredCompensation.Of(files, measured, cancellation);
-            if (compensated is not { } compensation)
+            var compensated = MeasuredCompensation.Of(files, measured, cancellation);
+            if (compensated.Result is not { } compensation)
             {
-                return failure!;
+                return FailureOf.Refused(job.File, compensated.Refusals);
             }
 
             var displaced = SurfaceDisplacer.Displace(compensation.Input.Surface, compensation.Compensated, job.Compensation.Gain, job.Tool, bytes, dialect, job.Toolpath.ProgramsTip);

@@ -1,7 +1,7 @@
-namespace ErrorMatching.Console;
+namespace ErrorMatching.Jobs;
 
 /// <summary>A file of the user that cannot be opened.</summary>
-internal sealed class InputException(string file, string message, Exception cause) : Exception(message, cause)
+public sealed class InputException(string file, string message, Exception cause) : Exception(message, cause)
 {
     /// <summary>The file as the user named it.</summary>
     public string File => file;

@@ -4,10 +4,10 @@ using ErrorMatching.Mating;
 using ErrorMatching.Nc;
 using Microsoft.Win32.SafeHandles;
 
-namespace ErrorMatching.Console;
+namespace ErrorMatching.Jobs;
 
 /// <summary>Reads inputs that the libraries take as bytes. Measurements have a reader of their own.</summary>
-internal static class InputFile
+public static class InputFile
 {
     /// <summary>From so many bytes on, a second core is worth its start.</summary>
     private const int Many = 4_000_000;

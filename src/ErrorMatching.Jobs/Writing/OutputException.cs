@@ -1,7 +1,7 @@
-namespace ErrorMatching.Console;
+namespace ErrorMatching.Jobs;
 
 /// <summary>A file that cannot be written, or must not be.</summary>
-internal sealed class OutputException(string code, string file, string message, Exception? cause = null) : Exception(message, cause)
+public sealed class OutputException(string code, string file, string message, Exception? cause = null) : Exception(message, cause)
 {
     /// <summary>Code of a file that cannot be written.</summary>
     public const string Unwritable = "file-unwritable";

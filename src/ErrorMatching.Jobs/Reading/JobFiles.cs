@@ -3,10 +3,10 @@ using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 
-namespace ErrorMatching.Console;
+namespace ErrorMatching.Jobs;
 
 /// <summary>Reads what a job names and keeps the list of what was read, for none of it may be written to.</summary>
-internal sealed class JobFiles
+public sealed class JobFiles
 {
     private readonly List<string> _read;
 

@@ -1,12 +1,12 @@
 using ErrorMatching.Nc;
 
-namespace ErrorMatching.Console;
+namespace ErrorMatching.Jobs;
 
 /// <summary>
 /// Finds called programs beside the program that calls them: <c>O1002</c> in <c>O1002.nc</c> or <c>1002</c>, <c>POCKET</c> in <c>pocket.spf</c>. Only plain files of that one folder are
 /// opened; links are not followed.
 /// </summary>
-internal sealed class ProgramFolder(string program)
+public sealed class ProgramFolder(string program)
 {
     private const int MostFiles = 100_000;
 

@@ -1,9 +1,9 @@
-namespace ErrorMatching.Console;
+namespace ErrorMatching.Jobs;
 
 /// <summary>One thing that is wrong. What does not apply is null.</summary>
 /// <param name="Code">Stable word, listed in docs/reference-console.md.</param>
 /// <param name="Message">A sentence with the place, what was found and what is expected.</param>
-internal sealed record ErrorItem(string Code, string Message)
+public sealed record ErrorItem(string Code, string Message)
 {
     /// <summary>The file as the user named it.</summary>
     public string? File { get; init; }

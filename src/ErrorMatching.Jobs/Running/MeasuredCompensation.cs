@@ -1,11 +1,11 @@
 using ErrorMatching.Freeform;
 
-namespace ErrorMatching.Console;
+namespace ErrorMatching.Jobs;
 
 /// <summary>From a job and files of measured points to the compensation, for the verbs that need one.</summary>
-internal static class MeasuredCompensation
+public static class MeasuredCompensation
 {
-    /// <summary>The compensation, or why there is none: one of both is null.</summary>
+    /// <summary>The compensation, or why there is none.</summary>
     /// <param name="files">The job's files.</param>
     /// <param name="measured">Files of measured points: several are measurements of one piece.</param>
     /// <param name="cancellation">Looked at before the calculation.</param>
@@ -13,7 +13,7 @@ internal static class MeasuredCompensation
     /// <exception cref="FreeformException">A file cannot be used.</exception>
     /// <exception cref="Geometry.GeometryException">The points determine no fit.</exception>
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
-    public static (CompensationResult? Result, Failure? Failure) Of(FreeformFiles files, IReadOnlyList<string> measured, CancellationToken cancellation)
+    public static CompensationOutcome Of(FreeformFiles files, IReadOnlyList<string> measured, CancellationToken cancellation)
     {
         var surface = files.Surface();
         var plan = files.Plan(surface);
@@ -21,12 +21,11 @@ internal static class MeasuredCompensation
         // What was measured was touched somehow: only a plan without points stops here, not one that this stylus does not reach.
         if (plan.Points.Count == 0 || plan.FacesDown)
         {
-            return (null, FailureOf.Refused(files.Job.File, plan.Refusals));
+            return new(null, plan.Refusals);
         }
 
         var points = measured.Select(f => files.Measured("measured", f, plan)).ToArray();
         cancellation.ThrowIfCancellationRequested();
-        var outcome = Compensator.Compensate(new(files.Job, surface, plan, points));
-        return (outcome.Result, outcome.Result is null ? FailureOf.Refused(files.Job.File, outcome.Refusals) : null);
+        return Compensator.Compensate(new(files.Job, surface, plan, points));
     }
 }

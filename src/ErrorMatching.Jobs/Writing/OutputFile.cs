@@ -1,7 +1,7 @@
-namespace ErrorMatching.Console;
+namespace ErrorMatching.Jobs;
 
 /// <summary>Writes outputs that appear whole or not at all: beside their place, flushed to the disk, renamed.</summary>
-internal static class OutputFile
+public static class OutputFile
 {
     private static readonly StringComparison OfPaths = OperatingSystem.IsWindows() ? StringComparison.OrdinalIgnoreCase : StringComparison.Ordinal;
 

@@ -3,10 +3,10 @@ using ErrorMatching.Freeform;
 using ErrorMatching.Nc;
 using ErrorMatching.Reporting;
 
-namespace ErrorMatching.Console;
+namespace ErrorMatching.Jobs;
 
 /// <summary>Reads what a free-form job names and keeps the list of what was read, for none of it may be written to.</summary>
-internal sealed class FreeformFiles
+public sealed class FreeformFiles
 {
     private readonly List<string> _read;
     private readonly List<ReportInput> _inputs = [];

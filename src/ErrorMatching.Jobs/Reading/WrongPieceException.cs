@@ -1,9 +1,9 @@
 using ErrorMatching.Measurement;
 
-namespace ErrorMatching.Console;
+namespace ErrorMatching.Jobs;
 
 /// <summary>A measurement of the other piece.</summary>
-internal sealed class WrongPieceException(string file, SourceSide expected)
+public sealed class WrongPieceException(string file, SourceSide expected)
     : Exception($"{file}: {Sentence(expected)}")
 {
     /// <summary>The file as the user or the job named it.</summary>

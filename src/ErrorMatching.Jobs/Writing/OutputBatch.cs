@@ -1,4 +1,4 @@
-namespace ErrorMatching.Console;
+namespace ErrorMatching.Jobs;
 
 /// <summary>
 /// Files on their way to their places: written beside them first, then renamed one by one. Unless the batch is kept to the end, what was renamed is undone.

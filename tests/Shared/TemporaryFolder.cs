@@ -1,4 +1,4 @@
-namespace ErrorMatching.Console.Tests;
+namespace ErrorMatching.Testing;
 
 /// <summary>A folder of its own for each test, removed behind it.</summary>
 internal sealed class TemporaryFolder : IDisposable
