@@ -13,6 +13,7 @@ namespace ErrorMatching.Cell;
 internal sealed class KeyRing
 {
     private readonly IDataProtectionProvider _provider;
+    private readonly KeyFolder _files;
     private readonly string _folder;
 
     /// <summary>The keys of a folder, which is made with a first key if it is missing.</summary>
@@ -20,7 +21,7 @@ internal sealed class KeyRing
     public KeyRing(string folder)
     {
         _folder = folder;
-        var files = new KeyFiles(folder);
+        _files = new KeyFolder(folder);
         _provider = DataProtectionProvider.Create(new DirectoryInfo(folder), builder =>
         {
             builder.SetApplicationName("errormatch cell");
@@ -29,7 +30,7 @@ internal sealed class KeyRing
                 builder.ProtectKeysWithDpapi(protectToLocalMachine: true);
             }
 
-            builder.Services.Configure<KeyManagementOptions>(options => options.XmlRepository = files);
+            builder.Services.Configure<KeyManagementOptions>(options => options.XmlRepository = _files);
         });
     }
 
@@ -51,4 +52,10 @@ internal sealed class KeyRing
             throw new PeopleException(PeopleError.SecretUnreadable, $"{what} is not what the keys in {_folder} encrypted: the keys are those of another installation, or somebody changed them or the store. {e.Message}", e);
         }
     }
+
+    /// <summary>The bytes of another file in the folder.</summary>
+    public byte[] Read(string name) => _files.Read(name);
+
+    /// <summary>Writes another file in the folder, unless there is one of this name.</summary>
+    public void WriteNew(string name, byte[] bytes) => _files.Write(name, bytes, overwrite: false);
 }
