@@ -42,6 +42,9 @@ public sealed record Correction(
     /// <summary>The machine's slot.</summary>
     public string? Slot { get; init; }
 
+    /// <summary>Name of the program at the machine; null before it is recognized.</summary>
+    public string? Program { get; init; }
+
     /// <summary>The compensated program; null before it is computed.</summary>
     public string? ProgramSha256 { get; init; }
 
