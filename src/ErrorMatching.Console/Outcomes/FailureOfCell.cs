@@ -1,4 +1,5 @@
 using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 

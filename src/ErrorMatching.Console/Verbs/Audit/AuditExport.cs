@@ -27,7 +27,7 @@ internal sealed class AuditExport : CellVerb
             return new AuditExportAnswer(csv.ToString(), entries, null);
         }
 
-        OutputFile.WriteAll([(file, Encoding.UTF8.GetBytes(csv.ToString()))], [settings.File], () => true, cancellation);
+        OutputFile.Write(file, Encoding.UTF8.GetBytes(csv.ToString()), [settings.File], cancellation);
         return new AuditExportAnswer(csv.ToString(), entries, file);
     }
 }
