@@ -18,7 +18,8 @@ using var registration = PosixSignalRegistration.Create(PosixSignal.SIGINT, sign
 var output = new StreamWriter(Console.OpenStandardOutput(), new UTF8Encoding(false)) { NewLine = "\n" };
 var error = new StreamWriter(Console.OpenStandardError(), new UTF8Encoding(false)) { NewLine = "\n", AutoFlush = true };
 var hasColor = Terminal.WantsColor(Console.IsOutputRedirected, Environment.GetEnvironmentVariable("NO_COLOR"), Environment.GetEnvironmentVariable("TERM"));
-var exit = Application.Run(args, new Terminal(output, error, hasColor), cancellation.Token);
+var secrets = new SecretInput(new Lazy<TextReader>(() => new StreamReader(Console.OpenStandardInput(), new UTF8Encoding(false))), Console.IsInputRedirected ? null : () => Console.ReadKey(intercept: true), error);
+var exit = Application.Run(args, new Terminal(output, error, hasColor) { Secrets = secrets }, cancellation.Token);
 ended.Set();
 return exit;
 
