@@ -24,24 +24,25 @@ internal sealed class FinishedFiles(GaugeSettings gauge, TimeProvider clock)
         IsWaiting = false;
         foreach (var item in items.Where(i => IsOurs(i.Name)))
         {
-            if (PlainFile.Defect(item) is { } defect)
+            if (!item.Exists)
+            {
+                // It has gone meanwhile, or no text can name it.
+                if (item.Name.Contains('\uFFFD', StringComparison.Ordinal))
+                {
+                    left.Add(new(ShownName.Of(item.Name), "its name is not written in UTF-8, so it cannot be opened. Rename it."));
+                }
+            }
+            else if (PlainFile.Defect(item) is { } defect)
             {
                 left.Add(new(ShownName.Of(item.Name), $"{defect}, and only plain files are taken. Remove it, or put the file itself there."));
             }
-            else if (item is FileInfo { Exists: true } file)
+            else if (item is FileInfo file && IsFinished(file, names, seen))
             {
-                if (IsFinished(file, names, seen))
-                {
-                    finished.Add(file);
-                }
-                else
-                {
-                    IsWaiting = true;
-                }
+                finished.Add(file);
             }
-            else if (item.Name.Contains('\uFFFD', StringComparison.Ordinal))
+            else
             {
-                left.Add(new(ShownName.Of(item.Name), "its name is not written in UTF-8, so it cannot be opened. Rename it."));
+                IsWaiting = true;
             }
         }
 

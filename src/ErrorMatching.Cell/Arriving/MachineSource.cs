@@ -32,18 +32,20 @@ public sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, Ti
         var names = (await folder.ListAsync(cancellation).ConfigureAwait(false)).Order(StringComparer.Ordinal).ToArray();
         var taken = 0;
 
-        // What an earlier run renamed is finished.
-        foreach (var name in names.Where(n => n.EndsWith(Suffix, StringComparison.Ordinal) && FileNamePattern.Fits(gauge.Files, n[..^Suffix.Length])))
-        {
-            taken += await FinishAsync(name[..^Suffix.Length], archive, cancellation).ConfigureAwait(false);
-        }
-
+        // What an earlier run renamed is finished, and comes first: its name must be free for the next.
+        var renamed = names.Where(n => n.EndsWith(Suffix, StringComparison.Ordinal) && FileNamePattern.Fits(gauge.Files, n[..^Suffix.Length])).ToArray();
         var ours = names.Where(n => FileNamePattern.Fits(gauge.Files, n) && !n.EndsWith(Suffix, StringComparison.Ordinal)).ToArray();
-        foreach (var name in ours)
+        foreach (var name in renamed.Concat(ours))
         {
+            if (!ProgramNames.IsPlain(name + Suffix))
+            {
+                left.Add(new(ShownName.Of(name), "its name is too long or has characters that transfers do not carry. Rename it at the machine."));
+                continue;
+            }
+
             try
             {
-                taken += await TakeAsync(name, archive, cancellation).ConfigureAwait(false);
+                taken += await (name.EndsWith(Suffix, StringComparison.Ordinal) ? FinishAsync(name[..^Suffix.Length], archive, cancellation) : TakeAsync(name, archive, cancellation)).ConfigureAwait(false);
             }
             catch (TransportException e) when (e.Error == TransportError.TooLarge)
             {
@@ -99,20 +101,20 @@ public sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, Ti
 
         if (!gauge.KeepsFile)
         {
-            await folder.RenameAsync(name, name + Suffix, cancellation).ConfigureAwait(false);
-            taken += await FinishAsync(name, archive, cancellation, sha256).ConfigureAwait(false);
+            var renamed = await folder.RenameAsync(name, name + Suffix, gauge.MostBytes, cancellation).ConfigureAwait(false);
+            taken += await FinishAsync(name, renamed, sha256, archive, cancellation).ConfigureAwait(false);
         }
 
         return taken;
     }
 
     // What the control wrote between the reading and the renaming is archived too before it is deleted.
-    private async Task<int> FinishAsync(string name, Action<Arrival> archive, CancellationToken cancellation, string? archived = null)
+    private async Task<int> FinishAsync(string name, byte[]? renamed, string? archived, Action<Arrival> archive, CancellationToken cancellation)
     {
         var taken = 0;
-        if (await folder.ReadAsync(name + Suffix, gauge.MostBytes, cancellation).ConfigureAwait(false) is { Length: > 0 } bytes && Sha256(bytes) is var sha256 && sha256 != archived)
+        if (renamed is { Length: > 0 } && Sha256(renamed) is var sha256 && sha256 != archived)
         {
-            archive(Arrival(name, bytes, sha256));
+            archive(Arrival(name, renamed, sha256));
             taken = 1;
         }
 
@@ -120,6 +122,9 @@ public sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, Ti
         _seen.Remove(name);
         return taken;
     }
+
+    private async Task<int> FinishAsync(string name, Action<Arrival> archive, CancellationToken cancellation) =>
+        await FinishAsync(name, await folder.ReadAsync(name + Suffix, gauge.MostBytes, cancellation).ConfigureAwait(false), null, archive, cancellation).ConfigureAwait(false);
 
     private Arrival Arrival(string name, byte[] bytes, string sha256) => new(gauge.Name, ShownName.Of(name), ArrivalKey.Of(gauge.Name, name, sha256), bytes);
 
