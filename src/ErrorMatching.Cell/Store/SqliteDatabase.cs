@@ -70,6 +70,10 @@ internal sealed class SqliteDatabase : CellDatabase
     });
 
     /// <inheritdoc/>
+    public override bool HasTable(DbConnection connection, string name) =>
+        connection.QuerySingle<long>("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = @name", new { name }) == 1;
+
+    /// <inheritdoc/>
     public override void WaitForMigration(DbConnection connection, DbTransaction transaction)
     {
         // The transaction of a writer is the lock.
