@@ -176,6 +176,27 @@ public sealed partial class CellStore : IDisposable
     /// <exception cref="StoreException">With <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
     public void Backup(string file) => Database.Backup(file);
 
+    /// <summary>Brings a backup into the store's place. The backup stays as it is; what stood in its place is kept beside it.</summary>
+    /// <param name="settings">Where the store is, whether one is there or not.</param>
+    /// <param name="backup">The backup's file.</param>
+    /// <param name="clock">Says the time of the audit entry.</param>
+    /// <param name="by">The user's name.</param>
+    /// <param name="auditKey">The key that the store is opened with.</param>
+    /// <returns>The file that holds what stood in its place; null if nothing did.</returns>
+    /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> while a cell runs with the store; with <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
+    public static string? Restore(StoreSettings settings, string backup, TimeProvider clock, string by, byte[]? auditKey = null)
+    {
+        if (settings is not SqliteSettings sqlite)
+        {
+            throw new StoreException(StoreError.NotSupported, "A store on PostgreSQL is restored by its own tools: createdb, then pg_restore --exit-on-error --dbname=NAME FILE.");
+        }
+
+        var aside = SqliteRestore.Restore(sqlite.File, backup, opened => Migrations.Apply(opened, clock, auditKey));
+        using var store = Open(settings, clock, auditKey);
+        store.Audit(by, "restored", $"from the backup {Path.GetFileName(backup)}", aside is null ? null : $"what was there before is {Path.GetFileName(aside)}");
+        return aside;
+    }
+
     /// <summary>Opens the database of a store.</summary>
     /// <param name="settings">Where it is.</param>
     /// <param name="prepare">Looks whether it is whole and takes it to the form that is wanted.</param>
