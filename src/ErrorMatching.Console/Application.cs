@@ -29,7 +29,7 @@ internal static class Application
                 return exit;
             }
 
-            var code = OutcomeWriter.Write(OutcomeOf(parsed, cancellation), terminal, isJson);
+            var code = OutcomeWriter.Write(OutcomeOf(parsed, terminal, cancellation), terminal, isJson);
             terminal.Output.Flush();
             return (int)code;
         }
@@ -41,7 +41,7 @@ internal static class Application
         }
     }
 
-    private static Outcome OutcomeOf(ParseResult parsed, CancellationToken cancellation)
+    private static Outcome OutcomeOf(ParseResult parsed, Terminal terminal, CancellationToken cancellation)
     {
         if (parsed.Errors.Count > 0)
         {
@@ -50,7 +50,9 @@ internal static class Application
 
         try
         {
-            return ((Verb)parsed.CommandResult.Command).Run(parsed, cancellation);
+            var verb = (Verb)parsed.CommandResult.Command;
+            verb.Secrets = terminal.Secrets;
+            return verb.Run(parsed, cancellation);
         }
         catch (MeasurementException e)
         {

@@ -15,7 +15,17 @@ public sealed class FreeformFiles
     /// <param name="job">The job's file.</param>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="Json.JsonDocumentException">The job cannot be used.</exception>
-    public FreeformFiles(string job) => (Job, _read) = (InputFile.Freeform(job), [job]);
+    public FreeformFiles(string job)
+        : this(InputFile.Freeform(job))
+    {
+    }
+
+    /// <summary>The files of a job that is read already.</summary>
+    public FreeformFiles(FreeformJob job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        (Job, _read) = (job, [job.File]);
+    }
 
     /// <summary>The job.</summary>
     public FreeformJob Job { get; }

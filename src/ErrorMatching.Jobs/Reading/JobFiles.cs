@@ -14,7 +14,17 @@ public sealed class JobFiles
     /// <param name="job">The job's file.</param>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JobException">The job cannot be used.</exception>
-    public JobFiles(string job) => (Job, _read) = (InputFile.Job(job), [job]);
+    public JobFiles(string job)
+        : this(InputFile.Job(job))
+    {
+    }
+
+    /// <summary>The files of a job that is read already.</summary>
+    public JobFiles(MatingJob job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        (Job, _read) = (job, [job.File]);
+    }
 
     /// <summary>The job.</summary>
     public MatingJob Job { get; }
