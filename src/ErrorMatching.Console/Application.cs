@@ -74,6 +74,10 @@ internal static class Application
         {
             return FailureOf.Nc(e);
         }
+        catch (PointsException e)
+        {
+            return FailureOf.Points(e);
+        }
         catch (WrongPieceException e)
         {
             return FailureOf.WrongPiece(e);

@@ -107,6 +107,7 @@ internal sealed class CellJobReader(
                 problems.Refuse(name, "log-for-mating", $"the probing logs of \"{gauge.Name}\" for a mating job", "a gauge whose files are tables");
             }
 
+            CheckPatterns(item["recognize"], gauge);
             if (gauge.Machine is not null && gauge.Machine != settings.Machine)
             {
                 problems.Warn(name, "other-machine", $"a log of {gauge.Machine} for a program of {settings.Machine}", "a piece that stays on the machine that measured it, unless it is moved on purpose");
@@ -116,6 +117,20 @@ internal sealed class CellJobReader(
         if (item.Find("program") is { } program && job.Mating is not null)
         {
             problems.Refuse(program, "program-for-mating", "a program for a mating job", "no such key: a mating job names its program itself");
+        }
+    }
+
+    // What a gauge's files never have would never match.
+    private void CheckPatterns(JsonItem recognize, GaugeSettings gauge)
+    {
+        if (recognize.Find("column") is { } column && gauge.Format is null)
+        {
+            problems.Refuse(column, "column-of-log", $"a column of the probing logs of \"{gauge.Name}\"", "\"headerField\": a log has no columns");
+        }
+
+        if (recognize.Find("headerField") is { } field && gauge.Format is { SkipLines: 0 })
+        {
+            problems.Refuse(field, "no-header-fields", $"a header field of \"{gauge.Name}\", whose format has no lines above the table", "a format with \"skipLines\"");
         }
     }
 

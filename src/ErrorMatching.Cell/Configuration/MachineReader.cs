@@ -77,9 +77,9 @@ internal sealed class MachineReader(JsonItem list, CellPaths paths, CellProblems
 
     private void RefuseBadName(JsonItem item)
     {
-        if (ProgramName.Defect(item.Text) is { } defect)
+        if (!ProgramNames.Allows(item.Text))
         {
-            problems.Refuse(item, "bad-program-name", defect, "1 to 64 letters, digits, points, underlines and dashes that begin with a letter, a digit or an underline, and are no device of Windows");
+            problems.Refuse(item, "bad-program-name", $"the name \"{item.Text}\"", ProgramNames.Rule);
         }
     }
 }

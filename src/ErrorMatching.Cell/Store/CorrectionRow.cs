@@ -7,14 +7,14 @@ internal static class CorrectionRow
 {
     public const string Columns =
         "id, state, version, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, job, piece, serial, work_order, identity, "
-        + "job_sha256, base_sha256, machine, slot, program, program_sha256, report_sha256, page_sha256, largest_mm, sum_mm, previous_sha256, code, reason, trace";
+        + "job_sha256, base_sha256, machine, slot, program, program_sha256, report_sha256, page_sha256, largest_mm, sum_mm, previous_sha256, code, reason, trace, part_sha256, sums_sha256";
 
     public const string Select = "SELECT " + Columns + " FROM correction";
 
     public const string Update =
         "UPDATE correction SET state = @State, version = @Version, changed_at = @ChangedAt, job = @Job, piece = @Piece, serial = @Serial, work_order = @WorkOrder, identity = @Identity, "
         + "job_sha256 = @JobSha256, base_sha256 = @BaseSha256, machine = @Machine, slot = @Slot, program = @Program, program_sha256 = @ProgramSha256, report_sha256 = @ReportSha256, "
-        + "page_sha256 = @PageSha256, largest_mm = @LargestMm, sum_mm = @SumMm, previous_sha256 = @PreviousSha256, code = @Code, reason = @Reason, trace = @Trace "
+        + "page_sha256 = @PageSha256, largest_mm = @LargestMm, sum_mm = @SumMm, previous_sha256 = @PreviousSha256, code = @Code, reason = @Reason, trace = @Trace, part_sha256 = @PartSha256, sums_sha256 = @SumsSha256 "
         + "WHERE id = @Id AND version = @Version - 1 AND state = @From";
 
     public const string Insert =
@@ -49,6 +49,8 @@ internal static class CorrectionRow
         Code = row.TextOrNull(25),
         Reason = row.TextOrNull(26),
         Trace = row.TextOrNull(27),
+        PartSha256 = row.TextOrNull(28),
+        SumsSha256 = row.TextOrNull(29),
     };
 
     /// <summary>The correction as it comes back from the store: texts that a database refuses are made such that it does not.</summary>
@@ -94,6 +96,8 @@ internal static class CorrectionRow
         to.Code,
         to.Reason,
         to.Trace,
+        to.PartSha256,
+        to.SumsSha256,
     };
 
     public static CorrectionStep ReadStep(DbDataReader row) => new(

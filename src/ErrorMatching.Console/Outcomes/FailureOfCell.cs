@@ -12,6 +12,12 @@ internal static class FailureOfCell
     /// <summary>Something that the store could not do.</summary>
     public static Failure Store(StoreException e) => new(ExitOf(e.Error), new ErrorItem(CodeOf(e.Error), e.Message));
 
+    /// <summary>A decision that cannot be carried out: a wrong number is a wrong input, anything else stands in the way of a right one.</summary>
+    public static Failure Decision(DecisionException e) => new(e.Code == DecisionException.UnknownCorrection ? ExitCode.WrongInput : ExitCode.Refused, new ErrorItem(e.Code, e.Message));
+
+    /// <summary>A machine that did not take what it was to take.</summary>
+    public static Failure Machine(TransportException e) => new(ExitCode.Outside, new ErrorItem(CellCodes.Of(e.Error), e.Message));
+
     /// <summary>A password that did not come.</summary>
     public static Failure Secret(SecretInputException e) => new(ExitCode.WrongInput, new ErrorItem("no-password", e.Message));
 

@@ -15,7 +15,17 @@ public sealed class FreeformFiles
     /// <param name="job">The job's file.</param>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="Json.JsonDocumentException">The job cannot be used.</exception>
-    public FreeformFiles(string job) => (Job, _read) = (InputFile.Freeform(job), [job]);
+    public FreeformFiles(string job)
+        : this(InputFile.Freeform(job))
+    {
+    }
+
+    /// <summary>The files of a job that is read already.</summary>
+    public FreeformFiles(FreeformJob job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        (Job, _read) = (job, [job.File]);
+    }
 
     /// <summary>The job.</summary>
     public FreeformJob Job { get; }
@@ -47,17 +57,24 @@ public sealed class FreeformFiles
     /// <param name="plan">The plan that it was measured by.</param>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="FreeformException">It cannot be used.</exception>
-    public MeasuredPoints Measured(string role, string file, MeasuringPlan plan) =>
-        MeasuredSurfaceReader.Read(Bytes(role, file, MeasuredSurfaceReader.MaxBytes), file, plan, Job.Measuring);
+    public MeasuredPoints Measured(string role, GivenFile file, MeasuringPlan plan)
+    {
+        ArgumentNullException.ThrowIfNull(file);
+        return MeasuredSurfaceReader.Read((file.Bytes is { } given ? Note(role, file.File, given) : Bytes(role, file.File, MeasuredSurfaceReader.MaxBytes)).Span, file.File, plan, Job.Measuring);
+    }
 
     /// <summary>An existing program.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
-    public ReadOnlyMemory<byte> Program(string file)
+    public ReadOnlyMemory<byte> Program(GivenFile file)
     {
-        _read.Add(file);
-        var bytes = InputFile.Program(file);
-        _inputs.Add(new("program", file, Convert.ToHexStringLower(SHA256.HashData(bytes.Span))));
-        return bytes;
+        ArgumentNullException.ThrowIfNull(file);
+        if (file.Bytes is { } given)
+        {
+            return Note("program", file.File, given);
+        }
+
+        _read.Add(file.File);
+        return Note("program", file.File, InputFile.Program(file.File));
     }
 
     /// <summary>A dialect that the job names: a file of the shop is found from the job's folder.</summary>
@@ -86,7 +103,13 @@ public sealed class FreeformFiles
     {
         _read.Add(file);
         var bytes = InputFile.Bytes(file, mostBytes);
-        _inputs.Add(new(role, file, Convert.ToHexStringLower(SHA256.HashData(bytes))));
+        _ = Note(role, file, bytes);
+        return bytes;
+    }
+
+    private ReadOnlyMemory<byte> Note(string role, string file, ReadOnlyMemory<byte> bytes)
+    {
+        _inputs.Add(new(role, file, Convert.ToHexStringLower(SHA256.HashData(bytes.Span))));
         return bytes;
     }
 }

@@ -5,7 +5,7 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Reads what a job names and keeps the list of what was read, for none of it may be written to.</summary>
+/// <summary>Reads what a mating job names and keeps the list of what was read, for none of it may be written to.</summary>
 public sealed class JobFiles
 {
     private readonly List<string> _read;
@@ -14,7 +14,17 @@ public sealed class JobFiles
     /// <param name="job">The job's file.</param>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JobException">The job cannot be used.</exception>
-    public JobFiles(string job) => (Job, _read) = (InputFile.Job(job), [job]);
+    public JobFiles(string job)
+        : this(InputFile.Job(job))
+    {
+    }
+
+    /// <summary>The files of a job that is read already.</summary>
+    public JobFiles(MatingJob job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        (Job, _read) = (job, [job.File]);
+    }
 
     /// <summary>The job.</summary>
     public MatingJob Job { get; }
@@ -24,25 +34,30 @@ public sealed class JobFiles
 
     /// <summary>The key points as designed.</summary>
     /// <exception cref="MeasurementException">The file cannot be used.</exception>
-    public MeasurementFile Theoretical() => Measured(Job.PathOf(Job.Part.Theoretical), MeasurementFormat.Points);
+    public MeasurementFile Theoretical() => Measured(new(Job.PathOf(Job.Part.Theoretical)), MeasurementFormat.Points);
 
-    /// <summary>A measurement of the part: the one named on the command line, else the job's.</summary>
+    /// <summary>A measurement of the part: the given one, else the job's.</summary>
     /// <exception cref="MeasurementException">The file cannot be used.</exception>
     /// <exception cref="WrongPieceException">By the rules of the job it is of the counterpart.</exception>
-    public MeasurementFile Part(string? given) => Recognized(given ?? Job.PathOf(Job.Part.Measured), SourceSide.Part);
+    public MeasurementFile Part(GivenFile? given) => Recognized(given ?? new(Job.PathOf(Job.Part.Measured)), SourceSide.Part);
 
     /// <summary>A measurement of a counterpart.</summary>
     /// <exception cref="MeasurementException">The file cannot be used.</exception>
     /// <exception cref="WrongPieceException">By the rules of the job it is of the part.</exception>
-    public MeasurementFile Counterpart(string file) => Recognized(file, SourceSide.Counterpart);
+    public MeasurementFile Counterpart(GivenFile file) => Recognized(file, SourceSide.Counterpart);
 
-    /// <summary>The counterpart's program: the one named on the command line, else the job's.</summary>
+    /// <summary>The counterpart's program: the given one, else the job's.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
-    public (string File, ReadOnlyMemory<byte> Bytes) Program(string? given)
+    public (string File, ReadOnlyMemory<byte> Bytes) Program(GivenFile? given)
     {
-        var file = given ?? Job.PathOf(Job.Counterpart.Program);
-        _read.Add(file);
-        return (file, InputFile.Program(file));
+        var file = given ?? new(Job.PathOf(Job.Counterpart.Program));
+        if (file.Bytes is { } bytes)
+        {
+            return (file.File, bytes);
+        }
+
+        _read.Add(file.File);
+        return (file.File, InputFile.Program(file.File));
     }
 
     /// <summary>The dialect of the program where the job names a file of the shop, else null.</summary>
@@ -60,15 +75,20 @@ public sealed class JobFiles
         return dialect;
     }
 
-    private MeasurementFile Recognized(string file, SourceSide expected)
+    private MeasurementFile Recognized(GivenFile file, SourceSide expected)
     {
         var measurement = Measured(file, Job.Gauge.Format);
-        return Job.Recognition is null || Job.Recognition.Decide(measurement) == expected ? measurement : throw new WrongPieceException(file, expected);
+        return Job.Recognition is null || Job.Recognition.Decide(measurement) == expected ? measurement : throw new WrongPieceException(file.File, expected);
     }
 
-    private MeasurementFile Measured(string file, MeasurementFormat format)
+    private MeasurementFile Measured(GivenFile file, MeasurementFormat format)
     {
-        _read.Add(file);
-        return MeasurementReader.Read(file, format);
+        if (file.Bytes is { } bytes)
+        {
+            return MeasurementReader.Read(bytes, file.File, format);
+        }
+
+        _read.Add(file.File);
+        return MeasurementReader.Read(file.File, format);
     }
 }

@@ -29,7 +29,7 @@ internal sealed class CellFolder : IDisposable
             { "name": "housing", "job": "jobs/mating.json", "gauges": ["cmm"], "machine": "vmc1", "slot": "A", "order": "serial",
               "recognize": { "fileName": "^(?<workOrder>WO-[0-9]+)_(?<serial>[A-Z0-9]+)\\.csv$" } },
             { "name": "feedback", "job": "jobs/feedback.json", "gauges": ["cmm"], "machine": "vmc1", "slot": "B", "accumulates": true,
-              "recognize": { "fileName": "^fb_", "headerField": { "name": "Part", "pattern": "^(?<serial>[0-9]+)$" } }, "policy": { "sumLimitMm": 0.6 } },
+              "recognize": { "fileName": "^fb_", "column": { "name": "serial", "pattern": "^(?<serial>[0-9]+)$" } }, "policy": { "sumLimitMm": 0.6 } },
             { "name": "cover", "job": "jobs/ruled.json", "gauges": ["cmm"], "machine": "vmc3", "slot": "A",
               "recognize": { "fileName": "^cover", "column": { "name": "serial", "pattern": "^(?<serial>C[0-9]+)$" } } },
             { "name": "blade", "job": "jobs/freeform.json", "gauges": ["probe"], "machine": "vmc2", "slot": "A", "program": "jobs/cam.nc",

@@ -78,9 +78,11 @@ public sealed class CellSettingsTests : IDisposable
     [Fact]
     public void What_is_unwise_is_warned_of_at_its_place()
     {
-        var text = CellFolder.With("\"gauges\": [\"probe\"]", "\"gauges\": [\"cmm\"]").Replace("\"slot\": \"B\"", "\"slot\": \"A\"", StringComparison.Ordinal);
+        var text = CellFolder.With("\"gauges\": [\"probe\"]", "\"gauges\": [\"cmm\"]")
+            .Replace("{ \"headerField\": { \"name\": \"PLAN\", \"pattern\": \"^[0-9A-F]{16}$\" } }", "{ \"fileName\": \"^blade\" }", StringComparison.Ordinal)
+            .Replace("\"slot\": \"B\"", "\"slot\": \"A\"", StringComparison.Ordinal);
         Assert.Equal(
-            ["7:15 unused-gauge $.gauges[1].name", "11:91 unused-slot $.machines[0].slots[1].name", "12:136 plain-ftp $.machines[1].transport.tls"],
+            ["7:15 unused-gauge $.gauges[1].name", "11:91 unused-slot $.machines[0].slots[1].name", "12:134 plain-ftp $.machines[1].transport.tls"],
             _cell.Read(text).Warnings.Select(w => $"{w.Line}:{w.Column} {w.Code} {w.Path}"));
     }
 

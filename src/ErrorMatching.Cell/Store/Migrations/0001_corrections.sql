@@ -23,6 +23,7 @@ CREATE TABLE correction (
     identity TEXT UNIQUE,
     job_sha256 TEXT REFERENCES content (sha256),
     base_sha256 TEXT REFERENCES content (sha256),
+    part_sha256 TEXT REFERENCES content (sha256),
     machine TEXT,
     slot TEXT,
     program TEXT,
@@ -31,6 +32,7 @@ CREATE TABLE correction (
     page_sha256 TEXT REFERENCES content (sha256),
     largest_mm DOUBLE PRECISION,
     sum_mm DOUBLE PRECISION,
+    sums_sha256 TEXT REFERENCES content (sha256),
     previous_sha256 TEXT REFERENCES content (sha256),
     code TEXT,
     reason TEXT,
@@ -38,6 +40,8 @@ CREATE TABLE correction (
 );
 
 CREATE INDEX correction_state ON correction (state, id);
+CREATE INDEX correction_measurement ON correction (measurement_sha256);
+CREATE INDEX correction_slot ON correction (machine, slot, state, id);
 CREATE INDEX correction_serial ON correction (serial);
 CREATE INDEX correction_work_order ON correction (work_order);
 CREATE INDEX correction_arrived_at ON correction (arrived_at);

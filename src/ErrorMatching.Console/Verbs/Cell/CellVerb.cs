@@ -27,6 +27,14 @@ internal abstract class CellVerb : Verb
         {
             return FailureOfCell.Store(e);
         }
+        catch (DecisionException e)
+        {
+            return FailureOfCell.Decision(e);
+        }
+        catch (TransportException e)
+        {
+            return FailureOfCell.Machine(e);
+        }
         catch (SecretInputException e)
         {
             return FailureOfCell.Secret(e);
