@@ -1,5 +1,6 @@
 using System.CommandLine;
 using ErrorMatching.Freeform;
+using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
@@ -28,7 +29,7 @@ internal static class Application
                 return exit;
             }
 
-            var code = OutcomeWriter.Write(OutcomeOf(parsed, cancellation), terminal, isJson);
+            var code = OutcomeWriter.Write(OutcomeOf(parsed, terminal, cancellation), terminal, isJson);
             terminal.Output.Flush();
             return (int)code;
         }
@@ -40,7 +41,7 @@ internal static class Application
         }
     }
 
-    private static Outcome OutcomeOf(ParseResult parsed, CancellationToken cancellation)
+    private static Outcome OutcomeOf(ParseResult parsed, Terminal terminal, CancellationToken cancellation)
     {
         if (parsed.Errors.Count > 0)
         {
@@ -49,7 +50,9 @@ internal static class Application
 
         try
         {
-            return ((Verb)parsed.CommandResult.Command).Run(parsed, cancellation);
+            var verb = (Verb)parsed.CommandResult.Command;
+            verb.Secrets = terminal.Secrets;
+            return verb.Run(parsed, cancellation);
         }
         catch (MeasurementException e)
         {
@@ -70,6 +73,10 @@ internal static class Application
         catch (NcException e)
         {
             return FailureOf.Nc(e);
+        }
+        catch (PointsException e)
+        {
+            return FailureOf.Points(e);
         }
         catch (WrongPieceException e)
         {

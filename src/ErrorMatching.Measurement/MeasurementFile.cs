@@ -49,8 +49,9 @@ public sealed class MeasurementFile
         }
     }
 
-    /// <summary>The texts of a column in the order of the file, or null if it has no column of that name.</summary>
-    internal IReadOnlyList<string>? ColumnTexts(string name) => _table.TextsOf(name);
+    /// <summary>The texts of a column in the order of the file, whatever they mean, or null if it has no column of that name.</summary>
+    /// <param name="name">Name of the column, compared without regard to case.</param>
+    public IReadOnlyList<string>? ColumnTexts(string name) => _table.TextsOf(name);
 
     private MeasurementException Missing(string label)
     {

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Reflection;
+using ErrorMatching.Jobs;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Console.Tests;

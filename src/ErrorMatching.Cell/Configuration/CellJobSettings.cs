@@ -15,6 +15,12 @@ public sealed record CellJobSettings
     /// <summary>How its files are told from others, and what they say about the piece.</summary>
     public required RecognitionSettings Recognize { get; init; }
 
+    /// <summary>True for a free-form job, false for a mating.</summary>
+    public bool IsFreeform { get; init; }
+
+    /// <summary>What its files measure: <c>part</c>, <c>counterpart</c> or <c>surface</c>; null if the rules in the job's file decide for each file.</summary>
+    public string? Piece { get; init; }
+
     /// <summary>The machine.</summary>
     public required string Machine { get; init; }
 
@@ -30,6 +36,6 @@ public sealed record CellJobSettings
     /// <summary>An existing finishing program that is displaced, for free-form jobs whose tool path comes from a CAM; else null.</summary>
     public string? Program { get; init; }
 
-    /// <summary>What holds for this job instead of the cell's policy; null if nothing does.</summary>
+    /// <summary>What holds for this job instead of the cell's policy, with the cell's in what the job leaves out; null if nothing does.</summary>
     public PolicySettings? Policy { get; init; }
 }

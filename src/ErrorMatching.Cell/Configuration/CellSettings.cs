@@ -1,3 +1,5 @@
+using ErrorMatching.Json;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>The configuration of a cell, checked as a whole. Every key of the file is described by its schema. Paths are absolute here.</summary>
@@ -33,4 +35,7 @@ public sealed record CellSettings
 
     /// <summary>Who approves what.</summary>
     public required PolicySettings Policy { get; init; }
+
+    /// <summary>What is allowed but unwise, in the order of the file: plain FTP, a gauge that no job listens to.</summary>
+    public IReadOnlyList<JsonProblem> Warnings { get; init; } = [];
 }

@@ -1,4 +1,4 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>How a file is known to be finished: a <see cref="FinishedByRename"/>, <see cref="FinishedByMarker"/> or <see cref="FinishedAtRest"/>.</summary>
+/// <summary>How a file is known to be finished: a <see cref="FinishedByRename"/>, <see cref="FinishedByMarker"/>, <see cref="FinishedAtRest"/> or <see cref="FinishedByEndMark"/>.</summary>
 public abstract record FinishedRule;

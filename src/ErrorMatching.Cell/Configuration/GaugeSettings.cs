@@ -1,3 +1,5 @@
+using ErrorMatching.Measurement;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Where measurements come from: a folder that files arrive in, or a file at a machine that is fetched.</summary>
@@ -18,12 +20,15 @@ public sealed record GaugeSettings
     /// <summary>How a finished file is recognized.</summary>
     public required FinishedRule Finished { get; init; }
 
-    /// <summary>The file's form where recognition looks into it: a format's name or the shop's file of one. The jobs read it by their own.</summary>
-    public required string Format { get; init; }
+    /// <summary>The files' form where recognition looks into them; null for the log of a probing program. The jobs read them by their own.</summary>
+    public required MeasurementFormat? Format { get; init; }
 
     /// <summary>Larger files are refused unread.</summary>
     public required long MostBytes { get; init; }
 
     /// <summary>How often the source is looked at.</summary>
     public required TimeSpan Every { get; init; }
+
+    /// <summary>True if a machine's log stays at the machine, false if it is deleted once it is archived. Without meaning for a folder, whose files are always taken.</summary>
+    public bool KeepsFile { get; init; } = true;
 }

@@ -42,6 +42,12 @@ public sealed record Correction(
     /// <summary>The machine's slot.</summary>
     public string? Slot { get; init; }
 
+    /// <summary>Name of the program at the machine; null before it is recognized.</summary>
+    public string? Program { get; init; }
+
+    /// <summary>The part's measurement that a counterpart is compared with; null where the job is no feedback.</summary>
+    public string? PartSha256 { get; init; }
+
     /// <summary>The compensated program; null before it is computed.</summary>
     public string? ProgramSha256 { get; init; }
 
@@ -56,6 +62,9 @@ public sealed record Correction(
 
     /// <summary>The largest sum of displacements since the original program in mm, where the job accumulates; else that of this step.</summary>
     public double? SumMm { get; init; }
+
+    /// <summary>The sums of corrections since the original program, point by point, where the job accumulates; else null.</summary>
+    public string? SumsSha256 { get; init; }
 
     /// <summary>What the slot held before the program was sent; null if it held nothing or nothing was sent yet.</summary>
     public string? PreviousSha256 { get; init; }

@@ -1,3 +1,5 @@
+using ErrorMatching.Jobs;
+
 namespace ErrorMatching.Console;
 
 /// <summary>Why there is no result.</summary>

@@ -1,6 +1,6 @@
-using System.Globalization;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
+using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
@@ -12,33 +12,20 @@ namespace ErrorMatching.Console;
 internal static class FailureOf
 {
     /// <summary>A measurement that cannot be used.</summary>
-    public static Failure Measurement(MeasurementException e) => new(ExitCode.WrongInput, new ErrorItem(e.Code, e.Message)
-    {
-        File = e.File,
-        Line = e.Line,
-        Column = e.Column,
-        Path = e.Path,
-        Problem = e.Problem,
-    });
+    public static Failure Measurement(MeasurementException e) => new(ExitCode.WrongInput, ErrorItems.Of(e));
 
     /// <summary>A job that cannot be used: everything that is wrong in it.</summary>
-    public static Failure Job(JobException e) => Document(e.File, e.Problems);
+    public static Failure Job(JobException e) => new(ExitCode.WrongInput, ErrorItems.Of(e));
 
     /// <summary>A JSON document other than a job that cannot be used: everything that is wrong in it.</summary>
-    public static Failure Json(JsonDocumentException e) => Document(e.File, e.Problems);
+    public static Failure Json(JsonDocumentException e) => new(ExitCode.WrongInput, ErrorItems.Of(e));
 
     /// <summary>A surface, template or measurement of a free-form job that cannot be used.</summary>
-    public static Failure Freeform(FreeformException e) => new(ExitCode.WrongInput, new ErrorItem(e.Code, e.Message)
-    {
-        File = e.File,
-        Line = e.Line,
-        Column = e.Column,
-        Problem = e.Problem,
-    });
+    public static Failure Freeform(FreeformException e) => new(ExitCode.WrongInput, ErrorItems.Of(e));
 
     /// <summary>A free-form job whose result must not be used.</summary>
     public static Failure Refused(string job, IReadOnlyList<FreeformRefusal> refusals) =>
-        new(ExitCode.Refused, [.. refusals.Select(r => new ErrorItem(r.Code, r.Message) { File = job, Problem = r.Message })]);
+        new(ExitCode.Refused, ErrorItems.Of(refusals, job));
 
     /// <summary>A wish that was written for another program.</summary>
     public static Failure OtherProgram(string wish, string before, string expected) => new(ExitCode.WrongInput, new ErrorItem(
@@ -57,19 +44,13 @@ internal static class FailureOf
     });
 
     /// <summary>Points of a file without a usable answer.</summary>
-    public static Failure Geometry(GeometryException e, string file) => new(ExitCode.WrongInput, new ErrorItem(CodeOf(e.Error), $"{file}: {e.Message}") { File = file, Problem = e.Message });
+    public static Failure Geometry(GeometryException e, string file) => new(ExitCode.WrongInput, ErrorItems.Of(e, file));
 
     /// <summary>A program, selector or dialect that cannot be read at all.</summary>
-    public static Failure Nc(NcException e) => new(ExitCode.WrongInput, new ErrorItem(CodeOf(e.Code), e.Message));
+    public static Failure Nc(NcException e) => new(ExitCode.WrongInput, ErrorItems.Of(e));
 
     /// <summary>A program or wish that can be read but must not be used.</summary>
-    public static Failure Refused(string file, params IReadOnlyList<NcRefusal> refusals) => new(ExitCode.Refused, [.. refusals.Select(r => new ErrorItem(r.Code, $"{file}: {r.Message}")
-    {
-        File = file,
-        Line = r.Line > 0 ? r.Line : null,
-        Block = r.Block.Length > 0 ? r.Block : null,
-        Problem = r.Message,
-    })]);
+    public static Failure Refused(string file, params IReadOnlyList<NcRefusal> refusals) => new(ExitCode.Refused, ErrorItems.Of(refusals, file));
 
     /// <summary>A result that is not what was asked. Blocks and lines are those of the original.</summary>
     public static Failure NotProved(string before, string after, NcProof proof) => new(ExitCode.Refused, [.. proof.Failures.Distinct().Select(r => new ErrorItem(r.Code, $"{after}: {r.Message}")
@@ -84,60 +65,21 @@ internal static class FailureOf
     /// <param name="job">The job, where no block is to blame.</param>
     /// <param name="program">The program, where one is.</param>
     /// <param name="refusals">The reasons.</param>
-    public static Failure Refused(string job, string program, IReadOnlyList<MatingRefusal> refusals) => new(ExitCode.Refused, [.. refusals.Select(r => new ErrorItem(r.Code, r.Message)
-    {
-        File = r.Line > 0 || r.Block is not null ? program : job,
-        Line = r.Line > 0 ? r.Line : null,
-        Block = r.Block,
-        Problem = r.Message,
-    })]);
+    public static Failure Refused(string job, string program, IReadOnlyList<MatingRefusal> refusals) => new(ExitCode.Refused, ErrorItems.Of(refusals, job, program));
 
     /// <summary>A measurement of the other piece.</summary>
-    public static Failure WrongPiece(WrongPieceException e) => new(ExitCode.WrongInput, new ErrorItem("wrong-piece", e.Message) { File = e.File, Problem = e.Problem });
+    public static Failure WrongPiece(WrongPieceException e) => new(ExitCode.WrongInput, ErrorItems.Of(e));
 
     /// <summary>An input that cannot be opened.</summary>
-    public static Failure Input(InputException e) => new(ExitCode.WrongInput, new ErrorItem(MeasurementError.FileUnreadable, e.Message) { File = e.File });
+    public static Failure Input(InputException e) => new(ExitCode.WrongInput, ErrorItems.Of(e));
 
     /// <summary>An output that cannot be written, or must not be.</summary>
     public static Failure Output(OutputException e) =>
-        new(e.Code == OutputException.Unwritable ? ExitCode.Outside : ExitCode.WrongInput, new ErrorItem(e.Code, e.Message) { File = e.File });
+        new(e.Code == OutputException.Unwritable ? ExitCode.Outside : ExitCode.WrongInput, ErrorItems.Of(e));
+
+    /// <summary>Measured points that determine no answer.</summary>
+    public static Failure Points(PointsException e) => new(ExitCode.WrongInput, ErrorItems.Of(e));
 
     /// <summary>A defect of the program, which its user can only report.</summary>
     public static Failure Defect(Exception e) => new(ExitCode.Outside, new ErrorItem("internal-error", $"This is a defect of errormatch: please report it with the input that shows it. {e}"));
-
-    private static Failure Document(string file, IReadOnlyList<JsonProblem> problems) => new(ExitCode.WrongInput, [.. problems.Select(p => new ErrorItem(p.Code, string.Create(CultureInfo.InvariantCulture, $"{file}, line {p.Line}, column {p.Column}, {p.Path}: {Sentence(p.Message)}"))
-    {
-        File = file,
-        Line = p.Line,
-        Column = p.Column,
-        Path = p.Path,
-        Problem = Sentence(p.Message),
-    })]);
-
-    private static string Sentence(string problem) => problem.TrimEnd('.') + ".";
-
-    private static string CodeOf(GeometryError error) => error switch
-    {
-        GeometryError.TooFewPoints => "too-few-points",
-        GeometryError.CoincidentPoints => "coincident-points",
-        GeometryError.CollinearPoints => "collinear-points",
-        GeometryError.NearParallel => "near-parallel",
-        GeometryError.RankDeficient => "rank-deficient",
-        GeometryError.NotConverged => "not-converged",
-        GeometryError.NotFinite => "not-finite",
-        GeometryError.FoldedCurve => "folded-curve",
-        GeometryError.BadKnots => "bad-knots",
-        GeometryError.BadPoles => "bad-poles",
-        GeometryError.OpenMesh => "open-mesh",
-        _ => throw new ArgumentOutOfRangeException(nameof(error), error, "A geometric error without a code."),
-    };
-
-    private static string CodeOf(NcErrorCode code) => code switch
-    {
-        NcErrorCode.NumberTooLong => "number-too-long",
-        NcErrorCode.BadSelector => "bad-selector",
-        NcErrorCode.UnknownDialect => "unknown-dialect",
-        NcErrorCode.ProgramTooLarge => "program-too-large",
-        _ => throw new ArgumentOutOfRangeException(nameof(code), code, "An error of a program without a code."),
-    };
 }

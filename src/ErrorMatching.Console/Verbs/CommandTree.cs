@@ -26,6 +26,12 @@ internal static class CommandTree
             new Command("job", "Writes and checks jobs.") { new JobCheck(), new JobNew(), new JobSchema() },
             new Command("nc", "Looks at NC programs, displaces blocks, compares and proves programs.") { new NcCheck(), new NcMotionVerb(), new NcLocate(), new NcDisplace(), new NcDiff(), new NcProve(), new NcDialectsVerb() },
             new SurfaceVerb(),
+            new Command("cell", "Runs beside gauges and machines.") 
+            {
+                new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellSecret(),
+            },
+            new Command("user", "Says who may do what at a cell.") { new UserAdd(), new UserList(), new UserDisable(), new UserEnable(), new UserRole(), new UserPassword() },
+            new Command("audit", "Proves and hands out what was done at a cell, and by whom.") { new AuditVerify(), new AuditExport() },
             new Command("fit", "Fits curves to measured points.") { new FitLine(), new FitPolynomial(), new FitCircle() },
         };
         root.Directives.Clear();

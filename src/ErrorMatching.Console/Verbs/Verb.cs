@@ -15,6 +15,9 @@ internal abstract class Verb : Command
     /// <summary>A whole command line that works in the root of the checkout.</summary>
     public string Example { get; }
 
+    /// <summary>Where passwords come from, for verbs that people sign.</summary>
+    public SecretInput? Secrets { get; set; }
+
     /// <summary>Does the work.</summary>
     /// <param name="arguments">What the user typed, parsed without errors.</param>
     /// <param name="cancellation">Set by Ctrl+C.</param>

@@ -8,5 +8,5 @@ namespace ErrorMatching.Freeform;
 /// <param name="Result">The compensation.</param>
 /// <param name="ToolPath">The path that cuts its surface.</param>
 /// <param name="Program">The finishing program's file as it was written, and its SHA-256.</param>
-/// <param name="CalculatingS">How long it took, in seconds; the core has no clock.</param>
-public sealed record CompensationReport(ReportJob Job, IReadOnlyList<ReportInput> Inputs, CompensationResult Result, ToolPath ToolPath, ReportInput Program, double CalculatingS);
+/// <param name="CalculatingS">How long it took, in seconds, for the core has no clock; null if nobody timed it.</param>
+public sealed record CompensationReport(ReportJob Job, IReadOnlyList<ReportInput> Inputs, CompensationResult Result, ToolPath ToolPath, ReportInput Program, double? CalculatingS);

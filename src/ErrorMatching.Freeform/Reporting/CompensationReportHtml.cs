@@ -40,7 +40,7 @@ public static class CompensationReportHtml
             ("Errors", "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
             ("Alignment", result.Alignment is { } a ? string.Create(CultureInfo.InvariantCulture, $"Best fit: moved by X{a.TranslateMm.X:0.0000} Y{a.TranslateMm.Y:0.0000} Z{a.TranslateMm.Z:0.0000} mm, turned by {a.RotateDegrees.Length:0.00000}°.") : "None: points are compared where they were measured."),
             ("Compensation", string.Create(CultureInfo.InvariantCulture, $"{(result.Input.Job.Compensation.Mirror ? "Each place is moved by its own error to the other side" : "The whole surface is moved by the mean error, as by a modified tool radius")}, gain {result.Input.Job.Compensation.Gain:0.###}, at most {result.Input.Job.Compensation.LimitMm:0.###} mm.")),
-            ("Calculated in", string.Create(CultureInfo.InvariantCulture, $"{report.CalculatingS:0.00} s (the paper's CAD system: about 30 s).")));
+            ("Calculated in", report.CalculatingS is { } s ? string.Create(CultureInfo.InvariantCulture, $"{s:0.00} s (the paper's CAD system: about 30 s).") : "Not timed."));
     }
 
     private static void WritePredictions(HtmlText html, CompensationResult result)

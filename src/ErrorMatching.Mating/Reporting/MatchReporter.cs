@@ -12,9 +12,9 @@ public static class MatchReporter
     /// <summary>Makes the report.</summary>
     /// <param name="result">The match.</param>
     /// <param name="programFile">Where the program to cut is, or will be, written.</param>
-    /// <param name="calculatingS">How long the calculation took; the core has no clock.</param>
+    /// <param name="calculatingS">How long the calculation took, for the core has no clock; null if nobody timed it.</param>
     /// <exception cref="GeometryException">The points of a feature do not determine it; the message names it.</exception>
-    public static MatchReport Report(MatchResult result, string programFile, double calculatingS)
+    public static MatchReport Report(MatchResult result, string programFile, double? calculatingS)
     {
         ArgumentNullException.ThrowIfNull(result);
         var (job, input) = (result.Input.Job, result.Input);

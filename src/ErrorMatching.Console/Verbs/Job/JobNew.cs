@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Text;
 using ErrorMatching.Freeform;
+using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 
 namespace ErrorMatching.Console;

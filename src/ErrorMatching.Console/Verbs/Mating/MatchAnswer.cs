@@ -1,56 +1,57 @@
 using System.Globalization;
+using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 
 namespace ErrorMatching.Console;
 
 /// <summary>A match: its report, and the files that it was written to.</summary>
-/// <param name="report">The report.</param>
+/// <param name="matched">The program with its report.</param>
 /// <param name="folder">The folder that the files are in; null if nothing was written.</param>
-internal sealed class MatchAnswer(MatchReport report, string? folder) : Answer
+internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answer
 {
     private const int BlocksShown = 8;
 
-    private readonly byte[] _json = MatchReportJson.Write(report);
+    private readonly MatchReport _report = matched.Report;
+    private readonly byte[] _json = matched.ReportJson();
 
     /// <inheritdoc/>
     public override byte[] ToJson() => _json;
 
     /// <summary>What belongs into the folder. The program comes last: where it stands, its report stands too.</summary>
-    /// <param name="program">The bytes of the program.</param>
-    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program) =>
-        [(In("report.json"), _json), (In("report.html"), MatchReportHtml.Write(report)), (report.Program.File, program)];
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
+        [(In("report.json"), _json), (In("report.html"), matched.ReportHtml()), (_report.Program.File, matched.Program)];
 
     /// <inheritdoc/>
     public override void WriteText(Page page)
     {
-        page.Heading($"{report.Job.Name}: {Summary}");
+        page.Heading($"{_report.Job.Name}: {Summary}");
         page.Line();
         page.Table(
             ["feature", "kind", "largest", "lower", "upper", "uncertainty", "decision"],
-            report.Features.Select(f => (IReadOnlyList<string>)
+            _report.Features.Select(f => (IReadOnlyList<string>)
             [
                 f.Name, ReportWords.Of(f.Kind), Show.Signed(f.LargestMm), Show.Signed(f.Tolerance.Band.LowerMm), Show.Signed(f.Tolerance.Band.UpperMm), Show.Mm(f.UncertaintyMm), ReportWords.Of(f.Decision),
             ]));
         page.Line();
         page.Table(
             ["point", "feature", "deviation", "correction x", "correction y", "left over"],
-            report.KeyPoints.Select(p => (IReadOnlyList<string>)
+            _report.KeyPoints.Select(p => (IReadOnlyList<string>)
                 [p.Point, p.Feature, Show.Signed(p.DecidedMm), Show.Signed(p.Correction.X), Show.Signed(p.Correction.Y), Show.Signed(p.PredictedMm)]));
         page.Line("Deviations in mm along the normal from the counterpart's material to its tool; corrections are added in the program's frame.");
         page.Line();
         WriteBlocks(page);
         WriteProof(page);
-        foreach (var warning in report.Warnings)
+        foreach (var warning in _report.Warnings)
         {
             page.Line("Warning: " + warning);
         }
 
-        foreach (var note in report.Notes)
+        foreach (var note in _report.Notes)
         {
             page.Line("Note: " + note);
         }
 
-        if (report.RadiusWearMm is { } wear)
+        if (_report.RadiusWearMm is { } wear)
         {
             page.Line($"A tool-radius wear value of {Show.Signed(wear)} mm would do the same.");
         }
@@ -59,21 +60,21 @@ internal sealed class MatchAnswer(MatchReport report, string? folder) : Answer
         WriteNext(page);
     }
 
-    private string Summary => report.Program.ChangedBlocks == 0
+    private string Summary => _report.Program.ChangedBlocks == 0
         ? "nothing to compensate, the program stays as it is"
-        : string.Create(CultureInfo.InvariantCulture, $"{report.Program.ChangedWords} words in {report.Program.ChangedBlocks} blocks follow the measured {ReportWords.Of(report.Compensation.From)}");
+        : string.Create(CultureInfo.InvariantCulture, $"{_report.Program.ChangedWords} words in {_report.Program.ChangedBlocks} blocks follow the measured {ReportWords.Of(_report.Compensation.From)}");
 
     private void WriteBlocks(Page page)
     {
-        if (report.Program.Blocks.Count == 0)
+        if (_report.Program.Blocks.Count == 0)
         {
             return;
         }
 
-        page.Table(["line", "before", "after"], report.Program.Blocks.Take(BlocksShown).Select(b => (IReadOnlyList<string>)[b.Line.ToString(CultureInfo.InvariantCulture), b.Original, b.Modified]));
-        if (report.Program.Blocks.Count > BlocksShown)
+        page.Table(["line", "before", "after"], _report.Program.Blocks.Take(BlocksShown).Select(b => (IReadOnlyList<string>)[b.Line.ToString(CultureInfo.InvariantCulture), b.Original, b.Modified]));
+        if (_report.Program.Blocks.Count > BlocksShown)
         {
-            page.Line(string.Create(CultureInfo.InvariantCulture, $"... and {report.Program.Blocks.Count - BlocksShown} more blocks, all of them in the report."));
+            page.Line(string.Create(CultureInfo.InvariantCulture, $"... and {_report.Program.Blocks.Count - BlocksShown} more blocks, all of them in the report."));
         }
 
         page.Line();
@@ -81,7 +82,7 @@ internal sealed class MatchAnswer(MatchReport report, string? folder) : Answer
 
     private void WriteProof(Page page)
     {
-        var proof = report.Proof;
+        var proof = _report.Proof;
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
             $"Proof holds: of {proof.Motions} motions {proof.MovedMotions} moved, none further than {Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."));
@@ -99,10 +100,10 @@ internal sealed class MatchAnswer(MatchReport report, string? folder) : Answer
             return;
         }
 
-        page.Line($"Wrote {report.Program.File}, {In("report.html")} and {In("report.json")}.");
+        page.Line($"Wrote {_report.Program.File}, {In("report.html")} and {In("report.json")}.");
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Next: open {In("report.html")} in a browser, cut the counterpart with {report.Program.File}, measure it, and compare by errormatch verify. Measuring takes about {report.Time.MeasuringS} s, this calculation took {report.Time.CalculatingS:0.000} s."));
+            $"Next: open {In("report.html")} in a browser, cut the counterpart with {_report.Program.File}, measure it, and compare by errormatch verify. Measuring takes about {_report.Time.MeasuringS} s, this calculation took {_report.Time.CalculatingS:0.000} s."));
     }
 
     private string In(string name) => Path.Combine(folder ?? "", name);

@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.Diagnostics;
-using ErrorMatching.Geometry;
-using ErrorMatching.Mating;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
@@ -32,34 +31,25 @@ internal sealed class MatchVerb : Verb
     {
         var clock = Stopwatch.StartNew();
         var files = new JobFiles(arguments.GetRequiredValue(_job));
-        var (theoretical, part) = (files.Theoretical(), files.Part(arguments.GetValue(_part)));
-        var counterpart = CounterpartOf(files.Job, arguments.GetValue(_counterpart)) is { } measured ? files.Counterpart(measured) : null;
-        var (program, bytes) = files.Program(arguments.GetValue(_program));
-        var dialect = files.OwnDialect();
-        cancellation.ThrowIfCancellationRequested();
-        try
-        {
-            var outcome = Matcher.Match(new(files.Job, theoretical, part, counterpart, program, bytes) { OwnDialect = dialect });
-            if (outcome.Result is not { } result)
+        var folder = arguments.GetValue(_out);
+        var outcome = MatingRun.Of(
+            files,
+            new()
             {
-                return FailureOf.Refused(files.Job.File, program, outcome.Refusals);
-            }
-
-            var folder = arguments.GetValue(_out);
-            var name = Path.GetFileName(program);
-            var report = MatchReporter.Report(result, folder is null ? name : Path.Combine(folder, name), clock.Elapsed.TotalSeconds);
-            var answer = new MatchAnswer(report, folder);
-            _wish.WriteWith(folder is null ? [] : answer.Files(result.Program), result.WishFile, arguments, files.Read, cancellation);
-
-            return answer;
-        }
-        catch (GeometryException e)
+                Part = GivenFile.At(arguments.GetValue(_part)),
+                Counterpart = GivenFile.At(arguments.GetValue(_counterpart)),
+                Program = GivenFile.At(arguments.GetValue(_program)),
+                Folder = folder,
+                ElapsedS = () => clock.Elapsed.TotalSeconds,
+            },
+            cancellation);
+        if (outcome.Result is not { } matched)
         {
-            return FailureOf.Geometry(e, part.File);
+            return new Failure(ExitCode.Refused, outcome.Refusals);
         }
-    }
 
-    // In feed-forward the counterpart need not exist yet, whatever the job says about its measurement.
-    private static string? CounterpartOf(MatingJob job, string? given) =>
-        given ?? (job.Compensation.From == CompensationSource.Counterpart && job.Counterpart.Measured is { } measured ? job.PathOf(measured) : null);
+        var answer = new MatchAnswer(matched, folder);
+        _wish.WriteWith(folder is null ? [] : answer.Files, matched.Match.WishFile, arguments, files.Read, cancellation);
+        return answer;
+    }
 }

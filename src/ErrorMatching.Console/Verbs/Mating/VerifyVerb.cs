@@ -1,5 +1,6 @@
 using System.CommandLine;
 using ErrorMatching.Geometry;
+using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 
 namespace ErrorMatching.Console;
@@ -33,8 +34,8 @@ internal sealed class VerifyVerb : Verb
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new JobFiles(arguments.GetRequiredValue(_job));
-        var (theoretical, part) = (files.Theoretical(), files.Part(arguments.GetValue(_part)));
-        var (before, after) = (files.Counterpart(arguments.GetRequiredValue(_before)), files.Counterpart(arguments.GetRequiredValue(_after)));
+        var (theoretical, part) = (files.Theoretical(), files.Part(GivenFile.At(arguments.GetValue(_part))));
+        var (before, after) = (files.Counterpart(new(arguments.GetRequiredValue(_before))), files.Counterpart(new(arguments.GetRequiredValue(_after))));
         var (program, bytes) = files.Program(null);
         var dialect = files.OwnDialect();
         cancellation.ThrowIfCancellationRequested();

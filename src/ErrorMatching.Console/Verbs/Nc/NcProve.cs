@@ -1,4 +1,5 @@
 using System.CommandLine;
+using ErrorMatching.Jobs;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;

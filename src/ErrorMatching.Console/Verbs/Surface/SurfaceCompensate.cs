@@ -1,9 +1,6 @@
 using System.CommandLine;
 using System.Diagnostics;
-using System.Security.Cryptography;
-using ErrorMatching.Freeform;
-using ErrorMatching.Geometry;
-using ErrorMatching.Reporting;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
@@ -31,40 +28,22 @@ internal sealed class SurfaceCompensate : Verb
     {
         var clock = Stopwatch.StartNew();
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
-        var job = files.Job;
-        var measured = arguments.GetRequiredValue(_measured);
-        var dialect = files.Dialect(job.Toolpath.Dialect);
-        cancellation.ThrowIfCancellationRequested();
-        try
+        var folder = arguments.GetValue(_out);
+        var outcome = SurfaceRun.Compensate(
+            files,
+            new() { Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))], Folder = folder, ElapsedS = () => clock.Elapsed.TotalSeconds },
+            cancellation);
+        if (outcome.Result is not { } finished)
         {
-            var (compensated, failure) = MeasuredCompensation.Of(files, measured, cancellation);
-            if (compensated is not { } result)
-            {
-                return failure!;
-            }
-
-            cancellation.ThrowIfCancellationRequested();
-            var path = ToolPathPlanner.Plan(result.Surface, job.Tool, job.Toolpath, 0, dialect);
-            if (path.Path is not { } toolPath)
-            {
-                return FailureOf.Refused(job.File, [path.Refusal!]);
-            }
-
-            cancellation.ThrowIfCancellationRequested();
-            var folder = arguments.GetValue(_out);
-            var program = FinishingProgram.Write(toolPath, job, dialect);
-            var named = new ReportInput("finishing", Path.Combine(folder ?? "", "finishing.nc"), Convert.ToHexStringLower(SHA256.HashData(program)));
-            var answer = new SurfaceCompensateAnswer(new(files.Named, files.Inputs, result, toolPath, named, clock.Elapsed.TotalSeconds), folder);
-            if (folder is not null)
-            {
-                OutputFile.WriteAll(answer.Files(program), files.Read, cancellation);
-            }
-
-            return answer;
+            return new Failure(ExitCode.Refused, outcome.Refusals);
         }
-        catch (GeometryException e)
+
+        var answer = new SurfaceCompensateAnswer(finished, folder);
+        if (folder is not null)
         {
-            return FailureOf.Geometry(e, measured[0]);
+            OutputFile.WriteAll(answer.Files, files.Read, cancellation);
         }
+
+        return answer;
     }
 }

@@ -1,34 +1,34 @@
 using System.Globalization;
 using ErrorMatching.Freeform;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
 /// <summary>A compensation: its report, and the files that it was written to.</summary>
-/// <param name="report">The report.</param>
+/// <param name="finished">The finishing program with its report.</param>
 /// <param name="folder">The folder that the files are in; null if nothing was written.</param>
-internal sealed class SurfaceCompensateAnswer(CompensationReport report, string? folder) : Answer
+internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? folder) : Answer
 {
-    private readonly byte[] _json = CompensationReportJson.Write(report);
+    private readonly byte[] _json = finished.ReportJson();
 
     /// <inheritdoc/>
     public override byte[] ToJson() => _json;
 
     /// <summary>What belongs into the folder. The program comes last: where it stands, its report stands too.</summary>
-    /// <param name="program">The finishing program.</param>
-    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program) =>
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
     [
-        (In("compensation.csv"), CompensationCsv.Write(report.Result)),
-        (In("surface.stp"), StepWriter.Write(report.Result.Surface)),
-        (In("surface.igs"), IgesWriter.Write(report.Result.Surface)),
+        (In("compensation.csv"), CompensationCsv.Write(finished.Report.Result)),
+        (In("surface.stp"), StepWriter.Write(finished.Report.Result.Surface)),
+        (In("surface.igs"), IgesWriter.Write(finished.Report.Result.Surface)),
         (In("report.json"), _json),
-        (In("report.html"), CompensationReportHtml.Write(report)),
-        (In("finishing.nc"), program),
+        (In("report.html"), finished.ReportHtml()),
+        (In(FinishedSurface.Name), finished.Program),
     ];
 
     /// <inheritdoc/>
     public override void WriteText(Page page)
     {
-        var (result, certificate) = (report.Result, report.ToolPath.Certificate);
+        var (report, result, certificate) = (finished.Report, finished.Report.Result, finished.Report.ToolPath.Certificate);
         page.Heading($"{report.Job.Name}: the surface is moved by at most {Um(result.LargestMoveMm)} um; standard deviation {Um(result.Before.StandardDeviationMm)} um, expected after {Um(result.Predicted.Statistics.StandardDeviationMm)} um");
         page.Line();
         page.Table(

@@ -1,6 +1,5 @@
 using System.CommandLine;
-using ErrorMatching.Freeform;
-using ErrorMatching.Geometry;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
@@ -30,38 +29,22 @@ internal sealed class SurfaceDisplace : Verb
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
-        var job = files.Job;
-        var measured = arguments.GetRequiredValue(_measured);
-        var dialect = files.Dialect(job.Toolpath.Dialect);
-        var program = arguments.GetRequiredValue(_program);
-        var bytes = files.Program(program);
-        cancellation.ThrowIfCancellationRequested();
-        try
+        var folder = arguments.GetValue(_out);
+        var outcome = SurfaceRun.Displace(
+            files,
+            new() { Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))], Folder = folder },
+            new(arguments.GetRequiredValue(_program)),
+            cancellation);
+        if (outcome.Result is not { } displaced)
         {
-            var (compensated, failure) = MeasuredCompensation.Of(files, measured, cancellation);
-            if (compensated is not { } compensation)
-            {
-                return failure!;
-            }
-
-            var displaced = SurfaceDisplacer.Displace(compensation.Input.Surface, compensation.Compensated, job.Compensation.Gain, job.Tool, bytes, dialect, job.Toolpath.ProgramsTip);
-            if (!displaced.IsUsable)
-            {
-                return FailureOf.Refused(program, displaced.Refusal);
-            }
-
-            var folder = arguments.GetValue(_out);
-            var answer = new SurfaceDisplaceAnswer(job, program, displaced.Value, compensation, folder);
-            if (folder is not null)
-            {
-                OutputFile.Write(answer.File, displaced.Value.Program.Bytes, files.Read, cancellation);
-            }
-
-            return answer;
+            return new Failure(ExitCode.Refused, outcome.Refusals);
         }
-        catch (GeometryException e)
+
+        if (folder is not null)
         {
-            return FailureOf.Geometry(e, measured[0]);
+            OutputFile.Write(displaced.File, displaced.Program, files.Read, cancellation);
         }
+
+        return new SurfaceDisplaceAnswer(displaced);
     }
 }

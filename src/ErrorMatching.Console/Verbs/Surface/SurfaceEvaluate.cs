@@ -1,5 +1,6 @@
 using System.CommandLine;
 using ErrorMatching.Freeform;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
@@ -36,8 +37,8 @@ internal sealed class SurfaceEvaluate : Verb
             return FailureOf.Refused(files.Job.File, plan.Refusals);
         }
 
-        var measured = arguments.GetRequiredValue(_measured).Select(f => files.Measured("measured", f, plan)).ToArray();
-        var before = (arguments.GetValue(_before) ?? []).Select(f => files.Measured("before", f, plan)).ToArray();
+        var measured = arguments.GetRequiredValue(_measured).Select(f => files.Measured("measured", new(f), plan)).ToArray();
+        var before = (arguments.GetValue(_before) ?? []).Select(f => files.Measured("before", new(f), plan)).ToArray();
         cancellation.ThrowIfCancellationRequested();
         var report = new EvaluationReport(
             files.Named,

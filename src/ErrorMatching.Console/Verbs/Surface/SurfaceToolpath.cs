@@ -1,5 +1,6 @@
 using System.CommandLine;
 using ErrorMatching.Freeform;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 

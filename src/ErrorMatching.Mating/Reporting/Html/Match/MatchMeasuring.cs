@@ -21,7 +21,7 @@ internal static class MatchMeasuring
         }
 
         html.Put("h3", "Time");
-        html.Put("p", $"Measuring: {ReportNumber.Seconds(report.Time.MeasuringS)} s by equation (7) of Wang 2021, an estimate. Calculating: {ReportNumber.Seconds(report.Time.CalculatingS)} s, as measured.");
+        html.Put("p", $"Measuring: {ReportNumber.Seconds(report.Time.MeasuringS)} s by equation (7) of Wang 2021, an estimate.{(report.Time.CalculatingS is { } s ? $" Calculating: {ReportNumber.Seconds(s)} s, as measured." : "")}");
     }
 
     private static void WriteAlignments(HtmlText html, IReadOnlyList<ReportAlignment> alignments)

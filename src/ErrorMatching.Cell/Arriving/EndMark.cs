@@ -1,0 +1,35 @@
+using System.Text;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Looks for the mark in the last line of a file.</summary>
+internal static class EndMark
+{
+    // The line and the blank ones behind it; a file with more blanks at its end is not finished yet.
+    private const int Tail = 4096;
+
+    /// <summary>True if the last line that is not blank is the mark; false too if the file cannot be opened yet.</summary>
+    public static bool Ends(FileInfo file, string mark)
+    {
+        try
+        {
+            using var handle = File.OpenHandle(file.FullName, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+            var tail = new byte[Tail];
+            var length = RandomAccess.GetLength(handle);
+            var read = RandomAccess.Read(handle, tail, Math.Max(0, length - Tail));
+            return Ends(tail.AsSpan(0, read), mark);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return false;
+        }
+    }
+
+    /// <summary>True if the last line that is not blank is the mark.</summary>
+    public static bool Ends(ReadOnlySpan<byte> bytes, string mark)
+    {
+        var line = bytes.TrimEnd(" \t\r\n\0"u8);
+        line = line[(line.LastIndexOfAny("\r\n"u8) + 1)..].TrimStart(" \t"u8);
+        return line.SequenceEqual(Encoding.UTF8.GetBytes(mark));
+    }
+}

@@ -1,0 +1,205 @@
+using System.Globalization;
+using System.Security.Cryptography;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>
+/// A gauge's folder. A finished file is moved aside, read, handed over to be archived, and only then removed: the store has its content, and a second copy would fill the disk and be taken for the truth by somebody. A kill
+/// at any instant loses nothing; at worst the same arrival is handed over again, with the same key.
+/// </summary>
+/// <param name="gauge">The gauge, with a folder.</param>
+/// <param name="clock">Tells how long a file has been at rest.</param>
+public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDisposable
+{
+    /// <summary>Code of an arrival that is larger than the gauge's files may be.</summary>
+    public const string TooLarge = "file-too-large";
+
+    // Even its hash takes too long to be waited for: some seconds a gigabyte.
+    private const long MostHashed = 4_000_000_000;
+    private const int Attempts = 3;
+
+    private readonly string _folder = gauge.Incoming ?? throw new ArgumentException("The gauge has no folder.", nameof(gauge));
+    private readonly FinishedFiles _finished = new(gauge, clock);
+    private readonly ClaimFolder _claims = new(gauge.Incoming);
+    private readonly FolderHint _hint = new(gauge.Incoming, clock);
+    private readonly List<LeftFile> _held = [];
+    private bool _mayHaveClaims = true;
+
+    /// <summary>What fits the gauge's pattern and was left where it is at the last look.</summary>
+    public IReadOnlyList<LeftFile> Left => [.. _finished.Left, .. _held];
+
+    /// <summary>Takes the files that are finished, in order of their time of change.</summary>
+    /// <param name="archive">Keeps an arrival for good before it returns; whatever it throws leaves the file to the next look.</param>
+    /// <param name="archiveUnread">The same for a file that is too large to be kept.</param>
+    /// <param name="cancellation">Looked at between files.</param>
+    /// <returns>How many were taken.</returns>
+    /// <exception cref="SourceException">The folder cannot be looked into.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled; what was handed over is handed over.</exception>
+    public int Take(Action<Arrival> archive, Action<UnreadArrival> archiveUnread, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(archive);
+        ArgumentNullException.ThrowIfNull(archiveUnread);
+        var taken = 0;
+        _held.Clear();
+        if (_mayHaveClaims)
+        {
+            foreach (var file in Guarded(Claimed))
+            {
+                taken += Pass(file) ? 1 : 0;
+            }
+
+            _mayHaveClaims = _held.Count > 0;
+        }
+
+        if (!Guarded(() => Directory.Exists(_folder) ? _hint.IsWorthALook() : throw new DirectoryNotFoundException("there is no such folder")))
+        {
+            return taken;
+        }
+
+        foreach (var file in Guarded(() => _finished.Of(new(_folder))))
+        {
+            cancellation.ThrowIfCancellationRequested();
+
+            // Whatever happens from here on, the next look begins with what lies aside.
+            var before = _mayHaveClaims;
+            _mayHaveClaims = true;
+            if (Guarded(() => Claim(file.Name)) is not { } claimed)
+            {
+                _mayHaveClaims = before;
+                _hint.Forget();
+                continue;
+            }
+
+            if (Pass(claimed))
+            {
+                taken++;
+                _mayHaveClaims = before;
+            }
+        }
+
+        if (_finished.IsWaiting)
+        {
+            _hint.Forget();
+        }
+
+        return taken;
+
+        bool Pass(FileInfo file)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            return Hand(file, archive, archiveUnread, cancellation);
+        }
+    }
+
+    /// <summary>Waits until another look may be worth it: until the system tells of a change, at most as long as the gauge's settings say.</summary>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public Task WaitAsync(CancellationToken cancellation) => _hint.WaitAsync(gauge.Every, cancellation);
+
+    /// <summary>Stops listening to the system.</summary>
+    public void Dispose() => _hint.Dispose();
+
+    // What an earlier run, or another gauge of this folder, moved aside. A marker that lies here alone says that its file is finished.
+    private List<FileInfo> Claimed()
+    {
+        var files = _claims.Files();
+        if (gauge.Finished is FinishedByMarker { Suffix: var suffix })
+        {
+            var names = files.Select(f => f.Name).ToHashSet(StringComparer.Ordinal);
+            foreach (var marker in names.Where(n => n.EndsWith(suffix, StringComparison.Ordinal) && _finished.IsOurs(n[..^suffix.Length]) && !names.Contains(n[..^suffix.Length])))
+            {
+                if (!File.Exists(Path.Combine(_folder, marker[..^suffix.Length])) || _claims.Claim(marker[..^suffix.Length]) is null)
+                {
+                    _claims.Remove(marker);
+                }
+            }
+
+            files = _claims.Files();
+        }
+
+        return [.. files.Where(f => _finished.IsOurs(f.Name))];
+    }
+
+    // The marker first: from then on nothing that is written under the file's name counts as finished.
+    private FileInfo? Claim(string name) =>
+        gauge.Finished is FinishedByMarker marker && _claims.Claim(name + marker.Suffix) is null ? null : _claims.Claim(name);
+
+    private bool Hand(FileInfo file, Action<Arrival> archive, Action<UnreadArrival> archiveUnread, CancellationToken cancellation)
+    {
+        if (PlainFile.Defect(file) is { } defect)
+        {
+            return Hold(file, $"{defect}, and only plain files are taken. Remove it from {ClaimFolder.Name}.");
+        }
+
+        for (var attempt = 0; attempt < Attempts; attempt++)
+        {
+            file.Refresh();
+            if (!file.Exists)
+            {
+                return false;
+            }
+
+            var (length, changed) = (file.Length, file.LastWriteTimeUtc.Ticks);
+            if (length > gauge.MostBytes)
+            {
+                if (length > MostHashed)
+                {
+                    return Hold(file, "it is so large that it is not even hashed. Remove it from " + ClaimFolder.Name + ".");
+                }
+
+                if (FileReading.Hash(file, cancellation) is { } hash)
+                {
+                    archiveUnread(new(gauge.Name, ShownName.Of(file.Name), ArrivalKey.Of(gauge.Name, file.Name, changed, hash), hash, length, TooLarge, Reason(length)));
+                    Guarded(() => _claims.LayAside(file, hash));
+                    return RemoveMarker(file.Name);
+                }
+            }
+            else if (FileReading.Whole(file) is { } bytes)
+            {
+                var sha256 = Convert.ToHexStringLower(SHA256.HashData(bytes));
+                archive(new(gauge.Name, ShownName.Of(file.Name), ArrivalKey.Of(gauge.Name, file.Name, changed, sha256), bytes));
+                return _claims.Remove(file.Name) ? RemoveMarker(file.Name) : Hold(file, "it is archived and cannot be removed: some program still has it open.");
+            }
+        }
+
+        return Hold(file, "it changes while it is read, or cannot be opened. It is read as soon as it can be.");
+    }
+
+    private bool RemoveMarker(string name)
+    {
+        if (gauge.Finished is FinishedByMarker marker)
+        {
+            _claims.Remove(name + marker.Suffix);
+        }
+
+        return true;
+    }
+
+    private bool Hold(FileInfo file, string reason)
+    {
+        _held.Add(new(ShownName.Of(file.Name), reason));
+        return false;
+    }
+
+    private string Reason(long length) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"The file has {length} bytes, and \"{gauge.Name}\" takes at most {gauge.MostBytes}. It lies in {ClaimFolder.Name} under its hash. Is it a measurement at all? If so, raise mostMB of the gauge and put it into {_folder} again.");
+
+    private void Guarded(Action act) => Guarded(() =>
+    {
+        act();
+        return true;
+    });
+
+    private T Guarded<T>(Func<T> look)
+    {
+        try
+        {
+            return look();
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            _hint.Forget();
+            throw new SourceException($"The folder {_folder} of the gauge \"{gauge.Name}\" cannot be looked into: {e.Message.TrimEnd('.')}. Is it there, is the share mounted, and may this user write to it?", e);
+        }
+    }
+}

@@ -1,0 +1,42 @@
+using System.Text.RegularExpressions;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>What patterns have read about a piece.</summary>
+internal sealed class FoundWords
+{
+    private const int Most = 100;
+
+    public string? Serial { get; private set; }
+
+    public string? WorkOrder { get; private set; }
+
+    /// <summary>What two places say differently, or what nobody can take for a serial number or work order; null if nothing is wrong.</summary>
+    public string? Contradiction { get; private set; }
+
+    /// <summary>Adds what a match has read.</summary>
+    public void Add(Match match)
+    {
+        Serial = Joined(Serial, match.Groups[RecognitionReader.Serial], "serial number");
+        WorkOrder = Joined(WorkOrder, match.Groups[RecognitionReader.WorkOrder], "work order");
+    }
+
+    private string? Joined(string? before, Group group, string what)
+    {
+        if (!group.Success || group.Value == before)
+        {
+            return before;
+        }
+
+        if (group.Length is 0 or > Most || group.Value != ShownName.Of(group.Value))
+        {
+            Contradiction ??= $"its {what} is empty, longer than {Most} characters, or no printable text";
+        }
+        else if (before is not null)
+        {
+            Contradiction ??= $"the {what}s \"{before}\" and \"{group.Value}\"";
+        }
+
+        return before ?? group.Value;
+    }
+}

@@ -1,0 +1,60 @@
+using System.Text.RegularExpressions;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>The patterns of a job, ready to be matched.</summary>
+internal sealed class JobPatterns
+{
+    private readonly Regex? _fileName;
+    private readonly (string Name, Regex Pattern)? _headerField;
+    private readonly (string Name, Regex Pattern)? _column;
+
+    public JobPatterns(CellJobSettings job)
+    {
+        Job = job;
+        _fileName = job.Recognize.FileName is { } pattern ? RecognitionReader.Expression(pattern) : null;
+        _headerField = Named(job.Recognize.HeaderField);
+        _column = Named(job.Recognize.Column);
+    }
+
+    public CellJobSettings Job { get; }
+
+    /// <summary>What the patterns read; null if one of them does not match. The file is looked into only if its name matches.</summary>
+    /// <exception cref="Measurement.MeasurementException">The file must be looked into and cannot be read.</exception>
+    /// <exception cref="RegexMatchTimeoutException">A pattern takes too long.</exception>
+    public FoundWords? Match(LookInside file)
+    {
+        var found = new FoundWords();
+        return (_fileName is null || Matches(_fileName, [file.Name], found))
+            && (_headerField is not { } field || Matches(field.Pattern, file.HeaderField(field.Name), found))
+            && (_column is not { } column || Matches(column.Pattern, file.Column(column.Name), found)) ? found : null;
+    }
+
+    /// <summary>The patterns in words.</summary>
+    public override string ToString() => string.Join(" and ", new[]
+    {
+        _fileName is null ? null : $"a file name like {_fileName}",
+        _headerField is { } field ? $"a field {field.Name} like {field.Pattern}" : null,
+        _column is { } column ? $"a column {column.Name} like {column.Pattern}" : null,
+    }.OfType<string>());
+
+    private static (string, Regex)? Named((string Name, string Pattern)? rule) => rule is { } r ? (r.Name, RecognitionReader.Expression(r.Pattern)) : null;
+
+    // A column says the same in each of its rows: what has been read once is not read again.
+    private static bool Matches(Regex pattern, IReadOnlyList<string> texts, FoundWords found)
+    {
+        string? last = null;
+        foreach (var text in texts.Where(t => t != last))
+        {
+            if (pattern.Match(text) is not { Success: true } match)
+            {
+                return false;
+            }
+
+            found.Add(match);
+            last = text;
+        }
+
+        return texts.Count > 0;
+    }
+}

@@ -1,0 +1,29 @@
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>A file that is read once, and only if a pattern asks for what is in it.</summary>
+/// <param name="name">Its name.</param>
+/// <param name="bytes">Its content.</param>
+/// <param name="format">Its form; null for a probing log.</param>
+internal sealed class LookInside(string name, ReadOnlyMemory<byte> bytes, MeasurementFormat? format)
+{
+    private MeasurementFile? _table;
+    private IReadOnlyList<HeaderField>? _fields;
+
+    public string Name => name;
+
+    /// <summary>The values of a header field; none where the file has no such field.</summary>
+    /// <exception cref="MeasurementException">The file cannot be read.</exception>
+    public IReadOnlyList<string> HeaderField(string field)
+    {
+        _fields ??= format is null ? ProbingLogHeader.Read(bytes.Span) : Table().HeaderFields;
+        return [.. _fields.Where(f => string.Equals(f.Name, field, StringComparison.OrdinalIgnoreCase)).Select(f => f.Value)];
+    }
+
+    /// <summary>The values of a column; none where the file has no such column.</summary>
+    /// <exception cref="MeasurementException">The file cannot be read.</exception>
+    public IReadOnlyList<string> Column(string column) => format is null ? [] : Table().ColumnTexts(column) ?? [];
+
+    private MeasurementFile Table() => _table ??= MeasurementReader.Read(bytes, name, format!);
+}

@@ -1,0 +1,132 @@
+using System.Security.Cryptography;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>
+/// Logs at a machine, fetched over the way that programs are sent. A log is finished when its content has stayed the same, or carries its end mark. Where it is not kept at the machine it is renamed, read once more and
+/// then deleted, so that nothing is deleted that was not read.
+/// </summary>
+/// <param name="gauge">The gauge, with a machine.</param>
+/// <param name="folder">The machine's folder.</param>
+/// <param name="clock">Tells how long a log has been the same.</param>
+public sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, TimeProvider clock)
+{
+    /// <summary>What the name of a log has behind it while it is taken.</summary>
+    public const string Suffix = ".taken";
+
+    private readonly Dictionary<string, (string Sha256, long Since, bool IsArchived)> _seen = new(StringComparer.Ordinal);
+    private List<LeftFile> _left = [];
+
+    /// <summary>What fits the gauge's pattern and was left at the last look.</summary>
+    public IReadOnlyList<LeftFile> Left => _left;
+
+    /// <summary>Takes the logs that are finished.</summary>
+    /// <param name="archive">Keeps an arrival for good before it returns; whatever it throws leaves the log to the next look. The store knows by its key a log that it has.</param>
+    /// <param name="cancellation">Cancels the transfers.</param>
+    /// <returns>How many were taken.</returns>
+    /// <exception cref="TransportException">The machine cannot be reached.</exception>
+    public async Task<int> TakeAsync(Action<Arrival> archive, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(archive);
+        var left = new List<LeftFile>();
+        var names = (await folder.ListAsync(cancellation).ConfigureAwait(false)).Order(StringComparer.Ordinal).ToArray();
+        var taken = 0;
+
+        // What an earlier run renamed is finished, and comes first: its name must be free for the next.
+        var renamed = names.Where(n => n.EndsWith(Suffix, StringComparison.Ordinal) && FileNamePattern.Fits(gauge.Files, n[..^Suffix.Length])).ToArray();
+        var ours = names.Where(n => FileNamePattern.Fits(gauge.Files, n) && !n.EndsWith(Suffix, StringComparison.Ordinal)).ToArray();
+        foreach (var name in renamed.Concat(ours))
+        {
+            if (!ProgramNames.IsPlain(name + Suffix))
+            {
+                left.Add(new(ShownName.Of(name), "its name is too long or has characters that transfers do not carry. Rename it at the machine."));
+                continue;
+            }
+
+            try
+            {
+                taken += await (name.EndsWith(Suffix, StringComparison.Ordinal) ? FinishAsync(name[..^Suffix.Length], archive, cancellation) : TakeAsync(name, archive, cancellation)).ConfigureAwait(false);
+            }
+            catch (TransportException e) when (e.Error == TransportError.TooLarge)
+            {
+                left.Add(new(ShownName.Of(name), $"it is larger than the {gauge.MostBytes} bytes that \"{gauge.Name}\" takes. Delete it at the machine, or raise mostMB of the gauge."));
+            }
+        }
+
+        foreach (var gone in _seen.Keys.Except(ours, StringComparer.Ordinal).ToArray())
+        {
+            _seen.Remove(gone);
+        }
+
+        _left = left;
+        return taken;
+    }
+
+    private async Task<int> TakeAsync(string name, Action<Arrival> archive, CancellationToken cancellation)
+    {
+        if (await folder.ReadAsync(name, gauge.MostBytes, cancellation).ConfigureAwait(false) is not { Length: > 0 } bytes)
+        {
+            return 0;
+        }
+
+        var (sha256, now) = (Sha256(bytes), clock.GetTimestamp());
+        if (!_seen.TryGetValue(name, out var seen) || seen.Sha256 != sha256)
+        {
+            seen = (sha256, now, false);
+            _seen[name] = seen;
+            if (gauge.Finished is not FinishedByEndMark)
+            {
+                return 0;
+            }
+        }
+
+        var isFinished = gauge.Finished switch
+        {
+            FinishedByEndMark mark => EndMark.Ends(bytes, mark.Mark),
+            FinishedAtRest rest => clock.GetElapsedTime(seen.Since, now) >= rest.For,
+            _ => throw new InvalidOperationException("A log at a machine is finished at rest or by its end mark."),
+        };
+        if (!isFinished)
+        {
+            return 0;
+        }
+
+        var taken = 0;
+        if (!seen.IsArchived)
+        {
+            archive(Arrival(name, bytes, sha256));
+            _seen[name] = seen with { IsArchived = true };
+            taken = 1;
+        }
+
+        if (!gauge.KeepsFile)
+        {
+            var renamed = await folder.RenameAsync(name, name + Suffix, gauge.MostBytes, cancellation).ConfigureAwait(false);
+            taken += await FinishAsync(name, renamed, sha256, archive, cancellation).ConfigureAwait(false);
+        }
+
+        return taken;
+    }
+
+    // What the control wrote between the reading and the renaming is archived too before it is deleted.
+    private async Task<int> FinishAsync(string name, byte[]? renamed, string? archived, Action<Arrival> archive, CancellationToken cancellation)
+    {
+        var taken = 0;
+        if (renamed is { Length: > 0 } && Sha256(renamed) is var sha256 && sha256 != archived)
+        {
+            archive(Arrival(name, renamed, sha256));
+            taken = 1;
+        }
+
+        await folder.DeleteAsync(name + Suffix, cancellation).ConfigureAwait(false);
+        _seen.Remove(name);
+        return taken;
+    }
+
+    private async Task<int> FinishAsync(string name, Action<Arrival> archive, CancellationToken cancellation) =>
+        await FinishAsync(name, await folder.ReadAsync(name + Suffix, gauge.MostBytes, cancellation).ConfigureAwait(false), null, archive, cancellation).ConfigureAwait(false);
+
+    private Arrival Arrival(string name, byte[] bytes, string sha256) => new(gauge.Name, ShownName.Of(name), ArrivalKey.Of(gauge.Name, name, sha256), bytes);
+
+    private static string Sha256(byte[] bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
+}

@@ -1,0 +1,80 @@
+using System.Globalization;
+using ErrorMatching.Jobs;
+using ErrorMatching.Json;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>
+/// From a recognized measurement to a program that may be proposed: what the console does with the same inputs, within the limits of the policy. It reads the job's own files, has no clock, and keeps nothing from one
+/// call to the next; it may be called by several threads.
+/// </summary>
+/// <param name="policy">The cell's policy, for jobs without one of their own.</param>
+public sealed class CorrectionComputer(PolicySettings policy)
+{
+    private const int MostReasons = 3;
+
+    /// <summary>What a correction will stand on, and its identity, without computing it.</summary>
+    /// <param name="request">What it is computed from.</param>
+    /// <returns><see cref="Identified"/>, or <see cref="RefusedComputation"/> where the job's files cannot be used or the part is not measured.</returns>
+    /// <exception cref="ArgumentException">The request contradicts itself.</exception>
+    public Computation Identify(CorrectionRequest request) => Guarded(request, isAll: false, CancellationToken.None);
+
+    /// <summary>Computes a correction.</summary>
+    /// <param name="request">What it is computed from.</param>
+    /// <param name="cancellation">Looked at between the stages of the calculation.</param>
+    /// <returns><see cref="Computed"/>, <see cref="NothingToSend"/> or <see cref="RefusedComputation"/>. Whatever a measurement holds, it is no exception.</returns>
+    /// <exception cref="ArgumentException">The request contradicts itself.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public Computation Compute(CorrectionRequest request, CancellationToken cancellation) => Guarded(request, isAll: true, cancellation);
+
+    private Computation Guarded(CorrectionRequest request, bool isAll, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(request);
+        if (!request.Job.Accumulates && (request.Base is not null || request.Sums.Points.Count > 0))
+        {
+            throw new ArgumentException("Only a job that accumulates starts from another program than its original one.", nameof(request));
+        }
+
+        if (request.Base is null && request.Sums.Points.Count > 0)
+        {
+            throw new ArgumentException("The original program is not corrected yet, so it has no sums.", nameof(request));
+        }
+
+        var holds = request.Job.Policy ?? policy;
+        try
+        {
+            var job = InputFile.Bytes(request.Job.File, JsonLimits.Default.MaxBytes);
+            var computation = request.Piece switch
+            {
+                "part" or "counterpart" => isAll ? new MatingCorrection(request, holds, job).Compute(cancellation) : new MatingCorrection(request, holds, job).Identify(),
+                "surface" => isAll ? new SurfaceCorrection(request, holds, job).Compute(cancellation) : new SurfaceCorrection(request, holds, job).Identify(),
+                _ => throw new ArgumentException($"Found the piece {request.Piece}; expected part, counterpart or surface.", nameof(request)),
+            };
+            return request.Identity is { } known && IdentityOf(computation) is { } now && known != now
+                ? new RefusedComputation(CorrectionCodes.JobChanged, $"The files of the job {request.Job.Name} were changed after the measurement was recognized. Give the measurement again.")
+                : computation;
+        }
+        catch (Exception e) when (ErrorItems.OfInput(e) is { } items)
+        {
+            return Refused(items);
+        }
+    }
+
+    /// <summary>A refusal by what is wrong: the first code, and the reasons in their order.</summary>
+    internal static RefusedComputation Refused(IReadOnlyList<ErrorItem> items) => new(
+        items[0].Code,
+        string.Join(' ', items.Take(MostReasons).Select(i => i.Message)) + (items.Count > MostReasons ? string.Create(CultureInfo.InvariantCulture, $" And {items.Count - MostReasons} more.") : ""))
+    {
+        Block = items[0].Block,
+        MayPass = items[0].Code == MeasurementError.FileUnreadable,
+    };
+
+    private static string? IdentityOf(Computation computation) => computation switch
+    {
+        Identified identified => identified.Basis.Identity,
+        Computed computed => computed.Basis.Identity,
+        NothingToSend nothing => nothing.Basis.Identity,
+        _ => null,
+    };
+}

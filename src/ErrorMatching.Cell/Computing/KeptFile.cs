@@ -1,0 +1,12 @@
+using System.Security.Cryptography;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>A file that the cell keeps: nothing of it is read from a disk again.</summary>
+/// <param name="Name">The name that it arrived by, without folders.</param>
+/// <param name="Bytes">Its content.</param>
+public sealed record KeptFile(string Name, ReadOnlyMemory<byte> Bytes)
+{
+    /// <summary>SHA-256 of its content as 64 lower-case hexadecimal digits.</summary>
+    public string Sha256 => Convert.ToHexStringLower(SHA256.HashData(Bytes.Span));
+}

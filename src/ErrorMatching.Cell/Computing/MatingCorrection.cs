@@ -1,0 +1,150 @@
+using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>A correction of a mating: the part's measurement makes the counterpart's program, or in feedback the counterpart's own does.</summary>
+internal sealed class MatingCorrection
+{
+    private readonly CorrectionRequest _request;
+    private readonly PolicySettings _policy;
+    private readonly byte[] _job;
+    private readonly JobFiles _files;
+
+    /// <summary>Reads the job.</summary>
+    /// <param name="request">What is computed from it.</param>
+    /// <param name="policy">What holds for it.</param>
+    /// <param name="job">The bytes of the job's file.</param>
+    /// <exception cref="JobException">The job cannot be used.</exception>
+    public MatingCorrection(CorrectionRequest request, PolicySettings policy, byte[] job) =>
+        (_request, _policy, _job, _files) = (request, policy, job, new(MatingJob.Parse(job, request.Job.File)));
+
+    private bool IsFeedback => _files.Job.Compensation.From == CompensationSource.Counterpart;
+
+    private bool IsOfPart => _request.Piece == "part";
+
+    // What cuts the counterpart: the part in feed-forward, the counterpart itself in feedback. The other one is evidence.
+    private bool MakesProgram => IsOfPart != IsFeedback;
+
+    private GivenFile Base => new(_files.Job.PathOf(_files.Job.Counterpart.Program), _request.Base);
+
+    /// <summary>What the correction will stand on.</summary>
+    public Computation Identify()
+    {
+        if (Refusal() is { } refusal)
+        {
+            return refusal;
+        }
+
+        var (theoretical, program, dialect) = (_files.Theoretical(), _files.Program(Base).Bytes, _files.OwnDialect());
+        return new Identified(Basis([new("theoretical", theoretical.File, theoretical.Sha256), .. dialect?.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)) ?? []], program));
+    }
+
+    /// <summary>Computes it.</summary>
+    public Computation Compute(CancellationToken cancellation)
+    {
+        if (Refusal() is { } refusal)
+        {
+            return refusal;
+        }
+
+        return MakesProgram ? Match(cancellation) : Record();
+    }
+
+    private RefusedComputation? Refusal()
+    {
+        if (_request.Job.Accumulates && !IsFeedback)
+        {
+            return new(CorrectionCodes.NotFeedback, $"The job {_request.Job.Name} shall accumulate, but it compensates the part: only what the program itself cut adds up. Take accumulates out, or let compensation.from be the counterpart.");
+        }
+
+        return MakesProgram && IsFeedback && _request.Part is null
+            ? new(CorrectionCodes.PartUnmeasured, $"The counterpart is compared with its part, and no measurement of the part is there. Measure the part, then give {_request.Measurement.Name} again.")
+            : null;
+    }
+
+    private NothingToSend Record()
+    {
+        var given = new GivenFile(_request.Measurement.Name, _request.Measurement.Bytes);
+        (IsOfPart ? _files.Part(given) : _files.Counterpart(given)).Require(_files.Job.NeededPoints);
+        var basis = ((Identified)Identify()).Basis;
+        return IsOfPart
+            ? new NothingToSend(basis, CorrectionCodes.PartRecorded, "The part is measured; its counterparts are compared with it.")
+            : new NothingToSend(basis, CorrectionCodes.FirstArticle, "A counterpart is measured: this verifies what was sent, and sends nothing.");
+    }
+
+    private Computation Match(CancellationToken cancellation)
+    {
+        var measured = new GivenFile(_request.Measurement.Name, _request.Measurement.Bytes);
+        var outcome = MatingRun.Of(
+            _files,
+            new()
+            {
+                Part = IsFeedback ? new(_request.Part!.Name, _request.Part.Bytes) : measured,
+                Counterpart = IsFeedback ? measured : null,
+                Program = Base,
+                Gain = _policy.Gain,
+            },
+            cancellation);
+        if (outcome.Result is not { } matched)
+        {
+            return CorrectionComputer.Refused(outcome.Refusals);
+        }
+
+        var steps = Steps(matched);
+        var sums = _request.Sums.Plus(steps);
+        var (mm, at, block) = Largest(matched, steps);
+        var limits = new DisplacementLimits(_policy, _files.Job.Compensation.LimitMm);
+        return limits.OfStep(mm, at, block) ?? (_request.Job.Accumulates ? limits.OfSum(sums) : null) ?? (Computation)new Computed
+        {
+            Basis = Basis(matched.Report.Inputs, matched.Match.Input.Program),
+            ProgramName = matched.Name,
+            Program = matched.Program,
+            Report = matched.ReportJson(),
+            Page = matched.ReportHtml(),
+            LargestMm = mm,
+            LargestAt = at,
+            Corrections = steps,
+            Sums = sums,
+            SumMm = _request.Job.Accumulates ? sums.Largest?.LengthMm ?? 0 : mm,
+            ChangedBlocks = matched.Report.Program.ChangedBlocks,
+            ChangedWords = matched.Report.Program.ChangedWords,
+            Warnings = matched.Report.Warnings,
+        };
+    }
+
+    private CorrectionBasis Basis(IReadOnlyList<ReportInput> inputs, ReadOnlyMemory<byte> program)
+    {
+        var baseSha256 = new KeptFile("", program).Sha256;
+        string[] measurements = MakesProgram && IsFeedback ? [_request.Measurement.Sha256, _request.Part!.Sha256] : [_request.Measurement.Sha256];
+        return new(CorrectionIdentity.Of(measurements, CorrectionIdentity.OfJob(_files.Job.Sha256, inputs), baseSha256, _policy.Gain), _files.Job.Sha256, _job, baseSha256, program);
+    }
+
+    // Corrections of less than half an increment change no word, and what is not in the program adds to no sum.
+    private static PointCorrection[] Steps(MatchedProgram matched) =>
+        [.. matched.Report.KeyPoints.Select(p => matched.Match.Rewrite is null ? new PointCorrection(p.Point, 0, 0, 0) : new(p.Point, p.Correction.X, p.Correction.Y, 0))];
+
+    private static (double Mm, string At, string? Block) Largest(MatchedProgram matched, PointCorrection[] steps)
+    {
+        var largest = (Mm: 0.0, At: "", Block: default(string));
+        foreach (var (point, step) in matched.Report.KeyPoints.Zip(steps))
+        {
+            largest = step.LengthMm > largest.Mm ? (step.LengthMm, $"point {point.Point} of {point.Feature}", point.Blocks.Count > 0 ? point.Blocks[0] : null) : largest;
+        }
+
+        // Between and beside the points a block may be asked to move further than they do. Rounding alone is no further.
+        var (before, increment) = (matched.Match.Before, matched.Match.Rewrite?.LeastIncrementMm ?? 0);
+        foreach (var element in matched.Match.Rewrite is null ? [] : matched.Match.Wish!.Elements)
+        {
+            var mm = Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));
+            if (mm > largest.Mm + increment)
+            {
+                var name = before.Program.NameOf(before.Program[before.Motions[element.Motion].Block]);
+                largest = (mm, $"block {name}", name);
+            }
+        }
+
+        return largest;
+    }
+}

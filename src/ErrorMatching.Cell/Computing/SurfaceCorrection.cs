@@ -1,0 +1,126 @@
+using System.Globalization;
+using ErrorMatching.Freeform;
+using ErrorMatching.Jobs;
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>A correction of a free-form surface: the measured points make the finishing program, or let an existing one follow.</summary>
+internal sealed class SurfaceCorrection
+{
+    private readonly CorrectionRequest _request;
+    private readonly PolicySettings _policy;
+    private readonly byte[] _job;
+    private readonly FreeformFiles _files;
+
+    /// <summary>Reads the job.</summary>
+    /// <param name="request">What is computed from it.</param>
+    /// <param name="policy">What holds for it.</param>
+    /// <param name="job">The bytes of the job's file.</param>
+    /// <exception cref="JsonDocumentException">The job cannot be used.</exception>
+    public SurfaceCorrection(CorrectionRequest request, PolicySettings policy, byte[] job) =>
+        (_request, _policy, _job, _files) = (request, policy, job, new(FreeformJob.Parse(job, request.Job.File)));
+
+    /// <summary>What the correction will stand on.</summary>
+    public Computation Identify()
+    {
+        if (Refusal() is { } refusal)
+        {
+            return refusal;
+        }
+
+        _ = _files.Dialect(_files.Job.Toolpath.Dialect);
+        _ = _files.Bytes("surface", _files.Job.PathOf(_files.Job.Surface.File), SurfaceReader.MaxBytes);
+        return new Identified(Basis(_request.Job.Program is { } program ? _files.Program(new(program)) : default(ReadOnlyMemory<byte>?)));
+    }
+
+    /// <summary>Computes it.</summary>
+    public Computation Compute(CancellationToken cancellation)
+    {
+        if (Refusal() is { } refusal)
+        {
+            return refusal;
+        }
+
+        var measured = new SurfaceRequest { Measured = [new(_request.Measurement.Name, _request.Measurement.Bytes)], Gain = _policy.Gain };
+        return _request.Job.Program is { } program ? Displace(measured, program, cancellation) : Compensate(measured, cancellation);
+    }
+
+    private RefusedComputation? Refusal() => _request.Job.Accumulates
+        ? new(CorrectionCodes.NotFeedback, $"The job {_request.Job.Name} shall accumulate, but a surface is always compensated from its nominal shape. Take accumulates out.")
+        : null;
+
+    private Computation Compensate(SurfaceRequest measured, CancellationToken cancellation)
+    {
+        var outcome = SurfaceRun.Compensate(_files, measured, cancellation);
+        if (outcome.Result is not { } finished)
+        {
+            return CorrectionComputer.Refused(outcome.Refusals);
+        }
+
+        var result = finished.Report.Result;
+        return Within(result, Steps(result), result.LargestMoveMm, (steps, at) => new()
+        {
+            Basis = Basis(null),
+            ProgramName = FinishedSurface.Name,
+            Program = finished.Program,
+            Report = finished.ReportJson(),
+            Page = finished.ReportHtml(),
+            LargestMm = result.LargestMoveMm,
+            LargestAt = at,
+            Corrections = steps,
+            Sums = CorrectionSums.None.Plus(steps),
+            SumMm = result.LargestMoveMm,
+            ChangedBlocks = null,
+            ChangedWords = null,
+            Warnings = result.Warnings,
+        });
+    }
+
+    private Computation Displace(SurfaceRequest measured, string program, CancellationToken cancellation)
+    {
+        var bytes = InputFile.Program(program);
+        var outcome = SurfaceRun.Displace(_files, measured, new(program, bytes), cancellation);
+        if (outcome.Result is not { } displaced)
+        {
+            return CorrectionComputer.Refused(outcome.Refusals);
+        }
+
+        var (rewrite, largest) = (displaced.Displaced.Rewrite, displaced.Displaced.LargestMoveMm);
+        return Within(displaced.Compensation, Steps(displaced.Compensation), largest, (steps, at) => new()
+        {
+            Basis = Basis(bytes),
+            ProgramName = displaced.Name,
+            Program = displaced.Program,
+            Report = displaced.ReportJson(),
+            Page = displaced.ReportHtml(),
+            LargestMm = largest,
+            LargestAt = at,
+            Corrections = steps,
+            Sums = CorrectionSums.None.Plus(steps),
+            SumMm = largest,
+            ChangedBlocks = rewrite.ChangedBlocks.Count,
+            ChangedWords = rewrite.ChangedWords,
+            Warnings = displaced.Compensation.Warnings,
+        });
+    }
+
+    private Computation Within(CompensationResult result, PointCorrection[] steps, double largestMm, Func<PointCorrection[], string, Computed> computed)
+    {
+        var worst = steps.MaxBy(s => s.LengthMm)!;
+        var at = largestMm > 0 ? $"point {worst.Point}" + (largestMm > worst.LengthMm ? " and beside it" : "") : "";
+        return new DisplacementLimits(_policy, result.Input.Job.Compensation.LimitMm).OfStep(largestMm, at, block: null) ?? (Computation)computed(steps, at);
+    }
+
+    private CorrectionBasis Basis(ReadOnlyMemory<byte>? program)
+    {
+        var baseSha256 = program is { } bytes ? new KeptFile("", bytes).Sha256 : null;
+        return new(CorrectionIdentity.Of([_request.Measurement.Sha256], CorrectionIdentity.OfJob(_files.Job.Sha256, _files.Inputs), baseSha256, _policy.Gain), _files.Job.Sha256, _job, baseSha256, program);
+    }
+
+    private static PointCorrection[] Steps(CompensationResult result) => [.. result.Samples.Select(s =>
+    {
+        var by = result.PointOf(s) - s.Nominal;
+        return new PointCorrection(s.Point.ToString(CultureInfo.InvariantCulture), by.X, by.Y, by.Z);
+    })];
+}

@@ -1,0 +1,47 @@
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>What is wrong in a configuration, and what is allowed but unwise.</summary>
+internal sealed class CellProblems
+{
+    private readonly List<JsonProblem> _problems = [];
+    private readonly List<JsonProblem> _warnings = [];
+
+    /// <summary>What is allowed but unwise, in the order of the document.</summary>
+    public IReadOnlyList<JsonProblem> Warnings => InOrder(_warnings);
+
+    /// <summary>True if something is wrong at a path already.</summary>
+    public bool Has(string path) => _problems.Exists(p => p.Path == path);
+
+    public void AddRange(IEnumerable<JsonProblem> problems) => _problems.AddRange(problems.ToArray());
+
+    public void Refuse(JsonItem item, string code, string found, string expected) => _problems.Add(JsonProblem.At(item, code, found, expected));
+
+    public void Warn(JsonItem item, string code, string found, string expected) => _warnings.Add(JsonProblem.At(item, code, found, expected));
+
+    /// <summary>Refuses texts that no setter types: they would reach command lines and logs.</summary>
+    public void RefuseControlCharacters(JsonItem item)
+    {
+        if (item.Text.Any(char.IsControl))
+        {
+            Refuse(item, "control-character", "text with a control character", "printable text");
+        }
+
+        foreach (var inside in item.Items.Concat(item.Members.Select(m => m.Value)))
+        {
+            RefuseControlCharacters(inside);
+        }
+    }
+
+    /// <exception cref="JsonDocumentException">Something is wrong.</exception>
+    public void ThrowIfAny(string file)
+    {
+        if (_problems.Count > 0)
+        {
+            throw new JsonDocumentException(file, InOrder(_problems));
+        }
+    }
+
+    private static JsonProblem[] InOrder(IEnumerable<JsonProblem> problems) => [.. problems.Distinct().OrderBy(p => p.Line).ThenBy(p => p.Column)];
+}

@@ -1,0 +1,20 @@
+using System.Text;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Texts that help to write the configuration of a cell.</summary>
+public static class CellTemplate
+{
+    /// <summary>A commented configuration to start from. It keeps the schema, and passes the check beside a job with the name it mentions.</summary>
+    public static string Text { get; } = Resource("cell.template.json");
+
+    /// <summary>The JSON Schema (draft 2020-12) that configurations are checked against, with descriptions, defaults and examples for editors.</summary>
+    public static string Schema { get; } = Resource("cell.schema.json");
+
+    private static string Resource(string name)
+    {
+        using var stream = typeof(CellTemplate).Assembly.GetManifestResourceStream(name)!;
+        using var reader = new StreamReader(stream, Encoding.UTF8);
+        return reader.ReadToEnd();
+    }
+}

@@ -1,0 +1,85 @@
+using ErrorMatching.Json;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Reads the machines of a configuration.</summary>
+internal sealed class MachineReader(JsonItem list, CellPaths paths, CellProblems problems)
+{
+    public IReadOnlyList<(JsonItem Item, MachineSettings Settings)> Read()
+    {
+        Names.RefuseTwins(list.Items, "name", "duplicate-name", "machine", problems);
+        return [.. list.Items.Select(i => (i, Read(i)))];
+    }
+
+    private MachineSettings Read(JsonItem item) => new()
+    {
+        Name = item["name"].Text,
+        Dialect = ReadDialect(item["dialect"]),
+        Transport = new TransportReader(item["transport"], paths, problems).Read(),
+        Slots = ReadSlots(item["slots"]),
+        Timeout = TimeSpan.FromSeconds(item.Find("timeoutS")?.Number ?? 30),
+        Attempts = (int)(item.Find("attempts")?.Number ?? 3),
+    };
+
+    private string ReadDialect(JsonItem item)
+    {
+        if (!NcDialects.IsFile(item.Text))
+        {
+            if (!NcDialects.Names.Contains(item.Text, StringComparer.Ordinal))
+            {
+                problems.Refuse(item, "unknown-dialect", $"the dialect \"{item.Text}\"", Names.Of(NcDialects.Names) + ", or a shop's own file that ends in .json");
+            }
+
+            return item.Text;
+        }
+
+        var file = paths.Of(item);
+        try
+        {
+            _ = NcDialects.Read(file);
+        }
+        catch (JsonDocumentException e)
+        {
+            problems.AddRange(FileProblems.Of(item, e.File, e.Problems));
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            problems.AddRange([FileProblems.Unreadable(item, "dialect-missing", file, e)]);
+        }
+
+        return file;
+    }
+
+    private List<SlotSettings> ReadSlots(JsonItem slots)
+    {
+        Names.RefuseTwins(slots.Items, "name", "duplicate-name", "slot", problems);
+        Names.RefuseTwins(slots.Items, "program", "program-of-two-slots", "program", problems);
+        Names.RefuseTwins(slots.Items, "readyFile", "ready-file-of-two-slots", "ready file", problems);
+        var programs = slots.Items.Select(s => s["program"].Text).ToHashSet(StringComparer.OrdinalIgnoreCase);
+        foreach (var slot in slots.Items)
+        {
+            RefuseBadName(slot["program"]);
+            if (slot.Find("readyFile") is not { } ready)
+            {
+                continue;
+            }
+
+            RefuseBadName(ready);
+            if (programs.Contains(ready.Text))
+            {
+                problems.Refuse(ready, "ready-file-is-program", $"the program \"{ready.Text}\" as a ready file", "a name that no slot's program has: the cell deletes a ready file");
+            }
+        }
+
+        return [.. slots.Items.Select(s => new SlotSettings(s["name"].Text, s["program"].Text, s.Find("readyFile")?.Text))];
+    }
+
+    private void RefuseBadName(JsonItem item)
+    {
+        if (!ProgramNames.Allows(item.Text))
+        {
+            problems.Refuse(item, "bad-program-name", $"the name \"{item.Text}\"", ProgramNames.Rule);
+        }
+    }
+}

@@ -1,0 +1,50 @@
+using System.Text.RegularExpressions;
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Reads the patterns by which a job's files are told from others.</summary>
+internal sealed class RecognitionReader(JsonItem item, CellProblems problems)
+{
+    public const string Serial = "serial";
+    public const string WorkOrder = "workOrder";
+
+    /// <summary>True if a pattern reads the serial number.</summary>
+    public bool HasSerial { get; private set; }
+
+    public RecognitionSettings Read()
+    {
+        if (item.Members.Count == 0)
+        {
+            problems.Refuse(item, "recognition-missing", "no pattern", "at least one of \"fileName\", \"headerField\" and \"column\": else every file would be this job's");
+        }
+
+        return new(item.Find("fileName") is { } name ? Pattern(name) : null, Named("headerField"), Named("column"));
+    }
+
+    /// <summary>The expression of a pattern. Its time grows with the text's length, whatever the text is.</summary>
+    /// <exception cref="ArgumentException">The pattern is no expression.</exception>
+    /// <exception cref="NotSupportedException">It looks around or back.</exception>
+    public static Regex Expression(string pattern) => new(pattern, RegexOptions.NonBacktracking | RegexOptions.CultureInvariant, TimeSpan.FromSeconds(1));
+
+    private (string Name, string Pattern)? Named(string key) => item.Find(key) is { } named ? (named["name"].Text, Pattern(named["pattern"])) : null;
+
+    private string Pattern(JsonItem pattern)
+    {
+        try
+        {
+            var groups = Expression(pattern.Text).GetGroupNames().Where(n => !char.IsAsciiDigit(n[0])).ToArray();
+            HasSerial |= groups.Contains(Serial);
+            foreach (var group in groups.Where(g => g is not (Serial or WorkOrder)))
+            {
+                problems.Refuse(pattern, "unknown-group", $"the group \"{group}\"", $"{Serial} or {WorkOrder}, or a group without a name: (...)");
+            }
+        }
+        catch (Exception e) when (e is ArgumentException or NotSupportedException)
+        {
+            problems.Refuse(pattern, "bad-pattern", $"the pattern \"{pattern.Text}\"", "a regular expression without look-around and back references: " + e.Message.TrimEnd('.'));
+        }
+
+        return pattern.Text;
+    }
+}

@@ -1,0 +1,82 @@
+using System.Globalization;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Proves an audit trail: every entry is what was written, where it was written, and none is missing.</summary>
+public static class AuditChain
+{
+    private const long MostMissing = 1_000_000;
+
+    /// <summary>Looks at a whole trail.</summary>
+    /// <param name="entries">All its entries in the order of the store; gone through a second time if something is wrong.</param>
+    /// <param name="head">Where it ends.</param>
+    /// <param name="key">The key that seals the end; null if none does. Without it, somebody who can write to the store can write the whole trail anew.</param>
+    /// <returns>The first fault; null if there is none.</returns>
+    public static AuditFault? Verify(IEnumerable<AuditEntry> entries, AuditHead head, byte[]? key)
+    {
+        ArgumentNullException.ThrowIfNull(entries);
+        ArgumentNullException.ThrowIfNull(head);
+        var (seq, hash, ends) = Walk(entries);
+        if (!ends) return Explain([.. entries], (int)seq, hash, head.Seq);
+        if (head.Seq > seq) return Fault(AuditFaultKind.Removed, seq + 1, $"Entries {seq + 1} to {head.Seq} are missing at the end.");
+        if (head.Seq < seq) return Fault(AuditFaultKind.Inserted, head.Seq + 1, $"Entry {head.Seq + 1} stands after the last that was written.");
+        if (head.Hash != hash) return Fault(AuditFaultKind.Changed, seq, $"Entry {seq} is not the one that was written last.");
+        return key is not null && !head.IsSealedBy(key)
+            ? Fault(AuditFaultKind.Unsealed, seq, $"The end, entry {seq}, is not sealed by the cell's key: the trail was written to by something else, or the key is another one.")
+            : null;
+    }
+
+    // The last entry that is as it should be, and whether the trail ends there.
+    private static (long Seq, string Hash, bool Ends) Walk(IEnumerable<AuditEntry> entries)
+    {
+        var (seq, hash) = (0L, AuditEntry.NoHash);
+        foreach (var entry in entries)
+        {
+            if (entry.Seq != seq + 1 || entry.Previous != hash || entry.Hash != entry.HashAs(entry.Seq)) return (seq, hash, false);
+            (seq, hash) = (entry.Seq, entry.Hash);
+        }
+
+        return (seq, hash, true);
+    }
+
+    // Everything before "at" is linked as it should be; the entry there is not the next.
+    private static AuditFault Explain(List<AuditEntry> entries, int at, string hash, long last)
+    {
+        var (entry, expected) = (entries[at], at + 1L);
+        var written = WrittenAs(entry, entries.Count, last);
+        var next = entries.FindIndex(at, e => e.Previous == hash && e.Hash == e.HashAs(expected));
+        if (next > at)
+        {
+            return written > expected
+                ? Fault(AuditFaultKind.Reordered, expected, $"Entry {written} stands where entry {expected} should, which comes later.")
+                : Fault(AuditFaultKind.Inserted, expected, $"The entry that stands as number {expected} was not written there; the one that was comes later.");
+        }
+
+        // Only its number is another one.
+        if (next == at || written is null) return Changed(expected);
+        if (written > expected) return Fault(AuditFaultKind.Removed, expected, $"Entries {expected} to {written - 1} are missing.");
+        if (written == expected) return Changed(at > 0 ? expected - 1 : expected);
+
+        // It followed the same entry as the one before it does: that one was put between.
+        return at > 0 && written == expected - 1 && entry.Previous == entries[at - 1].Previous
+            ? Fault(AuditFaultKind.Inserted, expected - 1, $"The entry that stands as number {expected - 1} was not written there; the one that was comes after it.")
+            : Fault(AuditFaultKind.Inserted, expected, $"Entry {written} stands a second time, as number {expected}.");
+    }
+
+    private static AuditFault Changed(long seq) => Fault(AuditFaultKind.Changed, seq, $"Entry {seq} is not what was written.");
+
+    // The number that an entry was written with: its own, or another under which its hash is right; null if none.
+    private static long? WrittenAs(AuditEntry entry, int count, long last)
+    {
+        if (entry.Hash == entry.HashAs(entry.Seq)) return entry.Seq;
+        var most = Math.Clamp(last, count, count + MostMissing);
+        for (var seq = 1L; seq <= most; seq++)
+        {
+            if (entry.Hash == entry.HashAs(seq)) return seq;
+        }
+
+        return null;
+    }
+
+    private static AuditFault Fault(AuditFaultKind kind, long seq, FormattableString message) => new(kind, seq, message.ToString(CultureInfo.InvariantCulture));
+}

@@ -1,0 +1,72 @@
+using System.Data.Common;
+using System.Globalization;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>The audit trail of a store, as evidence: looked at and handed out.</summary>
+/// <param name="store">The store.</param>
+/// <param name="keysFolder">The folder of the keys that sealed it. It is not made here.</param>
+/// <remarks>Failures of the store are a <see cref="StoreException"/>, those of the keys a <see cref="PeopleException"/>.</remarks>
+public sealed class AuditTrail(CellStore store, string keysFolder)
+{
+    private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash"];
+
+    /// <summary>Looks at every entry, as the trail is at one moment. What was found whole is remembered beside the keys, if they are there.</summary>
+    public AuditFinding Verify()
+    {
+        var (key, witness) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder));
+        var finding = store.Database.Snapshot((connection, transaction) =>
+        {
+            var head = AuditRow.Head(connection, transaction, "");
+            var fault = AuditChain.Verify(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), head, key);
+            var seen = Rows.Query(connection, AuditRow.Select + " WHERE seq = @Seq", ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
+            var count = Rows.Query(connection, "SELECT count(*) FROM audit", r => r.GetInt64(0), null, transaction)[0];
+            return new AuditFinding(count, head.Hash, fault ?? witness?.Fault(head, seen), key is not null);
+        });
+        if (finding.Holds && key is not null && finding.Entries > (witness?.Seq ?? 0))
+        {
+            new AuditWitness(finding.Entries, finding.Hash).Keep(keysFolder);
+        }
+
+        return finding;
+    }
+
+    /// <summary>Remembers beside the keys how far the trail goes, without looking at more than its end: the more often, the less can be cut off unseen. Nothing happens where the end is not the one that was sealed.</summary>
+    public void Remember()
+    {
+        var (key, witness, head) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder), store.AuditHead());
+        if (key is not null && head.IsSealedBy(key) && head.Seq > (witness?.Seq ?? 0) && (witness is null || store.AuditEntries(witness.Seq - 1, 1) is [var seen] && seen.Seq == witness.Seq && seen.Hash == witness.Hash))
+        {
+            new AuditWitness(head.Seq, head.Hash).Keep(keysFolder);
+        }
+    }
+
+    /// <summary>Writes all entries as CSV by RFC 4180 that no spreadsheet executes: times in UTC, texts as they are but for an apostrophe in front of what looks like a formula.</summary>
+    /// <returns>How many entries.</returns>
+    public long Export(TextWriter writer) => store.Database.Snapshot((connection, transaction) =>
+    {
+        SpreadsheetCsv.Write(writer, Columns);
+        var count = 0L;
+        foreach (var e in Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.Read, null, transaction))
+        {
+            SpreadsheetCsv.Write(
+                writer, e.Seq.ToString(CultureInfo.InvariantCulture), e.At.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss.ffffff'Z'", CultureInfo.InvariantCulture), e.Who, e.What, e.Subject ?? "", e.Basis, e.Previous, e.Hash);
+            count++;
+        }
+
+        return count;
+    });
+
+    // What somebody changed may be no entry any more: then it is one that has no hash.
+    private static AuditEntry ReadOrUnreadable(DbDataReader row)
+    {
+        try
+        {
+            return AuditRow.Read(row);
+        }
+        catch (Exception e) when (e is InvalidCastException or FormatException or ArgumentException or OverflowException or InvalidOperationException)
+        {
+            return new(row.GetInt64(0), DateTimeOffset.UnixEpoch, "", "", null, "", "", "");
+        }
+    }
+}

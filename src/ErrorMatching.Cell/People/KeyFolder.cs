@@ -1,0 +1,99 @@
+using System.Xml;
+using System.Xml.Linq;
+using Microsoft.AspNetCore.DataProtection.Repositories;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>The folder of the keys: only its owner can read it or anything in it. DataProtection keeps its keys here too; the framework's own repository would leave their rights to the umask.</summary>
+internal sealed class KeyFolder : IXmlRepository
+{
+    private const UnixFileMode Others = UnixFileMode.GroupRead | UnixFileMode.GroupWrite | UnixFileMode.GroupExecute | UnixFileMode.OtherRead | UnixFileMode.OtherWrite | UnixFileMode.OtherExecute;
+
+    private readonly string _folder;
+
+    /// <summary>A folder of keys, which is made if it is missing.</summary>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
+    public KeyFolder(string folder)
+    {
+        _folder = folder;
+        Try("made", folder, () => OperatingSystem.IsWindows() ? Directory.CreateDirectory(folder) : Own(folder));
+    }
+
+    /// <inheritdoc/>
+    public IReadOnlyCollection<XElement> GetAllElements() =>
+        [.. Try("listed", _folder, () => Directory.EnumerateFiles(_folder, "*.xml").Order(StringComparer.Ordinal).ToArray()).Select(f => Try("read", f, () => XElement.Load(f)))];
+
+    /// <inheritdoc/>
+    public void StoreElement(XElement element, string friendlyName)
+    {
+        using var text = new MemoryStream();
+        element.Save(text);
+        Write($"key-{Guid.NewGuid():D}.xml", text.ToArray(), overwrite: false);
+    }
+
+    /// <summary>The bytes of a file.</summary>
+    public byte[] Read(string name) => Try("read", Path.Combine(_folder, name), () => File.ReadAllBytes(Path.Combine(_folder, name)));
+
+    /// <summary>Writes a file whole, flushed to the disk.</summary>
+    /// <returns>False if there is one of this name and it is not to be overwritten.</returns>
+    public bool Write(string name, byte[] bytes, bool overwrite) => Try("written", Path.Combine(_folder, name), () =>
+    {
+        var (file, beside) = (Path.Combine(_folder, name), Path.Combine(_folder, $"{name}.{Guid.NewGuid():N}.new"));
+        var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.Write };
+        if (!OperatingSystem.IsWindows())
+        {
+            options.UnixCreateMode = UnixFileMode.UserRead | UnixFileMode.UserWrite;
+        }
+
+        try
+        {
+            using (var stream = new FileStream(beside, options))
+            {
+                stream.Write(bytes);
+                stream.Flush(flushToDisk: true);
+            }
+
+            File.Move(beside, file, overwrite);
+            return true;
+        }
+        catch (IOException) when (!overwrite && File.Exists(file))
+        {
+            return false;
+        }
+        finally
+        {
+            File.Delete(beside);
+        }
+    });
+
+    private static DirectoryInfo Own(string folder)
+    {
+        var made = Directory.CreateDirectory(folder, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
+        foreach (var path in Directory.EnumerateFiles(folder).Prepend(folder))
+        {
+            if (!OperatingSystem.IsWindows() && (File.GetUnixFileMode(path) & Others) != 0)
+            {
+                throw new PeopleException(
+                    PeopleError.KeysUnusable,
+                    $"Others than its owner can reach {path}, which guards the passwords of machines and the audit trail. If you are sure that nobody did: chmod go-rwx {path}. Else set the machines' passwords anew as well.");
+            }
+        }
+
+        return made;
+    }
+
+    private static T Try<T>(string done, string path, Func<T> work)
+    {
+        try
+        {
+            return work();
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or XmlException)
+        {
+            throw new PeopleException(
+                PeopleError.KeysUnusable,
+                $"{path} cannot be {done}: {e.Message} The keys belong to the account that the cell runs under; use that account, or bring them back from a backup.",
+                e);
+        }
+    }
+}

@@ -1,0 +1,55 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>Passwords of machines, encrypted in the store by keys that are not in it.</summary>
+/// <param name="store">Where they are kept.</param>
+/// <param name="keysFolder">The folder of the keys; it is made when the first password is set.</param>
+public sealed class MachineSecrets(CellStore store, string keysFolder)
+{
+    /// <summary>The longest password, in UTF-16 units.</summary>
+    private const int MostCharacters = 1024;
+
+    private readonly Lazy<KeyRing> _keys = new(() => new KeyRing(keysFolder));
+
+    /// <summary>Sets the password of a machine. Who may do that is <see cref="Act.ManageMachines"/>, which the caller demands.</summary>
+    /// <param name="machine">The machine's name. The password of one is no other's: moved to its row, it is not decrypted.</param>
+    /// <param name="secret">The password: 1 to 1024 characters, none of them a control character.</param>
+    /// <param name="by">Who sets it, for the audit trail, which does not get the password.</param>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.BadSecret"/> or <see cref="PeopleError.KeysUnusable"/>.</exception>
+    public void Set(string machine, string secret, string by)
+    {
+        if (secret.Length is 0 or > MostCharacters || secret.Any(char.IsControl))
+        {
+            throw new PeopleException(PeopleError.BadSecret, $"The password of a machine has 1 to {MostCharacters} characters, none of them a control character such as a tab.");
+        }
+
+        var bytes = _keys.Value.Protect(PurposesOf(machine), secret);
+        store.Write(t =>
+        {
+            t.Execute("INSERT INTO machine_secret (machine, bytes) VALUES (@Machine, @Bytes) ON CONFLICT (machine) DO UPDATE SET bytes = @Bytes", new { Machine = machine, Bytes = bytes });
+            t.Audit(by, "secret-set", machine, "");
+            return bytes;
+        });
+    }
+
+    /// <summary>Removes the password of a machine.</summary>
+    /// <returns>False if there was none.</returns>
+    public bool Remove(string machine, string by) => store.Write(t =>
+    {
+        var any = t.Execute("DELETE FROM machine_secret WHERE machine = @Machine", new { Machine = machine }) > 0;
+        if (any)
+        {
+            t.Audit(by, "secret-removed", machine, "");
+        }
+
+        return any;
+    });
+
+    /// <summary>The password of a machine; null if none was set.</summary>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.SecretUnreadable"/> or <see cref="PeopleError.KeysUnusable"/>.</exception>
+    public string? Get(string machine) =>
+        store.Read("SELECT bytes FROM machine_secret WHERE machine = @Machine", r => (byte[])r.GetValue(0), new { Machine = machine }) is [var bytes]
+            ? _keys.Value.Unprotect(PurposesOf(machine), bytes, $"The password of machine {machine}")
+            : null;
+
+    private static string[] PurposesOf(string machine) => ["password of a machine", machine];
+}

@@ -1,0 +1,94 @@
+using System.Globalization;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>
+/// Which passwords users may have: by length, and not what everybody tries first. No rules of composition and no expiry.
+/// Source: NIST SP 800-63B (2017 with updates), 5.1.1.2, whose least length is 8; 12 here, because one factor is all there is.
+/// </summary>
+internal static class PasswordRule
+{
+    /// <summary>The least length, in UTF-16 units.</summary>
+    public const int LeastCharacters = 12;
+
+    /// <summary>The greatest length, in UTF-16 units: more than NIST's 64, and no work for an attacker to give us.</summary>
+    public const int MostCharacters = 256;
+
+    // What is left of the most common passwords when digits and signs around them are taken away and usual replacements undone.
+    private static readonly HashSet<string> Common =
+    [
+        "", "password", "passwort", "passphrase", "kennwort", "secret", "geheim", "letmein", "welcome", "willkommen", "changeme", "default", "iloveyou", "trustno", "monkey", "dragon", "master", "sunshine", "princess", "football",
+        "baseball", "superman", "starwars", "whatever", "computer", "internet", "abc", "abcd", "abcdef", "abcdefgh", "abcdefghijkl", "abcdefghijklm", "qwe", "qwer", "qwert", "qwertz", "qwerty", "qwertyuiop", "qwertzuiop",
+        "qwertyuiopasdf", "qwertzuiopasdf", "asdf", "asdfgh", "asdfghjkl", "zxcvbnm", "yxcvbnm", "qazwsx", "qazwsxedc", "qweasdzxc", "azerty", "azertyuiop", "admin", "administrator", "root", "user", "guest", "test", "testing",
+        "login", "service", "operator", "setter", "machine", "maschine", "fanuc", "siemens", "heidenhain", "sinumerik", "haas", "mazak", "error", "matching", "errormatching", "errormatch",
+    ];
+
+    /// <summary>Refuses a password that is too short, too long, the name, or common.</summary>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.WeakPassword"/>.</exception>
+    public static void Demand(string name, string password)
+    {
+        if (Problem(name, password) is { } problem)
+        {
+            throw new PeopleException(PeopleError.WeakPassword, $"This password {problem}. Take {LeastCharacters} characters or more that nobody guesses, such as four words that have nothing to do with each other.");
+        }
+    }
+
+    private static string? Problem(string name, string password)
+    {
+        if (password.Length < LeastCharacters)
+        {
+            return string.Create(CultureInfo.InvariantCulture, $"has {password.Length} characters");
+        }
+
+        if (password.Length > MostCharacters)
+        {
+            return string.Create(CultureInfo.InvariantCulture, $"has {password.Length} characters, and at most {MostCharacters} are read");
+        }
+
+        if (password.Any(char.IsControl))
+        {
+            return "has a control character, which the next keyboard may not have";
+        }
+
+        if (Period(password) * 3 <= password.Length || IsRun(password))
+        {
+            return "is one short piece again and again, or characters in their order";
+        }
+
+        var letters = Letters(password);
+        if (Letters(name) is { Length: > 0 } own && letters.Replace(own, "", StringComparison.Ordinal).Length == 0)
+        {
+            return "is the name, or the name with digits and signs around it";
+        }
+
+        return Common.Contains(letters) || Common.Contains(letters[..Period(letters)]) ? "is one of those that are tried first, or one of them with digits and signs around it" : null;
+    }
+
+    // The length of the shortest piece that the text repeats, the last one perhaps cut off.
+    private static int Period(string text)
+    {
+        var period = 1;
+        while (period < text.Length && !text.AsSpan(period).SequenceEqual(text.AsSpan(0, text.Length - period)))
+        {
+            period++;
+        }
+
+        return Math.Min(period, text.Length);
+    }
+
+    private static bool IsRun(string text) =>
+        text.Zip(text.Skip(1)).Count(p => Math.Abs(p.Second - p.First) <= 1 || (p.First == '9' && p.Second == '0')) >= text.Length - 2;
+
+    // Small letters, replacements undone; digits and signs at the ends do not count.
+    private static string Letters(string text)
+    {
+        var plain = text.ToLowerInvariant().AsSpan().Trim("0123456789 !\"#%&'()*+,-./:;<=>?[\\]^_`{|}~§€£");
+        return string.Create(plain.Length, plain, (to, from) =>
+        {
+            for (var i = 0; i < from.Length; i++)
+            {
+                to[i] = from[i] switch { '@' or '4' => 'a', '0' => 'o', '1' or '!' => 'i', '3' => 'e', '$' or '5' => 's', '7' => 't', var c => c };
+            }
+        });
+    }
+}

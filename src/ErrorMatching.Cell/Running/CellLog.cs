@@ -1,0 +1,37 @@
+using System.Globalization;
+using Serilog;
+using Serilog.Core;
+using Serilog.Events;
+using Serilog.Formatting.Json;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>The log of a cell: JSON lines in files that roll daily, and text for people on the error stream. It names files, corrections and machines, never a password or a program's content.</summary>
+public static class CellLog
+{
+    private const long MostBytesOfFile = 50L << 20;
+    private const int MostFiles = 60;
+
+    /// <summary>Opens the log: every step in the files, what people want to know on the error stream.</summary>
+    /// <param name="folder">Where its files are; made if missing.</param>
+    /// <returns>The log, which its caller disposes of so that nothing is lost.</returns>
+    public static Logger Open(string folder)
+    {
+        ArgumentNullException.ThrowIfNull(folder);
+        return new LoggerConfiguration()
+            .MinimumLevel.Debug()
+            .WriteTo.File(
+                new JsonFormatter(renderMessage: true, formatProvider: CultureInfo.InvariantCulture),
+                Path.Combine(folder, "cell-.jsonl"),
+                rollingInterval: RollingInterval.Day,
+                fileSizeLimitBytes: MostBytesOfFile,
+                rollOnFileSizeLimit: true,
+                retainedFileCountLimit: MostFiles)
+            .WriteTo.Console(
+                restrictedToMinimumLevel: LogEventLevel.Information,
+                outputTemplate: "{Timestamp:HH:mm:ss} {Level:w3} {Message:l}{NewLine}{Exception}",
+                formatProvider: CultureInfo.InvariantCulture,
+                standardErrorFromLevel: LogEventLevel.Verbose)
+            .CreateLogger();
+    }
+}

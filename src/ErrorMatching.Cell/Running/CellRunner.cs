@@ -1,0 +1,96 @@
+using System.Diagnostics;
+using Serilog;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>
+/// Runs a cell: takes files from its gauges, computes, and brings programs to machines, until told to stop. Each step is kept in the store before anything shows of it, and every worker takes its work
+/// from the store by state; so whatever ends a runner, the next one goes on where it was.
+/// </summary>
+public sealed class CellRunner
+{
+    private const int Computers = 2;
+    private readonly CellSettings _settings;
+    private readonly CellStore _store;
+    private readonly Func<MachineSettings, IMachineFolder> _open;
+    private readonly TimeProvider _clock;
+    private readonly ILogger _log;
+
+    /// <summary>A runner of a cell.</summary>
+    /// <param name="settings">The configuration.</param>
+    /// <param name="store">The store, open.</param>
+    /// <param name="open">Opens a machine's folder, such as by <see cref="MachineFolders.Open"/> with the machine's secret.</param>
+    /// <param name="clock">The clock.</param>
+    /// <param name="log">Where it says what it does.</param>
+    public CellRunner(CellSettings settings, CellStore store, Func<MachineSettings, IMachineFolder> open, TimeProvider clock, ILogger log)
+    {
+        ArgumentNullException.ThrowIfNull(settings);
+        ArgumentNullException.ThrowIfNull(store);
+        ArgumentNullException.ThrowIfNull(open);
+        (_settings, _store, _open, _clock, _log) = (settings, store, open, clock, log);
+    }
+
+    /// <summary>Called every few seconds while it runs.</summary>
+    public Action? Alive { get; init; }
+
+    /// <summary>How long is waited for what.</summary>
+    internal FlowPace Pace { get; init; } = new();
+
+    /// <summary>Called before and after each step with the state it leads to.</summary>
+    internal Action<CorrectionState, bool>? AroundStep { get; init; }
+
+    /// <summary>Runs until told to stop; then finishes or gives back what it holds, within 10 s.</summary>
+    /// <param name="stop">Tells it to stop.</param>
+    public async Task RunAsync(CancellationToken stop)
+    {
+        using var finish = new CancellationTokenSource();
+        using var end = CancellationTokenSource.CreateLinkedTokenSource(stop);
+        using var atStop = end.Token.UnsafeRegister(_ => finish.CancelAfter(Pace.Finish), null);
+        var flow = new CellFlow(_settings, _store, _clock, _log, Pace, finish.Token) { AroundStep = AroundStep };
+        using var lines = CellTelemetry.Watch(() => Lines(flow));
+        var workers = Workers(flow).Select(w => Task.Run(() => w(end.Token), CancellationToken.None)).ToArray();
+        _log.Information("{Cell} runs: {Gauges} gauges, {Slots} slots", _settings.Name, _settings.Gauges.Count, _settings.Machines.Sum(m => m.Slots.Count));
+
+        // Workers end only when told to: one that ends before is a defect, and takes the others with it.
+        var first = await Task.WhenAny(workers);
+        await end.CancelAsync();
+        await Task.WhenAny(Task.WhenAll(workers), Task.Delay(Pace.Finish + Pace.GiveBack + Pace.GiveBack, CancellationToken.None));
+        Heartbeat.Remove(_settings.LogFolder);
+        if (!stop.IsCancellationRequested)
+        {
+            await first;
+            throw new UnreachableException("A worker of the cell ended by itself.");
+        }
+
+        _log.Information("{Cell} stopped", _settings.Name);
+    }
+
+    private IEnumerable<Func<CancellationToken, Task>> Workers(CellFlow flow)
+    {
+        var originals = new OriginalPrograms(_settings);
+        foreach (var gauge in _settings.Gauges)
+        {
+            var source = new SourceWorker(flow, gauge, _open);
+            yield return new Worker(flow, $"gauge {gauge.Name}", new(), source.WorkAsync).RunAsync;
+        }
+
+        yield return new Worker(flow, "recognition", flow.Archived, new RecognizeWorker(flow).WorkAsync).RunAsync;
+        var computing = new ComputeWorker(flow);
+        for (var i = 0; i < Computers; i++)
+        {
+            yield return new Worker(flow, $"computing {i + 1}", flow.Recognized, computing.WorkAsync).RunAsync;
+        }
+
+        yield return new Worker(flow, "approval", flow.Computed, new ProposeWorker(flow).WorkAsync).RunAsync;
+        foreach (var (machine, slot) in _settings.Machines.SelectMany(m => m.Slots.Select(s => (m, s))))
+        {
+            yield return new Worker(flow, $"slot {machine.Name}/{slot.Name}", flow.OfSlot(machine.Name, slot.Name), new SlotWorker(flow, machine, slot, _open(machine), originals).WorkAsync).RunAsync;
+        }
+
+        yield return new Worker(flow, "store", new(), new StoreWatch(flow).WorkAsync).RunAsync;
+        yield return new Worker(flow, "heartbeat", new(), new HeartbeatWorker(flow, Alive).WorkAsync).RunAsync;
+    }
+
+    private static IEnumerable<(string Machine, string Slot, long Waiting)> Lines(CellFlow flow) =>
+        flow.Settings.Machines.SelectMany(m => m.Slots.Select(s => (m.Name, s.Name, (long)flow.Store.Line(m.Name, s.Name).Count)));
+}

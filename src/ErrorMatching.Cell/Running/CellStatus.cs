@@ -1,0 +1,34 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>How a cell is: what it holds, what waits, and what keeps it from working.</summary>
+/// <param name="Heartbeat">The sign of life of the process that runs it; null if there is none.</param>
+/// <param name="IsRunning">True if that is fresh.</param>
+/// <param name="Slots">All slots, in the order of the configuration.</param>
+/// <param name="Proposed">What waits for a person's approval, in order of arrival.</param>
+/// <param name="Failed">What failed and waits for a setter, in order of arrival.</param>
+/// <param name="InWork">What arrived and is not computed yet.</param>
+public sealed record CellStatus(
+    Heartbeat? Heartbeat, bool IsRunning, IReadOnlyList<SlotStatus> Slots, IReadOnlyList<Correction> Proposed, IReadOnlyList<Correction> Failed, IReadOnlyList<Correction> InWork)
+{
+    /// <summary>True if nothing stands in the way but a person's approval or an operator's release, which is the ordinary course.</summary>
+    public bool IsHealthy => IsRunning && Failed.Count == 0 && Heartbeat!.Troubles.Count == 0;
+
+    /// <summary>Looks.</summary>
+    /// <param name="settings">The configuration.</param>
+    /// <param name="store">The store.</param>
+    /// <param name="clock">The clock.</param>
+    public static CellStatus Of(CellSettings settings, CellStore store, TimeProvider clock)
+    {
+        ArgumentNullException.ThrowIfNull(settings);
+        ArgumentNullException.ThrowIfNull(store);
+        ArgumentNullException.ThrowIfNull(clock);
+        var heartbeat = Heartbeat.Read(settings.LogFolder);
+        return new(
+            heartbeat,
+            heartbeat?.IsFresh(clock.GetUtcNow()) ?? false,
+            [.. settings.Machines.SelectMany(m => m.Slots.Select(s => SlotStatus.Of(settings, m, s, store)))],
+            store.InState(CorrectionState.Proposed),
+            store.InState(CorrectionState.Failed),
+            store.InState(CorrectionState.Archived, CorrectionState.Recognized));
+    }
+}

@@ -1,0 +1,102 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>Computes recognized corrections. Several loops may run at once: each takes another correction, the earliest first.</summary>
+internal sealed class ComputeWorker(CellFlow flow)
+{
+    private readonly CorrectionComputer _computer = new(flow.Settings.Policy);
+    private readonly HashSet<long> _taken = [];
+    private readonly Lock _gate = new();
+
+    /// <summary>Computes one correction, if there is one.</summary>
+    /// <returns>How long to wait before looking again.</returns>
+    public async Task<TimeSpan> WorkAsync(CancellationToken stop)
+    {
+        if (Take() is not { } recognized)
+        {
+            return flow.Pace.Idle;
+        }
+
+        try
+        {
+            using var activity = CellTelemetry.Start("compute", recognized);
+            await Task.Yield();
+            flow.Guarded(recognized, () => Compute(recognized, stop));
+        }
+        finally
+        {
+            lock (_gate)
+            {
+                _taken.Remove(recognized.Id);
+            }
+        }
+
+        return TimeSpan.Zero;
+    }
+
+    private Correction? Take()
+    {
+        lock (_gate)
+        {
+            var next = flow.Store.InState(CorrectionState.Recognized).FirstOrDefault(c => !_taken.Contains(c.Id));
+            if (next is not null)
+            {
+                _taken.Add(next.Id);
+            }
+
+            return next;
+        }
+    }
+
+    private void Compute(Correction recognized, CancellationToken stop)
+    {
+        if (flow.Settings.Jobs.FirstOrDefault(j => j.Name == recognized.Job) is not { } job)
+        {
+            Refuse(recognized, CellCodes.JobGone, $"The configuration has no job {recognized.Job} any more. Bring it back, and give the measurement again.");
+            return;
+        }
+
+        switch (_computer.Compute(CorrectionRequests.Of(flow, recognized, job, flow.Store.Content(recognized.MeasurementSha256)), stop))
+        {
+            case Computed computed:
+                Keep(recognized, job, computed);
+                break;
+            case NothingToSend nothing:
+                flow.Step(recognized, CorrectionState.Recorded, nothing.Reason, c => c with { Code = nothing.Code, Reason = nothing.Reason });
+                break;
+            case RefusedComputation { MayPass: true } refused:
+                flow.Step(recognized, CorrectionState.Failed, refused.Reason, c => c with { Code = refused.Code, Reason = refused.Reason, Identity = null });
+                break;
+            case RefusedComputation refused:
+                Refuse(recognized, refused.Code, refused.Reason);
+                break;
+            case var other:
+                throw new InvalidOperationException($"A computation came to {other.GetType().Name}.");
+        }
+    }
+
+    private void Keep(Correction recognized, CellJobSettings job, Computed computed)
+    {
+        ReadOnlyMemory<byte>? sums = job.Accumulates ? computed.Sums.ToJson() : null;
+        var basis = computed.LargestMm > 0 ? FormattableString.Invariant($"displaced by at most {computed.LargestMm:0.0000} mm at {computed.LargestAt}") : "nothing is to be displaced";
+        flow.Step(
+            recognized,
+            CorrectionState.Computed,
+            string.Join(" ", computed.Warnings.Prepend(basis + ".")),
+            c => c with
+            {
+                ProgramSha256 = HashOf(computed.Program),
+                ReportSha256 = HashOf(computed.Report),
+                PageSha256 = HashOf(computed.Page),
+                LargestMm = computed.LargestMm,
+                SumMm = computed.SumMm,
+                SumsSha256 = sums is { } kept ? HashOf(kept) : null,
+            },
+            [computed.Program, computed.Report, computed.Page, .. sums is { } more ? new[] { more } : []]);
+    }
+
+    // Its identity is free again: what is refused may come again when its reason is gone.
+    private void Refuse(Correction recognized, string code, string reason) =>
+        flow.Step(recognized, CorrectionState.Refused, reason, c => c with { Code = code, Reason = reason, Identity = null });
+
+    private static string HashOf(ReadOnlyMemory<byte> bytes) => Convert.ToHexStringLower(System.Security.Cryptography.SHA256.HashData(bytes.Span));
+}

@@ -1,0 +1,86 @@
+using System.Globalization;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>What people decide about corrections. Who may decide what is the caller's to see; each decision is one step of the store, under the person's name.</summary>
+/// <param name="store">The store.</param>
+public sealed class CorrectionDecisions(CellStore store)
+{
+    /// <summary>Lets a correction go to its machine: one that waits for it, or one that failed there.</summary>
+    /// <param name="id">Its number.</param>
+    /// <param name="by">The user's name.</param>
+    /// <param name="reason">Why; null for none.</param>
+    /// <exception cref="DecisionException">It cannot be approved.</exception>
+    public Correction Approve(long id, string by, string? reason)
+    {
+        var correction = Demand(id, "approved", CorrectionState.Proposed, CorrectionState.Failed);
+        if (correction.ProgramSha256 is null)
+        {
+            throw new DecisionException(DecisionException.NothingToSend, Sentence($"Correction {id} failed before it had a program: {correction.Reason} Reject it, put that right and measure again."));
+        }
+
+        return Step(correction, CorrectionState.Approved, by, reason ?? "approved", c => c with { Code = null, Reason = null });
+    }
+
+    /// <summary>Decides against a correction that is not at its machine.</summary>
+    /// <param name="id">Its number.</param>
+    /// <param name="by">The user's name.</param>
+    /// <param name="reason">Why.</param>
+    /// <exception cref="DecisionException">It cannot be rejected.</exception>
+    public Correction Reject(long id, string by, string reason)
+    {
+        var correction = Demand(id, "rejected", CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed);
+        return Step(correction, CorrectionState.Rejected, by, reason, c => c with { Code = "rejected", Reason = reason });
+    }
+
+    /// <summary>Says that the piece is cut, which frees the slot for the next.</summary>
+    /// <param name="id">Number of the correction that has the slot.</param>
+    /// <param name="by">The user's name.</param>
+    /// <param name="reason">Why; null for none.</param>
+    /// <exception cref="DecisionException">It cannot be released.</exception>
+    public Correction Release(long id, string by, string? reason)
+    {
+        var correction = Demand(id, "released", CorrectionState.Verified, CorrectionState.Reverted);
+        if (correction.State == CorrectionState.Verified)
+        {
+            return Step(correction, CorrectionState.Released, by, reason ?? "the piece is cut", null);
+        }
+
+        if (store.Slot(correction.Machine!, correction.Slot!).Correction != id)
+        {
+            throw new DecisionException(DecisionException.WrongState, Sentence($"Correction {id} is reverted and does not have its slot any more: there is nothing to release."));
+        }
+
+        store.FreeSlot(correction.Machine!, correction.Slot!, by, reason ?? "the slot may be used again");
+        return correction;
+    }
+
+    /// <summary>The correction of a number.</summary>
+    /// <exception cref="DecisionException">There is none.</exception>
+    public Correction Demand(long id) =>
+        store.Find(id) ?? throw new DecisionException(DecisionException.UnknownCorrection, Sentence($"There is no correction {id}. errormatch cell history lists those that there are."));
+
+    internal Correction Demand(long id, string done, params CorrectionState[] states)
+    {
+        var correction = Demand(id);
+        return states.Contains(correction.State) ? correction : throw new DecisionException(
+            DecisionException.WrongState,
+            Sentence($"Correction {id} is {Word(correction.State)}, and only one that is {string.Join(" or ", states.Select(Word))} can be {done}."));
+    }
+
+    internal Correction Step(Correction correction, CorrectionState to, string by, string basis, Func<Correction, Correction>? with)
+    {
+        try
+        {
+            return store.Step(correction, to, by, basis, with);
+        }
+        catch (StoreException e) when (e.Error == StoreError.Conflict)
+        {
+            throw new DecisionException(DecisionException.ChangedMeanwhile, Sentence($"Correction {correction.Id} changed meanwhile: look at it again with errormatch cell show."));
+        }
+    }
+
+    private static string Word(CorrectionState state) => state.ToString().ToLowerInvariant();
+
+    private static string Sentence(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+}

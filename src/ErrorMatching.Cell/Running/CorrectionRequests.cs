@@ -1,0 +1,21 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>What corrections are computed from, as the store keeps it.</summary>
+internal static class CorrectionRequests
+{
+    /// <summary>The request of a recognized correction.</summary>
+    /// <param name="flow">What workers share.</param>
+    /// <param name="correction">The correction, with what it starts from and is compared with.</param>
+    /// <param name="job">Its job.</param>
+    /// <param name="measurement">Its measurement.</param>
+    public static CorrectionRequest Of(CellFlow flow, Correction correction, CellJobSettings job, byte[] measurement) => new()
+    {
+        Job = job,
+        Piece = correction.Piece!,
+        Measurement = new(correction.FileName, measurement),
+        Part = correction.PartSha256 is { } part ? new(flow.Store.OfMeasurement(part)[0].FileName, flow.Store.Content(part)) : null,
+        Base = job.Accumulates && correction.SumsSha256 is not null ? flow.Store.Content(correction.BaseSha256!) : default(ReadOnlyMemory<byte>?),
+        Sums = job.Accumulates && correction.SumsSha256 is { } sums ? CorrectionSums.FromJson(flow.Store.Content(sums)) : CorrectionSums.None,
+        Identity = correction.Identity,
+    };
+}

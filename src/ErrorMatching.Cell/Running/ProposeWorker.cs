@@ -1,0 +1,90 @@
+using System.Globalization;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Proposes what is computed, lets a newer measurement take the place of older ones of the same piece, and approves where the policy says so.</summary>
+internal sealed class ProposeWorker(CellFlow flow)
+{
+    private const int MostOfOneSerial = 1000;
+    private bool _hasLookedBack;
+
+    /// <summary>Does what there is to do.</summary>
+    /// <returns>How long to wait before looking again.</returns>
+    public Task<TimeSpan> WorkAsync(CancellationToken stop)
+    {
+        if (!_hasLookedBack)
+        {
+            // What the policy approves was left over if the cell ended between the two steps, or if the policy changed.
+            foreach (var proposed in flow.Store.InState(CorrectionState.Proposed))
+            {
+                ApproveByPolicy(proposed);
+            }
+
+            _hasLookedBack = true;
+        }
+
+        foreach (var computed in flow.Store.InState(CorrectionState.Computed))
+        {
+            if (stop.IsCancellationRequested)
+            {
+                break;
+            }
+
+            using var activity = CellTelemetry.Start("propose", computed);
+            Propose(computed);
+        }
+
+        return Task.FromResult(flow.Pace.Idle);
+    }
+
+    private void Propose(Correction computed)
+    {
+        var others = OfSamePiece(computed);
+        if (others.FirstOrDefault(c => c.Id > computed.Id && TakesPlace(c)) is { } newer)
+        {
+            Supersede(computed, newer);
+            return;
+        }
+
+        // First the older ones: should the cell end in between, this one is still computed and comes here again.
+        foreach (var older in others.Where(c => c.Id < computed.Id && CorrectionSteps.Allows(c.State, CorrectionState.Superseded)))
+        {
+            Supersede(older, computed);
+        }
+
+        ApproveByPolicy(flow.Step(computed, CorrectionState.Proposed, Millimeters(computed)));
+    }
+
+    private void ApproveByPolicy(Correction proposed)
+    {
+        if (flow.PolicyOf(proposed) is { Automatic: true } policy)
+        {
+            var limit = policy.LimitMm is { } mm ? string.Create(CultureInfo.InvariantCulture, $" within {mm} mm") : "";
+            flow.Step(proposed, CorrectionState.Approved, $"policy: automatic{limit}");
+        }
+    }
+
+    private IReadOnlyList<Correction> OfSamePiece(Correction correction) => correction.Serial is not { } serial
+        ? []
+        : [.. flow.Store.Search(new() { Serial = serial, Most = MostOfOneSerial }).Where(c => c.Id != correction.Id && c.Job == correction.Job && c.Piece == correction.Piece)];
+
+    private static bool TakesPlace(Correction newer) => newer.State switch
+    {
+        CorrectionState.Proposed or CorrectionState.Approved or CorrectionState.Uploading or CorrectionState.Verified or CorrectionState.Released => true,
+        CorrectionState.Failed => newer.ProgramSha256 is not null,
+        _ => false,
+    };
+
+    private void Supersede(Correction older, Correction newer) => flow.Step(
+        older,
+        CorrectionState.Superseded,
+        string.Create(CultureInfo.InvariantCulture, $"correction {newer.Id} is a newer measurement of {newer.Serial}"),
+        c => c with { Code = CellCodes.Superseded, Reason = string.Create(CultureInfo.InvariantCulture, $"Correction {newer.Id} ({newer.FileName}) is a newer measurement of the same piece.") });
+
+    private static string Millimeters(Correction computed) => (computed.LargestMm, computed.SumMm) switch
+    {
+        ({ } largest, { } sum) when sum > largest => string.Create(CultureInfo.InvariantCulture, $"displaced by at most {largest:0.0000} mm, {sum:0.0000} mm since the original"),
+        ({ } largest, _) => string.Create(CultureInfo.InvariantCulture, $"displaced by at most {largest:0.0000} mm"),
+        _ => "computed",
+    };
+}

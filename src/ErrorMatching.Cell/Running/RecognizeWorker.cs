@@ -1,0 +1,103 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>Finds out whose measurement an archived file is and what its correction stands on, and refuses what was there before.</summary>
+internal sealed class RecognizeWorker(CellFlow flow)
+{
+    private readonly Recognizer _recognizer = new(flow.Settings);
+    private readonly CorrectionComputer _computer = new(flow.Settings.Policy);
+
+    /// <summary>Recognizes what is archived, in order of arrival.</summary>
+    /// <returns>How long to wait before looking again.</returns>
+    public Task<TimeSpan> WorkAsync(CancellationToken stop)
+    {
+        foreach (var archived in flow.Store.InState(CorrectionState.Archived))
+        {
+            if (stop.IsCancellationRequested)
+            {
+                break;
+            }
+
+            using var activity = CellTelemetry.Start("recognize", archived);
+            flow.Guarded(archived, () => Recognize(archived));
+        }
+
+        return Task.FromResult(flow.Pace.Idle);
+    }
+
+    private void Recognize(Correction archived)
+    {
+        var bytes = flow.Store.Content(archived.MeasurementSha256);
+        var found = _recognizer.Recognize(archived.Gauge, archived.FileName, bytes);
+        if (found.Job is not { } job)
+        {
+            Refuse(archived, found.Code!, found.Reason!);
+            return;
+        }
+
+        var slot = flow.Settings.Machines.First(m => m.Name == job.Machine).Slots.First(s => s.Name == job.Slot);
+        var known = archived with { Job = job.Name, Piece = found.Piece, Serial = found.Serial, WorkOrder = found.WorkOrder, Machine = job.Machine, Slot = job.Slot, Program = slot.Program };
+        var cutBy = job.Accumulates && known.Piece == "counterpart" ? OfSerialOrAny(known.Serial, s => flow.Store.LastSent(job.Name, s)) : null;
+        var part = known.Piece == "counterpart" ? LastPart(known) : null;
+        known = known with { BaseSha256 = cutBy?.ProgramSha256, SumsSha256 = cutBy?.SumsSha256, PartSha256 = part?.MeasurementSha256 };
+        if (Earlier(known, job) is { } earlier)
+        {
+            Refuse(known, CellCodes.AlreadyKnown, AlreadyKnown(earlier));
+            return;
+        }
+
+        if (cutBy is { SumsSha256: null })
+        {
+            Refuse(known, CellCodes.SumsUnknown, FormattableString.Invariant($"The piece was cut by the program of correction {cutBy.Id}, which was made when the job {job.Name} did not accumulate: nobody knows its sums. Revert that correction, and begin from the original."));
+            return;
+        }
+
+        switch (_computer.Identify(CorrectionRequests.Of(flow, known, job, bytes)))
+        {
+            case Identified { Basis: var basis }:
+                Begin(archived, known, basis, cutBy, part);
+                break;
+            case RefusedComputation refused:
+                Refuse(known, refused.Code, refused.Reason);
+                break;
+            case var other:
+                throw new InvalidOperationException($"A measurement that is not computed yet came to {other.GetType().Name}.");
+        }
+    }
+
+    private void Begin(Correction archived, Correction known, CorrectionBasis basis, Correction? cutBy, Correction? part)
+    {
+        var words = $"{known.Piece} of {known.Job}"
+            + (cutBy is null ? "" : FormattableString.Invariant($", cut by the program of correction {cutBy.Id}"))
+            + (part is null ? "" : FormattableString.Invariant($", to be compared with the part of correction {part.Id}"));
+        try
+        {
+            flow.Step(
+                archived,
+                CorrectionState.Recognized,
+                words,
+                _ => known with { Identity = basis.Identity, JobSha256 = basis.JobSha256, BaseSha256 = basis.BaseSha256 },
+                [basis.Job, .. basis.Base is { } program ? new[] { program } : []]);
+        }
+        catch (DuplicateCorrectionException e)
+        {
+            Refuse(known, CellCodes.AlreadyKnown, AlreadyKnown(flow.Store.Find(e.Existing)!));
+        }
+    }
+
+    // Where corrections add up, each starts from another program, so that its identity is another one: the same file again is the same measurement all the same, and must not be added twice.
+    private Correction? Earlier(Correction known, CellJobSettings job) => !job.Accumulates ? null : flow.Store.OfMeasurement(known.MeasurementSha256)
+        .FirstOrDefault(c => c.Id != known.Id && c.Job == known.Job && c.Piece == known.Piece && c.Identity is not null);
+
+    private Correction? LastPart(Correction counterpart) =>
+        (counterpart.Serial is { } serial ? flow.Store.LastPart(counterpart.Job!, serial, null) : null)
+        ?? (counterpart.WorkOrder is { } order ? flow.Store.LastPart(counterpart.Job!, null, order) : null)
+        ?? flow.Store.LastPart(counterpart.Job!, null, null);
+
+    private static Correction? OfSerialOrAny(string? serial, Func<string?, Correction?> find) => (serial is null ? null : find(serial)) ?? find(null);
+
+    private static string AlreadyKnown(Correction other) => FormattableString.Invariant(
+        $"Correction {other.Id} ({other.FileName}, {other.State.ToString().ToLowerInvariant()}) has the same measurement, job and program: a correction is applied once.");
+
+    private void Refuse(Correction known, string code, string reason) =>
+        flow.Step(known, CorrectionState.Refused, reason, c => c with { Code = code, Reason = reason, BaseSha256 = null, PartSha256 = null, SumsSha256 = null });
+}

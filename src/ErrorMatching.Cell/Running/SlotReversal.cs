@@ -1,0 +1,80 @@
+using System.Globalization;
+using System.Security.Cryptography;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Brings back the program that a slot held before a correction, and reads it back. The slot stays taken until somebody frees it: whoever reverted looks first.</summary>
+/// <param name="settings">The configuration.</param>
+/// <param name="store">The store.</param>
+/// <param name="open">Opens a machine's folder, such as by <see cref="MachineFolders.Open"/>.</param>
+/// <param name="clock">The clock.</param>
+public sealed class SlotReversal(CellSettings settings, CellStore store, Func<MachineSettings, IMachineFolder> open, TimeProvider clock)
+{
+    /// <summary>Reverts a correction whose program the slot holds.</summary>
+    /// <param name="id">Its number.</param>
+    /// <param name="by">The user's name.</param>
+    /// <param name="reason">Why.</param>
+    /// <param name="cancellation">Ends it; the slot then holds the correction's program or the one before, whole, and the same call goes on.</param>
+    /// <exception cref="DecisionException">It cannot be reverted.</exception>
+    /// <exception cref="TransportException">The machine did not take the program.</exception>
+    public async Task<Correction> RevertAsync(long id, string by, string reason, CancellationToken cancellation)
+    {
+        var decisions = new CorrectionDecisions(store);
+        var correction = decisions.Demand(id, "reverted", CorrectionState.Verified, CorrectionState.Released);
+        if (correction.PreviousSha256 is not { } previous)
+        {
+            throw new DecisionException(DecisionException.NothingBefore, Sentence($"{correction.Slot} of {correction.Machine} was empty before correction {id}: there is no program to bring back."));
+        }
+
+        var machine = settings.Machines.FirstOrDefault(m => m.Name == correction.Machine);
+        var slot = machine?.Slots.FirstOrDefault(s => s.Name == correction.Slot);
+        if (machine is null || slot is null)
+        {
+            throw new DecisionException(DecisionException.WrongState, Sentence($"Slot {correction.Slot} of {correction.Machine} is not in {settings.File} any more: bring it back there first."));
+        }
+
+        using var slotLock = store.TryLockSlot(machine.Name, slot.Name)
+            ?? throw new DecisionException(DecisionException.SlotTaken, Sentence($"A program is being sent to slot {slot.Name} of {machine.Name} just now: try again in a moment."));
+        if (store.Slot(machine.Name, slot.Name).Correction is { } holder && holder != id)
+        {
+            throw new DecisionException(DecisionException.SlotTaken, Sentence($"Correction {holder} has slot {slot.Name} of {machine.Name}: revert or release that one first."));
+        }
+
+        if (store.Slot(machine.Name, slot.Name).ProgramSha256 != correction.ProgramSha256)
+        {
+            throw new DecisionException(DecisionException.WrongState, Sentence($"Slot {slot.Name} of {machine.Name} holds a later program than that of correction {id}: revert that one."));
+        }
+
+        await BringBackAsync(open(machine), machine, slot, correction, previous, cancellation);
+        return decisions.Step(correction, CorrectionState.Reverted, by, reason, c => c with { Code = "reverted", Reason = reason });
+    }
+
+    private async Task BringBackAsync(IMachineFolder folder, MachineSettings machine, SlotSettings slot, Correction correction, string previous, CancellationToken cancellation)
+    {
+        var sender = new ProgramSender(folder, TransferTries.For(machine, clock));
+        await sender.RecoverAsync(slot.Program, cancellation);
+        var found = await sender.CurrentAsync(slot.Program, cancellation) is { } bytes ? Convert.ToHexStringLower(SHA256.HashData(bytes)) : null;
+        if (slot.ReadyFile is { } ready)
+        {
+            // It tells of the program that is taken back.
+            await folder.DeleteAsync(ready, cancellation);
+        }
+
+        if (found == previous)
+        {
+            // An earlier call was cut behind this.
+            return;
+        }
+
+        if (found != correction.ProgramSha256)
+        {
+            throw new DecisionException(
+                DecisionException.ChangedAtMachine,
+                Sentence($"{slot.Program} at {machine.Name} is not the program of correction {correction.Id} but {found ?? "missing"}: somebody changed it. Look at it; what was there before the correction is in the store, for errormatch cell show {correction.Id} --out."));
+        }
+
+        await sender.SendAsync(slot.Program, store.Content(previous), Sentence($"revert{correction.Id}"), cancellation);
+    }
+
+    private static string Sentence(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,262 @@
+using System.Globalization;
+using System.Security.Cryptography;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Serves one slot: sends who is next in line, and frees the slot when the machine says that the piece is cut.</summary>
+/// <param name="flow">What workers share.</param>
+/// <param name="machine">The machine.</param>
+/// <param name="slot">The slot.</param>
+/// <param name="folder">The machine's programs.</param>
+/// <param name="originals">The original programs of the slot's jobs.</param>
+internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSettings slot, IMachineFolder folder, OriginalPrograms originals)
+{
+    private readonly ProgramSender _sender = new(folder, TransferTries.For(machine, flow.Clock, t => flow.Log.Debug("{Machine}: try {Try} failed, next in {Wait}: {Message}", t.Machine, t.Number, t.Wait, t.Failure.Message)));
+    private long _nextReady;
+    private bool _isInOrder;
+
+    /// <summary>Does what there is to do at the slot.</summary>
+    /// <returns>How long to wait before looking again.</returns>
+    public async Task<TimeSpan> WorkAsync(CancellationToken stop)
+    {
+        var holding = flow.Store.Slot(machine.Name, slot.Name);
+        if (holding.Correction is { } id)
+        {
+            var held = flow.Store.Find(id)!;
+            return held.State == CorrectionState.Uploading ? await UploadLockedAsync(held, stop) : await LookForReadyAsync(held, stop);
+        }
+
+        var first = SlotLine.First(flow.Store.Line(machine.Name, slot.Name), IsInOrderOfSerial);
+        return first is { State: CorrectionState.Approved } ? await UploadLockedAsync(first, stop) : flow.Pace.Idle;
+    }
+
+    private bool IsInOrderOfSerial(string job) => flow.Settings.Jobs.FirstOrDefault(j => j.Name == job)?.InOrderOfSerial ?? false;
+
+    private async Task<TimeSpan> UploadLockedAsync(Correction correction, CancellationToken stop)
+    {
+        using var slotLock = flow.Store.TryLockSlot(machine.Name, slot.Name);
+        if (slotLock is null)
+        {
+            return flow.Pace.Locked;
+        }
+
+        // Whoever had the lock may have taken a step meanwhile.
+        if (flow.Store.Find(correction.Id)!.Version != correction.Version)
+        {
+            return TimeSpan.Zero;
+        }
+
+        stop.ThrowIfCancellationRequested();
+        using var activity = CellTelemetry.Start("upload", correction);
+        if (correction.State == CorrectionState.Uploading)
+        {
+            _isInOrder = false;
+            await SendAsync(correction, slotLock);
+        }
+        else if (await TakeAsync(correction) is { } uploading)
+        {
+            await SendAsync(uploading, slotLock);
+        }
+
+        return TimeSpan.Zero;
+    }
+
+    // Looks what the machine holds, keeps it, and takes the slot. Nothing is changed at the machine yet.
+    private async Task<Correction?> TakeAsync(Correction approved)
+    {
+        byte[]? found;
+        try
+        {
+            found = await LookAsync(flow.Finish);
+        }
+        catch (TransportException e) when (!e.IsWorthAnotherTry)
+        {
+            Fail(flow.Step(approved, CorrectionState.Uploading, "tried to read what the slot holds"), CellCodes.Of(e.Error), e.Message);
+            return null;
+        }
+
+        var hash = HashOf(found);
+        var isKnown = IsKnown(hash, approved);
+        var uploading = flow.Step(
+            approved,
+            CorrectionState.Uploading,
+            hash is null ? "the slot was empty" : $"the slot held {hash}",
+            c => c with { PreviousSha256 = hash },
+            found is null ? null : [found]);
+        if (isKnown)
+        {
+            return uploading;
+        }
+
+        Fail(uploading, CellCodes.ChangedAtMachine, $"{slot.Program} at {machine.Name} is neither what the cell put there nor an original: somebody changed it. It is kept as {hash}. Look at it, then approve again to replace it, or reject.");
+        return null;
+    }
+
+    private bool IsKnown(string? hash, Correction approved)
+    {
+        var holding = flow.Store.Slot(machine.Name, slot.Name);
+        return hash is null || hash == holding.ProgramSha256 || hash == holding.PreviousSha256 || hash == approved.ProgramSha256
+            || hash == approved.PreviousSha256 // Found before: either it was known then, or a person approved again who had been told.
+            || originals.Hashes(machine.Name, slot.Name).Contains(hash);
+    }
+
+    private async Task<byte[]?> LookAsync(CancellationToken cancellation)
+    {
+        if (!_isInOrder)
+        {
+            await _sender.RecoverAsync(slot.Program, cancellation);
+            _isInOrder = true;
+        }
+
+        return await _sender.CurrentAsync(slot.Program, cancellation);
+    }
+
+    // The slot is taken; the machine may hold the old program, the new one, or what a cut left of both.
+    private async Task SendAsync(Correction uploading, ISlotLock slotLock)
+    {
+        try
+        {
+            Verify(uploading, await SendOrFindAsync(uploading, slotLock));
+        }
+        catch (ChangedAtMachineException e)
+        {
+            Fail(uploading, CellCodes.ChangedAtMachine, e.Message, e.Found);
+        }
+        catch (OperationCanceledException) when (flow.Finish.IsCancellationRequested)
+        {
+            using var soon = new CancellationTokenSource(flow.Pace.GiveBack, flow.Clock);
+            await GiveBackAsync(uploading, null, "the cell was stopped", soon.Token);
+            throw;
+        }
+        catch (TransportException e)
+        {
+            await GiveBackAsync(uploading, e, e.Message, flow.Finish);
+            if (e.IsWorthAnotherTry)
+            {
+                throw;
+            }
+        }
+    }
+
+    private async Task<string> SendOrFindAsync(Correction uploading, ISlotLock slotLock)
+    {
+        if (!_isInOrder)
+        {
+            var found = await LookAsync(flow.Finish);
+            var hash = HashOf(found);
+            if (hash == uploading.ProgramSha256)
+            {
+                return "the machine held it after a cut";
+            }
+
+            if (hash != uploading.PreviousSha256)
+            {
+                throw new ChangedAtMachineException(found, $"{slot.Program} at {machine.Name} changed while it was being replaced: it is neither the program before nor the one to send. It is kept as {hash}. Look at it, then approve again to replace it, or reject.");
+            }
+        }
+
+        if (!slotLock.IsHeld)
+        {
+            throw new StoreException(StoreError.Away, $"The right to send to slot {slot.Name} of {machine.Name} was lost with the connection to the store.");
+        }
+
+        // From here on a cut may leave anything.
+        _isInOrder = false;
+        if (slot.ReadyFile is { } ready)
+        {
+            // One that lies there tells of the program before.
+            await folder.DeleteAsync(ready, flow.Finish);
+        }
+
+        var program = flow.Store.Content(uploading.ProgramSha256!);
+        await _sender.SendAsync(slot.Program, program, string.Create(CultureInfo.InvariantCulture, $"{uploading.Id}"), flow.Finish);
+        _isInOrder = true;
+        return "read back from the machine, the same to the last bit";
+    }
+
+    private void Verify(Correction uploading, string basis)
+    {
+        var verified = flow.Step(uploading, CorrectionState.Verified, basis);
+        CellTelemetry.Arrived(verified, flow.Clock.GetUtcNow());
+        _nextReady = 0;
+    }
+
+    // After all tries: the slot is brought back into order if the machine can be reached, and given back if it then holds what it held. Else the correction keeps it, and the next look goes on.
+    private async Task GiveBackAsync(Correction uploading, TransportException? cause, string basis, CancellationToken cancellation)
+    {
+        _isInOrder = false;
+        string? hash;
+        try
+        {
+            hash = HashOf(await LookAsync(cancellation));
+        }
+        catch (TransportException) when (cause is { IsWorthAnotherTry: false })
+        {
+            Fail(uploading, CellCodes.Of(cause.Error), cause.Message + " The slot may hold the program before or this one.");
+            return;
+        }
+        catch (TransportException e)
+        {
+            flow.Log.Debug("slot {Machine}/{Slot}: keeps correction {Correction} while the machine cannot be asked: {Message}", machine.Name, slot.Name, uploading.Id, e.Message);
+            return;
+        }
+
+        if (hash == uploading.ProgramSha256)
+        {
+            Verify(uploading, "the machine held it after a cut");
+        }
+        else if (hash == uploading.PreviousSha256 && cause is null or { Error: TransportError.Away or TransportError.Slow })
+        {
+            flow.Step(uploading, CorrectionState.Approved, "given back: " + basis);
+        }
+        else if (cause is not null)
+        {
+            Fail(uploading, CellCodes.Of(cause.Error), basis);
+        }
+    }
+
+    private void Fail(Correction uploading, string code, string reason, byte[]? found = null) =>
+        flow.Step(
+            uploading,
+            CorrectionState.Failed,
+            reason,
+            c => c with { Code = code, Reason = reason, PreviousSha256 = found is null ? c.PreviousSha256 : HashOf(found) },
+            found is null ? null : [found]);
+
+    // The step comes first: a ready file that outlives it is stale, and removed before the next program is sent.
+    private async Task<TimeSpan> LookForReadyAsync(Correction held, CancellationToken stop)
+    {
+        if (slot.ReadyFile is not { } ready)
+        {
+            return flow.Pace.Idle;
+        }
+
+        var now = flow.Clock.GetTimestamp();
+        if (_nextReady > now)
+        {
+            return flow.Clock.GetElapsedTime(now, _nextReady);
+        }
+
+        var names = await folder.ListAsync(stop);
+        _nextReady = flow.Clock.GetTimestamp() + (long)(flow.Pace.Ready.TotalSeconds * flow.Clock.TimestampFrequency);
+        if (!names.Contains(ready, StringComparer.Ordinal))
+        {
+            return flow.Pace.Ready;
+        }
+
+        var basis = $"the machine wrote {ready}";
+        if (held.State == CorrectionState.Verified)
+        {
+            flow.Step(held, CorrectionState.Released, basis);
+        }
+        else
+        {
+            flow.Store.FreeSlot(machine.Name, slot.Name, CellFlow.ByCell, basis);
+        }
+
+        await folder.DeleteAsync(ready, flow.Finish);
+        return TimeSpan.Zero;
+    }
+
+    private static string? HashOf(byte[]? bytes) => bytes is null ? null : Convert.ToHexStringLower(SHA256.HashData(bytes));
+}

@@ -1,0 +1,48 @@
+using OpenTelemetry;
+using OpenTelemetry.Metrics;
+using OpenTelemetry.Resources;
+using OpenTelemetry.Trace;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Sends metrics and traces where the standard variables of OpenTelemetry say: without <c>OTEL_EXPORTER_OTLP_ENDPOINT</c> (or that of traces or metrics) nothing is made or sent.</summary>
+public sealed class TelemetryExport : IDisposable
+{
+    private readonly IDisposable?[] _providers;
+
+    private TelemetryExport(params IDisposable?[] providers) => _providers = providers;
+
+    /// <summary>True if anything is sent.</summary>
+    public bool IsOn => _providers.Any(p => p is not null);
+
+    /// <summary>Begins to send, if the variables ask for it.</summary>
+    /// <param name="cell">The cell's name, which <c>OTEL_RESOURCE_ATTRIBUTES</c> may add to.</param>
+    /// <param name="variable">Reads an environment variable.</param>
+    public static TelemetryExport Start(string cell, Func<string, string?> variable)
+    {
+        ArgumentNullException.ThrowIfNull(variable);
+        if (string.Equals(variable("OTEL_SDK_DISABLED"), "true", StringComparison.OrdinalIgnoreCase))
+        {
+            return new();
+        }
+
+        return new(
+            Wants("TRACES") ? Sdk.CreateTracerProviderBuilder().ConfigureResource(Describe).AddSource(CellTelemetry.Name).AddOtlpExporter().Build() : null,
+            Wants("METRICS") ? Sdk.CreateMeterProviderBuilder().ConfigureResource(Describe).AddMeter(CellTelemetry.Name).AddOtlpExporter().Build() : null);
+
+        bool Wants(string signal) =>
+            !string.Equals(variable($"OTEL_{signal}_EXPORTER"), "none", StringComparison.OrdinalIgnoreCase)
+            && !(string.IsNullOrEmpty(variable("OTEL_EXPORTER_OTLP_ENDPOINT")) && string.IsNullOrEmpty(variable($"OTEL_EXPORTER_OTLP_{signal}_ENDPOINT")));
+
+        void Describe(ResourceBuilder resource) => resource.AddService(variable("OTEL_SERVICE_NAME") is { Length: > 0 } name ? name : "errormatch-cell", serviceInstanceId: cell).AddEnvironmentVariableDetector();
+    }
+
+    /// <summary>Sends what is left, and ends.</summary>
+    public void Dispose()
+    {
+        foreach (var provider in _providers)
+        {
+            provider?.Dispose();
+        }
+    }
+}

@@ -1,0 +1,33 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>Wakes those who wait for work. A signal between looking and waiting is not lost.</summary>
+internal sealed class Wake
+{
+    private readonly Lock _gate = new();
+    private TaskCompletionSource _next = new(TaskCreationOptions.RunContinuationsAsynchronously);
+
+    /// <summary>What to wait for: taken before looking for work.</summary>
+    public Task Next
+    {
+        get
+        {
+            lock (_gate)
+            {
+                return _next.Task;
+            }
+        }
+    }
+
+    /// <summary>There may be work.</summary>
+    public void Signal()
+    {
+        TaskCompletionSource done;
+        lock (_gate)
+        {
+            done = _next;
+            _next = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        }
+
+        done.SetResult();
+    }
+}

@@ -1,0 +1,74 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>A loop that looks for work, does it, and waits for more. Nothing that goes wrong ends it but being told to stop: it says so, waits and looks again.</summary>
+/// <param name="flow">What workers share.</param>
+/// <param name="where">What people know it by.</param>
+/// <param name="wake">Ends its waiting early.</param>
+/// <param name="work">Does what there is to do and says how long to wait for more; nothing means to look again at once.</param>
+internal sealed class Worker(CellFlow flow, string where, Wake wake, Func<CancellationToken, Task<TimeSpan>> work)
+{
+    /// <summary>Works until told to stop.</summary>
+    public async Task RunAsync(CancellationToken stop)
+    {
+        var failures = 0;
+        while (!stop.IsCancellationRequested)
+        {
+            var next = wake.Next;
+            try
+            {
+                var wait = await work(stop);
+                failures = 0;
+                if (flow.Troubles.End(where))
+                {
+                    flow.Log.Information("{Where}: works again", where);
+                }
+
+                if (wait > TimeSpan.Zero)
+                {
+                    await Task.WhenAny(next, Task.Delay(wait, flow.Clock, stop));
+                }
+            }
+            catch (OperationCanceledException) when (stop.IsCancellationRequested)
+            {
+                return;
+            }
+            catch (StoreException e) when (e.Error == StoreError.Conflict)
+            {
+                // Somebody else took a step first: what there is to do now is in the store.
+                flow.Log.Debug("{Where}: {Message}", where, e.Message);
+            }
+            catch (Exception e) when (e is not OperationCanceledException)
+            {
+                Say(e);
+                await PauseAsync(flow.Pace.PauseAfter(e is StoreException ? 0 : failures++), stop);
+            }
+        }
+    }
+
+    private void Say(Exception e)
+    {
+        var (code, isKnown) = e switch
+        {
+            StoreException s => (CellCodes.Of(s.Error), true),
+            SourceException => (CellCodes.GaugeAway, true),
+            TransportException t => (CellCodes.Of(t.Error), true),
+            _ => (CellCodes.Defect, false),
+        };
+        if (flow.Troubles.Begin(where, code, e.Message))
+        {
+            flow.Log.Warning(isKnown ? null : e, "{Where}: {Code}: {Message}", where, code, e.Message);
+        }
+    }
+
+    private async Task PauseAsync(TimeSpan pause, CancellationToken stop)
+    {
+        try
+        {
+            await Task.Delay(pause, flow.Clock, stop);
+        }
+        catch (OperationCanceledException) when (stop.IsCancellationRequested)
+        {
+            // The loop sees it.
+        }
+    }
+}

@@ -1,0 +1,81 @@
+using System.Data.Common;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>What the two kinds of database do differently. Everything else is SQL that both understand.</summary>
+internal abstract class CellDatabase : IDisposable
+{
+    /// <summary>How long one waits for another process to finish its change.</summary>
+    public static readonly TimeSpan Patience = TimeSpan.FromSeconds(5);
+
+    /// <summary>The database in a sentence, such as a file's name or a server's.</summary>
+    public abstract string Place { get; }
+
+    /// <summary>Appended to the statement that reads the head of the audit trail: puts the writers of all processes in one order.</summary>
+    protected abstract string ForUpdate { get; }
+
+    /// <summary>Puts this engine's words for the tokens of a migration, such as <c>{blob}</c>.</summary>
+    public abstract string Word(string token, string argument);
+
+    /// <summary>Runs what changes something as one transaction, one at a time. What it throws undoes it.</summary>
+    public T Change<T>(Func<DbConnection, DbTransaction, T> change) => Named(() => InTransaction(change));
+
+    /// <summary>Runs what only reads.</summary>
+    public T Read<T>(Func<DbConnection, T> read) => Named(() => OnReader(read));
+
+    /// <summary>Runs what reads more than one statement and must see one state of the store.</summary>
+    public T Snapshot<T>(Func<DbConnection, DbTransaction, T> read) => Read(connection =>
+    {
+        using var transaction = BeginSnapshot(connection);
+        return read(connection, transaction);
+    });
+
+    /// <summary>Runs a change that audit entries are part of.</summary>
+    public T Write<T>(TimeProvider clock, byte[]? auditKey, Func<StoreTransaction, T> write) => Change((connection, transaction) =>
+    {
+        var open = StoreTransaction.Begin(connection, transaction, ForUpdate, clock, auditKey);
+        var result = write(open);
+        open.Finish();
+        return result;
+    });
+
+    /// <summary>Looks whether the database is whole; what is not is a <see cref="StoreException"/>.</summary>
+    public abstract void Inspect();
+
+    /// <summary>True if the database has a table of a name.</summary>
+    public abstract bool HasTable(DbConnection connection, string name);
+
+    /// <summary>Makes the statements that follow in this transaction wait for another process that migrates.</summary>
+    public abstract void WaitForMigration(DbConnection connection, DbTransaction transaction);
+
+    /// <summary>Takes a lock that one process has at a time; null if another one has it.</summary>
+    public abstract ISlotLock? TryLock(string name);
+
+    /// <summary>Writes a whole copy while others go on working.</summary>
+    public abstract void Backup(string file);
+
+    /// <inheritdoc/>
+    public abstract void Dispose();
+
+    /// <summary>What a failure of this engine is for a setter.</summary>
+    protected abstract StoreException Name(DbException failure);
+
+    protected abstract T InTransaction<T>(Func<DbConnection, DbTransaction, T> change);
+
+    protected abstract T OnReader<T>(Func<DbConnection, T> read);
+
+    protected abstract DbTransaction BeginSnapshot(DbConnection connection);
+
+    /// <summary>Runs something and names what the engine throws.</summary>
+    protected T Named<T>(Func<T> work)
+    {
+        try
+        {
+            return work();
+        }
+        catch (DbException failure)
+        {
+            throw Name(failure);
+        }
+    }
+}

@@ -1,0 +1,69 @@
+namespace ErrorMatching.Cell;
+
+/// <content>The audit trail and the history.</content>
+public sealed partial class CellStore
+{
+    private const int FewestDigits = 8;
+
+    /// <summary>Records an act that is no step of a correction.</summary>
+    /// <param name="who">The user's name, or <c>cell</c>.</param>
+    /// <param name="what">What was done, in one word.</param>
+    /// <param name="basis">On what basis, in words.</param>
+    /// <param name="subject">What it was done to; null if it was to nothing in particular.</param>
+    public void Audit(string who, string what, string basis, string? subject = null) => Write(transaction =>
+    {
+        transaction.Audit(who, what, subject, basis);
+        return true;
+    });
+
+    /// <summary>Entries of the audit trail, in order.</summary>
+    /// <param name="after">The number that they follow; 0 for the first.</param>
+    /// <param name="most">The most of them.</param>
+    public IReadOnlyList<AuditEntry> AuditEntries(long after, int most) =>
+        Read(AuditRow.Select + " WHERE seq > @after ORDER BY seq LIMIT @most", AuditRow.Read, new { after, most });
+
+    /// <summary>Where the audit trail ends.</summary>
+    public AuditHead AuditHead() => Database.Read(connection => AuditRow.Head(connection, null, ""));
+
+    /// <summary>Proves the audit trail as it is at one moment, by the key that the store was opened with.</summary>
+    /// <returns>The first fault; null if every entry is what was written, where it was written, and none is missing.</returns>
+    public AuditFault? VerifyAudit() => Database.Snapshot((connection, transaction) => AuditChain.Verify(
+        Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.Read, transaction: transaction),
+        AuditRow.Head(connection, transaction, ""),
+        _auditKey));
+
+    /// <summary>Looks for corrections in the history.</summary>
+    /// <returns>The latest that were found, the last to arrive first.</returns>
+    public IReadOnlyList<Correction> Search(HistoryQuery query)
+    {
+        ArgumentNullException.ThrowIfNull(query);
+        var conditions = new List<string>();
+        if (query.Serial is not null) conditions.Add("serial = @Serial");
+        if (query.WorkOrder is not null) conditions.Add("work_order = @WorkOrder");
+        if (query.From is not null) conditions.Add("arrived_at >= @From");
+        if (query.To is not null) conditions.Add("arrived_at < @To");
+        if (query.Program is not null) conditions.Add(Hash(query.Program) is null ? "program = @Program" : "(program = @Program OR program_sha256 BETWEEN @Hash AND @HashEnd)");
+        if (query.User is not null) conditions.Add("id IN (SELECT correction FROM step WHERE who = @User)");
+        if (query.State is not null) conditions.Add("state = @State");
+        if (query.Machine is not null) conditions.Add("machine = @Machine");
+        var where = conditions.Count == 0 ? "" : " WHERE " + string.Join(" AND ", conditions);
+        return Read(CorrectionRow.Select + where + " ORDER BY id DESC LIMIT @Most", CorrectionRow.Read, new
+        {
+            Serial = StoredText.NameOrNull(query.Serial),
+            WorkOrder = StoredText.NameOrNull(query.WorkOrder),
+            From = query.From is { } from ? StoredTime.Of(from) : 0,
+            To = query.To is { } to ? StoredTime.Of(to) : 0,
+            Program = StoredText.NameOrNull(query.Program),
+            Hash = Hash(query.Program),
+            HashEnd = Hash(query.Program)?.PadRight(64, 'f'),
+            User = StoredText.NameOrNull(query.User),
+            State = query.State is { } state ? CorrectionRow.Word(state) : null,
+            Machine = StoredText.NameOrNull(query.Machine),
+            query.Most,
+        });
+    }
+
+    // The first digits of a hash, if that is what a program was looked for by.
+    private static string? Hash(string? program) =>
+        program?.Length is >= FewestDigits and <= 64 && program.All(char.IsAsciiHexDigit) ? program.ToLowerInvariant() : null;
+}

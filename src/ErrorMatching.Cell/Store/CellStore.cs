@@ -1,0 +1,288 @@
+using System.Globalization;
+using System.Security.Cryptography;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>
+/// Everything that a cell knows, kept: what arrived, what became of it, what each slot holds, who did what. Each change is one transaction that is on the disk when the call returns, and nothing of it is kept when it throws.
+/// May be used by several threads, and beside other processes that have the same store open.
+/// </summary>
+/// <remarks>Every member throws a <see cref="StoreException"/> if the store cannot do it.</remarks>
+public sealed partial class CellStore : IDisposable
+{
+    private readonly TimeProvider _clock;
+    private readonly byte[]? _auditKey;
+
+    private CellStore(CellDatabase database, TimeProvider clock, byte[]? auditKey)
+    {
+        Database = database;
+        _clock = clock;
+        _auditKey = auditKey;
+    }
+
+    /// <summary>The database, for tables of other parts of the cell.</summary>
+    internal CellDatabase Database { get; }
+
+    /// <summary>Opens a store, makes it where there is none, and takes one of an earlier version to the present form.</summary>
+    /// <param name="settings">Where it is.</param>
+    /// <param name="clock">Says the time of each change.</param>
+    /// <param name="auditKey">Seals the end of the audit trail, so that removed entries are found; the same for everyone who opens the store. Null for no seal.</param>
+    /// <param name="inspect">True to look at every page of a file, as the running cell does at its start; false for a quick look beside it.</param>
+    public static CellStore Open(StoreSettings settings, TimeProvider clock, byte[]? auditKey = null, bool inspect = true)
+    {
+        ArgumentNullException.ThrowIfNull(settings);
+        ArgumentNullException.ThrowIfNull(clock);
+        var database = Connect(settings, opened =>
+        {
+            if (inspect) opened.Inspect();
+            Migrations.Apply(opened, clock, auditKey);
+        });
+        return new CellStore(database, clock, auditKey);
+    }
+
+    /// <summary>Keeps a file that arrived as a correction of its own.</summary>
+    /// <returns>The correction, and whether it is new: the same arrival again gives the one that is there.</returns>
+    public (Correction Correction, bool IsNew) Archive(Arrival arrival)
+    {
+        ArgumentNullException.ThrowIfNull(arrival);
+        var sha256 = Sha256(arrival.Bytes.Span);
+        return Write(transaction =>
+        {
+            if (Known(transaction, arrival.Key) is { } known) return (known, false);
+            Keep(transaction, sha256, arrival.Bytes);
+            return (Arrive(transaction, CorrectionState.Archived, arrival.Gauge, arrival.FileName, arrival.Key, sha256, arrival.Bytes.Length, null, null, arrival.Trace), true);
+        });
+    }
+
+    /// <summary>Records a file that is refused without being kept.</summary>
+    /// <returns>The correction, which is refused at once, and whether it is new: the same arrival again gives the one that is there.</returns>
+    public (Correction Correction, bool IsNew) ArchiveUnread(UnreadArrival arrival)
+    {
+        ArgumentNullException.ThrowIfNull(arrival);
+        return Write(transaction => Known(transaction, arrival.Key) is { } known
+            ? (known, false)
+            : (Arrive(transaction, CorrectionState.Refused, arrival.Gauge, arrival.FileName, arrival.Key, arrival.Sha256, arrival.Length, arrival.Code, arrival.Reason, arrival.Trace), true));
+    }
+
+    /// <summary>What was kept under a hash.</summary>
+    /// <exception cref="StoreException">With <see cref="StoreError.Missing"/> if nothing was, with <see cref="StoreError.Damaged"/> if it no longer has this hash.</exception>
+    public byte[] Content(string sha256)
+    {
+        var bytes = First("SELECT bytes FROM content WHERE sha256 = @sha256", r => r.GetFieldValue<byte[]>(0), new { sha256 })
+            ?? throw new StoreException(StoreError.Missing, $"{Database.Place} has no content {sha256}.");
+        if (Sha256(bytes) != sha256)
+        {
+            throw new StoreException(StoreError.Damaged, $"{Database.Place} is damaged: content {sha256} is not what was kept, but {Sha256(bytes)}. Restore the latest backup.");
+        }
+
+        return bytes;
+    }
+
+    /// <summary>A correction by its number; null if there is none.</summary>
+    public Correction? Find(long id) => First(CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, new { id });
+
+    /// <summary>The corrections that are in any of some states, in order of arrival.</summary>
+    public IReadOnlyList<Correction> InState(params CorrectionState[] states) => states is []
+        ? []
+        : Read(CorrectionRow.Select + $" WHERE state IN ({string.Join(", ", states.Select(s => $"'{CorrectionRow.Word(s)}'"))}) ORDER BY id", CorrectionRow.Read);
+
+    /// <summary>The steps of a correction, in order.</summary>
+    public IReadOnlyList<CorrectionStep> StepsOf(long id) =>
+        Read("SELECT correction, from_state, to_state, at, who, basis FROM step WHERE correction = @id ORDER BY step.id", CorrectionRow.ReadStep, new { id });
+
+    /// <summary>Takes one step: the correction, the step, the contents that it names, its slot and the audit entry are one transaction.</summary>
+    /// <param name="from">The correction as it was read.</param>
+    /// <param name="to">The state after.</param>
+    /// <param name="by">The user's name, or <c>cell</c> for what the cell does by its policy.</param>
+    /// <param name="basis">On what basis, in words.</param>
+    /// <param name="with">What else changes; arrival, number, state, version and time are the store's own. Null if nothing does.</param>
+    /// <param name="contents">What is kept by its hash with this step; null for nothing.</param>
+    /// <returns>The correction after the step.</returns>
+    /// <exception cref="StoreException">With <see cref="StoreError.Conflict"/> if somebody else was faster or the step is not one of <see cref="CorrectionSteps"/>;
+    /// with <see cref="StoreError.Missing"/> if the correction names a content that is not kept.</exception>
+    /// <exception cref="DuplicateCorrectionException">Another correction has the identity.</exception>
+    /// <exception cref="SlotTakenException">Another correction has the slot that the step takes.</exception>
+    public Correction Step(
+        Correction from,
+        CorrectionState to,
+        string by,
+        string basis,
+        Func<Correction, Correction>? with = null,
+        IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
+    {
+        ArgumentNullException.ThrowIfNull(from);
+        if (!CorrectionSteps.Allows(from.State, to))
+        {
+            throw new StoreException(
+                StoreError.Conflict,
+                string.Create(CultureInfo.InvariantCulture, $"Correction {from.Id} is {CorrectionRow.Word(from.State)}: from there no step leads to {CorrectionRow.Word(to)}."));
+        }
+
+        var kept = (contents ?? []).Select(c => (Sha256(c.Span), c)).ToArray();
+        var wanted = CorrectionRow.Kept(with?.Invoke(from) ?? from);
+        return Write(transaction =>
+        {
+            var after = wanted with
+            {
+                Id = from.Id,
+                State = to,
+                Version = from.Version + 1,
+                Gauge = from.Gauge,
+                FileName = from.FileName,
+                ArrivedAt = from.ArrivedAt,
+                ChangedAt = transaction.Now,
+                MeasurementSha256 = from.MeasurementSha256,
+                MeasurementBytes = from.MeasurementBytes,
+            };
+            foreach (var (sha256, bytes) in kept) Keep(transaction, sha256, bytes);
+            if (after.Identity is { } identity && identity != from.Identity
+                && transaction.Value<long?>("SELECT id FROM correction WHERE identity = @identity AND id <> @Id", new { identity, after.Id }) is { } existing)
+            {
+                throw new DuplicateCorrectionException(existing);
+            }
+
+            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(after, from.State)) != 1) throw Conflict(transaction, from, to);
+            SlotRow.Follow(transaction, from.State, after);
+            Note(transaction, after, from.State, by, basis);
+            return after;
+        });
+    }
+
+    /// <summary>What a slot holds.</summary>
+    public SlotHolding Slot(string machine, string slot) =>
+        First(SlotRow.Select, SlotRow.Read, new { Machine = machine, Slot = slot }) ?? new SlotHolding(machine, slot, null, null, null);
+
+    /// <summary>Frees a slot whatever correction has it, as after a revert. A free one stays free.</summary>
+    public void FreeSlot(string machine, string slot, string by, string basis) => Write(transaction =>
+    {
+        var freed = transaction.Execute("UPDATE slot SET correction = NULL WHERE machine = @machine AND slot = @slot AND correction IS NOT NULL", new { machine, slot });
+        if (freed == 1) transaction.Audit(by, "freed", $"slot {slot} of {machine}", basis);
+        return freed;
+    });
+
+    /// <summary>Takes the right to send to a slot, which one process has at a time.</summary>
+    /// <returns>The right; null if another one has it.</returns>
+    public ISlotLock? TryLockSlot(string machine, string slot) => Database.TryLock(string.Create(CultureInfo.InvariantCulture, $"slot {machine.Length} {machine} {slot}"));
+
+    /// <summary>Takes the right to run a cell of a name, which one process has at a time.</summary>
+    /// <returns>The right; null if another one has it.</returns>
+    public ISlotLock? TryLockCell(string cell) => Database.TryLock($"cell {cell}");
+
+    /// <summary>A number that is another one when anything has changed: that of the last audit entry.</summary>
+    public long ChangeCount() => AuditHead().Seq;
+
+    /// <summary>Writes a copy of the whole store, as it is at one moment, while others go on working.</summary>
+    /// <param name="file">The copy, which appears whole or not at all.</param>
+    /// <exception cref="StoreException">With <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
+    public void Backup(string file) => Database.Backup(file);
+
+    /// <summary>Brings a backup into the store's place. The backup stays as it is; what stood in its place is kept beside it.</summary>
+    /// <param name="settings">Where the store is, whether one is there or not.</param>
+    /// <param name="backup">The backup's file.</param>
+    /// <param name="clock">Says the time of the audit entry.</param>
+    /// <param name="by">The user's name.</param>
+    /// <param name="auditKey">The key that the store is opened with.</param>
+    /// <returns>The file that holds what stood in its place; null if nothing did.</returns>
+    /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> while a cell runs with the store; with <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
+    public static string? Restore(StoreSettings settings, string backup, TimeProvider clock, string by, byte[]? auditKey = null)
+    {
+        if (settings is not SqliteSettings sqlite)
+        {
+            throw new StoreException(StoreError.NotSupported, "A store on PostgreSQL is restored by its own tools: createdb, then pg_restore --exit-on-error --dbname=NAME FILE.");
+        }
+
+        var aside = SqliteRestore.Restore(sqlite.File, backup, opened => Migrations.Apply(opened, clock, auditKey));
+        using var store = Open(settings, clock, auditKey);
+        store.Audit(by, "restored", $"from the backup {Path.GetFileName(backup)}", aside is null ? null : $"what was there before is {Path.GetFileName(aside)}");
+        return aside;
+    }
+
+    /// <summary>Opens the database of a store.</summary>
+    /// <param name="settings">Where it is.</param>
+    /// <param name="prepare">Looks whether it is whole and takes it to the form that is wanted.</param>
+    internal static CellDatabase Connect(StoreSettings settings, Action<CellDatabase> prepare) => settings switch
+    {
+        SqliteSettings sqlite => SqliteDatabase.Open(sqlite.File, prepare),
+        PostgresSettings postgres => PostgresDatabase.Open(postgres, prepare),
+        _ => throw new ArgumentOutOfRangeException(nameof(settings), settings, "No such kind of store."),
+    };
+
+    /// <summary>Runs a change with its audit entries, for tables of other parts of the cell.</summary>
+    internal T Write<T>(Func<StoreTransaction, T> write) => Database.Write(_clock, _auditKey, write);
+
+    /// <summary>The rows of one statement, for tables of other parts of the cell.</summary>
+    internal IReadOnlyList<T> Read<T>(string sql, Func<System.Data.Common.DbDataReader, T> row, object? parameters = null) =>
+        Database.Read(connection => Rows.Query(connection, sql, row, parameters));
+
+    /// <summary>The first row of one statement, for tables of other parts of the cell; null if there is none.</summary>
+    internal T? First<T>(string sql, Func<System.Data.Common.DbDataReader, T> row, object? parameters = null)
+        where T : class => Database.Read(connection => Rows.First(connection, sql, row, parameters));
+
+    /// <inheritdoc/>
+    public void Dispose() => Database.Dispose();
+
+    private static string Sha256(ReadOnlySpan<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
+
+    private static void Keep(StoreTransaction transaction, string sha256, ReadOnlyMemory<byte> bytes) =>
+        transaction.Execute("INSERT INTO content (sha256, bytes) VALUES (@sha256, @Bytes) ON CONFLICT (sha256) DO NOTHING", new { sha256, Bytes = bytes.ToArray() });
+
+    private static Correction? Known(StoreTransaction transaction, string key) =>
+        transaction.First(CorrectionRow.Select + " WHERE arrival = @Arrival", CorrectionRow.Read, new { Arrival = KeyOf(key) });
+
+    private static string KeyOf(string key) => Sha256(System.Text.Encoding.UTF8.GetBytes(key));
+
+    private static Correction Arrive(
+        StoreTransaction transaction, CorrectionState state, string gauge, string fileName, string key, string sha256, long length, string? code, string? reason, string? trace)
+    {
+        var arrived = CorrectionRow.Kept(new Correction(0, state, 1, StoredText.Name(gauge), StoredText.Name(fileName), transaction.Now, sha256, length)
+        {
+            ChangedAt = transaction.Now,
+            Code = code,
+            Reason = reason,
+            Trace = trace,
+        });
+        var id = transaction.Value<long>(CorrectionRow.Insert, new
+        {
+            State = CorrectionRow.Word(state),
+            Arrival = KeyOf(key),
+            arrived.Gauge,
+            arrived.FileName,
+            At = StoredTime.Of(transaction.Now),
+            Sha256 = sha256,
+            Length = length,
+            arrived.Code,
+            arrived.Reason,
+            arrived.Trace,
+        });
+        arrived = arrived with { Id = id };
+        Note(transaction, arrived, null, "cell", arrived.Reason ?? $"arrived from {arrived.Gauge} as {arrived.FileName}");
+        return arrived;
+    }
+
+    private static void Note(StoreTransaction transaction, Correction after, CorrectionState? from, string by, string basis)
+    {
+        transaction.Execute(
+            "INSERT INTO step (correction, from_state, to_state, at, who, basis) VALUES (@Id, @From, @To, @At, @By, @Basis)",
+            new
+            {
+                after.Id,
+                From = from is { } f ? CorrectionRow.Word(f) : null,
+                To = CorrectionRow.Word(after.State),
+                At = StoredTime.Of(transaction.Now),
+                By = StoredText.Name(by),
+                Basis = StoredText.Sentence(basis),
+            });
+        var what = from is null ? $"file {after.MeasurementSha256}" : after.ProgramSha256 is { } program ? $"program {program}" : null;
+        transaction.Audit(by, CorrectionRow.Word(after.State), string.Create(CultureInfo.InvariantCulture, $"correction {after.Id}{(what is null ? "" : " ")}{what}"), basis);
+    }
+
+    private static StoreException Conflict(StoreTransaction transaction, Correction from, CorrectionState to)
+    {
+        var now = transaction.First(CorrectionRow.Select + " WHERE id = @Id", CorrectionRow.Read, new { from.Id });
+        return now is null
+            ? new StoreException(StoreError.Missing, string.Create(CultureInfo.InvariantCulture, $"There is no correction {from.Id}."))
+            : new StoreException(
+                StoreError.Conflict,
+                string.Create(CultureInfo.InvariantCulture, $"Correction {from.Id} was {CorrectionRow.Word(from.State)} and is {CorrectionRow.Word(now.State)} meanwhile: it cannot become {CorrectionRow.Word(to)}. Look at it again."));
+    }
+}

@@ -1,0 +1,111 @@
+using System.Data.Common;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Rows of corrections and their steps.</summary>
+internal static class CorrectionRow
+{
+    public const string Columns =
+        "id, state, version, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, job, piece, serial, work_order, identity, "
+        + "job_sha256, base_sha256, machine, slot, program, program_sha256, report_sha256, page_sha256, largest_mm, sum_mm, previous_sha256, code, reason, trace, part_sha256, sums_sha256";
+
+    public const string Select = "SELECT " + Columns + " FROM correction";
+
+    public const string Update =
+        "UPDATE correction SET state = @State, version = @Version, changed_at = @ChangedAt, job = @Job, piece = @Piece, serial = @Serial, work_order = @WorkOrder, identity = @Identity, "
+        + "job_sha256 = @JobSha256, base_sha256 = @BaseSha256, machine = @Machine, slot = @Slot, program = @Program, program_sha256 = @ProgramSha256, report_sha256 = @ReportSha256, "
+        + "page_sha256 = @PageSha256, largest_mm = @LargestMm, sum_mm = @SumMm, previous_sha256 = @PreviousSha256, code = @Code, reason = @Reason, trace = @Trace, part_sha256 = @PartSha256, sums_sha256 = @SumsSha256 "
+        + "WHERE id = @Id AND version = @Version - 1 AND state = @From";
+
+    public const string Insert =
+        "INSERT INTO correction (state, version, arrival, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, code, reason, trace) "
+        + "VALUES (@State, 1, @Arrival, @Gauge, @FileName, @At, @At, @Sha256, @Length, @Code, @Reason, @Trace) RETURNING id";
+
+    private static readonly string[] Words = [.. Enum.GetValues<CorrectionState>().Select(s => s.ToString().ToLowerInvariant())];
+
+    /// <summary>The state's word in the store.</summary>
+    public static string Word(CorrectionState state) => Words[(int)state];
+
+    public static Correction Read(DbDataReader row) => new(
+        row.GetInt64(0), State(row.GetString(1)), (int)row.GetInt64(2), row.GetString(3), row.GetString(4), StoredTime.From(row.GetInt64(5)), row.GetString(7), row.GetInt64(8))
+    {
+        ChangedAt = StoredTime.From(row.GetInt64(6)),
+        Job = row.TextOrNull(9),
+        Piece = row.TextOrNull(10),
+        Serial = row.TextOrNull(11),
+        WorkOrder = row.TextOrNull(12),
+        Identity = row.TextOrNull(13),
+        JobSha256 = row.TextOrNull(14),
+        BaseSha256 = row.TextOrNull(15),
+        Machine = row.TextOrNull(16),
+        Slot = row.TextOrNull(17),
+        Program = row.TextOrNull(18),
+        ProgramSha256 = row.TextOrNull(19),
+        ReportSha256 = row.TextOrNull(20),
+        PageSha256 = row.TextOrNull(21),
+        LargestMm = row.IsDBNull(22) ? null : row.GetDouble(22),
+        SumMm = row.IsDBNull(23) ? null : row.GetDouble(23),
+        PreviousSha256 = row.TextOrNull(24),
+        Code = row.TextOrNull(25),
+        Reason = row.TextOrNull(26),
+        Trace = row.TextOrNull(27),
+        PartSha256 = row.TextOrNull(28),
+        SumsSha256 = row.TextOrNull(29),
+    };
+
+    /// <summary>The correction as it comes back from the store: texts that a database refuses are made such that it does not.</summary>
+    public static Correction Kept(Correction correction) => correction with
+    {
+        Job = StoredText.NameOrNull(correction.Job),
+        Piece = StoredText.NameOrNull(correction.Piece),
+        Serial = StoredText.NameOrNull(correction.Serial),
+        WorkOrder = StoredText.NameOrNull(correction.WorkOrder),
+        Identity = StoredText.NameOrNull(correction.Identity),
+        Machine = StoredText.NameOrNull(correction.Machine),
+        Slot = StoredText.NameOrNull(correction.Slot),
+        Program = StoredText.NameOrNull(correction.Program),
+        Code = StoredText.NameOrNull(correction.Code),
+        Reason = StoredText.SentenceOrNull(correction.Reason),
+        Trace = StoredText.NameOrNull(correction.Trace),
+    };
+
+    /// <summary>The parameters of <see cref="Update"/>.</summary>
+    public static object Parameters(Correction to, CorrectionState from) => new
+    {
+        to.Id,
+        State = Word(to.State),
+        From = Word(from),
+        to.Version,
+        ChangedAt = StoredTime.Of(to.ChangedAt),
+        to.Job,
+        to.Piece,
+        to.Serial,
+        to.WorkOrder,
+        to.Identity,
+        to.JobSha256,
+        to.BaseSha256,
+        to.Machine,
+        to.Slot,
+        to.Program,
+        to.ProgramSha256,
+        to.ReportSha256,
+        to.PageSha256,
+        to.LargestMm,
+        to.SumMm,
+        to.PreviousSha256,
+        to.Code,
+        to.Reason,
+        to.Trace,
+        to.PartSha256,
+        to.SumsSha256,
+    };
+
+    public static CorrectionStep ReadStep(DbDataReader row) => new(
+        row.GetInt64(0), row.IsDBNull(1) ? null : State(row.GetString(1)), State(row.GetString(2)), StoredTime.From(row.GetInt64(3)), row.GetString(4), row.GetString(5));
+
+    private static CorrectionState State(string word)
+    {
+        var at = Array.IndexOf(Words, word);
+        return at >= 0 ? (CorrectionState)at : throw new StoreException(StoreError.Damaged, $"The store has a correction in the state \"{word}\", which is none. Restore the latest backup.");
+    }
+}

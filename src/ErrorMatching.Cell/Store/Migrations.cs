@@ -1,0 +1,76 @@
+using System.Data.Common;
+using System.Globalization;
+using System.Reflection;
+using System.Text.RegularExpressions;
+using Dapper;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>The numbered steps from an empty database to the present one: the embedded files <c>NNNN_name.sql</c>. Each is one transaction with its number.</summary>
+internal static partial class Migrations
+{
+    /// <summary>All of them, in order.</summary>
+    public static IReadOnlyList<Migration> All { get; } = ReadAll();
+
+    /// <summary>Takes a database to the last migration, or to an earlier one.</summary>
+    /// <exception cref="StoreException">With <see cref="StoreError.TooNew"/> if it is beyond the last.</exception>
+    public static void Apply(CellDatabase database, TimeProvider clock, byte[]? auditKey, int upTo = int.MaxValue)
+    {
+        // Whoever only looks needs no right to write.
+        if (database.Read(connection => database.HasTable(connection, "migration") && Number(connection, null) == Math.Min(upTo, All[^1].Number))) return;
+        database.Change((connection, transaction) =>
+        {
+            database.WaitForMigration(connection, transaction);
+            return connection.Execute("CREATE TABLE IF NOT EXISTS migration (number BIGINT NOT NULL PRIMARY KEY, name TEXT NOT NULL, at BIGINT NOT NULL)", transaction: transaction);
+        });
+        while (Next(database, clock, auditKey, upTo))
+        {
+        }
+    }
+
+    private static bool Next(CellDatabase database, TimeProvider clock, byte[]? auditKey, int upTo) => database.Change((connection, transaction) =>
+    {
+        database.WaitForMigration(connection, transaction);
+        var number = Number(connection, transaction);
+        if (number > All[^1].Number)
+        {
+            throw new StoreException(
+                StoreError.TooNew,
+                string.Create(CultureInfo.InvariantCulture, $"{database.Place} has form {number} and this program knows forms up to {All[^1].Number}. Use the newer program that made it."));
+        }
+
+        var migration = All.FirstOrDefault(m => m.Number > number && m.Number <= upTo);
+        if (migration is null) return false;
+        connection.Execute(Token().Replace(migration.Sql, m => database.Word(m.Groups["token"].Value, m.Groups["argument"].Value)), transaction: transaction);
+        connection.Execute(
+            "INSERT INTO migration (number, name, at) VALUES (@Number, @Name, @At)",
+            new { migration.Number, migration.Name, At = StoredTime.Of(clock.GetUtcNow()) },
+            transaction);
+        if (number == 0)
+        {
+            var first = StoreTransaction.Begin(connection, transaction, "", clock, auditKey);
+            first.Audit("cell", "created", null, "The store was made.");
+            first.Finish();
+        }
+
+        return true;
+    });
+
+    private static long Number(DbConnection connection, DbTransaction? transaction) =>
+        connection.QuerySingle<long?>("SELECT max(number) FROM migration", transaction: transaction) ?? 0;
+
+    private static Migration[] ReadAll()
+    {
+        var assembly = Assembly.GetExecutingAssembly();
+        return [.. assembly.GetManifestResourceNames().Where(n => n.EndsWith(".sql", StringComparison.Ordinal)).Order(StringComparer.Ordinal).Select(Read)];
+
+        Migration Read(string name)
+        {
+            using var reader = new StreamReader(assembly.GetManifestResourceStream(name)!);
+            return new Migration(int.Parse(name.AsSpan(0, 4), NumberStyles.None, CultureInfo.InvariantCulture), name[5..^4], reader.ReadToEnd());
+        }
+    }
+
+    [GeneratedRegex(@"\{(?<token>[a-z_]+)(:(?<argument>[a-z_]+))?\}", RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Token();
+}

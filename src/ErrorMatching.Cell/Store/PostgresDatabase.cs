@@ -1,0 +1,164 @@
+using System.Data;
+using System.Data.Common;
+using System.Globalization;
+using System.Net.Sockets;
+using Dapper;
+using Npgsql;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>A store on a PostgreSQL server, for several cells.</summary>
+internal sealed class PostgresDatabase : CellDatabase
+{
+    private const long MigrationLock = 0x45724D4300000001;
+    private const UnixFileMode OfOthers = UnixFileMode.GroupRead | UnixFileMode.OtherRead | UnixFileMode.GroupWrite | UnixFileMode.OtherWrite;
+    private readonly PostgresSettings _settings;
+    private readonly NpgsqlDataSource _source;
+    private readonly string _lockConnection;
+
+    private PostgresDatabase(PostgresSettings settings)
+    {
+        _settings = settings;
+        var connection = Connection(settings);
+        _source = NpgsqlDataSource.Create(connection);
+        connection.Pooling = false;
+        _lockConnection = connection.ConnectionString;
+    }
+
+    /// <inheritdoc/>
+    public override string Place => string.Create(CultureInfo.InvariantCulture, $"The store {_settings.Database} on {_settings.Host}:{_settings.Port}");
+
+    /// <inheritdoc/>
+    protected override string ForUpdate => " FOR UPDATE";
+
+    /// <summary>Opens a store in a database that is there.</summary>
+    /// <param name="settings">Where it is.</param>
+    /// <param name="prepare">Looks whether it is whole and takes it to the present form.</param>
+    public static PostgresDatabase Open(PostgresSettings settings, Action<CellDatabase> prepare)
+    {
+        var database = new PostgresDatabase(settings);
+        try
+        {
+            prepare(database);
+            return database;
+        }
+        catch
+        {
+            database.Dispose();
+            throw;
+        }
+    }
+
+    /// <inheritdoc/>
+    public override string Word(string token, string argument) => token switch
+    {
+        "blob" => "BYTEA",
+        "identity" => "BIGINT GENERATED ALWAYS AS IDENTITY PRIMARY KEY",
+        "append_only" => $"""
+            CREATE FUNCTION {argument}_is_append_only() RETURNS trigger LANGUAGE plpgsql AS 'BEGIN RAISE EXCEPTION ''{argument} is append-only''; END';
+            CREATE TRIGGER {argument}_change BEFORE UPDATE OR DELETE OR TRUNCATE ON {argument} FOR EACH STATEMENT EXECUTE FUNCTION {argument}_is_append_only();
+            """,
+        _ => throw new ArgumentOutOfRangeException(nameof(token), token, "No such token of migrations."),
+    };
+
+    /// <inheritdoc/>
+    public override void Inspect()
+    {
+        // The server looks after its own files; contents and the audit trail are proved by their hashes.
+    }
+
+    /// <inheritdoc/>
+    public override bool HasTable(DbConnection connection, string name) =>
+        connection.QuerySingle<long>("SELECT count(*) FROM pg_tables WHERE schemaname = current_schema() AND tablename = @name", new { name }) == 1;
+
+    /// <inheritdoc/>
+    public override void WaitForMigration(DbConnection connection, DbTransaction transaction) =>
+        connection.Execute("SELECT pg_advisory_xact_lock(@MigrationLock)", new { MigrationLock }, transaction);
+
+    /// <inheritdoc/>
+    public override ISlotLock? TryLock(string name) => Named(() => PostgresLock.TryTake(_lockConnection, name));
+
+    /// <inheritdoc/>
+    public override void Backup(string file) => throw new StoreException(
+        StoreError.NotSupported,
+        string.Create(CultureInfo.InvariantCulture, $"A store on PostgreSQL is backed up by its own tools: pg_dump --format=custom --host={_settings.Host} --port={_settings.Port} --username={_settings.User} --file={file} {_settings.Database}"));
+
+    /// <inheritdoc/>
+    public override void Dispose() => _source.Dispose();
+
+    /// <inheritdoc/>
+    protected override T InTransaction<T>(Func<DbConnection, DbTransaction, T> change)
+    {
+        using var connection = _source.OpenConnection();
+        using var transaction = connection.BeginTransaction(IsolationLevel.ReadCommitted);
+        var result = change(connection, transaction);
+        transaction.Commit();
+        return result;
+    }
+
+    /// <inheritdoc/>
+    protected override T OnReader<T>(Func<DbConnection, T> read)
+    {
+        using var connection = _source.OpenConnection();
+        return read(connection);
+    }
+
+    /// <inheritdoc/>
+    protected override DbTransaction BeginSnapshot(DbConnection connection) => connection.BeginTransaction(IsolationLevel.RepeatableRead);
+
+    /// <inheritdoc/>
+    protected override StoreException Name(DbException failure)
+    {
+        var (error, words) = failure switch
+        {
+            PostgresException { SqlState: var state } => state switch
+            {
+                "53100" => (StoreError.Full, "has no room on its disk. Nothing was changed. Make room; the cell goes on by itself."),
+                "25006" => (StoreError.ReadOnly, "takes no changes: it is a standby or set read-only. Nothing was changed."),
+                "55P03" or "57014" or "40P01" => (StoreError.Locked, $"was held by another process for longer than {Patience.TotalSeconds} s. Nothing was changed."),
+                "28000" or "28P01" or "42501" => (StoreError.Denied, $"does not let the user {_settings.User} in: {failure.Message}"),
+                "3D000" => (StoreError.Missing, "is not there: make it with createdb."),
+                "XX001" or "XX002" => (StoreError.Damaged, $"is damaged: {failure.Message} Restore the latest backup."),
+                "58030" => (StoreError.Disk, $"reports an error of its disk: {failure.Message}"),
+                "23503" => (StoreError.Missing, "does not have a content that is named. Nothing was changed."),
+                _ when state.StartsWith("08", StringComparison.Ordinal) || state.StartsWith("57P", StringComparison.Ordinal) || state == "53300" => (StoreError.Away, $"does not answer: {failure.Message}"),
+                _ => (StoreError.Unknown, $"says: {failure.Message}"),
+            },
+            NpgsqlException { InnerException: SocketException or IOException or TimeoutException } => (StoreError.Away, $"does not answer: {failure.Message}"),
+            NpgsqlException { IsTransient: true } => (StoreError.Away, $"does not answer: {failure.Message}"),
+            _ => (StoreError.Unknown, $"says: {failure.Message}"),
+        };
+
+        // Other idle connections are as dead; the next call begins with a fresh one.
+        if (error == StoreError.Away) _source.Clear();
+        return new StoreException(error, $"{Place} {words}", failure);
+    }
+
+    private static NpgsqlConnectionStringBuilder Connection(PostgresSettings settings)
+    {
+        if (settings.PasswordFile is { } file)
+        {
+            if (!File.Exists(file)) throw new StoreException(StoreError.Missing, $"The store's password file {file} is not there.");
+            if (!OperatingSystem.IsWindows() && (File.GetUnixFileMode(file) & OfOthers) != UnixFileMode.None)
+            {
+                throw new StoreException(StoreError.Denied, $"The store's password file {file} may be read by others: chmod 600.");
+            }
+        }
+
+        return new NpgsqlConnectionStringBuilder
+        {
+            Host = settings.Host,
+            Port = settings.Port,
+            Database = settings.Database,
+            Username = settings.User,
+            Passfile = settings.PasswordFile,
+            ApplicationName = "errormatch",
+            Timeout = (int)Patience.TotalSeconds,
+            CommandTimeout = 30,
+            MaxAutoPrepare = 50,
+            AutoPrepareMinUsages = 2,
+            KeepAlive = 10,
+            Options = string.Create(CultureInfo.InvariantCulture, $"-c lock_timeout={(long)Patience.TotalMilliseconds} -c synchronous_commit=on -c tcp_keepalives_idle=10 -c tcp_keepalives_interval=5 -c tcp_keepalives_count=3"),
+        };
+    }
+}

@@ -1,0 +1,67 @@
+using Dapper;
+using Npgsql;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>An advisory lock of the server, on a connection of its own: the server gives it back when that ends.</summary>
+internal sealed class PostgresLock : ISlotLock
+{
+    private readonly NpgsqlConnection _connection;
+    private readonly string _name;
+
+    private PostgresLock(NpgsqlConnection connection, string name)
+    {
+        _connection = connection;
+        _name = name;
+    }
+
+    /// <inheritdoc/>
+    public bool IsHeld
+    {
+        get
+        {
+            lock (_connection)
+            {
+                try
+                {
+                    return _connection.ExecuteScalar<long>(
+                        "SELECT count(*) FROM pg_locks, (SELECT hashtextextended(@Name, 0) AS key) AS wanted "
+                        + "WHERE locktype = 'advisory' AND pid = pg_backend_pid() AND granted AND objsubid = 1 "
+                        + "AND classid::bigint = ((key >> 32) & 4294967295) AND objid::bigint = (key & 4294967295)",
+                        new { Name = _name },
+                        commandTimeout: 5) == 1;
+                }
+                catch (Exception failure) when (failure is NpgsqlException or InvalidOperationException)
+                {
+                    // Without an answer nothing says that it is held.
+                    return false;
+                }
+            }
+        }
+    }
+
+    /// <summary>Takes the lock; null if another one has it.</summary>
+    /// <param name="connectionString">Of a connection that is not shared with anything else.</param>
+    /// <param name="name">What is locked.</param>
+    public static PostgresLock? TryTake(string connectionString, string name)
+    {
+        var connection = new NpgsqlConnection(connectionString);
+        var taken = false;
+        try
+        {
+            connection.Open();
+            taken = connection.ExecuteScalar<bool>("SELECT pg_try_advisory_lock(hashtextextended(@Name, 0))", new { Name = name });
+            return taken ? new PostgresLock(connection, name) : null;
+        }
+        finally
+        {
+            if (!taken) connection.Dispose();
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Dispose()
+    {
+        lock (_connection) _connection.Dispose();
+    }
+}

@@ -1,0 +1,32 @@
+using System.Data.Common;
+using Dapper;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Rows of a statement, each read by a function of its own.</summary>
+internal static class Rows
+{
+    public static IReadOnlyList<T> Query<T>(DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
+    {
+        var rows = new List<T>();
+        foreach (var each in Stream(connection, sql, row, parameters, transaction)) rows.Add(each);
+        return rows;
+    }
+
+    /// <summary>The first row; null if there is none.</summary>
+    public static T? First<T>(DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
+        where T : class
+    {
+        using var reader = (DbDataReader)connection.ExecuteReader(sql, parameters, transaction);
+        return reader.Read() ? row(reader) : null;
+    }
+
+    /// <summary>The rows one at a time, while they are asked for.</summary>
+    public static IEnumerable<T> Stream<T>(DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
+    {
+        using var reader = (DbDataReader)connection.ExecuteReader(sql, parameters, transaction);
+        while (reader.Read()) yield return row(reader);
+    }
+
+    public static string? TextOrNull(this DbDataReader reader, int column) => reader.IsDBNull(column) ? null : reader.GetString(column);
+}

@@ -1,0 +1,52 @@
+using System.Data.Common;
+using System.Globalization;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Rows of slots, which follow the states of corrections in the same transaction.</summary>
+internal static class SlotRow
+{
+    public const string Select = "SELECT machine, slot, correction, program_sha256, previous_sha256 FROM slot WHERE machine = @Machine AND slot = @Slot";
+
+    private const string Take =
+        "INSERT INTO slot (machine, slot, correction) VALUES (@Machine, @Slot, @Id) "
+        + "ON CONFLICT (machine, slot) DO UPDATE SET correction = excluded.correction WHERE slot.correction IS NULL OR slot.correction = excluded.correction";
+
+    private const string GiveBack = "UPDATE slot SET correction = NULL WHERE machine = @Machine AND slot = @Slot AND correction = @Id";
+
+    private const string Verify =
+        "UPDATE slot SET previous_sha256 = COALESCE(@PreviousSha256, program_sha256), program_sha256 = @ProgramSha256 WHERE machine = @Machine AND slot = @Slot AND correction = @Id";
+
+    private const string Revert =
+        "UPDATE slot SET program_sha256 = previous_sha256, previous_sha256 = NULL, correction = @Id "
+        + "WHERE machine = @Machine AND slot = @Slot AND program_sha256 = @ProgramSha256 AND (correction IS NULL OR correction = @Id)";
+
+    public static SlotHolding Read(DbDataReader row) =>
+        new(row.GetString(0), row.GetString(1), row.IsDBNull(2) ? null : row.GetInt64(2), row.TextOrNull(3), row.TextOrNull(4));
+
+    /// <summary>Does to the slot what a step of a correction means for it.</summary>
+    public static void Follow(StoreTransaction transaction, CorrectionState from, Correction to)
+    {
+        var sql = (from, to.State) switch
+        {
+            (_, CorrectionState.Uploading) => Take,
+            (CorrectionState.Uploading, CorrectionState.Approved or CorrectionState.Failed) => GiveBack,
+            (_, CorrectionState.Verified) => Verify,
+            (_, CorrectionState.Released) => GiveBack,
+            (_, CorrectionState.Reverted) => Revert,
+            _ => null,
+        };
+        if (sql is null) return;
+        if (to.Machine is null || to.Slot is null || to.ProgramSha256 is null)
+        {
+            throw new ArgumentException(string.Create(CultureInfo.InvariantCulture, $"Correction {to.Id} cannot become {to.State} without machine, slot and program."), nameof(to));
+        }
+
+        if (transaction.Execute(sql, new { to.Machine, to.Slot, to.Id, to.ProgramSha256, to.PreviousSha256 }) == 1) return;
+        var slot = transaction.First(Select, Read, new { to.Machine, to.Slot });
+        if (slot?.Correction is { } holder && holder != to.Id) throw new SlotTakenException(to.Machine, to.Slot, holder);
+        throw new StoreException(
+            StoreError.Conflict,
+            string.Create(CultureInfo.InvariantCulture, $"Slot {to.Slot} of {to.Machine} no longer holds the program of correction {to.Id}, which therefore cannot become {CorrectionRow.Word(to.State)}."));
+    }
+}

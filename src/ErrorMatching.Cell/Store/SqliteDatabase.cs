@@ -1,0 +1,296 @@
+using System.Collections.Concurrent;
+using System.Data.Common;
+using System.Globalization;
+using System.Security.Cryptography;
+using System.Text;
+using Dapper;
+using Microsoft.Data.Sqlite;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>A store in a file of its own, by SQLite: write-ahead log, every change on the disk before it is reported.</summary>
+internal sealed class SqliteDatabase : CellDatabase
+{
+    private const int ApplicationId = 0x45724D43;
+    private const long WholeCheckBytes = 256 << 20;
+    private readonly string _file;
+    private readonly Lock _writing = new();
+    private readonly ConcurrentBag<SqliteConnection> _readers = [];
+    private SqliteConnection? _writer;
+    private bool _disposed;
+
+    static SqliteDatabase() => SQLitePCL.Batteries_V2.Init();
+
+    private SqliteDatabase(string file) => _file = file;
+
+    /// <inheritdoc/>
+    public override string Place => $"The store {_file}";
+
+    /// <inheritdoc/>
+    protected override string ForUpdate => "";
+
+    /// <summary>Opens a store, or makes one where there is none: under another name, so that there is a whole one or none.</summary>
+    /// <param name="file">Its file.</param>
+    /// <param name="prepare">Looks whether it is whole and takes it to the present form.</param>
+    public static SqliteDatabase Open(string file, Action<CellDatabase> prepare)
+    {
+        var database = new SqliteDatabase(file);
+        if (!File.Exists(file)) database.Make(prepare);
+        try
+        {
+            database.Prove();
+            prepare(database);
+            return database;
+        }
+        catch
+        {
+            database.Dispose();
+            throw;
+        }
+    }
+
+    /// <inheritdoc/>
+    public override string Word(string token, string argument) => token switch
+    {
+        "blob" => "BLOB",
+        "identity" => "INTEGER PRIMARY KEY AUTOINCREMENT",
+        "append_only" => $"""
+            CREATE TRIGGER {argument}_update BEFORE UPDATE ON {argument} BEGIN SELECT RAISE(ABORT, '{argument} is append-only'); END;
+            CREATE TRIGGER {argument}_delete BEFORE DELETE ON {argument} BEGIN SELECT RAISE(ABORT, '{argument} is append-only'); END;
+            """,
+        _ => throw new ArgumentOutOfRangeException(nameof(token), token, "No such token of migrations."),
+    };
+
+    /// <inheritdoc/>
+    public override void Inspect() => Read(connection =>
+    {
+        var check = new FileInfo(_file).Length <= WholeCheckBytes ? "integrity_check" : "quick_check";
+        var found = connection.QueryFirst<string>($"PRAGMA {check}(1)");
+        return found == "ok" ? true : throw Damaged(found, null);
+    });
+
+    /// <inheritdoc/>
+    public override bool HasTable(DbConnection connection, string name) =>
+        connection.QuerySingle<long>("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = @name", new { name }) == 1;
+
+    /// <inheritdoc/>
+    public override void WaitForMigration(DbConnection connection, DbTransaction transaction)
+    {
+        // The transaction of a writer is the lock.
+    }
+
+    /// <inheritdoc/>
+    public override ISlotLock? TryLock(string name)
+    {
+        var hash = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(name)))[..16];
+        return FileLock.TryTake(FileLock.NameBeside(_file, hash));
+    }
+
+    /// <inheritdoc/>
+    public override void Backup(string file)
+    {
+        if (Path.GetFullPath(file) == Path.GetFullPath(_file)) throw new StoreException(StoreError.Denied, $"{file} is the store itself: name another file for its backup.");
+        var temporary = $"{file}.{Environment.ProcessId.ToString(CultureInfo.InvariantCulture)}.tmp";
+        try
+        {
+            Read(connection =>
+            {
+                using var copy = new SqliteConnection(ConnectionString(temporary));
+                copy.Open();
+                ((SqliteConnection)connection).BackupDatabase(copy);
+
+                // One file, without a log beside it.
+                copy.Execute("PRAGMA journal_mode = DELETE");
+                var found = copy.QueryFirst<string>("PRAGMA quick_check(1)");
+                return found == "ok" ? true : throw Damaged(found, null);
+            });
+            using (var written = new FileStream(temporary, FileMode.Open, FileAccess.ReadWrite)) written.Flush(flushToDisk: true);
+            File.Move(temporary, file, overwrite: true);
+        }
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
+        {
+            throw new StoreException(StoreError.Disk, $"The backup {file} cannot be written: {failure.Message}", failure);
+        }
+        finally
+        {
+            File.Delete(temporary);
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void Dispose()
+    {
+        lock (_writing)
+        {
+            if (_disposed) return;
+            _disposed = true;
+            while (_readers.TryTake(out var reader)) reader.Dispose();
+            try
+            {
+                _writer?.Execute("PRAGMA wal_checkpoint(TRUNCATE)");
+            }
+            catch (SqliteException)
+            {
+                // The log stays beside the file, and the next one who opens it reads on from there.
+            }
+
+            _writer?.Dispose();
+            _writer = null;
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override StoreException Name(DbException failure) => failure is SqliteException sqlite ? Named(sqlite) : new StoreException(StoreError.Unknown, $"{Place}: {failure.Message}", failure);
+
+    /// <inheritdoc/>
+    protected override T InTransaction<T>(Func<DbConnection, DbTransaction, T> change)
+    {
+        lock (_writing)
+        {
+            ObjectDisposedException.ThrowIf(_disposed, this);
+            var writer = _writer ??= Connect();
+            try
+            {
+                using var transaction = writer.BeginTransaction(deferred: false);
+                var result = change(writer, transaction);
+                transaction.Commit();
+                return result;
+            }
+            catch (SqliteException)
+            {
+                // Whatever state it is in: the next change begins with a fresh one.
+                _writer = null;
+                writer.Dispose();
+                throw;
+            }
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override T OnReader<T>(Func<DbConnection, T> read)
+    {
+        ObjectDisposedException.ThrowIf(_disposed, this);
+        if (!_readers.TryTake(out var reader)) reader = Connect();
+        try
+        {
+            return read(reader);
+        }
+        catch (SqliteException)
+        {
+            reader.Dispose();
+            reader = null;
+            throw;
+        }
+        finally
+        {
+            if (reader is not null)
+            {
+                if (_disposed) reader.Dispose();
+                else _readers.Add(reader);
+            }
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override DbTransaction BeginSnapshot(DbConnection connection) => ((SqliteConnection)connection).BeginTransaction(deferred: true);
+
+    private static string ConnectionString(string file) => new SqliteConnectionStringBuilder
+    {
+        DataSource = file,
+        Mode = SqliteOpenMode.ReadWriteCreate,
+        Pooling = false,
+        ForeignKeys = true,
+        DefaultTimeout = (int)Patience.TotalSeconds,
+    }.ConnectionString;
+
+    private SqliteConnection Connect()
+    {
+        var connection = new SqliteConnection(ConnectionString(_file));
+        try
+        {
+            connection.Open();
+            connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA busy_timeout = {(long)Patience.TotalMilliseconds}"));
+            connection.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+            return connection;
+        }
+        catch
+        {
+            connection.Dispose();
+            throw;
+        }
+    }
+
+    // A log without its file is the sign of a lost store, and would be read into a new one.
+    private void Make(Action<CellDatabase> prepare)
+    {
+        var folder = Path.GetDirectoryName(Path.GetFullPath(_file))!;
+        if (!Directory.Exists(folder)) throw new StoreException(StoreError.Missing, $"The store's folder {folder} is not there. Make it, or mount the disk that has it.");
+        if (File.Exists(_file + "-wal")) throw new StoreException(StoreError.Damaged, $"The store {_file} is gone but its log {_file}-wal is there. Restore the latest backup.");
+        if (FileLock.Beside(_file).Any())
+        {
+            throw new StoreException(
+                StoreError.Missing, $"The store {_file} is gone, and a cell ran with it. Restore the latest backup. Delete {_file}.*.lock if the cell is to begin anew and know nothing of what it did.");
+        }
+
+        var temporary = $"{_file}.{Environment.ProcessId.ToString(CultureInfo.InvariantCulture)}.{Guid.NewGuid():N}.new";
+        try
+        {
+            using (var made = new SqliteDatabase(temporary))
+            {
+                made.Change((connection, transaction) => connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA application_id = {ApplicationId}"), transaction: transaction));
+                prepare(made);
+            }
+
+            File.Move(temporary, _file, overwrite: false);
+        }
+        catch (IOException) when (File.Exists(_file))
+        {
+            // Another process was faster; its store is as good.
+        }
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
+        {
+            throw new StoreException(StoreError.ReadOnly, $"No store can be made in {folder}: {failure.Message}", failure);
+        }
+        finally
+        {
+            File.Delete(temporary);
+        }
+    }
+
+    // What SQLite itself would take for a new and empty database, or would only find when it first writes. The file itself must never be opened here: where locks belong to processes, as on Linux,
+    // closing it would take away those that SQLite has on it, and another process would take itself for the last one and delete the log.
+    private void Prove()
+    {
+        if (new FileInfo(_file).Length == 0) throw new StoreException(StoreError.Damaged, $"The store {_file} is empty. Restore the latest backup.");
+        try
+        {
+            using var probe = new FileStream($"{_file}.{Guid.NewGuid():N}.probe", FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
+        }
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
+        {
+            throw new StoreException(StoreError.ReadOnly, $"The folder of the store {_file} cannot be written: {failure.Message} Make the disk and the folder writable for the user that runs the cell.", failure);
+        }
+
+        if (Read(connection => SQLitePCL.raw.sqlite3_db_readonly(((SqliteConnection)connection).Handle, "main")) == 1)
+        {
+            throw new StoreException(StoreError.ReadOnly, $"The store {_file} cannot be written. Make the file writable for the user that runs the cell.");
+        }
+
+        var id = Read(connection => connection.QuerySingle<int>("PRAGMA application_id"));
+        if (id != ApplicationId) throw new StoreException(StoreError.Foreign, $"{_file} is a database, but not of a cell. Name another file as the store.");
+    }
+
+    private StoreException Damaged(string found, Exception? cause) => new(StoreError.Damaged, $"The store {_file} is damaged: {found.Trim()} Restore the latest backup.", cause);
+
+    private StoreException Named(SqliteException failure) => failure.SqliteErrorCode switch
+    {
+        5 or 6 => new(StoreError.Locked, $"The store {_file} is held by another process for longer than {Patience.TotalSeconds} s. Nothing was changed.", failure),
+        8 => new(StoreError.ReadOnly, $"The store {_file} cannot be written: its disk or file is read-only. Nothing was changed.", failure),
+        10 => new(StoreError.Disk, $"The disk of the store {_file} reports an error. Nothing was changed. Look at the system's log and copy the store to a good disk.", failure),
+        11 or 26 => Damaged(failure.Message, failure),
+        13 => new(StoreError.Full, $"The disk of the store {_file} is full. Nothing was changed. Make room; the cell goes on by itself.", failure),
+        14 => new(StoreError.Denied, $"The store {_file} cannot be opened: {failure.Message} Look at who may write the file and its folder.", failure),
+        19 when failure.SqliteExtendedErrorCode == 787 => new(StoreError.Missing, $"A content that is named is not in the store {_file}. Nothing was changed.", failure),
+        _ => new(StoreError.Unknown, $"The store {_file}: {failure.Message}", failure),
+    };
+}

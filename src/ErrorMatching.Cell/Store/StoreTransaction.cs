@@ -1,0 +1,81 @@
+using System.Data.Common;
+using System.Globalization;
+using Dapper;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>A change of the store while it is made, with the audit entries that are part of it. The writers of all processes are in one order.</summary>
+internal sealed class StoreTransaction
+{
+    private static readonly TimeSpan ClockTolerance = TimeSpan.FromSeconds(1);
+    private readonly byte[]? _auditKey;
+    private readonly DbTransaction _transaction;
+    private readonly AuditHead _before;
+    private AuditHead _head;
+
+    private StoreTransaction(DbConnection connection, DbTransaction transaction, AuditHead head, DateTimeOffset now, byte[]? auditKey)
+    {
+        Connection = connection;
+        _transaction = transaction;
+        _head = _before = head;
+        Now = now;
+        _auditKey = auditKey;
+    }
+
+    /// <summary>The time of everything in this change.</summary>
+    public DateTimeOffset Now { get; }
+
+    /// <summary>The connection; statements on it belong to this change.</summary>
+    public DbConnection Connection { get; }
+
+    public static StoreTransaction Begin(DbConnection connection, DbTransaction transaction, string forUpdate, TimeProvider clock, byte[]? auditKey)
+    {
+        var head = AuditRow.Head(connection, transaction, forUpdate);
+        return new StoreTransaction(connection, transaction, head, StoredTime.Rounded(clock.GetUtcNow()), auditKey);
+    }
+
+    /// <summary>Runs a statement; its parameters are the properties of an object.</summary>
+    /// <returns>How many rows it changed.</returns>
+    public int Execute(string sql, object? parameters = null) => Connection.Execute(sql, parameters, _transaction);
+
+    /// <summary>The first column of the first row; the type's default if there is no row.</summary>
+    public T? Value<T>(string sql, object? parameters = null) => Connection.QueryFirstOrDefault<T>(sql, parameters, _transaction);
+
+    /// <summary>The rows that a statement finds.</summary>
+    public IReadOnlyList<T> Query<T>(string sql, Func<DbDataReader, T> row, object? parameters = null) => Rows.Query(Connection, sql, row, parameters, _transaction);
+
+    /// <summary>The first row that a statement finds; null if it finds none.</summary>
+    public T? First<T>(string sql, Func<DbDataReader, T> row, object? parameters = null)
+        where T : class => Rows.First(Connection, sql, row, parameters, _transaction);
+
+    /// <summary>Appends an entry to the audit trail.</summary>
+    public void Audit(string who, string what, string? subject, string basis)
+    {
+        if (_head == _before && _head.Seq > 0 && _head.At - Now > ClockTolerance)
+        {
+            Append("cell", "clock", null, string.Create(
+                CultureInfo.InvariantCulture,
+                $"The clock says {Now:yyyy-MM-dd HH:mm:ss.ffffff} UTC and said {_head.At:yyyy-MM-dd HH:mm:ss.ffffff} before; entries are in order of their numbers."));
+        }
+
+        Append(StoredText.Name(who), StoredText.Name(what), StoredText.NameOrNull(subject), StoredText.Sentence(basis));
+    }
+
+    /// <summary>Keeps where the audit trail ends now.</summary>
+    public void Finish()
+    {
+        if (_head == _before) return;
+        Execute(
+            "UPDATE audit_head SET seq = @Seq, at = @At, hash = @Hash, seal = @Seal WHERE only_row = 1",
+            new { _head.Seq, At = StoredTime.Of(_head.At), _head.Hash, _head.Seal });
+    }
+
+    private void Append(string who, string what, string? subject, string basis)
+    {
+        var entry = AuditEntry.After(_head.Hash, _head.Seq + 1, Now, who, what, subject, basis);
+        Execute(
+            "INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash) VALUES (@Seq, @At, @Who, @What, @Subject, @Basis, @Previous, @Hash)",
+            new { entry.Seq, At = StoredTime.Of(Now), entry.Who, entry.What, entry.Subject, entry.Basis, entry.Previous, entry.Hash });
+        _head = _head.With(entry, _auditKey, begins: what == "created" && _head.Seq == 0);
+    }
+}

@@ -1,0 +1,54 @@
+using System.Text.RegularExpressions;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Names that programs at machines may have, and those that a transfer derives from them. The white list is narrow enough for every control, file system and protocol.</summary>
+public static partial class ProgramNames
+{
+    /// <summary>The rule in words, for messages.</summary>
+    public const string Rule =
+        "1 to 64 of A-Z a-z 0-9 . _ -, no dot or dash in front, no dot at the end, none that Windows reserves such as CON or LPT1, and no ending that transfers use themselves (.emnew, .emold)";
+
+    private const string NewSuffix = ".emnew";
+    private const string OldSuffix = ".emold";
+
+    /// <summary>True if a program may have this name.</summary>
+    public static bool Allows(string name) =>
+        Allowed().IsMatch(name) && !Reserved().IsMatch(name) && !HasSuffix(name, NewSuffix) && !HasSuffix(name, OldSuffix);
+
+    /// <summary>True if a file in a machine's folder may be asked for by this name: printable ASCII that leads nowhere else and that no protocol takes for something else.</summary>
+    internal static bool IsPlain(string name) => Plain().IsMatch(name);
+
+    /// <summary>True if a transfer may carry this tag in its temporary name.</summary>
+    internal static bool AllowsTag(string tag) => Tag().IsMatch(tag);
+
+    /// <summary>Where a program is written before it takes its name. No two tries share one: what a lost connection still writes must not reach the next try's file.</summary>
+    internal static string New(string program, string tag) => $"{program}.{tag}-{Guid.NewGuid().ToString("N")[..8]}{NewSuffix}";
+
+    /// <summary>Where the old program stays while the new one takes its name, on servers that do not rename over a file.</summary>
+    internal static string Old(string program) => program + OldSuffix;
+
+    /// <summary>True if the name is one that <see cref="New"/> gave for this program.</summary>
+    internal static bool IsNewOf(string program, string name) =>
+        name.StartsWith(program + ".", StringComparison.Ordinal)
+        && name.EndsWith(NewSuffix, StringComparison.Ordinal)
+        && name.Length > program.Length + 1 + NewSuffix.Length
+        && TagAndNumber().IsMatch(name[(program.Length + 1)..^NewSuffix.Length]);
+
+    private static bool HasSuffix(string name, string suffix) => name.EndsWith(suffix, StringComparison.OrdinalIgnoreCase);
+
+    [GeneratedRegex(@"\A[A-Za-z0-9_]([A-Za-z0-9._-]{0,62}[A-Za-z0-9_-])?\z", RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Allowed();
+
+    [GeneratedRegex(@"\A(CON|PRN|AUX|NUL|COM[0-9]|LPT[0-9])(\.|\z)", RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, 1000)]
+    private static partial Regex Reserved();
+
+    [GeneratedRegex("""\A(?![-.])[ -~-[/\\"'*?\[\]<>|:%]]{1,120}(?<![ .])\z""", RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Plain();
+
+    [GeneratedRegex(@"\A[A-Za-z0-9]{1,32}\z", RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Tag();
+
+    [GeneratedRegex(@"\A[A-Za-z0-9]{1,32}-[0-9a-f]{8}\z", RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex TagAndNumber();
+}

@@ -1,0 +1,126 @@
+using System.ComponentModel;
+using System.Diagnostics;
+using System.Text;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Runs a program: no shell, an environment of its own, limits of time and output; killed with all that it started when it is cancelled.</summary>
+internal static class ToolProcess
+{
+    private const int MostError = 16 << 10;
+    private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(100);
+
+    // What programs need to be found and to start. Left out on purpose: proxies, agents, configurations of the user, languages.
+    private static readonly string[] Inherited = ["PATH", "SystemRoot", "SystemDrive", "windir", "TEMP", "TMP", "TMPDIR", "ProgramData", "USERPROFILE"];
+
+    /// <summary>Runs a program to its end.</summary>
+    /// <exception cref="OperationCanceledException">It was cancelled, and killed.</exception>
+    public static async Task<ToolResult> RunAsync(ToolRun run, CancellationToken cancellation)
+    {
+        cancellation.ThrowIfCancellationRequested();
+        using var process = new Process { StartInfo = StartOf(run) };
+        try
+        {
+            process.Start();
+        }
+        catch (Win32Exception e)
+        {
+            return new ToolResult(ToolEnd.Missing, -1, [], e.Message);
+        }
+
+        using var late = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        using var tooMuch = new CancellationTokenSource();
+        await using var endLate = late.Token.Register(() => Kill(process)).ConfigureAwait(false);
+        await using var endTooMuch = tooMuch.Token.Register(() => Kill(process)).ConfigureAwait(false);
+        late.CancelAfter(run.Limit);
+
+        var output = ReadAsync(process.StandardOutput.BaseStream, run.MostOutput, tooMuch);
+        var error = ReadAsync(process.StandardError.BaseStream, MostError, null);
+        await FeedAsync(process, run.Input).ConfigureAwait(false);
+        await WaitAsync(process, run.IsTooMuch, tooMuch).ConfigureAwait(false);
+        var (said, complained) = (await output.ConfigureAwait(false), await error.ConfigureAwait(false));
+
+        cancellation.ThrowIfCancellationRequested();
+        var end = tooMuch.IsCancellationRequested ? ToolEnd.TooMuch : late.IsCancellationRequested ? ToolEnd.TimedOut : ToolEnd.Exited;
+        return new ToolResult(end, process.ExitCode, said, Encoding.UTF8.GetString(complained));
+    }
+
+    private static ProcessStartInfo StartOf(ToolRun run)
+    {
+        var start = new ProcessStartInfo(run.Program, run.Arguments)
+        {
+            UseShellExecute = false,
+            CreateNoWindow = true,
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+        };
+        start.Environment.Clear();
+        foreach (var name in Inherited)
+        {
+            if (Environment.GetEnvironmentVariable(name) is { } value)
+                start.Environment[name] = value;
+        }
+
+        start.Environment["LC_ALL"] = "C";
+        foreach (var (name, value) in run.Environment)
+            start.Environment[name] = value;
+        return start;
+    }
+
+    // A program that ended before it read everything says why by its exit code.
+    private static async Task FeedAsync(Process process, ReadOnlyMemory<byte> input)
+    {
+        try
+        {
+            var stream = process.StandardInput.BaseStream;
+            await stream.WriteAsync(input).ConfigureAwait(false);
+            await stream.DisposeAsync().ConfigureAwait(false);
+        }
+        catch (IOException)
+        {
+        }
+    }
+
+    private static async Task WaitAsync(Process process, Func<bool>? isTooMuch, CancellationTokenSource tooMuch)
+    {
+        var exit = process.WaitForExitAsync(CancellationToken.None);
+        while (isTooMuch is not null && !exit.IsCompleted)
+        {
+            if (isTooMuch())
+                await tooMuch.CancelAsync().ConfigureAwait(false);
+            await Task.WhenAny(exit, Task.Delay(Look, CancellationToken.None)).ConfigureAwait(false);
+        }
+
+        await exit.ConfigureAwait(false);
+    }
+
+    // Reads to the end, so that the program never waits for us, but keeps no more than is wanted.
+    private static async Task<byte[]> ReadAsync(Stream stream, long most, CancellationTokenSource? tooMuch)
+    {
+        using var kept = new MemoryStream();
+        var buffer = new byte[16 << 10];
+        int read;
+        while ((read = await stream.ReadAsync(buffer).ConfigureAwait(false)) > 0)
+        {
+            var room = (int)Math.Min(read, most - kept.Length);
+            kept.Write(buffer, 0, room);
+            if (room < read && tooMuch is not null)
+                await tooMuch.CancelAsync().ConfigureAwait(false);
+        }
+
+        return kept.ToArray();
+    }
+
+    // Runs within whoever cancels: a program that has just ended by itself is none of its concern.
+    private static void Kill(Process process)
+    {
+        try
+        {
+            process.Kill(entireProcessTree: true);
+        }
+        catch (Exception e) when (e is InvalidOperationException or Win32Exception or AggregateException)
+        {
+        }
+    }
+}

@@ -1,0 +1,38 @@
+using Polly;
+using Polly.Retry;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>How often, and after what waits, a transfer is tried again.</summary>
+public static class TransferTries
+{
+    private static readonly TimeSpan FirstWait = TimeSpan.FromMilliseconds(250);
+    private static readonly TimeSpan LongestWait = TimeSpan.FromSeconds(10);
+
+    /// <summary>Tries as often as the machine's settings say, with waits that double, from 0.25 s to 10 s. Only failures that another try may mend are tried again.</summary>
+    /// <param name="machine">The machine.</param>
+    /// <param name="clock">Measures the waits.</param>
+    /// <param name="failed">Told of each try that is followed by another, before the wait; for logs.</param>
+    public static ResiliencePipeline For(MachineSettings machine, TimeProvider clock, Action<TransferTry>? failed = null)
+    {
+        ArgumentNullException.ThrowIfNull(machine);
+        if (machine.Attempts <= 1)
+            return ResiliencePipeline.Empty;
+
+        return new ResiliencePipelineBuilder { TimeProvider = clock }
+            .AddRetry(new RetryStrategyOptions
+            {
+                MaxRetryAttempts = machine.Attempts - 1,
+                BackoffType = DelayBackoffType.Exponential,
+                Delay = FirstWait,
+                MaxDelay = LongestWait,
+                ShouldHandle = args => ValueTask.FromResult(args.Outcome.Exception is TransportException { IsWorthAnotherTry: true }),
+                OnRetry = args =>
+                {
+                    failed?.Invoke(new TransferTry(machine.Name, args.AttemptNumber + 1, (TransportException)args.Outcome.Exception!, args.RetryDelay));
+                    return ValueTask.CompletedTask;
+                },
+            })
+            .Build();
+    }
+}

@@ -1,0 +1,29 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>Failures in a setter's words: machine, what was being done, what was answered, what to do next.</summary>
+internal static class TransportFailure
+{
+    /// <summary>A failure.</summary>
+    /// <param name="error">What it is.</param>
+    /// <param name="machine">The machine.</param>
+    /// <param name="doing">What was being done, such as <c>writing P100.MPF</c>.</param>
+    /// <param name="answer">What was answered; no secrets.</param>
+    /// <param name="cause">What lies below; null if nothing does.</param>
+    public static TransportException Of(TransportError error, string machine, string doing, string answer, Exception? cause = null) =>
+        new(error, $"{machine}: {doing} failed: {answer.Trim().TrimEnd('.')}. {Next(error)}", cause);
+
+    private static string Next(TransportError error) => error switch
+    {
+        TransportError.Away => "Check that the machine is switched on and connected, and host, port or share in the cell's configuration.",
+        TransportError.Slow => "Check the network and how busy the machine is, or raise the machine's timeout in the cell's configuration.",
+        TransportError.Login => "Check the machine's user in the cell's configuration and set its password or key again.",
+        TransportError.WrongServer => "Nothing was sent. If the machine's key was renewed on purpose, let its administrator tell you the new one and pin that; else somebody may stand between.",
+        TransportError.Denied => "Check at the machine that the login may read, write, rename and delete in this folder, and that nobody protects or runs the program.",
+        TransportError.Full => "Make room at the machine (delete programs that nobody needs, or raise the login's quota).",
+        TransportError.CannotReplace => "The program there may be protected or in use: close it at the control.",
+        TransportError.Differs => "Look for a bad cable or a failing disk at the machine.",
+        TransportError.TooLarge => "Check at the machine what this file is.",
+        TransportError.ToolMissing => "Install it on this computer (docs/connect-a-machine.md says how) so that it is found by PATH.",
+        _ => "Look into the machine's own log; if it stays, send this message to who looks after the cell.",
+    };
+}

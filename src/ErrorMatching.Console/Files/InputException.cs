@@ -1,8 +1,0 @@
-namespace ErrorMatching.Console;
-
-/// <summary>A file of the user that cannot be opened.</summary>
-internal sealed class InputException(string file, string message, Exception cause) : Exception(message, cause)
-{
-    /// <summary>The file as the user named it.</summary>
-    public string File => file;
-}

@@ -1,0 +1,100 @@
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Console;
+
+/// <summary>What the cell's exceptions mean to the user of the console. Apart from the others', so that a match does not load the cell.</summary>
+internal static class FailureOfCell
+{
+    /// <summary>Something that a person may not do, or that cannot be done about people and secrets.</summary>
+    public static Failure People(PeopleException e) => new(ExitOf(e.Error), new ErrorItem(CodeOf(e.Error), e.Message));
+
+    /// <summary>Something that the store could not do.</summary>
+    public static Failure Store(StoreException e) => new(ExitOf(e.Error), new ErrorItem(CodeOf(e.Error), e.Message));
+
+    /// <summary>A decision that cannot be carried out: a wrong number is a wrong input, anything else stands in the way of a right one.</summary>
+    public static Failure Decision(DecisionException e) => new(e.Code == DecisionException.UnknownCorrection ? ExitCode.WrongInput : ExitCode.Refused, new ErrorItem(e.Code, e.Message));
+
+    /// <summary>A machine that did not take what it was to take.</summary>
+    public static Failure Machine(TransportException e) => new(ExitCode.Outside, new ErrorItem(CellCodes.Of(e.Error), e.Message));
+
+    /// <summary>A password that did not come.</summary>
+    public static Failure Secret(SecretInputException e) => new(ExitCode.WrongInput, new ErrorItem("no-password", e.Message));
+
+    /// <summary>A machine that the configuration does not name.</summary>
+    public static Failure UnknownMachine(CellSettings settings, string machine) => new(ExitCode.WrongInput, new ErrorItem(
+        "unknown-machine", $"{settings.File} names no machine {machine}; it names {string.Join(", ", settings.Machines.Select(m => m.Name))}.")
+    {
+        File = settings.File,
+        Path = "$.machines",
+        Problem = $"names no machine {machine}; it names {string.Join(", ", settings.Machines.Select(m => m.Name))}.",
+    });
+
+    /// <summary>An audit trail that is not as it was written.</summary>
+    public static Failure Audit(AuditFinding finding) => new(ExitCode.Refused, new ErrorItem(CodeOf(finding.Fault!.Kind), finding.Message));
+
+    /// <summary>The code of something about people.</summary>
+    public static string CodeOf(PeopleError error) => error switch
+    {
+        PeopleError.NoUsers => "no-users",
+        PeopleError.SignInRefused => "sign-in-refused",
+        PeopleError.LockedOut => "locked-out",
+        PeopleError.UserDisabled => "user-disabled",
+        PeopleError.NotAllowed => "not-allowed",
+        PeopleError.NotSigned => "not-signed",
+        PeopleError.BadUserName => "bad-user-name",
+        PeopleError.WeakPassword => "weak-password",
+        PeopleError.UserExists => "user-exists",
+        PeopleError.UnknownUser => "unknown-user",
+        PeopleError.LastAdministrator => "last-administrator",
+        PeopleError.BadSecret => "bad-secret",
+        PeopleError.SecretUnreadable => "secret-unreadable",
+        PeopleError.KeysUnusable => "keys-unusable",
+        _ => throw new ArgumentOutOfRangeException(nameof(error), error, "An error about people without a code."),
+    };
+
+    /// <summary>The code of something about the store.</summary>
+    public static string CodeOf(StoreError error) => error switch
+    {
+        StoreError.Conflict => "store-conflict",
+        StoreError.Missing => "store-missing",
+        StoreError.Damaged => "store-damaged",
+        StoreError.Foreign => "store-foreign",
+        StoreError.TooNew => "store-too-new",
+        StoreError.Locked => "store-locked",
+        StoreError.Full => "store-full",
+        StoreError.ReadOnly => "store-read-only",
+        StoreError.Denied => "store-denied",
+        StoreError.Disk => "store-disk",
+        StoreError.Away => "store-away",
+        StoreError.NotSupported => "store-not-supported",
+        StoreError.Unknown => "store-unknown",
+        _ => throw new ArgumentOutOfRangeException(nameof(error), error, "An error of the store without a code."),
+    };
+
+    /// <summary>The code of what is wrong with an audit trail.</summary>
+    public static string CodeOf(AuditFaultKind error) => error switch
+    {
+        AuditFaultKind.Changed => "audit-changed",
+        AuditFaultKind.Removed => "audit-removed",
+        AuditFaultKind.Inserted => "audit-inserted",
+        AuditFaultKind.Reordered => "audit-reordered",
+        AuditFaultKind.Unsealed => "audit-unsealed",
+        _ => throw new ArgumentOutOfRangeException(nameof(error), error, "A broken audit trail without a code."),
+    };
+
+    // What was typed can be typed better; what is refused stays refused until somebody else does something.
+    private static ExitCode ExitOf(PeopleError error) => error switch
+    {
+        PeopleError.LockedOut or PeopleError.UserDisabled or PeopleError.NotAllowed or PeopleError.NotSigned or PeopleError.LastAdministrator or PeopleError.SecretUnreadable => ExitCode.Refused,
+        PeopleError.KeysUnusable => ExitCode.Outside,
+        _ => ExitCode.WrongInput,
+    };
+
+    private static ExitCode ExitOf(StoreError error) => error switch
+    {
+        StoreError.Conflict => ExitCode.Refused,
+        StoreError.Missing or StoreError.Foreign or StoreError.TooNew or StoreError.NotSupported => ExitCode.WrongInput,
+        _ => ExitCode.Outside,
+    };
+}

@@ -1,0 +1,17 @@
+using System.CommandLine;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch audit verify</c>.</summary>
+internal sealed class AuditVerify() : CellVerb("verify", "Looks whether any entry of the audit trail was changed, removed, inserted or reordered.", "errormatch audit verify samples/cell/cell.json")
+{
+    /// <inheritdoc/>
+    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
+    {
+        DemandStore(settings);
+        using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder), inspect: false);
+        var finding = new AuditTrail(store, settings.KeysFolder).Verify();
+        return finding.Holds ? new AuditVerifyAnswer(finding) : FailureOfCell.Audit(finding);
+    }
+}

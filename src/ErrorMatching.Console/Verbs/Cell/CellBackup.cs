@@ -1,0 +1,30 @@
+using System.CommandLine;
+using System.Text.Json;
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch cell backup</c>.</summary>
+internal sealed class CellBackup : CellVerb
+{
+    private readonly Argument<string> _file = new("FILE") { Description = "The copy; it must not be there yet." };
+
+    /// <summary>The verb.</summary>
+    public CellBackup()
+        : base("backup", "Copies the whole store, as it is at one moment, while the cell goes on.", "errormatch cell backup samples/cell/cell.json out/cell-backup.db") => Arguments.Add(_file);
+
+    /// <inheritdoc/>
+    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) => WithExistingStore(settings, store =>
+    {
+        var file = arguments.GetRequiredValue(_file);
+        if (File.Exists(file))
+        {
+            return new Failure(ExitCode.WrongInput, new ErrorItem("output-exists", $"{file} is there already: a backup replaces nothing. Name another file.") { File = file });
+        }
+
+        Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(file))!);
+        store.Backup(file);
+        return new CellFileAnswer("backup", file, $"The store is copied to {file}, {new FileInfo(file).Length} bytes. Keep it with the folder of the keys, {settings.KeysFolder}.");
+    });
+}

@@ -1,0 +1,46 @@
+using System.CommandLine;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Console;
+
+/// <summary>A verb by which a person decides about a correction, and signs.</summary>
+internal abstract class CellDecisionVerb : SigningVerb
+{
+    private readonly IdArgument _id = new();
+    private readonly Option<string> _reason;
+    private readonly Act _act;
+
+    /// <summary>The verb.</summary>
+    /// <param name="name">The word on the command line.</param>
+    /// <param name="description">One sentence for the help.</param>
+    /// <param name="example">A whole command line.</param>
+    /// <param name="act">What the one who signs must be allowed to do.</param>
+    /// <param name="needsReason">True if the decision takes a reason.</param>
+    protected CellDecisionVerb(string name, string description, string example, Act act, bool needsReason)
+        : base(name, description, example)
+    {
+        _act = act;
+        _reason = new("--reason") { Description = "Why, for the audit trail.", HelpName = "TEXT", Required = needsReason };
+        _reason.Validators.Add(result =>
+        {
+            if (result.Tokens is [var token] && string.IsNullOrWhiteSpace(token.Value))
+            {
+                result.AddError("--reason is empty; expected why.");
+            }
+        });
+        Arguments.Add(_id);
+        Options.Add(_reason);
+    }
+
+    /// <inheritdoc/>
+    protected sealed override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) => WithExistingStore(settings, store =>
+    {
+        var users = new UserBook(store, TimeProvider.System);
+        var by = Sign(users, arguments);
+        users.Demand(by, _act);
+        return Decide(settings, store, arguments.GetRequiredValue(_id), by.Name, arguments.GetValue(_reason), cancellation);
+    });
+
+    /// <summary>Carries the decision out.</summary>
+    protected abstract Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation);
+}

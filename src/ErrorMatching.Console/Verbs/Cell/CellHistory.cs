@@ -1,0 +1,62 @@
+using System.CommandLine;
+using System.Globalization;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch cell history</c>.</summary>
+internal sealed class CellHistory : CellVerb
+{
+    private readonly Option<string> _serial = new("--serial") { Description = "Serial number of the piece.", HelpName = "SERIAL" };
+    private readonly Option<string> _workOrder = new("--work-order") { Description = "Work order.", HelpName = "ORDER" };
+    private readonly Option<string> _from = new("--from") { Description = "Arrived at this time (UTC, such as 2026-11-21 or 2026-11-21T22:00) or later.", HelpName = "TIME" };
+    private readonly Option<string> _to = new("--to") { Description = "Arrived before this time.", HelpName = "TIME" };
+    private readonly Option<string> _program = new("--program") { Description = "Name of the program at the machine, or the first 8 or more digits of its SHA-256.", HelpName = "PROGRAM" };
+    private readonly Option<string> _user = new("--user") { Description = "Who took any of its steps.", HelpName = "NAME" };
+    private readonly Option<string> _state = new("--state") { Description = "How far it has come: " + string.Join(", ", Enum.GetValues<CorrectionState>().Select(CorrectionJson.Word)) + ".", HelpName = "STATE" };
+    private readonly Option<int> _most = new("--most") { Description = "How many of the latest are listed.", HelpName = "N", DefaultValueFactory = _ => 50 };
+
+    /// <summary>The verb.</summary>
+    public CellHistory()
+        : base("history", "Searches what arrived and what became of it.", "errormatch cell history samples/cell/cell.json --state released")
+    {
+        Options.Add(_serial);
+        Options.Add(_workOrder);
+        Options.Add(_from);
+        Options.Add(_to);
+        Options.Add(_program);
+        Options.Add(_user);
+        Options.Add(_state);
+        Options.Add(_most);
+        Demand(_from, t => Time(t) is not null, "a time such as 2026-11-21 or 2026-11-21T22:00, in UTC");
+        Demand(_to, t => Time(t) is not null, "a time such as 2026-11-21 or 2026-11-21T22:00, in UTC");
+        Demand(_state, s => State(s) is not null, "one of " + string.Join(", ", Enum.GetValues<CorrectionState>().Select(CorrectionJson.Word)));
+        _most.Validators.Add(result =>
+        {
+            if (result.GetValueOrDefault<int>() is < 1 or > 100_000)
+            {
+                result.AddError("--most is out of range; expected 1 to 100000.");
+            }
+        });
+    }
+
+    /// <inheritdoc/>
+    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
+        WithExistingStore(settings, store => new CellHistoryAnswer(store.Search(new()
+        {
+            Serial = arguments.GetValue(_serial),
+            WorkOrder = arguments.GetValue(_workOrder),
+            From = Time(arguments.GetValue(_from)),
+            To = Time(arguments.GetValue(_to)),
+            Program = arguments.GetValue(_program),
+            User = arguments.GetValue(_user),
+            State = State(arguments.GetValue(_state)),
+            Most = arguments.GetValue(_most),
+        })));
+
+    private static DateTimeOffset? Time(string? text) =>
+        DateTimeOffset.TryParse(text, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal | DateTimeStyles.AdjustToUniversal, out var time) ? time : null;
+
+    private static CorrectionState? State(string? word) =>
+        Enum.GetValues<CorrectionState>().Cast<CorrectionState?>().FirstOrDefault(s => CorrectionJson.Word(s!.Value) == word);
+}

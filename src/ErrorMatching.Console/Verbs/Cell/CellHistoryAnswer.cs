@@ -1,0 +1,42 @@
+using System.Globalization;
+using System.Text.Json;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Console;
+
+/// <summary>Corrections that were searched for.</summary>
+internal sealed class CellHistoryAnswer(IReadOnlyList<Correction> corrections) : DocumentAnswer
+{
+    /// <inheritdoc/>
+    public override string Schema => "errormatch/cell-history/1";
+
+    /// <inheritdoc/>
+    public override void WriteJson(Utf8JsonWriter json)
+    {
+        json.WriteStartArray("corrections");
+        foreach (var correction in corrections)
+        {
+            CorrectionJson.Write(json, correction);
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        if (corrections.Count == 0)
+        {
+            page.Line("Nothing found.");
+            return;
+        }
+
+        page.Table(
+            ["id", "arrived", "file", "job", "serial", "work order", "state", "largest mm", "why"],
+            corrections.Select(c => (IReadOnlyList<string>)
+            [
+                c.Id.ToString(CultureInfo.InvariantCulture), c.ArrivedAt.ToString("yyyy-MM-dd HH:mm:ss'Z'", CultureInfo.InvariantCulture), c.FileName, c.Job ?? "", c.Serial ?? "", c.WorkOrder ?? "",
+                CorrectionJson.Word(c.State), c.LargestMm is { } mm ? Show.Mm(mm) : "", c.Code is null ? "" : $"{c.Code}: {c.Reason}",
+            ]));
+    }
+}

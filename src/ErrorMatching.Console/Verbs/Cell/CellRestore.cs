@@ -1,0 +1,22 @@
+using System.CommandLine;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch cell restore</c>.</summary>
+internal sealed class CellRestore : CellVerb
+{
+    private readonly Argument<string> _file = new("FILE") { Description = "The copy that cell backup made." };
+
+    /// <summary>The verb.</summary>
+    public CellRestore()
+        : base("restore", "Puts a copy of the store in the store's place, while the cell does not run. What was there is kept beside it.", "errormatch cell restore samples/cell/cell.json out/cell-backup.db") => Arguments.Add(_file);
+
+    /// <inheritdoc/>
+    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
+    {
+        var file = arguments.GetRequiredValue(_file);
+        var kept = StoreRestore.Run(settings, file, AuditKey.Open(settings.KeysFolder), TimeProvider.System);
+        return new CellFileAnswer("restore", file, $"The store is the one of {file} again.{(kept is null ? "" : $" What was there is {kept}.")} Start the cell: programs at machines that this store does not know are not overwritten without a setter.");
+    }
+}

@@ -1,0 +1,74 @@
+using System.CommandLine;
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+using Serilog;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch cell run</c>.</summary>
+internal sealed class CellRun() : CellVerb(
+    "run", "Runs a cell until Ctrl+C or SIGTERM: takes files from its gauges and brings programs to its machines.", "errormatch cell run samples/cell/cell.json")
+{
+    private static readonly TimeSpan Reconnect = TimeSpan.FromSeconds(5);
+
+    /// <inheritdoc/>
+    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
+    {
+        cancellation.ThrowIfCancellationRequested();
+        using var log = CellLog.Open(settings.LogFolder);
+        foreach (var warning in settings.Warnings)
+        {
+            log.Warning("{File}: {Path}: {Warning}", settings.File, warning.Path, warning.Message);
+        }
+
+        try
+        {
+            return RunAsync(settings, log, cancellation).GetAwaiter().GetResult();
+        }
+        catch (Exception e)
+        {
+            log.Fatal("{Cell} ends: {Message}", settings.Name, e.Message);
+            throw;
+        }
+    }
+
+    private static async Task<Outcome> RunAsync(CellSettings settings, ILogger log, CancellationToken cancellation)
+    {
+        var clock = TimeProvider.System;
+        var since = clock.GetUtcNow();
+        using var store = await OpenAsync(settings, log, clock, cancellation);
+        using var only = store.TryLockCell(settings.Name);
+        if (only is null)
+        {
+            return new Failure(ExitCode.Outside, new ErrorItem("cell-runs-already", $"{settings.Name} runs already: another process has it. See errormatch cell status {settings.File}."));
+        }
+
+        using var telemetry = TelemetryExport.Start(settings.Name, Environment.GetEnvironmentVariable);
+        var notice = new SystemdNotice(Environment.GetEnvironmentVariable("NOTIFY_SOCKET"));
+        var secrets = new MachineSecrets(store, settings.KeysFolder);
+        var runner = new CellRunner(settings, store, m => MachineFolders.Open(m, () => secrets.Get(m.Name)), clock, log) { Alive = notice.Alive };
+        using var stopping = cancellation.Register(notice.Stopping);
+        notice.Ready();
+        await runner.RunAsync(cancellation);
+        new AuditTrail(store, settings.KeysFolder).Remember();
+        return new CellRunAnswer(settings, since, clock.GetUtcNow());
+    }
+
+    // A server that starts after the cell is waited for; what waiting does not mend ends the run.
+    private static async Task<CellStore> OpenAsync(CellSettings settings, ILogger log, TimeProvider clock, CancellationToken cancellation)
+    {
+        var key = AuditKey.Open(settings.KeysFolder);
+        while (true)
+        {
+            try
+            {
+                return CellStore.Open(settings.Store, clock, key);
+            }
+            catch (StoreException e) when (e.IsWorthAnotherTry)
+            {
+                log.Warning("store: {Message}", e.Message);
+                await Task.Delay(Reconnect, clock, cancellation);
+            }
+        }
+    }
+}

@@ -1,0 +1,46 @@
+using System.CommandLine;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch cell secret</c>.</summary>
+internal sealed class CellSecret : SigningVerb
+{
+    private readonly Argument<string> _machine = new("MACHINE") { Description = "The machine, as the configuration names it." };
+    private readonly Option<bool> _remove = new("--remove") { Description = "Remove the password instead of setting one.", Arity = ArgumentArity.Zero };
+
+    /// <summary>The verb.</summary>
+    public CellSecret()
+        : base(
+            "secret",
+            "Sets the password that the cell signs in to a machine with, encrypted. An administrator signs.",
+            "errormatch cell secret samples/cell/cell.json vmc1 --user anna",
+            "the password of who signs, then the machine's")
+    {
+        Arguments.Add(_machine);
+        Options.Add(_remove);
+    }
+
+    /// <inheritdoc/>
+    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
+    {
+        var machine = arguments.GetRequiredValue(_machine);
+        var isRemoved = arguments.GetValue(_remove);
+        return !isRemoved && settings.Machines.All(m => m.Name != machine)
+            ? FailureOfCell.UnknownMachine(settings, machine)
+            : WithExistingStore(settings, store =>
+            {
+                var users = new UserBook(store, TimeProvider.System);
+                var secrets = new MachineSecrets(store, settings.KeysFolder);
+                var by = Sign(users, arguments);
+                users.Demand(by, Act.ManageMachines);
+                if (isRemoved)
+                {
+                    return new CellSecretAnswer(machine, isSet: false, secrets.Remove(machine, by.Name));
+                }
+
+                secrets.Set(machine, AskNew($"password at {machine}", arguments), by.Name);
+                return new CellSecretAnswer(machine, isSet: true, isChanged: true);
+            });
+    }
+}

@@ -1,0 +1,190 @@
+using System.Globalization;
+using System.Text.Json;
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Console;
+
+/// <summary>How a cell is.</summary>
+internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status) : DocumentAnswer
+{
+    private const int MostListed = 20;
+
+    /// <inheritdoc/>
+    public override string Schema => "errormatch/cell-status/1";
+
+    /// <inheritdoc/>
+    public override Failure? Failure => status.IsHealthy ? null : new(ExitCode.Outside, [.. Problems().Select(p => new ErrorItem(p.Code, p.Message))]);
+
+    /// <inheritdoc/>
+    public override void WriteJson(Utf8JsonWriter json)
+    {
+        json.WriteString("cell", settings.Name);
+        json.WriteBoolean("healthy", status.IsHealthy);
+        json.WriteBoolean("running", status.IsRunning);
+        if (status.IsRunning)
+        {
+            json.WriteNumber("processId", status.Heartbeat!.ProcessId);
+            json.WriteString("since", CorrectionJson.Time(status.Heartbeat.Since));
+        }
+
+        json.WriteStartArray("slots");
+        foreach (var slot in status.Slots)
+        {
+            Write(json, slot);
+        }
+
+        json.WriteEndArray();
+        Write(json, "inWork", status.InWork);
+        Write(json, "proposed", status.Proposed);
+        Write(json, "failed", status.Failed);
+        json.WriteStartArray("problems");
+        foreach (var (code, message) in Problems())
+        {
+            json.WriteStartObject();
+            json.WriteString("code", code);
+            json.WriteString("message", message);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        page.Heading(status.IsRunning
+            ? $"{settings.Name} has been running since {Time(status.Heartbeat!.Since)}, process {Number(status.Heartbeat.ProcessId)}"
+            : $"{settings.Name} is not running");
+        page.Line();
+        page.Table(["machine", "slot", "program", "holds", "state", "since", "waiting", "next"], status.Slots.Select(Row));
+        List(page, "Waiting for a person", status.Proposed);
+        List(page, "Failed", status.Failed);
+        if (status.InWork.Count > 0)
+        {
+            page.Line();
+            page.Line($"{Number(status.InWork.Count)} arrived and not computed yet.");
+        }
+
+        var next = WhatNext().ToArray();
+        page.Line();
+        page.Heading(next.Length == 0 ? "Nothing to do." : "What to do next");
+        foreach (var line in next)
+        {
+            page.Line("- " + line);
+        }
+    }
+
+    private static void Write(Utf8JsonWriter json, SlotStatus slot)
+    {
+        json.WriteStartObject();
+        json.WriteString("machine", slot.Machine.Name);
+        json.WriteString("slot", slot.Slot.Name);
+        json.WriteString("program", slot.Slot.Program);
+        json.WriteString("programSha256", slot.Holding.ProgramSha256);
+        json.WritePropertyName("held");
+        if (slot.Held is { } held)
+        {
+            CorrectionJson.Write(json, held);
+        }
+        else
+        {
+            json.WriteNullValue();
+        }
+
+        json.WriteNumber("waiting", slot.Waiting);
+        Write(json, "next", slot.Next);
+        json.WriteEndObject();
+    }
+
+    private static void Write(Utf8JsonWriter json, string name, IReadOnlyList<Correction> corrections)
+    {
+        json.WriteStartArray(name);
+        foreach (var correction in corrections)
+        {
+            CorrectionJson.Write(json, correction);
+        }
+
+        json.WriteEndArray();
+    }
+
+    private IReadOnlyList<string> Row(SlotStatus slot) =>
+    [
+        slot.Machine.Name,
+        slot.Slot.Name,
+        slot.Slot.Program,
+        slot.Held is { } held ? Label(held) : "",
+        slot.Held is { } h ? CorrectionJson.Word(h.State) : "free",
+        slot.Held is { } s ? Time(s.ChangedAt) : "",
+        Number(slot.Waiting),
+        slot.Next is [var first, ..] ? Label(first) : "",
+    ];
+
+    private static void List(Page page, string heading, IReadOnlyList<Correction> corrections)
+    {
+        if (corrections.Count == 0)
+        {
+            return;
+        }
+
+        page.Line();
+        page.Heading(corrections.Count > MostListed ? $"{heading}: {Number(corrections.Count)}, the first {Number(MostListed)}" : heading);
+        page.Table(
+            ["id", "file", "job", "serial", "largest mm", "sum mm", "since", "why"],
+            corrections.Take(MostListed).Select(c => (IReadOnlyList<string>)
+            [
+                Number(c.Id), c.FileName, c.Job ?? "", c.Serial ?? "", c.LargestMm is { } mm ? Show.Mm(mm) : "", c.SumMm is { } sum ? Show.Mm(sum) : "", Time(c.ChangedAt), c.Code ?? "",
+            ]));
+    }
+
+    private IEnumerable<(string Code, string Message)> Problems()
+    {
+        if (!status.IsRunning)
+        {
+            yield return ("cell-not-running", status.Heartbeat is { } last
+                ? $"The cell does not run: its last sign of life was at {Time(last.At)}. Nothing is lost: start it again."
+                : "The cell does not run. Start it: errormatch cell run.");
+        }
+
+        foreach (var trouble in status.IsRunning ? status.Heartbeat!.Troubles : [])
+        {
+            yield return (trouble.Code, $"{trouble.Where}, since {Time(trouble.Since)}: {trouble.Message}");
+        }
+
+        foreach (var failed in status.Failed.Take(MostListed))
+        {
+            yield return (failed.Code ?? "failed", $"Correction {Number(failed.Id)} ({failed.FileName}) failed: {failed.Reason}");
+        }
+    }
+
+    private IEnumerable<string> WhatNext()
+    {
+        if (!status.IsRunning)
+        {
+            yield return $"Start the cell: errormatch cell run {settings.File}";
+        }
+
+        foreach (var failed in status.Failed.Take(MostListed))
+        {
+            yield return failed.ProgramSha256 is null
+                ? $"{Number(failed.Id)}: put right what it says, reject it (errormatch cell reject {settings.File} {Number(failed.Id)} --reason ...), and measure again."
+                : $"{Number(failed.Id)}: put right what it says, then errormatch cell approve {settings.File} {Number(failed.Id)}, or reject it. Those behind it in its slot's line wait.";
+        }
+
+        foreach (var proposed in status.Proposed.Take(MostListed))
+        {
+            yield return $"{Number(proposed.Id)}: read its report (errormatch cell show {settings.File} {Number(proposed.Id)} --out DIR), then approve or reject it.";
+        }
+
+        foreach (var slot in status.Slots.Where(s => s.Held is { State: CorrectionState.Verified or CorrectionState.Reverted } && s.Slot.ReadyFile is null))
+        {
+            yield return $"{slot.Machine.Name}/{slot.Slot.Name}: when the piece of {Label(slot.Held!)} is cut, errormatch cell release {settings.File} {Number(slot.Held!.Id)}";
+        }
+    }
+
+    private static string Label(Correction correction) => correction.Serial is { } serial ? $"{Number(correction.Id)} {serial}" : Number(correction.Id);
+
+    private static string Number(long value) => value.ToString(CultureInfo.InvariantCulture);
+
+    private static string Time(DateTimeOffset time) => time.ToString("yyyy-MM-dd HH:mm:ss'Z'", CultureInfo.InvariantCulture);
+}

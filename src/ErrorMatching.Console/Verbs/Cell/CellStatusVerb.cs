@@ -1,0 +1,13 @@
+using System.CommandLine;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch cell status</c>.</summary>
+internal sealed class CellStatusVerb() : CellVerb(
+    "status", "Says how a cell is, what waits, and what to do next. Ends with 0 if it is well, with 3 if something needs help.", "errormatch cell status samples/cell/cell.json")
+{
+    /// <inheritdoc/>
+    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
+        WithExistingStore(settings, store => new CellStatusAnswer(settings, CellStatus.Of(settings, store, TimeProvider.System)));
+}

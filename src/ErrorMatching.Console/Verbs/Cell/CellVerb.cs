@@ -1,0 +1,76 @@
+using System.CommandLine;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Console;
+
+/// <summary>A verb about a cell. Only its run touches the cell's library, which a match does not need.</summary>
+internal abstract class CellVerb : Verb
+{
+    private readonly Argument<string> _config = new("CONFIG") { Description = "The cell's configuration." };
+
+    /// <summary>A verb whose first argument is the configuration.</summary>
+    protected CellVerb(string name, string description, string example)
+        : base(name, description, example) => Arguments.Add(_config);
+
+    /// <inheritdoc/>
+    public sealed override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    {
+        try
+        {
+            return Run(CellSettingsReader.Read(arguments.GetRequiredValue(_config)), arguments, cancellation);
+        }
+        catch (PeopleException e)
+        {
+            return FailureOfCell.People(e);
+        }
+        catch (StoreException e)
+        {
+            return FailureOfCell.Store(e);
+        }
+        catch (DecisionException e)
+        {
+            return FailureOfCell.Decision(e);
+        }
+        catch (TransportException e)
+        {
+            return FailureOfCell.Machine(e);
+        }
+        catch (SecretInputException e)
+        {
+            return FailureOfCell.Secret(e);
+        }
+    }
+
+    /// <summary>Does the work for a cell.</summary>
+    protected abstract Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation);
+
+    /// <summary>Works with the cell's store, which is made if it is not there yet. Every entry of the audit trail is sealed with the cell's key.</summary>
+    protected static Outcome WithStore(CellSettings settings, Func<CellStore, Outcome> work)
+    {
+        using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Open(settings.KeysFolder), inspect: false);
+        try
+        {
+            return work(store);
+        }
+        finally
+        {
+            new AuditTrail(store, settings.KeysFolder).Remember();
+        }
+    }
+
+    /// <summary>Works with the cell's store, which must be there.</summary>
+    protected static Outcome WithExistingStore(CellSettings settings, Func<CellStore, Outcome> work)
+    {
+        DemandStore(settings);
+        return WithStore(settings, work);
+    }
+
+    /// <summary>Makes sure that there is a store: one that is made for looking into it would look right.</summary>
+    protected static void DemandStore(CellSettings settings)
+    {
+        if (settings.Store is SqliteSettings { File: var file } && !File.Exists(file))
+        {
+            throw new StoreException(StoreError.Missing, $"The store {file} is not there yet. errormatch user add {settings.File} NAME --role administrator makes it, with its first user.");
+        }
+    }
+}

@@ -1,0 +1,65 @@
+using System.Globalization;
+using System.Text.Json;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Console;
+
+/// <summary>Corrections in JSON documents.</summary>
+internal static class CorrectionJson
+{
+    /// <summary>The word of a state.</summary>
+    public static string Word(CorrectionState state) => state.ToString().ToLowerInvariant();
+
+    /// <summary>A time: ISO 8601 in UTC, to the millisecond.</summary>
+    public static string Time(DateTimeOffset time) => time.UtcDateTime.ToString("yyyy-MM-ddTHH:mm:ss.fff'Z'", CultureInfo.InvariantCulture);
+
+    /// <summary>Writes one as an object.</summary>
+    public static void Write(Utf8JsonWriter json, Correction correction)
+    {
+        json.WriteStartObject();
+        WriteMembers(json, correction);
+        json.WriteEndObject();
+    }
+
+    /// <summary>Writes its members.</summary>
+    public static void WriteMembers(Utf8JsonWriter json, Correction correction)
+    {
+        json.WriteNumber("id", correction.Id);
+        json.WriteString("state", Word(correction.State));
+        json.WriteString("gauge", correction.Gauge);
+        json.WriteString("fileName", correction.FileName);
+        json.WriteString("arrivedAt", Time(correction.ArrivedAt));
+        json.WriteString("changedAt", Time(correction.ChangedAt));
+        json.WriteString("measurementSha256", correction.MeasurementSha256);
+        json.WriteNumber("measurementBytes", correction.MeasurementBytes);
+        json.WriteString("job", correction.Job);
+        json.WriteString("piece", correction.Piece);
+        json.WriteString("serial", correction.Serial);
+        json.WriteString("workOrder", correction.WorkOrder);
+        json.WriteString("machine", correction.Machine);
+        json.WriteString("slot", correction.Slot);
+        json.WriteString("program", correction.Program);
+        json.WriteString("identity", correction.Identity);
+        json.WriteString("jobSha256", correction.JobSha256);
+        json.WriteString("baseSha256", correction.BaseSha256);
+        json.WriteString("programSha256", correction.ProgramSha256);
+        json.WriteString("previousSha256", correction.PreviousSha256);
+        Number(json, "largestMm", correction.LargestMm);
+        Number(json, "sumMm", correction.SumMm);
+        json.WriteString("code", correction.Code);
+        json.WriteString("reason", correction.Reason);
+        json.WriteString("trace", correction.Trace);
+    }
+
+    private static void Number(Utf8JsonWriter json, string name, double? value)
+    {
+        if (value is { } number)
+        {
+            json.WriteNumber(name, number);
+        }
+        else
+        {
+            json.WriteNull(name);
+        }
+    }
+}

@@ -1,0 +1,33 @@
+using System.CommandLine;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Console;
+
+/// <summary>The option that names a role.</summary>
+internal sealed class RoleOption : Option<string>
+{
+    // Not taken from the enumeration: building the command line must not load the cell's library. A test holds that they are the same.
+    internal static readonly string[] Words = ["operator", "setter", "administrator"];
+
+    /// <summary>The option.</summary>
+    public RoleOption()
+        : base("--role")
+    {
+        Description = "operator (sees, releases, rejects), setter (approves, reverts, edits jobs too) or administrator (users, machines and policy too).";
+        HelpName = "ROLE";
+        Required = true;
+        Validators.Add(result =>
+        {
+            if (result.Tokens is [{ Value: var word }] && !Words.Contains(word))
+            {
+                result.AddError($"The role is {word}; expected {string.Join(", ", Words)}.");
+            }
+        });
+    }
+
+    /// <summary>The role that was named.</summary>
+    public Role Of(ParseResult arguments) => (Role)Array.IndexOf(Words, arguments.GetRequiredValue(this));
+
+    /// <summary>The word for a role.</summary>
+    public static string Word(Role role) => Words[(int)role];
+}

@@ -1,0 +1,46 @@
+using System.Globalization;
+using System.Text.Json;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Console;
+
+/// <summary>All users of a cell.</summary>
+internal sealed class UserListAnswer(IReadOnlyList<User> users) : DocumentAnswer
+{
+    /// <inheritdoc/>
+    public override string Schema => "errormatch/user-list/1";
+
+    /// <inheritdoc/>
+    public override void WriteJson(Utf8JsonWriter json)
+    {
+        json.WriteStartArray("users");
+        foreach (var user in users)
+        {
+            json.WriteStartObject();
+            UserAnswer.WriteMembers(json, user);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    /// <inheritdoc/>
+    public override void WriteText(Page page)
+    {
+        if (users.Count == 0)
+        {
+            page.Line("This cell has no users yet.");
+            return;
+        }
+
+        page.Table(
+            ["name", "role", "added", "password of", "failed", ""],
+            users.Select(u => (IReadOnlyList<string>)
+            [
+                u.Name, RoleOption.Word(u.Role), Day(u.AddedAt), Day(u.PasswordAt), u.Failures.ToString(CultureInfo.InvariantCulture),
+                u.IsDisabled ? "disabled" : u.LockedUntil is { } until ? "locked until " + UserAnswer.Time(until) : "",
+            ]));
+    }
+
+    private static string Day(DateTimeOffset time) => time.UtcDateTime.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture);
+}

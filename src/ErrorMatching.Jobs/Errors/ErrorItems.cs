@@ -1,0 +1,126 @@
+using System.Globalization;
+using ErrorMatching.Freeform;
+using ErrorMatching.Geometry;
+using ErrorMatching.Json;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>What each exception and refusal of the libraries means to whoever gave the inputs.</summary>
+public static class ErrorItems
+{
+    /// <summary>What is wrong with an input, by the exception that it caused.</summary>
+    /// <returns>At least one item; null for an exception that no input causes: a defect, or something outside that failed.</returns>
+    public static IReadOnlyList<ErrorItem>? OfInput(Exception exception) => exception switch
+    {
+        MeasurementException e => [Of(e)],
+        JobException e => Of(e),
+        JsonDocumentException e => Of(e),
+        FreeformException e => [Of(e)],
+        PointsException e => [Of(e)],
+        NcException e => [Of(e)],
+        WrongPieceException e => [Of(e)],
+        InputException e => [Of(e)],
+        _ => null,
+    };
+
+    /// <summary>A measurement that cannot be used.</summary>
+    public static ErrorItem Of(MeasurementException e) => new(NotNull(e).Code, e.Message) { File = e.File, Line = e.Line, Column = e.Column, Path = e.Path, Problem = e.Problem };
+
+    /// <summary>A job that cannot be used: everything that is wrong in it.</summary>
+    public static IReadOnlyList<ErrorItem> Of(JobException e) => Document(NotNull(e).File, e.Problems);
+
+    /// <summary>A JSON document other than a job that cannot be used: everything that is wrong in it.</summary>
+    public static IReadOnlyList<ErrorItem> Of(JsonDocumentException e) => Document(NotNull(e).File, e.Problems);
+
+    /// <summary>A surface, template or measurement of a free-form job that cannot be used.</summary>
+    public static ErrorItem Of(FreeformException e) => new(NotNull(e).Code, e.Message) { File = e.File, Line = e.Line, Column = e.Column, Problem = e.Problem };
+
+    /// <summary>Points of a file without a usable answer.</summary>
+    public static ErrorItem Of(PointsException e) => Of(NotNull(e).Why, e.File);
+
+    /// <summary>Points of a file without a usable answer.</summary>
+    /// <param name="e">What geometry says about them.</param>
+    /// <param name="file">The file as the user named it.</param>
+    public static ErrorItem Of(GeometryException e, string file) => new(CodeOf(NotNull(e).Error), $"{file}: {e.Message}") { File = file, Problem = e.Message };
+
+    /// <summary>A program, selector or dialect that cannot be read at all.</summary>
+    public static ErrorItem Of(NcException e) => new(CodeOf(NotNull(e).Code), e.Message);
+
+    /// <summary>A measurement of the other piece.</summary>
+    public static ErrorItem Of(WrongPieceException e) => new("wrong-piece", NotNull(e).Message) { File = e.File, Problem = e.Problem };
+
+    /// <summary>An input that cannot be opened.</summary>
+    public static ErrorItem Of(InputException e) => new(MeasurementError.FileUnreadable, NotNull(e).Message) { File = e.File };
+
+    /// <summary>An output that cannot be written, or must not be.</summary>
+    public static ErrorItem Of(OutputException e) => new(NotNull(e).Code, e.Message) { File = e.File };
+
+    /// <summary>A free-form job whose result must not be used.</summary>
+    /// <param name="refusals">The reasons.</param>
+    /// <param name="job">The job's file.</param>
+    public static IReadOnlyList<ErrorItem> Of(IEnumerable<FreeformRefusal> refusals, string job) => [.. refusals.Select(r => new ErrorItem(r.Code, r.Message) { File = job, Problem = r.Message })];
+
+    /// <summary>A program or wish that can be read but must not be used.</summary>
+    /// <param name="refusals">The reasons.</param>
+    /// <param name="file">The program or wish.</param>
+    public static IReadOnlyList<ErrorItem> Of(IEnumerable<NcRefusal> refusals, string file) => [.. refusals.Select(r => new ErrorItem(r.Code, $"{file}: {r.Message}")
+    {
+        File = file,
+        Line = r.Line > 0 ? r.Line : null,
+        Block = r.Block.Length > 0 ? r.Block : null,
+        Problem = r.Message,
+    })];
+
+    /// <summary>A match that must not lead to a program.</summary>
+    /// <param name="refusals">The reasons.</param>
+    /// <param name="job">The job, where no block is to blame.</param>
+    /// <param name="program">The program, where one is.</param>
+    public static IReadOnlyList<ErrorItem> Of(IEnumerable<MatingRefusal> refusals, string job, string program) => [.. refusals.Select(r => new ErrorItem(r.Code, r.Message)
+    {
+        File = r.Line > 0 || r.Block is not null ? program : job,
+        Line = r.Line > 0 ? r.Line : null,
+        Block = r.Block,
+        Problem = r.Message,
+    })];
+
+    private static T NotNull<T>(T value) => value ?? throw new ArgumentNullException(nameof(value));
+
+    private static IReadOnlyList<ErrorItem> Document(string file, IReadOnlyList<JsonProblem> problems) => [.. problems.Select(p => new ErrorItem(p.Code, string.Create(CultureInfo.InvariantCulture, $"{file}, line {p.Line}, column {p.Column}, {p.Path}: {Sentence(p.Message)}"))
+    {
+        File = file,
+        Line = p.Line,
+        Column = p.Column,
+        Path = p.Path,
+        Problem = Sentence(p.Message),
+    })];
+
+    private static string Sentence(string problem) => problem.TrimEnd('.') + ".";
+
+    private static string CodeOf(GeometryError error) => error switch
+    {
+        GeometryError.TooFewPoints => "too-few-points",
+        GeometryError.CoincidentPoints => "coincident-points",
+        GeometryError.CollinearPoints => "collinear-points",
+        GeometryError.NearParallel => "near-parallel",
+        GeometryError.RankDeficient => "rank-deficient",
+        GeometryError.NotConverged => "not-converged",
+        GeometryError.NotFinite => "not-finite",
+        GeometryError.FoldedCurve => "folded-curve",
+        GeometryError.BadKnots => "bad-knots",
+        GeometryError.BadPoles => "bad-poles",
+        GeometryError.OpenMesh => "open-mesh",
+        _ => throw new ArgumentOutOfRangeException(nameof(error), error, "A geometric error without a code."),
+    };
+
+    private static string CodeOf(NcErrorCode code) => code switch
+    {
+        NcErrorCode.NumberTooLong => "number-too-long",
+        NcErrorCode.BadSelector => "bad-selector",
+        NcErrorCode.UnknownDialect => "unknown-dialect",
+        NcErrorCode.ProgramTooLarge => "program-too-large",
+        _ => throw new ArgumentOutOfRangeException(nameof(code), code, "An error of a program without a code."),
+    };
+}

@@ -1,0 +1,115 @@
+using System.Security.Cryptography;
+using ErrorMatching.Freeform;
+using ErrorMatching.Nc;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>Reads what a free-form job names and keeps the list of what was read, for none of it may be written to.</summary>
+public sealed class FreeformFiles
+{
+    private readonly List<string> _read;
+    private readonly List<ReportInput> _inputs = [];
+
+    /// <summary>Reads the job.</summary>
+    /// <param name="job">The job's file.</param>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="Json.JsonDocumentException">The job cannot be used.</exception>
+    public FreeformFiles(string job)
+        : this(InputFile.Freeform(job))
+    {
+    }
+
+    /// <summary>The files of a job that is read already.</summary>
+    public FreeformFiles(FreeformJob job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        (Job, _read) = (job, [job.File]);
+    }
+
+    /// <summary>The job.</summary>
+    public FreeformJob Job { get; }
+
+    /// <summary>The job as reports name it.</summary>
+    public ReportJob Named => new(Job.Name, Job.WorkOrder, Job.File, Job.Sha256);
+
+    /// <summary>The files that were read.</summary>
+    public IReadOnlyList<string> Read => _read;
+
+    /// <summary>The files that were read besides the job, with their hashes.</summary>
+    public IReadOnlyList<ReportInput> Inputs => _inputs;
+
+    /// <summary>The nominal surface.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="FreeformException">It cannot be used.</exception>
+    public PartSurface Surface()
+    {
+        var file = Job.PathOf(Job.Surface.File);
+        return SurfaceReader.Read(Bytes("surface", file, SurfaceReader.MaxBytes), file, Job.Surface.Entity, Job.Surface.OutsideIsUp);
+    }
+
+    /// <summary>The measuring plan of the surface at the stage after which it is measured.</summary>
+    public MeasuringPlan Plan(PartSurface surface) => MeasuringPlanner.Plan(surface, Job.Measuring, Job.Stock.Of(Job.Measuring.After));
+
+    /// <summary>The points of a file.</summary>
+    /// <param name="role">What it is to the report.</param>
+    /// <param name="file">The file.</param>
+    /// <param name="plan">The plan that it was measured by.</param>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="FreeformException">It cannot be used.</exception>
+    public MeasuredPoints Measured(string role, GivenFile file, MeasuringPlan plan)
+    {
+        ArgumentNullException.ThrowIfNull(file);
+        return MeasuredSurfaceReader.Read((file.Bytes is { } given ? Note(role, file.File, given) : Bytes(role, file.File, MeasuredSurfaceReader.MaxBytes)).Span, file.File, plan, Job.Measuring);
+    }
+
+    /// <summary>An existing program.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    public ReadOnlyMemory<byte> Program(GivenFile file)
+    {
+        ArgumentNullException.ThrowIfNull(file);
+        if (file.Bytes is { } given)
+        {
+            return Note("program", file.File, given);
+        }
+
+        _read.Add(file.File);
+        return Note("program", file.File, InputFile.Program(file.File));
+    }
+
+    /// <summary>A dialect that the job names: a file of the shop is found from the job's folder.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="Json.JsonDocumentException">It cannot be used.</exception>
+    /// <exception cref="NcException">No dialect has this name.</exception>
+    public NcDialect Dialect(string name)
+    {
+        if (!NcDialects.IsFile(name))
+        {
+            return InputFile.Dialect(name);
+        }
+
+        var dialect = InputFile.Dialect(Job.PathOf(name));
+        _read.AddRange(dialect.Files.Select(f => f.File));
+        _inputs.AddRange(dialect.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)));
+        return dialect;
+    }
+
+    /// <summary>The bytes of a file that the job or the command line names.</summary>
+    /// <param name="role">What it is to the report.</param>
+    /// <param name="file">The file.</param>
+    /// <param name="mostBytes">More are not read.</param>
+    /// <exception cref="InputException">The file cannot be opened or is too large.</exception>
+    public byte[] Bytes(string role, string file, long mostBytes)
+    {
+        _read.Add(file);
+        var bytes = InputFile.Bytes(file, mostBytes);
+        _ = Note(role, file, bytes);
+        return bytes;
+    }
+
+    private ReadOnlyMemory<byte> Note(string role, string file, ReadOnlyMemory<byte> bytes)
+    {
+        _inputs.Add(new(role, file, Convert.ToHexStringLower(SHA256.HashData(bytes.Span))));
+        return bytes;
+    }
+}

@@ -1,0 +1,8 @@
+namespace ErrorMatching.Jobs;
+
+/// <summary>A file of the user that cannot be opened.</summary>
+public sealed class InputException(string file, string message, Exception cause) : Exception(message, cause)
+{
+    /// <summary>The file as the user named it.</summary>
+    public string File => file;
+}

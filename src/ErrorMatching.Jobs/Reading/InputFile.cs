@@ -1,0 +1,106 @@
+using ErrorMatching.Freeform;
+using ErrorMatching.Json;
+using ErrorMatching.Mating;
+using ErrorMatching.Nc;
+using Microsoft.Win32.SafeHandles;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>Reads inputs that the libraries take as bytes. Measurements have a reader of their own.</summary>
+public static class InputFile
+{
+    /// <summary>From so many bytes on, a second core is worth its start.</summary>
+    private const int Many = 4_000_000;
+
+    /// <summary>The job in a file.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JobException">It cannot be used.</exception>
+    public static MatingJob Job(string path) => MatingJob.Parse(Open(path, p => JsonInput.Load(p)), path);
+
+    /// <summary>The free-form job in a file.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    public static FreeformJob Freeform(string path) => FreeformJob.Parse(Open(path, p => JsonInput.Load(p)), path);
+
+    /// <summary>The kind of the job in a file as the file says it; null if it says none.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It is no JSON.</exception>
+    public static string? KindOfJob(string path)
+    {
+        var root = JsonInput.Read(Open(path, p => JsonInput.Load(p)), path);
+        return root.Kind == JsonItemKind.Object && root.Find("kind") is { Kind: JsonItemKind.Text } kind ? kind.Text : null;
+    }
+
+    /// <summary>A built-in dialect by its name, or the shop's own in a file.</summary>
+    /// <param name="dialect">A name, or a file that ends in <c>.json</c>.</param>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    /// <exception cref="NcException">No dialect has this name.</exception>
+    public static NcDialect Dialect(string dialect) => NcDialects.IsFile(dialect) ? Open(dialect, NcDialects.Read) : NcDialects.Named(dialect);
+
+    /// <summary>The dialect of a job's program: a file is found from the job's folder.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    /// <exception cref="NcException">No dialect has this name.</exception>
+    public static NcDialect DialectOf(MatingJob job) => Dialect(NcDialects.IsFile(job.Counterpart.Dialect) ? job.PathOf(job.Counterpart.Dialect) : job.Counterpart.Dialect);
+
+    /// <summary>The bytes of a program.</summary>
+    /// <exception cref="InputException">The file cannot be opened, or is larger than any program that is read.</exception>
+    public static ReadOnlyMemory<byte> Program(string path) => Open(path, p =>
+    {
+        var length = new FileInfo(p).Length;
+        return length <= NcProgram.MaxBytes ? length < Many ? File.ReadAllBytes(p) : InHalves(p, (int)length) : throw new NcException(NcErrorCode.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read.");
+    });
+
+    /// <summary>The bytes of a file.</summary>
+    /// <exception cref="InputException">The file cannot be opened, or is larger than what is read.</exception>
+    public static byte[] Bytes(string path, long mostBytes) => Open(path, p =>
+    {
+        var length = new FileInfo(p).Length;
+        return length <= mostBytes ? File.ReadAllBytes(p) : throw new IOException($"It has {length} bytes; at most {mostBytes} are read");
+    });
+
+    /// <summary>The wish in a file.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    public static WishFile Wish(string path) => WishFile.Read(Open(path, p => JsonInput.Load(p, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes })), path);
+
+    // Reading is copying, so a long file is read in two halves beside each other.
+    private static byte[] InHalves(string path, int length)
+    {
+        using var file = File.OpenHandle(path);
+        var bytes = GC.AllocateUninitializedArray<byte>(length);
+        var half = length / 2;
+        var behind = Task.Run(() => Fill(file, bytes.AsSpan(half), half));
+        Fill(file, bytes.AsSpan(0, half), 0);
+        behind.GetAwaiter().GetResult();
+        return bytes;
+    }
+
+    private static void Fill(SafeFileHandle file, Span<byte> bytes, long from)
+    {
+        while (bytes.Length > 0)
+        {
+            var read = RandomAccess.Read(file, bytes, from);
+            if (read == 0)
+            {
+                throw new EndOfStreamException("it got shorter while it was read");
+            }
+
+            bytes = bytes[read..];
+            from += read;
+        }
+    }
+
+    private static T Open<T>(string path, Func<string, T> read)
+    {
+        try
+        {
+            return read(path);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)
+        {
+            throw new InputException(path, $"{path} cannot be opened: {e.Message.TrimEnd('.')}. Name a file that this user may read.", e);
+        }
+    }
+}

@@ -1,0 +1,64 @@
+using System.Globalization;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>A displaced finishing program as one HTML file that needs no network and no script.</summary>
+internal static class DisplacementReportHtml
+{
+    private const int MostBlocks = 1000;
+
+    /// <summary>The page: UTF-8 without a byte order mark; the same report always gives the same bytes.</summary>
+    public static byte[] Write(DisplacedSurface report) => ReportPage.Write(
+        $"{report.Job.Name}: displaced finishing program",
+        report.Job.WorkOrder is { } order ? $"Work order {order}" : "No work order",
+        [
+            new("summary", "Summary", html => WriteSummary(html, report)),
+            new("points", "Measured points", html => WritePoints(html, report)),
+            new("blocks", "Changed blocks", html => WriteBlocks(html, report)),
+            new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "surface displace", ("--measured", "measured"), ("--program", "program"))),
+        ]);
+
+    private static void WriteSummary(HtmlText html, DisplacedSurface report)
+    {
+        var (displaced, before, after) = (report.Displaced, report.Compensation.Before, report.Compensation.Predicted.Statistics);
+        using (html.In("p", ("class", displaced.LargestMoveMm > 0 ? "verdict holds" : "verdict fails")))
+        {
+            html.Put("strong", displaced.LargestMoveMm > 0 ? $"✓ {report.File} follows the compensation, by at most {Micrometres(displaced.LargestMoveMm)} µm." : "○ Nothing is compensated: the program stays as it is.");
+            html.Text($" Expected: standard deviation {Micrometres(before.StandardDeviationMm)} µm becomes {Micrometres(after.StandardDeviationMm)} µm, profile {Micrometres(before.ProfileIsoMm)} µm becomes {Micrometres(after.ProfileIsoMm)} µm.");
+        }
+
+        ReportFacts.WriteWarnings(html, report.Compensation.Warnings);
+        ReportFacts.WriteNotes(html, report.Compensation.Notes);
+        ReportFacts.Write(
+            html,
+            ("Points", $"{ReportNumber.Count(displaced.OnSurface)} touch the surface; {ReportNumber.Count(displaced.Followed)} near by go along."),
+            ("Between points", $"A straight cut misses the compensation by at most {Micrometres(displaced.LargestMisfitMm)} µm."),
+            ("Proof", $"Holds: of {ReportNumber.Count(displaced.Proof.Motions)} motions {ReportNumber.Count(displaced.Proof.MovedMotions)} moved, none further than {ReportNumber.Fine(displaced.Proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."),
+            ("Gain", report.Compensation.Input.Job.Compensation.Gain.ToString("0.###", CultureInfo.InvariantCulture)));
+    }
+
+    private static void WritePoints(HtmlText html, DisplacedSurface report) =>
+        HtmlTable.Write(html, "points-table", "Feet of the measured points on the nominal surface, and their errors along its normal", [new("Point"), new("X, mm", true), new("Y, mm", true), new("Z, mm", true), new("Error, µm", true)], report.Compensation.Samples, (row, s) =>
+        {
+            row.Header(ReportNumber.Count(s.Point));
+            row.Number(ReportNumber.Plain(s.Nominal.X));
+            row.Number(ReportNumber.Plain(s.Nominal.Y));
+            row.Number(ReportNumber.Plain(s.Nominal.Z));
+            row.Number(Micrometres(s.ErrorMm));
+        }, isLong: true);
+
+    private static void WriteBlocks(HtmlText html, DisplacedSurface report)
+    {
+        var (before, blocks) = (report.Displaced.Before.Program, report.Displaced.Rewrite.ChangedBlocks);
+        html.Put("p", $"{ReportNumber.Count(report.Displaced.Rewrite.ChangedWords)} words in {ReportNumber.Count(blocks.Count)} blocks{(blocks.Count > MostBlocks ? $"; the first {ReportNumber.Count(MostBlocks)} are listed" : "")}.");
+        HtmlTable.Write(html, "blocks-table", "Blocks of the original program that were changed", [new("Line", true), new("Before"), new("After")], blocks.Take(MostBlocks), (row, block) =>
+        {
+            row.Number(ReportNumber.Count(block + 1));
+            row.Code(before.TextOf(before[block]));
+            row.Code(report.Displaced.Program.TextOf(report.Displaced.Program[block]));
+        }, isLong: true);
+    }
+
+    private static string Micrometres(double mm) => (1000 * mm).ToString("0.00", CultureInfo.InvariantCulture);
+}

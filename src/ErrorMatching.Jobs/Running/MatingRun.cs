@@ -1,0 +1,64 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Json;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>From a mating job and measurements, as files or as bytes, to the program and its report: what <c>errormatch match</c> does, and whoever else needs the same.</summary>
+public static class MatingRun
+{
+    /// <summary>Runs a job.</summary>
+    /// <param name="files">The job's files.</param>
+    /// <param name="request">What it is run with.</param>
+    /// <param name="cancellation">Looked at between reading and calculating.</param>
+    /// <exception cref="InputException">A file cannot be opened.</exception>
+    /// <exception cref="MeasurementException">A measurement cannot be used.</exception>
+    /// <exception cref="WrongPieceException">A measurement is one of the other piece.</exception>
+    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used.</exception>
+    /// <exception cref="NcException">The dialect, a selector or the program cannot be read.</exception>
+    /// <exception cref="PointsException">The measured points determine no answer.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The gain is none.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static RunOutcome<MatchedProgram> Of(JobFiles files, MatingRequest request, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(files);
+        ArgumentNullException.ThrowIfNull(request);
+        var job = WithGain(files.Job, request.Gain);
+        var (theoretical, part) = (files.Theoretical(), files.Part(request.Part));
+        var counterpart = CounterpartOf(job, request.Counterpart) is { } measured ? files.Counterpart(measured) : null;
+        var (program, bytes) = files.Program(request.Program);
+        var dialect = files.OwnDialect();
+        cancellation.ThrowIfCancellationRequested();
+        try
+        {
+            var outcome = Matcher.Match(new(job, theoretical, part, counterpart, program, bytes) { OwnDialect = dialect });
+            if (outcome.Result is not { } result)
+            {
+                return new(ErrorItems.Of(outcome.Refusals, job.File, program));
+            }
+
+            var report = MatchReporter.Report(result, Path.Combine(request.Folder ?? "", Path.GetFileName(program)), request.ElapsedS?.Invoke());
+            return new(new MatchedProgram(result, GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note ? report with { Notes = [.. report.Notes, note] } : report));
+        }
+        catch (GeometryException e)
+        {
+            throw new PointsException(part.File, e);
+        }
+    }
+
+    private static MatingJob WithGain(MatingJob job, double? gain)
+    {
+        if (gain is not { } given)
+        {
+            return job;
+        }
+
+        return given is > 0 and <= 2 ? job with { Compensation = job.Compensation with { Gain = given } } : throw new ArgumentOutOfRangeException(nameof(gain), given, "A gain is more than 0 and at most 2.");
+    }
+
+    // In feed-forward the counterpart need not exist yet, whatever the job says about its measurement.
+    private static GivenFile? CounterpartOf(MatingJob job, GivenFile? given) =>
+        given ?? (job.Compensation.From == CompensationSource.Counterpart && job.Counterpart.Measured is { } measured ? new(job.PathOf(measured)) : null);
+}

@@ -1,0 +1,130 @@
+using System.Security.Cryptography;
+using ErrorMatching.Freeform;
+using ErrorMatching.Geometry;
+using ErrorMatching.Json;
+using ErrorMatching.Nc;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>
+/// From a free-form job and measured points, as files or as bytes, to the finishing program: what <c>errormatch surface compensate</c> and <c>surface displace</c> do, and whoever else needs the same.
+/// </summary>
+public static class SurfaceRun
+{
+    /// <summary>Makes the finishing program of the compensated surface.</summary>
+    /// <param name="files">The job's files.</param>
+    /// <param name="request">What it is run with.</param>
+    /// <param name="cancellation">Looked at between the stages of the calculation.</param>
+    /// <exception cref="InputException">A file cannot be opened.</exception>
+    /// <exception cref="FreeformException">A file cannot be used.</exception>
+    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used.</exception>
+    /// <exception cref="NcException">No dialect has the job's name.</exception>
+    /// <exception cref="PointsException">The measured points determine no fit.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The gain is none.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static RunOutcome<FinishedSurface> Compensate(FreeformFiles files, SurfaceRequest request, CancellationToken cancellation)
+    {
+        var job = Job(files, request);
+        var dialect = files.Dialect(job.Toolpath.Dialect);
+        cancellation.ThrowIfCancellationRequested();
+        return Fitted<FinishedSurface>(request, () =>
+        {
+            if (Compensated(files, job, request, cancellation, out var refusals) is not { } result)
+            {
+                return new(ErrorItems.Of(refusals, job.File));
+            }
+
+            cancellation.ThrowIfCancellationRequested();
+            var planned = ToolPathPlanner.Plan(result.Surface, job.Tool, job.Toolpath, 0, dialect);
+            if (!planned.IsUsable)
+            {
+                return new(ErrorItems.Of([planned.Refusal], job.File));
+            }
+
+            cancellation.ThrowIfCancellationRequested();
+            var program = FinishingProgram.Write(planned.Path, job, dialect);
+            var named = new ReportInput("finishing", Path.Combine(request.Folder ?? "", FinishedSurface.Name), Convert.ToHexStringLower(SHA256.HashData(program)));
+            return new(new FinishedSurface(program, new(files.Named, files.Inputs, result, planned.Path, named, request.ElapsedS?.Invoke())));
+        });
+    }
+
+    /// <summary>Lets an existing finishing program follow the compensation.</summary>
+    /// <param name="files">The job's files.</param>
+    /// <param name="request">What it is run with.</param>
+    /// <param name="program">The finishing program that the shop has from its CAM.</param>
+    /// <param name="cancellation">Looked at between the stages of the calculation.</param>
+    /// <exception cref="InputException">A file cannot be opened.</exception>
+    /// <exception cref="FreeformException">A file cannot be used.</exception>
+    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used.</exception>
+    /// <exception cref="NcException">No dialect has the job's name, or the program is too large.</exception>
+    /// <exception cref="PointsException">The measured points determine no fit.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The gain is none.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static RunOutcome<DisplacedSurface> Displace(FreeformFiles files, SurfaceRequest request, GivenFile program, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(program);
+        var job = Job(files, request);
+        var dialect = files.Dialect(job.Toolpath.Dialect);
+        var bytes = files.Program(program);
+        cancellation.ThrowIfCancellationRequested();
+        return Fitted<DisplacedSurface>(request, () =>
+        {
+            if (Compensated(files, job, request, cancellation, out var refusals) is not { } compensation)
+            {
+                return new(ErrorItems.Of(refusals, job.File));
+            }
+
+            var displaced = SurfaceDisplacer.Displace(compensation.Input.Surface, compensation.Compensated, job.Compensation.Gain, job.Tool, bytes, dialect, job.Toolpath.ProgramsTip);
+            return displaced.IsUsable
+                ? new(new DisplacedSurface(files.Named, files.Inputs, program.File, displaced.Value, compensation, request.Folder))
+                : new(ErrorItems.Of([displaced.Refusal], program.File));
+        });
+    }
+
+    private static FreeformJob Job(FreeformFiles files, SurfaceRequest request)
+    {
+        ArgumentNullException.ThrowIfNull(files);
+        ArgumentNullException.ThrowIfNull(request);
+        if (request.Gain is not { } given)
+        {
+            return files.Job;
+        }
+
+        return given is >= 0 and <= 2
+            ? files.Job with { Compensation = files.Job.Compensation with { Gain = given } }
+            : throw new ArgumentOutOfRangeException(nameof(request), given, "A gain is at least 0 and at most 2.");
+    }
+
+    private static CompensationResult? Compensated(FreeformFiles files, FreeformJob job, SurfaceRequest request, CancellationToken cancellation, out IReadOnlyList<FreeformRefusal> refusals)
+    {
+        var surface = files.Surface();
+        var plan = files.Plan(surface);
+
+        // What was measured was touched somehow: only a plan without points stops here, not one that this stylus does not reach.
+        if (plan.Points.Count == 0 || plan.FacesDown)
+        {
+            refusals = plan.Refusals;
+            return null;
+        }
+
+        var points = request.Measured.Select(f => files.Measured("measured", f, plan)).ToArray();
+        cancellation.ThrowIfCancellationRequested();
+        var outcome = Compensator.Compensate(new(job, surface, plan, points));
+        refusals = outcome.Refusals;
+        return outcome.Result is { } result && GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note ? result with { Notes = [.. result.Notes, note] } : outcome.Result;
+    }
+
+    private static RunOutcome<T> Fitted<T>(SurfaceRequest request, Func<RunOutcome<T>> run)
+        where T : class
+    {
+        try
+        {
+            return run();
+        }
+        catch (GeometryException e)
+        {
+            throw new PointsException(request.Measured[0].File, e);
+        }
+    }
+}

@@ -1,0 +1,125 @@
+using System.Security.Cryptography;
+using System.Text;
+
+namespace ErrorMatching.Cell.Tests;
+
+/// <summary>What holds of a store, whatever keeps it. Each kind of store runs all of it.</summary>
+public abstract partial class StoreTests : IDisposable
+{
+    private readonly List<IDisposable> _opened = [];
+    private StoreSettings? _settings;
+
+    private protected TestClock Clock { get; } = new();
+
+    /// <summary>The store of this test, which begins empty.</summary>
+    protected StoreSettings Settings => _settings ??= NewSettings();
+
+    /// <summary>Another place for a store, where none is yet.</summary>
+    protected abstract StoreSettings NewSettings();
+
+    [Fact]
+    public void A_file_that_arrives_is_kept_by_its_content()
+    {
+        var store = Open();
+        var (correction, isNew) = store.Archive(Arrival("one", "1;2;3"));
+        Assert.True(isNew);
+        Assert.Equal(new Correction(correction.Id, CorrectionState.Archived, 1, "gauge", "one.csv", Clock.Now, Hash("1;2;3"), 5) { ChangedAt = Clock.Now, Trace = "trace" }, correction);
+        Assert.Equal(correction, store.Find(correction.Id));
+        Assert.Equal("1;2;3"u8.ToArray(), store.Content(correction.MeasurementSha256));
+        Assert.Equal([new CorrectionStep(correction.Id, null, CorrectionState.Archived, Clock.Now, "cell", "arrived from gauge as one.csv")], store.StepsOf(correction.Id));
+    }
+
+    [Fact]
+    public void The_same_arrival_again_is_the_correction_that_is_there()
+    {
+        var store = Open();
+        var first = store.Archive(Arrival("one", "1")).Correction;
+        Assert.Equal((first, false), store.Archive(Arrival("one", "1")));
+        var second = store.Archive(Arrival("two", "1"));
+        Assert.True(second.IsNew);
+        Assert.True(second.Correction.Id > first.Id);
+        Assert.Equal(2, store.InState(CorrectionState.Archived).Count);
+    }
+
+    [Fact]
+    public void A_step_is_seen_by_whoever_opens_the_store_next()
+    {
+        long id;
+        using (var store = CellStore.Open(Settings, Clock))
+        {
+            var correction = Recognize(store, store.Archive(Arrival("one", "1")).Correction, "A-1");
+            Clock.Now = Clock.Now.AddSeconds(1);
+            correction = store.Step(correction, CorrectionState.Computed, "cell", "computed", c => c with { ProgramSha256 = Hash("G1"), LargestMm = 0.1, SumMm = double.BitIncrement(0.2) }, [Bytes("G1")]);
+            Assert.Equal(correction, store.Find(correction.Id));
+            Assert.Equal((CorrectionState.Computed, 3, Clock.Now), (correction.State, correction.Version, correction.ChangedAt));
+            id = correction.Id;
+        }
+
+        var again = Open();
+        var found = again.Find(id)!;
+        Assert.Equal(("A-1", "WO-1", 0.1, double.BitIncrement(0.2)), (found.Serial, found.WorkOrder, found.LargestMm, found.SumMm));
+        Assert.Equal("G1"u8.ToArray(), again.Content(found.ProgramSha256!));
+        Assert.Equal([CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed], again.StepsOf(id).Select(s => s.To));
+    }
+
+    [Fact]
+    public void What_is_not_in_the_table_of_steps_does_not_happen()
+    {
+        var store = Open();
+        var correction = store.Archive(Arrival("one", "1")).Correction;
+        Assert.Equal(StoreError.Conflict, Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Approved, "eve", "wish")).Error);
+        Assert.Equal(correction, store.Find(correction.Id));
+    }
+
+    [Fact]
+    public void A_step_from_what_is_no_longer_so_is_a_conflict()
+    {
+        var store = Open();
+        var correction = store.Archive(Arrival("one", "1")).Correction;
+        Recognize(store, correction, "A-1");
+        Assert.Equal(StoreError.Conflict, Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Refused, "cell", "late")).Error);
+        Assert.Equal(2, store.StepsOf(correction.Id).Count);
+    }
+
+    [Fact]
+    public void One_identity_is_recognized_once()
+    {
+        var store = Open();
+        var first = store.Archive(Arrival("one", "1")).Correction;
+        var second = store.Archive(Arrival("two", "1")).Correction;
+        Recognize(store, first, "A-1", "identity");
+        Assert.Equal(first.Id, Assert.Throws<DuplicateCorrectionException>(() => Recognize(store, second, "A-1", "identity")).Existing);
+        Assert.Equal(second, store.Find(second.Id));
+    }
+
+    protected static string Hash(string text) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text)));
+
+    protected static ReadOnlyMemory<byte> Bytes(string text) => Encoding.UTF8.GetBytes(text);
+
+    protected static Arrival Arrival(string key, string text) => new("gauge", $"{key}.csv", key, Bytes(text), "trace");
+
+    protected static Correction Recognize(CellStore store, Correction correction, string serial, string? identity = null) => store.Step(
+        correction,
+        CorrectionState.Recognized,
+        "cell",
+        "by name",
+        c => c with { Job = "job", Piece = "part", Serial = serial, WorkOrder = "WO-1", Identity = identity ?? $"identity {c.Id}", Machine = "mill", Slot = "1", Program = "O1.nc" });
+
+    protected CellStore Open(byte[]? auditKey = null)
+    {
+        var store = CellStore.Open(Settings, Clock, auditKey);
+        _opened.Add(store);
+        return store;
+    }
+
+    public void Dispose()
+    {
+        Dispose(true);
+        GC.SuppressFinalize(this);
+    }
+
+    protected virtual void Dispose(bool disposing)
+    {
+        foreach (var each in _opened) each.Dispose();
+    }
+}

@@ -1,0 +1,235 @@
+using System.Text;
+using Polly;
+using Polly.Retry;
+
+namespace ErrorMatching.Cell.Tests;
+
+/// <summary>The machine has the old program or the new one, whole, wherever a transfer fails: in all places and all pairs of places, with servers that rename over a file and those that do not.</summary>
+public sealed class ProgramSenderTests
+{
+    private const string Program = "P100.MPF";
+
+    // A transfer in two steps, cleaned up after, has no more operations.
+    private const int Places = 14;
+
+    private static readonly byte[] Old = Encoding.ASCII.GetBytes("G1 X1\nM30\n");
+    private static readonly byte[] New = Encoding.ASCII.GetBytes("G1 X2.001 Y3\nM30\n");
+    private static readonly Fault[] Faults = [Fault.Before, Fault.InPart, Fault.After, Fault.Corrupt, Fault.Denied, Fault.Full];
+
+    private static CancellationToken Token => TestContext.Current.CancellationToken;
+
+    [Theory]
+    [InlineData(true, 2)]
+    [InlineData(false, 6)]
+    public async Task A_program_is_sent_in_as_few_operations_as_its_server_allows(bool replaces, int operations)
+    {
+        var folder = Folder(replaces, true, []);
+        await new ProgramSender(folder).SendAsync(Program, New, "17", Token);
+        Assert.Equal([Program], folder.Files.Keys);
+        Assert.Equal(New, folder.Files[Program]);
+        Assert.Equal(operations, folder.Operations);
+    }
+
+    [Theory]
+    [InlineData(true, true, false)]
+    [InlineData(true, false, false)]
+    [InlineData(false, true, false)]
+    [InlineData(false, false, false)]
+    [InlineData(true, true, true)]
+    [InlineData(true, false, true)]
+    [InlineData(false, true, true)]
+    [InlineData(false, false, true)]
+    public async Task The_program_is_the_old_or_the_new_one_wherever_a_transfer_fails_once_or_twice(bool replaces, bool hadOne, bool triesAgain)
+    {
+        var sawBoth = (Old: false, New: false);
+        for (var first = 0; first < Places; first++)
+        {
+            for (var second = first; second < Places; second++)
+            {
+                foreach (var one in Faults)
+                {
+                    foreach (var other in second == first ? [one] : Faults)
+                    {
+                        var plan = new Dictionary<int, Fault> { [first] = one, [second] = other };
+                        var (wasOld, wasNew) = await EndsWholeAsync(replaces, hadOne, triesAgain, plan);
+                        sawBoth = (sawBoth.Old || wasOld, sawBoth.New || wasNew);
+                    }
+                }
+            }
+        }
+
+        Assert.True(sawBoth is { Old: true, New: true });
+    }
+
+    [Fact]
+    public async Task Both_halves_of_a_cut_rename_become_the_old_program()
+    {
+        var folder = Folder(false, false, []);
+        folder.Files[Program + ".emold"] = Old;
+        folder.Files[Program + ".17-0123abcd.emnew"] = New;
+        await new ProgramSender(folder).RecoverAsync(Program, Token);
+        Assert.Equal([Program], folder.Files.Keys);
+        Assert.Equal(Old, folder.Files[Program]);
+    }
+
+    [Fact]
+    public async Task Recovery_leaves_files_of_other_programs_and_people_alone()
+    {
+        var folder = Folder(true, true, []);
+        string[] others = ["P100.MPF.old", "P100.MPF.emnew", "P100.MPF.A.emnew", "P1000.MPF.17-0123abcd.emnew", "P100.MP.17-0123abcd.emnew", "P100.MPF.X.17-0123abcd.emnew", "P100.emold"];
+        foreach (var other in others)
+            folder.Files[other] = [1];
+        await new ProgramSender(folder).RecoverAsync(Program, Token);
+        Assert.Equal(others.Append(Program).Order(StringComparer.Ordinal), folder.Files.Keys.Order(StringComparer.Ordinal));
+    }
+
+    [Theory]
+    [InlineData("../P100")]
+    [InlineData("A/B")]
+    [InlineData("A\\B")]
+    [InlineData("")]
+    [InlineData(".")]
+    [InlineData("..")]
+    [InlineData(".hidden")]
+    [InlineData("-rf")]
+    [InlineData("A B")]
+    [InlineData("A\n")]
+    [InlineData("A\0")]
+    [InlineData("Ä")]
+    [InlineData("CON")]
+    [InlineData("lpt1.mpf")]
+    [InlineData("A.")]
+    [InlineData("A.emnew")]
+    [InlineData("A.EMOLD")]
+    [InlineData("A;rm")]
+    [InlineData("A*")]
+    [InlineData("C:A")]
+    public async Task A_name_beside_the_white_list_reaches_no_machine(string name)
+    {
+        var folder = Folder(true, true, []);
+        var sender = new ProgramSender(folder);
+        Assert.False(ProgramNames.Allows(name));
+        var refusals = new[]
+        {
+            await Assert.ThrowsAsync<TransportException>(() => sender.SendAsync(name, New, "17", Token)),
+            await Assert.ThrowsAsync<TransportException>(() => sender.CurrentAsync(name, Token)),
+            await Assert.ThrowsAsync<TransportException>(() => sender.RecoverAsync(name, Token)),
+        };
+        Assert.All(refusals, r => Assert.Equal(TransportError.Denied, r.Error));
+        Assert.Equal(0, folder.Operations);
+    }
+
+    [Theory]
+    [InlineData("P100.MPF")]
+    [InlineData("O1234")]
+    [InlineData("_N_P100_MPF")]
+    [InlineData("a")]
+    [InlineData("CONE.MPF")]
+    [InlineData("1-2_3.4")]
+    public void Names_of_programs_are_allowed(string name) => Assert.True(ProgramNames.Allows(name));
+
+    [Fact]
+    public void A_name_has_at_most_64_characters()
+    {
+        Assert.True(ProgramNames.Allows(new string('A', 64)));
+        Assert.False(ProgramNames.Allows(new string('A', 65)));
+    }
+
+    [Fact]
+    public async Task What_cannot_succeed_is_not_tried_again()
+    {
+        var folder = Folder(true, true, new() { [0] = Fault.Denied });
+        var failure = await Assert.ThrowsAsync<TransportException>(() => new ProgramSender(folder, Tries(5)).SendAsync(Program, New, "17", Token));
+        Assert.Equal(TransportError.Denied, failure.Error);
+        Assert.Equal(Old, folder.Files[Program]);
+    }
+
+    [Fact]
+    public async Task A_lost_answer_does_not_send_a_program_twice()
+    {
+        var folder = Folder(true, true, new() { [1] = Fault.After });
+        var written = 0;
+        folder.Changed = () => written += folder.Files.Keys.Any(n => n.EndsWith(".emnew", StringComparison.Ordinal)) ? 1 : 0;
+        await new ProgramSender(folder, Tries(2)).SendAsync(Program, New, "17", Token);
+        Assert.Equal(New, folder.Files[Program]);
+        Assert.Equal(1, written);
+    }
+
+    private static async Task<(bool WasOld, bool WasNew)> EndsWholeAsync(bool replaces, bool hadOne, bool triesAgain, Dictionary<int, Fault> plan)
+    {
+        var folder = Folder(replaces, hadOne, plan);
+        byte[]? old = hadOne ? Old : null;
+        folder.Changed = () => Assert.True(IsWhole(folder, old, replaces), $"{Describe(folder)} after {string.Join(", ", plan)}");
+        var sender = new ProgramSender(folder, triesAgain ? Tries(3) : null);
+        var sent = await SucceedsAsync(() => sender.SendAsync(Program, New, "17", Token));
+        if (sent)
+            Assert.Equal(New, folder.Files[Program]);
+        await SucceedsAsync(() => sender.RecoverAsync(Program, Token));
+
+        // The faults left over are beyond this point: a folder of its own that has the same files.
+        var healthy = Folder(replaces, false, []);
+        foreach (var (name, bytes) in folder.Files)
+            healthy.Files[name] = bytes;
+        healthy.Changed = () => Assert.True(IsWhole(healthy, old, replaces), $"{Describe(healthy)} after {string.Join(", ", plan)}");
+        await new ProgramSender(healthy).RecoverAsync(Program, Token);
+        var (wasOld, wasNew) = (Same(healthy, old), Same(healthy, New));
+        Assert.True(wasOld || wasNew, $"{Describe(healthy)} after {string.Join(", ", plan)}");
+        Assert.True(!sent || wasNew);
+        Assert.All(healthy.Files.Keys, n => Assert.Equal(Program, n));
+
+        await new ProgramSender(healthy).SendAsync(Program, New, "18", Token);
+        Assert.Equal([Program], healthy.Files.Keys);
+        Assert.Equal(New, healthy.Files[Program]);
+        return (wasOld, wasNew);
+    }
+
+    private static bool IsWhole(FaultyFolder folder, byte[]? old, bool replaces)
+    {
+        if (Same(folder, old) || Same(folder, New))
+            return true;
+
+        // Between two steps both lie beside it, whole.
+        return !replaces && !folder.Files.ContainsKey(Program)
+            && folder.Files.GetValueOrDefault(Program + ".emold") is { } aside
+            && (aside.SequenceEqual(New) || (old is not null && aside.SequenceEqual(old)))
+            && folder.Files.Any(f => f.Key.EndsWith(".emnew", StringComparison.Ordinal) && f.Value.SequenceEqual(New));
+    }
+
+    private static bool Same(FaultyFolder folder, byte[]? bytes)
+    {
+        var there = folder.Files.GetValueOrDefault(Program);
+        return bytes is null ? there is null : there?.SequenceEqual(bytes) == true;
+    }
+
+    private static string Describe(FaultyFolder folder) => string.Join(", ", folder.Files.Select(f => $"{f.Key}={Encoding.ASCII.GetString(f.Value)}"));
+
+    private static FaultyFolder Folder(bool replaces, bool hasOne, Dictionary<int, Fault> faults)
+    {
+        var folder = new FaultyFolder(replaces, faults);
+        if (hasOne)
+            folder.Files[Program] = Old;
+        return folder;
+    }
+
+    private static async Task<bool> SucceedsAsync(Func<Task> work)
+    {
+        try
+        {
+            await work();
+            return true;
+        }
+        catch (TransportException)
+        {
+            return false;
+        }
+    }
+
+    private static ResiliencePipeline Tries(int most) => new ResiliencePipelineBuilder()
+        .AddRetry(new RetryStrategyOptions
+        {
+            MaxRetryAttempts = most - 1,
+            Delay = TimeSpan.Zero,
+            ShouldHandle = args => ValueTask.FromResult(args.Outcome.Exception is TransportException { IsWorthAnotherTry: true }),
+        })
+        .Build();
+}
