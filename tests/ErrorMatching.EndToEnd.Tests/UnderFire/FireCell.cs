@@ -23,9 +23,10 @@ internal sealed class FireCell : IDisposable
         Machine = machine ?? this["machine"];
         Directory.CreateDirectory(Machine);
         Directory.CreateDirectory(Incoming);
+        Directory.CreateDirectory(this["store"]);
+        Directory.CreateDirectory(this["job"]);
         foreach (var file in Directory.EnumerateFiles(Repository.PathTo("samples", "complex-mating")))
         {
-            Directory.CreateDirectory(this["job"]);
             File.Copy(file, Path.Combine(this["job"], Path.GetFileName(file)));
         }
 
@@ -131,7 +132,7 @@ internal sealed class FireCell : IDisposable
     /// <summary>All corrections, as the console tells them.</summary>
     public async Task<IReadOnlyList<JsonElement>> History()
     {
-        var run = await ConsoleRun.Of(Folder, "cell", "history", _configuration, "--most", "1000000", "--json");
+        var run = await ConsoleRun.Of(Folder, "cell", "history", _configuration, "--most", "100000", "--json");
         Assert.True(run.Exit == 0, run.Output + run.Error);
         return [.. run.Json.GetProperty("corrections").EnumerateArray()];
     }
@@ -149,7 +150,7 @@ internal sealed class FireCell : IDisposable
         var clock = Stopwatch.StartNew();
         while (!await isSo())
         {
-            Assert.True(clock.Elapsed < atMost, $"{what}: not after {atMost}. {Tail()}");
+            Assert.True(clock.Elapsed < atMost, $"{what}: not after {atMost}. Left: {string.Join(", ", Directory.EnumerateFiles(Incoming).Select(Path.GetFileName))}. {Tail()}");
             await Task.Delay(100, TestContext.Current.CancellationToken);
         }
     }

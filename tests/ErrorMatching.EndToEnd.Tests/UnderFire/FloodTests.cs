@@ -12,7 +12,7 @@ public sealed class FloodTests
     // Names that a shell, a path, a spreadsheet or a terminal would take for something else.
     private static readonly string[] HostileNames =
     [
-        "$(touch pwned)", "..%2f..%2fpasswd", "a\nb", "=cmd|' C calc'!A0", "con", "\u001b[2J", "\u202Evsc", "S00_1;rm -rf ~", "S00_'", "--help", ".hidden", new string('x', 240), "S00_\u0661",
+        "$(touch pwned)", "%2e%2e%2fpasswd", "a\nb", "=cmd|' C calc'!A0", "con", "\u001b[2J", "\u202Evsc", "S00_1;rm -rf ~", "S00_'", "--help", ".hidden", new string('x', 240), "S00_\u0661",
     ];
 
     [Fact]
@@ -30,7 +30,7 @@ public sealed class FloodTests
 
         await using var machine = new FireMachine(cell, () => files.FileByProgram);
         cell.Start();
-        var cut = new List<string>();
+        var (cut, left) = (new List<string>(), new List<string>());
         for (var i = 0; i < Files; i++)
         {
             var (name, bytes) = good[i];
@@ -64,7 +64,15 @@ public sealed class FloodTests
                 case < 19:
                     var hostile = HostileNames[i % HostileNames.Length] + number + ".csv";
                     cell.Drop(hostile, bytes);
-                    wanted[hostile] = "refused unknown-piece";
+                    if (hostile.StartsWith('.'))
+                    {
+                        left.Add(hostile);
+                    }
+                    else
+                    {
+                        wanted[hostile] = "refused unknown-piece";
+                    }
+
                     break;
                 default:
                     cell.Drop(name, Bomb(i));
@@ -80,7 +88,7 @@ public sealed class FloodTests
             }
         }
 
-        await cell.Until(() => Task.FromResult(!Directory.EnumerateFiles(cell.Incoming).Any() && machine.Cut.Count == cut.Count), TimeSpan.FromSeconds(120 + (Files / 10)), "all files taken and cut");
+        await cell.Until(() => Task.FromResult(Directory.EnumerateFiles(cell.Incoming).Count() == left.Count && machine.Cut.Count == cut.Count), TimeSpan.FromSeconds(120 + (Files / 10)), "all files taken and cut");
         await cell.Until(async () => (await cell.History()).All(c => c.GetProperty("state").GetString() is "released" or "refused"), TimeSpan.FromSeconds(60), "an end for each");
         await cell.Stop();
 
@@ -88,6 +96,10 @@ public sealed class FloodTests
         Assert.Equal(wanted.Count, history.Count);
         var outcomes = history.ToDictionary(c => c.GetProperty("fileName").GetString()!, c => c.GetProperty("state").GetString() + (c.TryGetProperty("code", out var code) ? " " + code.GetString() : ""), StringComparer.Ordinal);
         Assert.All(wanted, w => Assert.StartsWith(w.Value, outcomes.GetValueOrDefault(w.Key, "lost: " + w.Key), StringComparison.Ordinal));
+
+        // What begins with a point is a gauge's own until it gets another name: it stays where it is.
+        Assert.NotEmpty(left);
+        Assert.Equal(left.Order(StringComparer.Ordinal), Directory.EnumerateFiles(cell.Incoming).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
         Assert.Empty(machine.Wrong);
         Assert.Equal(cut.Order(StringComparer.Ordinal), machine.Cut.Select(c => c.File).Order(StringComparer.Ordinal));
         Assert.False(File.Exists(cell["pwned"]));

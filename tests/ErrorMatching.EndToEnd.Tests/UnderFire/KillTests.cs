@@ -28,7 +28,7 @@ public sealed class KillTests
         for (var kill = 0; kill < kills; kill++)
         {
             cell.Start();
-            for (var end = random.Next(150, 900); end > 0;)
+            for (var end = random.Next(150, 1500); end > 0;)
             {
                 if (dropped < (kill + 1) * 4)
                 {
