@@ -74,8 +74,11 @@ public sealed class MatingRunTests
     [Fact]
     public void Points_that_determine_nothing_name_their_file()
     {
-        var points = "point,x_mm,y_mm\n" + string.Concat(MatingJob.Read(Job).NeededPoints.Select(p => p + ",-36,40\n"));
-        var e = Assert.Throws<PointsException>(() => MatingRun.Of(new(Job), new() { Part = new("part.csv", System.Text.Encoding.UTF8.GetBytes(points)) }, TestContext.Current.CancellationToken));
+        // A datum of two points that lie on one another has no direction.
+        var text = File.ReadAllText(Job).Replace("\"kind\": \"none\"", "\"kind\": \"datum\", \"origin\": \"1\", \"direction\": \"2\"", StringComparison.Ordinal);
+        var job = MatingJob.Parse(System.Text.Encoding.UTF8.GetBytes(text), Job);
+        var points = "point,x_mm,y_mm\n" + string.Concat(job.NeededPoints.Select(p => p + ",-36,40\n"));
+        var e = Assert.Throws<PointsException>(() => MatingRun.Of(new(job), new() { Part = new("part.csv", System.Text.Encoding.UTF8.GetBytes(points)) }, TestContext.Current.CancellationToken));
         Assert.Equal("part.csv", e.File);
         Assert.StartsWith("part.csv: ", e.Message, StringComparison.Ordinal);
     }
