@@ -5,11 +5,15 @@ namespace ErrorMatching.Console.Tests;
 /// <summary>Runs a command line in this process, with strings for streams.</summary>
 internal static class Shell
 {
-    public static (int Exit, string Output, string Error) Run(params IReadOnlyList<string> args)
+    public static (int Exit, string Output, string Error) Run(params IReadOnlyList<string> args) => Run(null, args);
+
+    /// <summary>The same, with somebody who gives passwords.</summary>
+    public static (int Exit, string Output, string Error) Run(SecretInput? secrets, IReadOnlyList<string> args)
     {
         using var output = new StringWriter { NewLine = "\n" };
         using var error = new StringWriter { NewLine = "\n" };
-        var exit = Application.Run(args, new Terminal(output, error, HasColor: false), TestContext.Current.CancellationToken);
+        var terminal = new Terminal(output, error, HasColor: false);
+        var exit = Application.Run(args, secrets is null ? terminal : terminal with { Secrets = secrets }, TestContext.Current.CancellationToken);
         return (exit, output.ToString(), error.ToString());
     }
 

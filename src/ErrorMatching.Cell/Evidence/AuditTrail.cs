@@ -11,12 +11,18 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
 {
     private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash"];
 
-    /// <summary>Looks at every entry. What was found whole is remembered beside the keys, if they are there.</summary>
+    /// <summary>Looks at every entry, as the trail is at one moment. What was found whole is remembered beside the keys, if they are there.</summary>
     public AuditFinding Verify()
     {
         var (key, witness) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder));
         var finding = store.Database.Snapshot((connection, transaction) =>
-            new AuditVerifier(() => Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrNull, null, transaction), AuditRow.Head(connection, transaction, ""), key, witness).Verify());
+        {
+            var head = AuditRow.Head(connection, transaction, "");
+            var fault = AuditChain.Verify(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), head, key);
+            var seen = Rows.Query(connection, AuditRow.Select + " WHERE seq = @Seq", ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
+            var count = Rows.Query(connection, "SELECT count(*) FROM audit", r => r.GetInt64(0), null, transaction)[0];
+            return new AuditFinding(count, head.Hash, fault ?? witness?.Fault(head, seen), key is not null);
+        });
         if (finding.Holds && key is not null && finding.Entries > (witness?.Seq ?? 0))
         {
             new AuditWitness(finding.Entries, finding.Hash).Keep(keysFolder);
@@ -51,17 +57,16 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         return count;
     });
 
-    // A row that somebody changed may be none any more.
-    private static (long Seq, AuditEntry? Entry) ReadOrNull(DbDataReader row)
+    // What somebody changed may be no entry any more: then it is one that has no hash.
+    private static AuditEntry ReadOrUnreadable(DbDataReader row)
     {
-        var seq = row.GetInt64(0);
         try
         {
-            return (seq, AuditRow.Read(row));
+            return AuditRow.Read(row);
         }
         catch (Exception e) when (e is InvalidCastException or FormatException or ArgumentException or OverflowException or InvalidOperationException)
         {
-            return (seq, null);
+            return new(row.GetInt64(0), DateTimeOffset.UnixEpoch, "", "", null, "", "", "");
         }
     }
 }

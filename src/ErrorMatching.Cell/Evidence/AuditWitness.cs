@@ -28,6 +28,15 @@ internal sealed record AuditWitness(long Seq, string Hash)
             : throw new PeopleException(PeopleError.KeysUnusable, $"{Path.Combine(keysFolder, FileName)} is not what the cell wrote there: a number and a hash. Bring it back from a backup.");
     }
 
+    /// <summary>What is wrong with a trail that is whole in itself.</summary>
+    /// <param name="head">Where it ends.</param>
+    /// <param name="seen">The entry that was the last then, or nothing.</param>
+    public AuditFault? Fault(AuditHead head, IReadOnlyList<AuditEntry> seen) =>
+        head.Seq < Seq ? new(AuditFaultKind.Removed, head.Seq + 1, string.Create(
+            CultureInfo.InvariantCulture, $"Entries {head.Seq + 1} to {Seq} are missing: the trail went that far when it was last looked at. If an older backup was restored on purpose, this is its gap."))
+        : seen is [var entry] && entry.Hash == Hash ? null
+        : new(AuditFaultKind.Changed, Seq, string.Create(CultureInfo.InvariantCulture, $"Entry {Seq}, or one before it with all that follow, is not what it was when the trail was last looked at."));
+
     /// <summary>Keeps it.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
     public void Keep(string keysFolder) => new KeyFolder(keysFolder).Write(FileName, Encoding.UTF8.GetBytes(string.Create(CultureInfo.InvariantCulture, $"{Seq} {Hash}\n")), overwrite: true);

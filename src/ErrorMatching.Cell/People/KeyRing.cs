@@ -37,7 +37,18 @@ internal sealed class KeyRing
     /// <summary>Encrypts a text.</summary>
     /// <param name="purposes">What it is for: another purpose does not decrypt it.</param>
     /// <param name="text">The text.</param>
-    public byte[] Protect(IReadOnlyList<string> purposes, string text) => _provider.CreateProtector(purposes).Protect(Encoding.UTF8.GetBytes(text));
+    /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
+    public byte[] Protect(IReadOnlyList<string> purposes, string text)
+    {
+        try
+        {
+            return _provider.CreateProtector(purposes).Protect(Encoding.UTF8.GetBytes(text));
+        }
+        catch (CryptographicException e)
+        {
+            throw OfFolder(e) ?? new PeopleException(PeopleError.KeysUnusable, $"The keys in {_folder} do not encrypt any more: somebody changed them. Bring them back from a backup.", e);
+        }
+    }
 
     /// <summary>Decrypts a text.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.SecretUnreadable"/> if these keys did not encrypt it for this purpose, or it was changed.</exception>
@@ -49,8 +60,20 @@ internal sealed class KeyRing
         }
         catch (CryptographicException e)
         {
-            throw new PeopleException(PeopleError.SecretUnreadable, $"{what} is not what the keys in {_folder} encrypted: the keys are those of another installation, or somebody changed them or the store. {e.Message}", e);
+            throw OfFolder(e) ?? new PeopleException(
+                PeopleError.SecretUnreadable, $"{what} is not what the keys in {_folder} encrypted: they are the keys of another installation, or somebody changed them or the store. Bring back the keys that belong to the store, or set it again.", e);
         }
+    }
+
+    // What the folder itself threw, which the framework wraps.
+    private static PeopleException? OfFolder(Exception? e)
+    {
+        while (e is not null and not PeopleException)
+        {
+            e = e.InnerException;
+        }
+
+        return (PeopleException?)e;
     }
 
     /// <summary>The bytes of another file in the folder.</summary>

@@ -12,7 +12,8 @@ internal sealed class PasswordHashes(int iterations = PasswordHashes.CurrentIter
     public const int CurrentIterations = 220_000;
 
     private readonly PasswordHasher<PasswordHashes> _hasher = new(Options.Create(new PasswordHasherOptions { IterationCount = iterations }));
-    private readonly string _nobodys = Nobodys(iterations);
+    /// <summary>A hash that no password has and that takes as long to compare.</summary>
+    public string Nobodys { get; } = NobodysAt(iterations);
 
     /// <summary>How often a password was compared: once for each answer, whoever asks.</summary>
     public int Comparisons { get; private set; }
@@ -30,13 +31,26 @@ internal sealed class PasswordHashes(int iterations = PasswordHashes.CurrentIter
 
         // Longer than any password that was ever set: not worth more work than a short one.
         var typed = password.Length > PasswordRule.MostCharacters ? "" : password;
-        var result = _hasher.VerifyHashedPassword(this, hash ?? _nobodys, typed);
+        var result = Verify(hash ?? Nobodys, typed);
         return (hash is not null && typed.Length > 0 && result != PasswordVerificationResult.Failed, result == PasswordVerificationResult.SuccessRehashNeeded);
+    }
+
+    private PasswordVerificationResult Verify(string hash, string password)
+    {
+        try
+        {
+            return _hasher.VerifyHashedPassword(this, hash, password);
+        }
+        catch (FormatException)
+        {
+            // Somebody wrote into the store what is no hash: nobody's password.
+            return PasswordVerificationResult.Failed;
+        }
     }
 
     // A hash that no password has, in the hasher's own form, without the time that making a real one takes:
     // format 1, HMAC-SHA-512 as 2, iterations, length of the salt, salt, result.
-    private static string Nobodys(int iterations)
+    private static string NobodysAt(int iterations)
     {
         var hash = new byte[1 + (3 * sizeof(int)) + 16 + 32];
         hash[0] = 1;

@@ -82,7 +82,7 @@ internal static class PasswordRule
     // Small letters, replacements undone; digits and signs at the ends do not count.
     private static string Letters(string text)
     {
-        var plain = text.ToLowerInvariant().AsSpan().Trim("0123456789 !\"#%&'()*+,-./:;<=>?[\\]^_`{|}~@$§€£");
+        var plain = text.ToLowerInvariant().AsSpan().Trim("0123456789 !\"#%&'()*+,-./:;<=>?[\\]^_`{|}~§€£");
         return string.Create(plain.Length, plain, (to, from) =>
         {
             for (var i = 0; i < from.Length; i++)

@@ -31,7 +31,7 @@ internal static class FailureOfCell
     });
 
     /// <summary>An audit trail that is not as it was written.</summary>
-    public static Failure Audit(AuditFinding finding) => new(ExitCode.Refused, new ErrorItem(CodeOf(finding.Break!.Value), finding.Message));
+    public static Failure Audit(AuditFinding finding) => new(ExitCode.Refused, new ErrorItem(CodeOf(finding.Fault!.Kind), finding.Message));
 
     /// <summary>The code of something about people.</summary>
     public static string CodeOf(PeopleError error) => error switch
@@ -73,13 +73,13 @@ internal static class FailureOfCell
     };
 
     /// <summary>The code of what is wrong with an audit trail.</summary>
-    public static string CodeOf(AuditBreak error) => error switch
+    public static string CodeOf(AuditFaultKind error) => error switch
     {
-        AuditBreak.Changed => "audit-changed",
-        AuditBreak.Removed => "audit-removed",
-        AuditBreak.Inserted => "audit-inserted",
-        AuditBreak.Reordered => "audit-reordered",
-        AuditBreak.Resealed => "audit-resealed",
+        AuditFaultKind.Changed => "audit-changed",
+        AuditFaultKind.Removed => "audit-removed",
+        AuditFaultKind.Inserted => "audit-inserted",
+        AuditFaultKind.Reordered => "audit-reordered",
+        AuditFaultKind.Unsealed => "audit-unsealed",
         _ => throw new ArgumentOutOfRangeException(nameof(error), error, "A broken audit trail without a code."),
     };
 

@@ -14,7 +14,7 @@ internal sealed class CellSecret : SigningVerb
         : base(
             "secret",
             "Sets the password that the cell signs in to a machine with, encrypted. An administrator signs.",
-            "errormatch cell secret samples/cell/cell.json mill --user anna",
+            "errormatch cell secret samples/cell/cell.json vmc1 --user anna",
             "the password of who signs, then the machine's")
     {
         Arguments.Add(_machine);

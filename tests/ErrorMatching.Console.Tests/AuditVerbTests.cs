@@ -1,0 +1,86 @@
+using System.Security.Cryptography;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Console.Tests;
+
+public sealed class AuditVerbTests
+{
+    [Fact]
+    public void A_whole_trail_is_exit_0_with_the_number_of_entries()
+    {
+        using var cell = CellFolder.WithPeople();
+        var document = Shell.Json(0, "errormatch/audit-verify/1", "audit", "verify", cell.Config);
+        Assert.Equal((true, 4, true), (document.GetProperty("holds").GetBoolean(), document.GetProperty("entries").GetInt32(), document.GetProperty("isSealChecked").GetBoolean()));
+        Assert.Equal((0, $"4 entries, and all are as they were written.\nThe last one's hash is {document.Text("hash")}.\n", ""), Shell.Run("audit", "verify", cell.Config));
+    }
+
+    [Theory]
+    [InlineData("UPDATE audit SET who = 'eve' WHERE seq = 3", "audit-changed", 3)]
+    [InlineData("DELETE FROM audit WHERE seq = 2", "audit-removed", 2)]
+    [InlineData("INSERT INTO audit SELECT 5, at, who, what, subject, basis, previous, hash FROM audit WHERE seq = 4", "audit-inserted", 5)]
+    [InlineData("UPDATE audit SET seq = -2 WHERE seq = 2; UPDATE audit SET seq = 2 WHERE seq = 3; UPDATE audit SET seq = 3 WHERE seq = -2", "audit-reordered", 2)]
+    [InlineData("UPDATE audit_head SET seal = NULL", "audit-unsealed", 4)]
+    public void A_broken_trail_is_exit_2_and_names_the_first_entry(string tampering, string code, int entry)
+    {
+        using var cell = CellFolder.WithPeople();
+        using (var store = Microsoft.Data.Sqlite.SqliteFactory.Instance.CreateConnection())
+        {
+            store.ConnectionString = $"Data Source={cell["cell.db"]};Pooling=False";
+            store.Open();
+            using var command = store.CreateCommand();
+            command.CommandText = "DROP TRIGGER audit_update; DROP TRIGGER audit_delete; " + tampering;
+            command.ExecuteNonQuery();
+        }
+
+        var error = Shell.Error(2, "audit", "verify", cell.Config);
+        Assert.Equal(code, error.Text("code"));
+        Assert.Contains($" {entry}", error.Text("message"), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Without_the_keys_is_said_what_cannot_be_said()
+    {
+        using var cell = CellFolder.WithPeople();
+        Directory.Move(cell["keys"], cell["elsewhere"]);
+        var document = Shell.Json(0, "errormatch/audit-verify/1", "audit", "verify", cell.Config);
+        Assert.False(document.GetProperty("isSealChecked").GetBoolean());
+        Assert.Contains("keys are not here", document.Text("message"), StringComparison.Ordinal);
+        Assert.False(Directory.Exists(cell["keys"]));
+    }
+
+    [Fact]
+    public void The_export_goes_to_standard_output_or_into_a_file()
+    {
+        using var cell = CellFolder.WithPeople();
+        var (exit, csv, error) = Shell.Run("audit", "export", cell.Config);
+        Assert.Equal((0, ""), (exit, error));
+        Assert.StartsWith("\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\"\r\n\"1\",\"2", csv, StringComparison.Ordinal);
+        Assert.Equal(6, csv.Split("\r\n").Length);
+        Assert.Contains("\"Anna\",\"user-added\",\"Ben\",\"as operator\"", csv, StringComparison.Ordinal);
+
+        var document = Shell.Json(0, "errormatch/audit-export/1", "audit", "export", cell.Config, "--out", cell["audit.csv"]);
+        Assert.Equal(csv, File.ReadAllText(cell["audit.csv"]));
+        Assert.Equal((cell["audit.csv"], 4, Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(cell["audit.csv"])))), (document.Text("file"), document.GetProperty("entries").GetInt32(), document.Text("sha256")));
+        Assert.Equal(csv, Shell.Json(0, "errormatch/audit-export/1", "audit", "export", cell.Config).Text("csv"));
+        Assert.Equal("output-is-input", Shell.Error(1, "audit", "export", cell.Config, "--out", cell.Config).Text("code"));
+    }
+
+    [Fact]
+    public void Looking_makes_no_store()
+    {
+        using var cell = new CellFolder();
+        Assert.Equal("store-missing", Shell.Error(1, "audit", "verify", cell.Config).Text("code"));
+        Assert.Equal("store-missing", Shell.Error(1, "audit", "export", cell.Config).Text("code"));
+        Assert.False(File.Exists(cell["cell.db"]));
+    }
+
+    [Fact]
+    public void Each_code_about_people_store_and_trail_is_in_the_reference()
+    {
+        var reference = File.ReadAllText(ErrorMatching.Testing.Repository.PathTo("docs", "reference-console.md"));
+        var codes = Enum.GetValues<PeopleError>().Select(FailureOfCell.CodeOf)
+            .Concat(Enum.GetValues<StoreError>().Select(FailureOfCell.CodeOf))
+            .Concat(Enum.GetValues<AuditFaultKind>().Select(FailureOfCell.CodeOf));
+        Assert.All(codes.Concat(["no-password", "unknown-machine"]), c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
+    }
+}
