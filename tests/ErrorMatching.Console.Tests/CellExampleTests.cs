@@ -1,56 +1,92 @@
+using System.CommandLine;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Console.Tests;
 
-/// <summary>The examples of verbs about people and evidence, on a copy of the sample cell.</summary>
+/// <summary>The examples in the help of a cell's verbs run on the sample, in the order in which people would type them.</summary>
 public sealed class CellExampleTests : IDisposable
 {
+    private const string Password = "four words of nobody";
     private readonly TemporaryFolder _folder = new();
+    private readonly HashSet<string> _ran = [];
 
     public CellExampleTests()
     {
-        foreach (var sample in new[] { "cell", "complex-mating" })
+        foreach (var file in new[] { "complex-mating", "cell" }.SelectMany(s => Directory.EnumerateFiles(Repository.PathTo("samples", s))))
         {
-            foreach (var file in Directory.EnumerateFiles(Repository.PathTo("samples", sample)))
-            {
-                Directory.CreateDirectory(_folder[$"samples/{sample}"]);
-                File.Copy(file, _folder[$"samples/{sample}/{Path.GetFileName(file)}"]);
-            }
+            var copy = Placed(Path.GetRelativePath(Repository.Root, file));
+            Directory.CreateDirectory(Path.GetDirectoryName(copy)!);
+            File.Copy(file, copy);
         }
+
+        File.WriteAllText(Config, File.ReadAllText(Config).Replace("\"automatic\"", "\"person\"", StringComparison.Ordinal));
+        Directory.CreateDirectory(Placed("samples/cell/incoming"));
+        Directory.CreateDirectory(Placed("samples/cell/machine"));
+        File.Copy(Placed("samples/complex-mating/counterpart.nc"), Placed("samples/cell/machine/counterpart.nc"));
     }
 
-    [Theory]
-    [InlineData("add"), InlineData("list"), InlineData("disable"), InlineData("enable"), InlineData("role"), InlineData("password")]
-    public void Each_example_about_users_runs(string verb) => Run("user", verb);
-
-    [Theory]
-    [InlineData("verify"), InlineData("export")]
-    public void Each_example_about_the_trail_runs(string verb) => Run("audit", verb);
+    private string Config => Placed("samples/cell/cell.json");
 
     [Fact]
-    public void The_example_about_secrets_runs() => Run("cell", "secret");
+    public async Task They_run_one_after_another()
+    {
+        Example("user add");
+        Example("user add", e => e.Replace("anna --role administrator", "ben --role setter --user anna", StringComparison.Ordinal));
+        using (var running = await BackgroundCell.Start(Config))
+        {
+            _ran.Add("cell run");
+            Drop("part-0001.csv", "-32.067");
+            await Until(1, "proposed");
+            Example("cell status");
+            Example("cell approve");
+            await Until(1, "verified");
+            Example("cell release");
+            Example("cell history");
+            Example("cell show");
+            Example("cell revert");
+            Drop("part-0002.csv", "-32.068");
+            await Until(2, "proposed");
+            Example("cell reject", e => e.Replace("cell.json 1 ", "cell.json 2 ", StringComparison.Ordinal));
+            Example("cell backup");
+            Example("cell secret");
+        }
+
+        Example("cell restore");
+        foreach (var words in new[] { "cell check", "user list", "user disable", "user enable", "user role", "user password", "audit verify", "audit export" })
+        {
+            Example(words);
+        }
+
+        Assert.Equal(Verbs().Keys.Order(), _ran.Order());
+    }
 
     public void Dispose() => _folder.Dispose();
 
-    private void Run(string group, string verb)
+    private void Example(string words, Func<string, string>? changed = null)
     {
-        if (verb != "add")
+        if (!Verbs().TryGetValue(words, out var verb))
         {
-            Assert.Equal((0, ""), Typed("user add samples/cell/cell.json anna --role administrator"));
-            Assert.Equal((0, ""), Typed("user add samples/cell/cell.json ben --role setter --user anna"));
+            return;
         }
 
-        var example = CommandTree.Build().Subcommands.Single(c => c.Name == group).Subcommands.OfType<CellVerb>().Single(v => v.Name == verb).Example;
-        Assert.StartsWith($"errormatch {group} {verb} ", example, StringComparison.Ordinal);
-        Assert.Equal((0, ""), Typed(example["errormatch ".Length..]));
+        _ran.Add(words);
+        string[] args = [.. (changed?.Invoke(verb.Example) ?? verb.Example).Split(' ')[1..].Select(w => w.StartsWith("samples/", StringComparison.Ordinal) || w.StartsWith("out", StringComparison.Ordinal) ? Placed(w) : w)];
+        using var passwords = new StringReader($"{Password}\n{Password}\n{Password}\n");
+        var run = Shell.Run(new SecretInput(passwords, null, TextWriter.Null), verb is SigningVerb ? [.. args, "--password-stdin"] : args);
+        Assert.True(run.Exit == 0, $"{verb.Example} ended with {run.Exit}: {run.Output}{run.Error}");
     }
 
-    // Everybody has one password, and types it whenever asked.
-    private (int Exit, string Error) Typed(string line)
+    private static Dictionary<string, Verb> Verbs() =>
+        CommandTree.Build().Subcommands.SelectMany(g => g.Subcommands.OfType<CellVerb>().Select(v => (Words: $"{g.Name} {v.Name}", Verb: (Verb)v))).ToDictionary(v => v.Words, v => v.Verb);
+
+    private void Drop(string name, string x)
     {
-        using var shown = new StringWriter();
-        var secrets = new SecretInput(TextReader.Null, CellFolder.Keyboard(string.Concat(Enumerable.Repeat(CellFolder.Annas + "\n", 3))), shown);
-        var (exit, _, error) = Shell.Run(secrets, [.. line.Split(' ').Select(w => w.StartsWith("samples/", StringComparison.Ordinal) || w.StartsWith("out/", StringComparison.Ordinal) ? _folder[w] : w)]);
-        return (exit, error);
+        Directory.CreateDirectory(Placed("out"));
+        File.WriteAllText(Placed("written"), File.ReadAllText(Placed("samples/complex-mating/part.csv")).Replace("-32.067", x, StringComparison.Ordinal));
+        File.Move(Placed("written"), Placed("samples/cell/incoming/" + name));
     }
+
+    private Task Until(int id, string state) => BackgroundCell.Until(() => Shell.Run("cell", "show", Config, $"{id}", "--json").Output.Contains($"\"state\": \"{state}\"", StringComparison.Ordinal));
+
+    private string Placed(string path) => Path.Combine(_folder.Path, path);
 }

@@ -11,8 +11,8 @@ public class ContractTests
 
     public static TheoryData<string> VerbNames => [.. Verbs.Select(WordsOf)];
 
-    // Those of a cell need people and a store: CellExampleTests.
-    public static TheoryData<string> PlainVerbNames => [.. Verbs.Where(v => v is not CellVerb).Select(WordsOf)];
+    // Those of a cell need people, a process that runs it, or each other: CellExampleTests runs them.
+    public static TheoryData<string> AloneVerbNames => [.. Verbs.Where(v => v is not CellVerb).Select(WordsOf)];
 
     public static TheoryData<string> DemandingVerbNames => [.. Verbs.Where(v => v.Arguments.Any(a => a.Arity.MinimumNumberOfValues > 0)).Select(WordsOf)];
 
@@ -30,7 +30,7 @@ public class ContractTests
     }
 
     [Theory]
-    [MemberData(nameof(PlainVerbNames))]
+    [MemberData(nameof(AloneVerbNames))]
     public void Each_example_runs_on_the_samples(string words)
     {
         using var folder = new TemporaryFolder();

@@ -1,4 +1,5 @@
 using ErrorMatching.Json;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Cell;
 
@@ -90,7 +91,7 @@ internal sealed class CellJobReader(
     private void CheckKind(JsonItem item, CellJobSettings settings, NamedJob job)
     {
         var machine = machines.FirstOrDefault(m => m.Settings.Name == settings.Machine).Settings;
-        if (machine is not null && !CellPaths.AreSame(machine.Dialect, job.Dialect))
+        if (machine is not null && IsKnown(machine.Dialect) && !CellPaths.AreSame(machine.Dialect, job.Dialect))
         {
             problems.Refuse(item["job"], "other-dialect", $"a job for the dialect {job.Dialect}", $"one for {machine.Dialect}, which {machine.Name} has");
         }
@@ -119,6 +120,9 @@ internal sealed class CellJobReader(
             problems.Refuse(program, "program-for-mating", "a program for a mating job", "no such key: a mating job names its program itself");
         }
     }
+
+    // A dialect that is none is said once, at its machine.
+    private static bool IsKnown(string dialect) => NcDialects.IsFile(dialect) || NcDialects.Names.Contains(dialect, StringComparer.Ordinal);
 
     // What a gauge's files never have would never match.
     private void CheckPatterns(JsonItem recognize, GaugeSettings gauge)

@@ -11,7 +11,10 @@ internal sealed class CellProblems
     /// <summary>What is allowed but unwise, in the order of the document.</summary>
     public IReadOnlyList<JsonProblem> Warnings => InOrder(_warnings);
 
-    public void AddRange(IEnumerable<JsonProblem> problems) => _problems.AddRange(problems);
+    /// <summary>True if something is wrong at a path already.</summary>
+    public bool Has(string path) => _problems.Exists(p => p.Path == path);
+
+    public void AddRange(IEnumerable<JsonProblem> problems) => _problems.AddRange(problems.ToArray());
 
     public void Refuse(JsonItem item, string code, string found, string expected) => _problems.Add(JsonProblem.At(item, code, found, expected));
 

@@ -26,7 +26,7 @@ public static class CellSettingsReader
         var document = JsonInput.Read(bytes, file);
         var problems = new CellProblems();
         problems.RefuseControlCharacters(document);
-        problems.AddRange(Schema.Value.Check(document));
+        problems.AddRange(Schema.Value.Check(document).Where(p => !problems.Has(p.Path)));
         problems.ThrowIfAny(file);
         var settings = new CellReader(document, file, problems).Read();
         problems.ThrowIfAny(file);

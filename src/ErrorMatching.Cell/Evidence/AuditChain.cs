@@ -16,19 +16,27 @@ public static class AuditChain
     {
         ArgumentNullException.ThrowIfNull(entries);
         ArgumentNullException.ThrowIfNull(head);
-        var (seq, hash) = (0L, AuditEntry.NoHash);
-        foreach (var entry in entries)
-        {
-            if (entry.Seq != seq + 1 || entry.Previous != hash || entry.Hash != entry.HashAs(entry.Seq)) return Explain([.. entries], (int)seq, hash, head.Seq);
-            (seq, hash) = (entry.Seq, entry.Hash);
-        }
-
+        var (seq, hash, ends) = Walk(entries);
+        if (!ends) return Explain([.. entries], (int)seq, hash, head.Seq);
         if (head.Seq > seq) return Fault(AuditFaultKind.Removed, seq + 1, $"Entries {seq + 1} to {head.Seq} are missing at the end.");
         if (head.Seq < seq) return Fault(AuditFaultKind.Inserted, head.Seq + 1, $"Entry {head.Seq + 1} stands after the last that was written.");
         if (head.Hash != hash) return Fault(AuditFaultKind.Changed, seq, $"Entry {seq} is not the one that was written last.");
         return key is not null && !head.IsSealedBy(key)
             ? Fault(AuditFaultKind.Unsealed, seq, $"The end, entry {seq}, is not sealed by the cell's key: the trail was written to by something else, or the key is another one.")
             : null;
+    }
+
+    // The last entry that is as it should be, and whether the trail ends there.
+    private static (long Seq, string Hash, bool Ends) Walk(IEnumerable<AuditEntry> entries)
+    {
+        var (seq, hash) = (0L, AuditEntry.NoHash);
+        foreach (var entry in entries)
+        {
+            if (entry.Seq != seq + 1 || entry.Previous != hash || entry.Hash != entry.HashAs(entry.Seq)) return (seq, hash, false);
+            (seq, hash) = (entry.Seq, entry.Hash);
+        }
+
+        return (seq, hash, true);
     }
 
     // Everything before "at" is linked as it should be; the entry there is not the next.

@@ -40,6 +40,11 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
             throw new DecisionException(DecisionException.SlotTaken, Sentence($"Correction {holder} has slot {slot.Name} of {machine.Name}: revert or release that one first."));
         }
 
+        if (store.Slot(machine.Name, slot.Name).ProgramSha256 != correction.ProgramSha256)
+        {
+            throw new DecisionException(DecisionException.WrongState, Sentence($"Slot {slot.Name} of {machine.Name} holds a later program than that of correction {id}: revert that one."));
+        }
+
         await BringBackAsync(open(machine), machine, slot, correction, previous, cancellation);
         return decisions.Step(correction, CorrectionState.Reverted, by, reason, c => c with { Code = "reverted", Reason = reason });
     }

@@ -42,6 +42,9 @@ internal abstract class CellDatabase : IDisposable
     /// <summary>Looks whether the database is whole; what is not is a <see cref="StoreException"/>.</summary>
     public abstract void Inspect();
 
+    /// <summary>True if the database has a table of a name.</summary>
+    public abstract bool HasTable(DbConnection connection, string name);
+
     /// <summary>Makes the statements that follow in this transaction wait for another process that migrates.</summary>
     public abstract void WaitForMigration(DbConnection connection, DbTransaction transaction);
 

@@ -32,19 +32,12 @@ public sealed partial class CellStore : IDisposable
     {
         ArgumentNullException.ThrowIfNull(settings);
         ArgumentNullException.ThrowIfNull(clock);
-        CellDatabase database = settings switch
-        {
-            SqliteSettings sqlite => SqliteDatabase.Open(sqlite.File, Prepare),
-            PostgresSettings postgres => PostgresDatabase.Open(postgres, Prepare),
-            _ => throw new ArgumentOutOfRangeException(nameof(settings), settings, "No such kind of store."),
-        };
-        return new CellStore(database, clock, auditKey);
-
-        void Prepare(CellDatabase opened)
+        var database = Connect(settings, opened =>
         {
             if (inspect) opened.Inspect();
             Migrations.Apply(opened, clock, auditKey);
-        }
+        });
+        return new CellStore(database, clock, auditKey);
     }
 
     /// <summary>Keeps a file that arrived as a correction of its own.</summary>
@@ -89,8 +82,9 @@ public sealed partial class CellStore : IDisposable
     public Correction? Find(long id) => First(CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, new { id });
 
     /// <summary>The corrections that are in any of some states, in order of arrival.</summary>
-    public IReadOnlyList<Correction> InState(params CorrectionState[] states) =>
-        Read(CorrectionRow.Select + " WHERE state IN @Words ORDER BY id", CorrectionRow.Read, new { Words = states.Select(CorrectionRow.Word).ToArray() });
+    public IReadOnlyList<Correction> InState(params CorrectionState[] states) => states is []
+        ? []
+        : Read(CorrectionRow.Select + $" WHERE state IN ({string.Join(", ", states.Select(s => $"'{CorrectionRow.Word(s)}'"))}) ORDER BY id", CorrectionRow.Read);
 
     /// <summary>The steps of a correction, in order.</summary>
     public IReadOnlyList<CorrectionStep> StepsOf(long id) =>
@@ -181,6 +175,37 @@ public sealed partial class CellStore : IDisposable
     /// <param name="file">The copy, which appears whole or not at all.</param>
     /// <exception cref="StoreException">With <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
     public void Backup(string file) => Database.Backup(file);
+
+    /// <summary>Brings a backup into the store's place. The backup stays as it is; what stood in its place is kept beside it.</summary>
+    /// <param name="settings">Where the store is, whether one is there or not.</param>
+    /// <param name="backup">The backup's file.</param>
+    /// <param name="clock">Says the time of the audit entry.</param>
+    /// <param name="by">The user's name.</param>
+    /// <param name="auditKey">The key that the store is opened with.</param>
+    /// <returns>The file that holds what stood in its place; null if nothing did.</returns>
+    /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> while a cell runs with the store; with <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
+    public static string? Restore(StoreSettings settings, string backup, TimeProvider clock, string by, byte[]? auditKey = null)
+    {
+        if (settings is not SqliteSettings sqlite)
+        {
+            throw new StoreException(StoreError.NotSupported, "A store on PostgreSQL is restored by its own tools: createdb, then pg_restore --exit-on-error --dbname=NAME FILE.");
+        }
+
+        var aside = SqliteRestore.Restore(sqlite.File, backup, opened => Migrations.Apply(opened, clock, auditKey));
+        using var store = Open(settings, clock, auditKey);
+        store.Audit(by, "restored", $"from the backup {Path.GetFileName(backup)}", aside is null ? null : $"what was there before is {Path.GetFileName(aside)}");
+        return aside;
+    }
+
+    /// <summary>Opens the database of a store.</summary>
+    /// <param name="settings">Where it is.</param>
+    /// <param name="prepare">Looks whether it is whole and takes it to the form that is wanted.</param>
+    internal static CellDatabase Connect(StoreSettings settings, Action<CellDatabase> prepare) => settings switch
+    {
+        SqliteSettings sqlite => SqliteDatabase.Open(sqlite.File, prepare),
+        PostgresSettings postgres => PostgresDatabase.Open(postgres, prepare),
+        _ => throw new ArgumentOutOfRangeException(nameof(settings), settings, "No such kind of store."),
+    };
 
     /// <summary>Runs a change with its audit entries, for tables of other parts of the cell.</summary>
     internal T Write<T>(Func<StoreTransaction, T> write) => Database.Write(_clock, _auditKey, write);

@@ -11,6 +11,16 @@ internal sealed class FileLock : ISlotLock
     /// <inheritdoc/>
     public bool IsHeld => !_disposed;
 
+    /// <summary>Name of the lock's file beside the store's.</summary>
+    public static string NameBeside(string store, string name) => $"{store}.{name}.lock";
+
+    /// <summary>The files of all locks that were ever taken beside a store; they stay when the lock ends.</summary>
+    public static IEnumerable<string> Beside(string store)
+    {
+        var full = Path.GetFullPath(store);
+        return Directory.EnumerateFiles(Path.GetDirectoryName(full)!, NameBeside(Path.GetFileName(full), "*"));
+    }
+
     /// <summary>Takes the lock; null if another one has it.</summary>
     public static FileLock? TryTake(string file)
     {

@@ -1,3 +1,4 @@
+using System.Data.Common;
 using System.Globalization;
 using System.Reflection;
 using System.Text.RegularExpressions;
@@ -15,6 +16,8 @@ internal static partial class Migrations
     /// <exception cref="StoreException">With <see cref="StoreError.TooNew"/> if it is beyond the last.</exception>
     public static void Apply(CellDatabase database, TimeProvider clock, byte[]? auditKey, int upTo = int.MaxValue)
     {
+        // Whoever only looks needs no right to write.
+        if (database.Read(connection => database.HasTable(connection, "migration") && Number(connection, null) == Math.Min(upTo, All[^1].Number))) return;
         database.Change((connection, transaction) =>
         {
             database.WaitForMigration(connection, transaction);
@@ -28,7 +31,7 @@ internal static partial class Migrations
     private static bool Next(CellDatabase database, TimeProvider clock, byte[]? auditKey, int upTo) => database.Change((connection, transaction) =>
     {
         database.WaitForMigration(connection, transaction);
-        var number = connection.QuerySingle<long?>("SELECT max(number) FROM migration", transaction: transaction) ?? 0;
+        var number = Number(connection, transaction);
         if (number > All[^1].Number)
         {
             throw new StoreException(
@@ -52,6 +55,9 @@ internal static partial class Migrations
 
         return true;
     });
+
+    private static long Number(DbConnection connection, DbTransaction? transaction) =>
+        connection.QuerySingle<long?>("SELECT max(number) FROM migration", transaction: transaction) ?? 0;
 
     private static Migration[] ReadAll()
     {

@@ -68,6 +68,10 @@ internal sealed class PostgresDatabase : CellDatabase
     }
 
     /// <inheritdoc/>
+    public override bool HasTable(DbConnection connection, string name) =>
+        connection.QuerySingle<long>("SELECT count(*) FROM pg_tables WHERE schemaname = current_schema() AND tablename = @name", new { name }) == 1;
+
+    /// <inheritdoc/>
     public override void WaitForMigration(DbConnection connection, DbTransaction transaction) =>
         connection.Execute("SELECT pg_advisory_xact_lock(@MigrationLock)", new { MigrationLock }, transaction);
 

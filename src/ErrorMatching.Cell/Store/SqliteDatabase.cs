@@ -70,6 +70,10 @@ internal sealed class SqliteDatabase : CellDatabase
     });
 
     /// <inheritdoc/>
+    public override bool HasTable(DbConnection connection, string name) =>
+        connection.QuerySingle<long>("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = @name", new { name }) == 1;
+
+    /// <inheritdoc/>
     public override void WaitForMigration(DbConnection connection, DbTransaction transaction)
     {
         // The transaction of a writer is the lock.
@@ -79,7 +83,7 @@ internal sealed class SqliteDatabase : CellDatabase
     public override ISlotLock? TryLock(string name)
     {
         var hash = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(name)))[..16];
-        return FileLock.TryTake($"{_file}.{hash}.lock");
+        return FileLock.TryTake(FileLock.NameBeside(_file, hash));
     }
 
     /// <inheritdoc/>
@@ -222,7 +226,13 @@ internal sealed class SqliteDatabase : CellDatabase
         var folder = Path.GetDirectoryName(Path.GetFullPath(_file))!;
         if (!Directory.Exists(folder)) throw new StoreException(StoreError.Missing, $"The store's folder {folder} is not there. Make it, or mount the disk that has it.");
         if (File.Exists(_file + "-wal")) throw new StoreException(StoreError.Damaged, $"The store {_file} is gone but its log {_file}-wal is there. Restore the latest backup.");
-        var temporary = $"{_file}.{Environment.ProcessId.ToString(CultureInfo.InvariantCulture)}.new";
+        if (FileLock.Beside(_file).Any())
+        {
+            throw new StoreException(
+                StoreError.Missing, $"The store {_file} is gone, and a cell ran with it. Restore the latest backup. Delete {_file}.*.lock if the cell is to begin anew and know nothing of what it did.");
+        }
+
+        var temporary = $"{_file}.{Environment.ProcessId.ToString(CultureInfo.InvariantCulture)}.{Guid.NewGuid():N}.new";
         try
         {
             using (var made = new SqliteDatabase(temporary))
@@ -247,17 +257,23 @@ internal sealed class SqliteDatabase : CellDatabase
         }
     }
 
-    // What SQLite itself would take for a new and empty database, or would only find when it first writes.
+    // What SQLite itself would take for a new and empty database, or would only find when it first writes. The file itself must never be opened here: where locks belong to processes, as on Linux,
+    // closing it would take away those that SQLite has on it, and another process would take itself for the last one and delete the log.
     private void Prove()
     {
+        if (new FileInfo(_file).Length == 0) throw new StoreException(StoreError.Damaged, $"The store {_file} is empty. Restore the latest backup.");
         try
         {
-            using var file = new FileStream(_file, FileMode.Open, FileAccess.ReadWrite, FileShare.ReadWrite);
-            if (file.Length == 0) throw new StoreException(StoreError.Damaged, $"The store {_file} is empty. Restore the latest backup.");
+            using var probe = new FileStream($"{_file}.{Guid.NewGuid():N}.probe", FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            throw new StoreException(StoreError.ReadOnly, $"The store {_file} cannot be written: {failure.Message} Make the disk and the file writable for the user that runs the cell.", failure);
+            throw new StoreException(StoreError.ReadOnly, $"The folder of the store {_file} cannot be written: {failure.Message} Make the disk and the folder writable for the user that runs the cell.", failure);
+        }
+
+        if (Read(connection => SQLitePCL.raw.sqlite3_db_readonly(((SqliteConnection)connection).Handle, "main")) == 1)
+        {
+            throw new StoreException(StoreError.ReadOnly, $"The store {_file} cannot be written. Make the file writable for the user that runs the cell.");
         }
 
         var id = Read(connection => connection.QuerySingle<int>("PRAGMA application_id"));

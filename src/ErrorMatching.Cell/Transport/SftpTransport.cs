@@ -109,7 +109,7 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
     // The first word on an option holds, so BatchMode stands before -b, which would forbid asking for a password.
     private List<string> Arguments(string known)
     {
-        List<string> arguments = ["-F", "none", "-q"];
+        List<string> arguments = ["-F", "none"];
         void Set(string option) => arguments.AddRange(["-o", option]);
         Set("LogLevel=ERROR");
         Set("StrictHostKeyChecking=yes");

@@ -7,11 +7,15 @@ namespace ErrorMatching.Cell.Tests;
 public abstract partial class StoreTests : IDisposable
 {
     private readonly List<IDisposable> _opened = [];
+    private StoreSettings? _settings;
 
     private protected TestClock Clock { get; } = new();
 
     /// <summary>The store of this test, which begins empty.</summary>
-    protected abstract StoreSettings Settings { get; }
+    protected StoreSettings Settings => _settings ??= NewSettings();
+
+    /// <summary>Another place for a store, where none is yet.</summary>
+    protected abstract StoreSettings NewSettings();
 
     [Fact]
     public void A_file_that_arrives_is_kept_by_its_content()

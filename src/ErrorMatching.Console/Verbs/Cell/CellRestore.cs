@@ -16,7 +16,7 @@ internal sealed class CellRestore : CellVerb
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_file);
-        var kept = StoreRestore.Run(settings, file, AuditKey.Open(settings.KeysFolder), TimeProvider.System);
+        var kept = CellStore.Restore(settings.Store, file, TimeProvider.System, "console", AuditKey.Open(settings.KeysFolder));
         return new CellFileAnswer("restore", file, $"The store is the one of {file} again.{(kept is null ? "" : $" What was there is {kept}.")} Start the cell: programs at machines that this store does not know are not overwritten without a setter.");
     }
 }

@@ -1,0 +1,62 @@
+using System.Globalization;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Brings a backup into the place of a store in a file.</summary>
+internal static class SqliteRestore
+{
+    /// <summary>Proves a copy of the backup, keeps what stands in the store's place, and renames the copy over it: there is the old store or the restored one at any instant.</summary>
+    /// <param name="file">The store's file.</param>
+    /// <param name="backup">The backup's.</param>
+    /// <param name="migrate">Takes it to the present form.</param>
+    /// <returns>The file that holds what stood there; null if nothing did.</returns>
+    public static string? Restore(string file, string backup, Action<CellDatabase> migrate)
+    {
+        if (!File.Exists(backup)) throw new StoreException(StoreError.Missing, $"The backup {backup} is not there.");
+        var locks = new List<FileLock>();
+        var copy = $"{file}.{Guid.NewGuid():N}.restore";
+        try
+        {
+            foreach (var each in FileLock.Beside(file))
+            {
+                locks.Add(FileLock.TryTake(each) ?? throw new StoreException(StoreError.Locked, $"A cell runs with the store {file}. Stop it before a backup is brought into its place."));
+            }
+
+            File.Copy(backup, copy);
+            using (SqliteDatabase.Open(copy, Prove))
+            {
+            }
+
+            using (var written = new FileStream(copy, FileMode.Open, FileAccess.ReadWrite)) written.Flush(flushToDisk: true);
+            var aside = KeepAside(file);
+            File.Move(copy, file, overwrite: true);
+            return aside;
+        }
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
+        {
+            throw new StoreException(StoreError.Disk, $"The backup {backup} cannot be brought into the place of {file}: {failure.Message}", failure);
+        }
+        finally
+        {
+            File.Delete(copy);
+            foreach (var each in locks) each.Dispose();
+        }
+
+        void Prove(CellDatabase opened)
+        {
+            opened.Inspect();
+            migrate(opened);
+        }
+    }
+
+    // The store's own log must not be read into the restored one; it goes with what it belongs to.
+    private static string? KeepAside(string file)
+    {
+        if (!File.Exists(file) && !File.Exists(file + "-wal")) return null;
+        var aside = Enumerable.Range(1, int.MaxValue).Select(n => string.Create(CultureInfo.InvariantCulture, $"{file}.before-restore-{n}")).First(n => !File.Exists(n) && !File.Exists(n + "-wal"));
+        if (File.Exists(file)) File.Copy(file, aside);
+        if (File.Exists(file + "-wal")) File.Move(file + "-wal", aside + "-wal");
+        File.Delete(file + "-shm");
+        return aside;
+    }
+}

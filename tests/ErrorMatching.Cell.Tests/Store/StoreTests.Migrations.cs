@@ -1,0 +1,71 @@
+using Dapper;
+
+namespace ErrorMatching.Cell.Tests;
+
+public abstract partial class StoreTests
+{
+    /// <summary>Rows of the tables that a migration made, by its number: they must come through all that follow.</summary>
+    private static readonly Dictionary<int, string> RowsOf = new()
+    {
+        [1] = """
+            INSERT INTO content (sha256, bytes) VALUES ('aa', 'one'), ('bb', 'two');
+            INSERT INTO correction (state, version, arrival, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, job, serial, identity, machine, slot, program, program_sha256, largest_mm)
+            VALUES ('archived', 1, 'k1', 'gauge', 'one.csv', 1000000, 1000000, 'aa', 3, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL),
+                   ('verified', 7, 'k2', 'gauge', 'two.csv', 2000000, 3000000, 'bb', 3, 'job', 'A-2', 'i2', 'mill', '1', 'O1.nc', 'bb', 0.125);
+            INSERT INTO step (correction, from_state, to_state, at, who, basis) VALUES (1, NULL, 'archived', 1000000, 'cell', 'arrived'), (2, 'uploading', 'verified', 3000000, 'cell', 'read back');
+            INSERT INTO slot (machine, slot, correction, program_sha256) VALUES ('mill', '1', 2, 'bb');
+            """,
+    };
+
+    private protected abstract string TablesSql { get; }
+
+    [Fact]
+    public void Migrations_are_numbered_from_one_without_a_gap() =>
+        Assert.Equal(Enumerable.Range(1, Migrations.All.Count), Migrations.All.Select(m => m.Number));
+
+    [Fact]
+    public void A_store_of_each_earlier_form_is_taken_to_the_present_one_with_all_its_rows()
+    {
+        foreach (var form in Migrations.All.Select(m => m.Number))
+        {
+            var settings = NewSettings();
+            var before = Filled(settings, form);
+            Assert.Equal(form, before["migration"].Count);
+            using (var store = CellStore.Open(settings, Clock))
+            {
+                var after = Tables(store.Database);
+                Assert.Equal(Migrations.All.Count, after["migration"].Count);
+                foreach (var (table, rows) in before.Where(t => t.Key != "migration"))
+                {
+                    Assert.Equal(rows.Count, after[table].Count);
+                    for (var i = 0; i < rows.Count; i++) Assert.All(rows[i], column => Assert.Equal(column.Value, after[table][i][column.Key]));
+                }
+
+                Assert.Equal([(1L, CorrectionState.Archived), (2L, CorrectionState.Verified)], store.InState(Enum.GetValues<CorrectionState>()).Select(c => (c.Id, c.State)));
+                Assert.Equal(new SlotHolding("mill", "1", 2, "bb", null), store.Slot("mill", "1"));
+                store.Step(store.Find(2)!, CorrectionState.Released, "anna", "cut");
+                Assert.Null(store.VerifyAudit());
+            }
+
+            using var again = CellStore.Open(settings, Clock);
+            Assert.Equal(CorrectionState.Released, again.Find(2)!.State);
+        }
+    }
+
+    // Goes from form to form as stores did that were in use.
+    private Dictionary<string, List<IDictionary<string, object>>> Filled(StoreSettings settings, int form)
+    {
+        for (var number = 1; number <= form; number++)
+        {
+            using var database = CellStore.Connect(settings, opened => Migrations.Apply(opened, Clock, null, number));
+            if (RowsOf.TryGetValue(number, out var rows)) database.Change((connection, transaction) => connection.Execute(rows, transaction: transaction));
+        }
+
+        using var filled = CellStore.Connect(settings, opened => Migrations.Apply(opened, Clock, null, form));
+        return Tables(filled);
+    }
+
+    private Dictionary<string, List<IDictionary<string, object>>> Tables(CellDatabase database) => database.Read(connection => connection
+        .Query<string>(TablesSql)
+        .ToDictionary(t => t, t => connection.Query($"SELECT * FROM {t} ORDER BY 1, 2").Cast<IDictionary<string, object>>().ToList()));
+}

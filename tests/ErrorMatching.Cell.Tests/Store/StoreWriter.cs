@@ -1,0 +1,155 @@
+using System.Diagnostics;
+using System.Globalization;
+using System.Runtime.CompilerServices;
+using System.Text;
+
+namespace ErrorMatching.Cell.Tests;
+
+/// <summary>This program a second time, as another process that works with a store: it says on its output what was acknowledged, and may be killed at any instant.</summary>
+internal static class StoreWriter
+{
+    private const string Task = "ERRORMATCH_TEST_STORE_TASK";
+    private const string File = "ERRORMATCH_TEST_STORE_FILE";
+
+    /// <summary>Starts the other process.</summary>
+    /// <param name="task">What it does: the name of one of the methods below.</param>
+    /// <param name="file">The store.</param>
+    /// <param name="before">A program and arguments that start it; nothing for none.</param>
+    public static Process Start(string task, string file, params string[] before)
+    {
+        var program = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "ErrorMatching.Cell.Tests.exe" : "ErrorMatching.Cell.Tests");
+        string[] all = [.. before, program];
+        var start = new ProcessStartInfo(all[0], all[1..]) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardInput = true };
+        start.Environment[Task] = task;
+        start.Environment[File] = file;
+        return Process.Start(start)!;
+    }
+
+    // Before the tests of this program begin, of which there are to be none then.
+#pragma warning disable CA2255 // A program, not a library: this is the one place before its entry.
+    [ModuleInitializer]
+#pragma warning restore CA2255
+    internal static void RunTask()
+    {
+        var task = Environment.GetEnvironmentVariable(Task);
+        if (task is null) return;
+        var settings = new SqliteSettings(Environment.GetEnvironmentVariable(File)!);
+        switch (task)
+        {
+            case "write":
+                Write(settings);
+                break;
+            case "hold":
+                Hold(settings);
+                break;
+            case "fill":
+                Fill(settings);
+                break;
+            case "read-only":
+                ReadOnly(settings);
+                break;
+        }
+
+        Environment.Exit(0);
+    }
+
+    // Takes steps until it is killed.
+    private static void Write(SqliteSettings settings)
+    {
+        using var store = CellStore.Open(settings, TimeProvider.System);
+        for (var i = 0; ; i++)
+        {
+            var key = $"{Environment.ProcessId}-{i}";
+            var correction = store.Archive(new Arrival("gauge", key, key, Encoding.UTF8.GetBytes(key))).Correction;
+            Say(correction);
+            correction = store.Step(correction, CorrectionState.Recognized, "cell", "by name", c => c with { Identity = key });
+            Say(correction);
+            var program = new byte[20_000];
+            Random.Shared.NextBytes(program);
+            correction = store.Step(correction, CorrectionState.Computed, "cell", "computed", contents: [program]);
+            Say(correction);
+        }
+    }
+
+    // Keeps the store in a change, and a slot, until its input ends.
+    private static void Hold(SqliteSettings settings)
+    {
+        using var store = CellStore.Open(settings, TimeProvider.System);
+        using var slot = store.TryLockSlot("mill", "1");
+        store.Write(_ =>
+        {
+            Console.Out.WriteLine("held");
+            return Console.In.ReadLine();
+        });
+    }
+
+    // On a disk that becomes full and gets room again.
+    private static void Fill(SqliteSettings settings)
+    {
+        var ballast = settings.File + ".ballast";
+        System.IO.File.WriteAllBytes(ballast, new byte[200_000]);
+        using (var store = CellStore.Open(settings, TimeProvider.System))
+        {
+            var written = new List<Correction>();
+            while (true)
+            {
+                try
+                {
+                    var bytes = new byte[10_000];
+                    Random.Shared.NextBytes(bytes);
+                    written.Add(store.Archive(new Arrival("gauge", "file", Guid.NewGuid().ToString(), bytes)).Correction);
+                }
+                catch (StoreException failure)
+                {
+                    Console.Out.WriteLine($"{failure.Error} after some: {written.Count > 5}");
+                    break;
+                }
+            }
+
+            Console.Out.WriteLine($"all there: {store.InState(CorrectionState.Archived).SequenceEqual(written)}, chain: {store.VerifyAudit() is null}");
+            System.IO.File.Delete(ballast);
+            written.Add(store.Archive(new Arrival("gauge", "file", "after", "after"u8.ToArray())).Correction);
+            Console.Out.WriteLine($"all there: {store.InState(CorrectionState.Archived).SequenceEqual(written)}, chain: {store.VerifyAudit() is null}");
+        }
+
+        using var again = CellStore.Open(settings, TimeProvider.System);
+        Console.Out.WriteLine($"opened again, chain: {again.VerifyAudit() is null}");
+    }
+
+    // On a disk that is mounted read-only while no cell runs.
+    private static void ReadOnly(SqliteSettings settings)
+    {
+        var folder = Path.GetDirectoryName(settings.File)!;
+        CellStore.Open(settings, TimeProvider.System).Dispose();
+        Mount("ro");
+        Try();
+        Mount("rw");
+        Try();
+
+        void Mount(string how)
+        {
+            using var mount = Process.Start("mount", ["-o", $"remount,{how}", folder]);
+            mount.WaitForExit();
+        }
+
+        void Try()
+        {
+            try
+            {
+                using var store = CellStore.Open(settings, TimeProvider.System);
+                store.Audit("anna", "signed-in", "password");
+                Console.Out.WriteLine($"kept {store.ChangeCount().ToString(CultureInfo.InvariantCulture)}");
+            }
+            catch (StoreException failure)
+            {
+                Console.Out.WriteLine(failure.Error);
+            }
+        }
+    }
+
+    private static void Say(Correction correction)
+    {
+        Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{correction.Id} {correction.Version}"));
+        Console.Out.Flush();
+    }
+}

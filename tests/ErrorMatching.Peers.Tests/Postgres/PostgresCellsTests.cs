@@ -1,0 +1,229 @@
+using System.Globalization;
+using System.Text;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Peers.Tests;
+
+/// <summary>Several cells on one server, and a server that goes away.</summary>
+[Collection(PostgresTests.Name)]
+public sealed class PostgresCellsTests : IDisposable
+{
+    private readonly PostgresServer _server;
+    private readonly PostgresSettings _settings;
+    private readonly List<CellStore> _opened = [];
+
+    public PostgresCellsTests(PostgresServer server)
+    {
+        PostgresServer.IsNeeded();
+        _server = server;
+        _settings = server.NewDatabase();
+    }
+
+    [Fact]
+    public void Writers_of_two_cells_make_one_chain()
+    {
+        const int EachDoes = 250;
+        CellStore[] stores = [Open(), Open()];
+        var failures = new List<Exception>();
+        var threads = Enumerable.Range(0, 4).Select(t => new Thread(() =>
+        {
+            try
+            {
+                for (var i = 0; i < EachDoes; i++)
+                {
+                    var name = string.Create(CultureInfo.InvariantCulture, $"{t}-{i}");
+                    var correction = stores[t % 2].Archive(new Arrival("gauge", name, name, Encoding.UTF8.GetBytes(name))).Correction;
+                    correction = stores[t % 2].Step(correction, CorrectionState.Recognized, "cell", "by name", c => c with { Identity = name });
+                    correction = stores[t % 2].Step(correction, CorrectionState.Computed, "cell", "computed");
+                    stores[t % 2].Step(correction, CorrectionState.Proposed, "cell", "within limits");
+                }
+            }
+            catch (Exception failure)
+            {
+                lock (failures) failures.Add(failure);
+            }
+        })).ToArray();
+        foreach (var thread in threads) thread.Start();
+        foreach (var thread in threads) thread.Join();
+
+        Assert.Empty(failures);
+        Assert.Equal(1 + 4 * 4 * EachDoes, stores[0].ChangeCount());
+        Assert.Null(stores[1].VerifyAudit());
+        Assert.Equal(4 * EachDoes, stores[0].InState(CorrectionState.Proposed).Count);
+    }
+
+    [Fact]
+    public void Of_two_cells_that_take_the_same_step_one_is_told()
+    {
+        var (here, there) = (Open(), Open());
+        var correction = Archive(here, "one");
+        here.Step(correction, CorrectionState.Recognized, "cell", "by name");
+        Assert.Equal(StoreError.Conflict, Assert.Throws<StoreException>(() => there.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
+    }
+
+    [Fact]
+    public void Two_cells_that_open_an_empty_database_at_once_make_one_store()
+    {
+        var stores = new CellStore[8];
+        Parallel.For(0, stores.Length, new ParallelOptions { MaxDegreeOfParallelism = stores.Length }, i => stores[i] = CellStore.Open(_settings, TimeProvider.System));
+        _opened.AddRange(stores);
+        Assert.Equal(1, stores[0].ChangeCount());
+        Assert.All(stores, s => Assert.Null(s.VerifyAudit()));
+    }
+
+    [Fact]
+    public void A_slot_of_a_cell_whose_connection_ended_goes_to_another()
+    {
+        var (here, there) = (Open(), Open());
+        using var taken = here.TryLockSlot("mill", "1");
+        Assert.True(taken!.IsHeld);
+        Assert.Null(there.TryLockSlot("mill", "1"));
+        _server.Execute(_settings.Database, "SELECT pg_terminate_backend(pid) FROM pg_locks WHERE locktype = 'advisory'");
+        Assert.False(taken.IsHeld);
+        using var other = there.TryLockSlot("mill", "1");
+        Assert.True(other!.IsHeld);
+        Assert.False(taken.IsHeld);
+    }
+
+    [Fact]
+    public void A_server_that_goes_away_is_named_and_the_next_call_finds_it_again()
+    {
+        var store = Open();
+        var correction = Archive(store, "one");
+        using var taken = store.TryLockSlot("mill", "1");
+        _server.Kill();
+        try
+        {
+            Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => store.Find(correction.Id)).Error);
+            Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
+            Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => store.TryLockSlot("mill", "2")).Error);
+            Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => Open()).Error);
+            Assert.False(taken!.IsHeld);
+        }
+        finally
+        {
+            _server.Start();
+        }
+
+        Assert.Equal(correction, store.Find(correction.Id));
+        store.Step(correction, CorrectionState.Recognized, "cell", "by name");
+        Assert.Null(store.VerifyAudit());
+        Assert.False(taken.IsHeld);
+    }
+
+    [Fact]
+    public void Connections_that_the_server_ends_are_named_once_and_replaced()
+    {
+        var store = Open();
+        var correction = Archive(store, "one");
+        _server.Execute(_settings.Database, "SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE application_name = 'errormatch'");
+        Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => store.Find(correction.Id)).Error);
+        Assert.Equal(correction, store.Find(correction.Id));
+        store.Step(correction, CorrectionState.Recognized, "cell", "by name");
+    }
+
+    [Fact]
+    public void A_writer_that_another_one_keeps_waiting_is_told()
+    {
+        var store = Open();
+        var correction = Archive(store, "one");
+        using var holds = new ManualResetEventSlim();
+        using var done = new ManualResetEventSlim();
+        var other = new Thread(() => Open().Write(t =>
+        {
+            holds.Set();
+            return done.Wait(TimeSpan.FromMinutes(1));
+        }));
+        other.Start();
+        Assert.True(holds.Wait(TimeSpan.FromMinutes(1), TestContext.Current.CancellationToken));
+        try
+        {
+            Assert.Equal(StoreError.Locked, Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
+            Assert.Equal(correction, store.Find(correction.Id));
+        }
+        finally
+        {
+            done.Set();
+            other.Join();
+        }
+
+        store.Step(correction, CorrectionState.Recognized, "cell", "by name");
+    }
+
+    [Fact]
+    public void A_server_that_takes_no_changes_is_still_read()
+    {
+        var store = Open();
+        var correction = Archive(store, "one");
+        _server.Execute("postgres", $"ALTER DATABASE {_settings.Database} SET default_transaction_read_only = on");
+        var standby = Open();
+        Assert.Equal(correction, standby.Find(correction.Id));
+        Assert.Equal(StoreError.ReadOnly, Assert.Throws<StoreException>(() => standby.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
+        Assert.Equal(correction, store.Find(correction.Id));
+    }
+
+    [Fact]
+    public void Who_is_not_let_in_is_told_why()
+    {
+        var wrong = Path.GetTempFileName();
+        try
+        {
+            File.WriteAllText(wrong, "127.0.0.1:*:*:errormatch:wrong\n");
+            PostgresServer.SetMode(wrong, "600");
+            var refused = Assert.Throws<StoreException>(() => CellStore.Open(_settings with { PasswordFile = wrong }, TimeProvider.System));
+            Assert.Equal(StoreError.Denied, refused.Error);
+            Assert.DoesNotContain("wrong", refused.Message, StringComparison.Ordinal);
+
+            PostgresServer.SetMode(wrong, "604");
+            Assert.Equal(StoreError.Denied, Assert.Throws<StoreException>(() => CellStore.Open(_settings with { PasswordFile = wrong }, TimeProvider.System)).Error);
+            Assert.Equal(StoreError.Missing, Assert.Throws<StoreException>(() => CellStore.Open(_settings with { PasswordFile = wrong + ".none" }, TimeProvider.System)).Error);
+            Assert.Equal(StoreError.Missing, Assert.Throws<StoreException>(() => CellStore.Open(_settings with { Database = "none" }, TimeProvider.System)).Error);
+        }
+        finally
+        {
+            File.Delete(wrong);
+        }
+    }
+
+    [Fact]
+    public void A_dump_is_its_backup_and_is_restored_by_the_server_s_own_program()
+    {
+        var store = Open();
+        var correction = Archive(store, "one");
+        var advice = Assert.Throws<StoreException>(() => store.Backup("cell.dump"));
+        Assert.Equal(StoreError.NotSupported, advice.Error);
+        Assert.Contains("pg_dump --format=custom", advice.Message, StringComparison.Ordinal);
+
+        var dump = Path.GetTempFileName();
+        try
+        {
+            _server.RunProgram("pg_dump", "--format=custom", $"--file={dump}", _settings.Database);
+            var empty = _server.NewDatabase();
+            _server.RunProgram("pg_restore", "--exit-on-error", $"--dbname={empty.Database}", dump);
+            using var restored = CellStore.Open(empty, TimeProvider.System);
+            Assert.Equal(correction, restored.Find(correction.Id));
+            Assert.Equal("one"u8.ToArray(), restored.Content(correction.MeasurementSha256));
+            Assert.Null(restored.VerifyAudit());
+            restored.Step(correction, CorrectionState.Recognized, "cell", "by name");
+            Assert.Null(restored.VerifyAudit());
+        }
+        finally
+        {
+            File.Delete(dump);
+        }
+    }
+
+    public void Dispose()
+    {
+        foreach (var store in _opened) store.Dispose();
+    }
+
+    private static Correction Archive(CellStore store, string key) => store.Archive(new Arrival("gauge", key, key, Encoding.UTF8.GetBytes(key))).Correction;
+
+    private CellStore Open()
+    {
+        var store = CellStore.Open(_settings, TimeProvider.System);
+        lock (_opened) _opened.Add(store);
+        return store;
+    }
+}

@@ -1,0 +1,179 @@
+using System.Diagnostics;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Peers.Tests;
+
+/// <summary>A real vsftpd behind a proxy that breaks what it is told to: the program there is the old one or the new one, whole, whatever breaks and wherever.</summary>
+public sealed class FtpFaultTests : IDisposable
+{
+    private const int Workers = 6;
+
+    private readonly Lazy<FtpPeer> _peer = new(() => new FtpPeer(FtpTls.None));
+
+    private static CancellationToken Token => TestContext.Current.CancellationToken;
+
+    public void Dispose()
+    {
+        if (_peer.IsValueCreated)
+            _peer.Value.Dispose();
+    }
+
+    [Fact]
+    public async Task A_connection_cut_after_any_byte_of_a_program_leaves_the_old_one_whole()
+    {
+        FtpPeer.IsNeeded();
+        await EachAsync(Enumerable.Range(0, SentProgram.Bytes + 1), async (proxy, program, n) =>
+        {
+            var (failure, isNew) = await BreakAsync(proxy, program, new FtpFault { CutWriting = n });
+            Assert.Equal(TransportError.Away, failure?.Error);
+            Assert.False(isNew);
+        });
+    }
+
+    [Fact]
+    public async Task A_connection_cut_while_a_program_is_read_back_leaves_one_whole()
+    {
+        FtpPeer.IsNeeded();
+        var places = Enumerable.Range(0, 2).SelectMany(r => new[] { 0, 1, 2, 100, 1023, 1024, 2046, 2047, 2048 }.Select(n => (r, n)));
+        await EachAsync(places, async (proxy, program, place) =>
+        {
+            var (failure, isNew) = await BreakAsync(proxy, program, new FtpFault { CutReading = place.n, Reading = place.r });
+            Assert.Equal(TransportError.Away, failure?.Error);
+            Assert.Equal(place.r == 1, isNew);
+        });
+    }
+
+    [Fact]
+    public async Task A_byte_changed_on_the_way_is_seen()
+    {
+        FtpPeer.IsNeeded();
+        var faults = new[] { 0, 1, 1000, 2047 }.SelectMany(n => new[]
+        {
+            (Fault: new FtpFault { CorruptWriting = n }, IsNew: false),
+            (Fault: new FtpFault { CorruptReading = n }, IsNew: false),
+            (Fault: new FtpFault { CorruptReading = n, Reading = 1 }, IsNew: true),
+        });
+        await EachAsync(faults, async (proxy, program, fault) =>
+        {
+            var (failure, isNew) = await BreakAsync(proxy, program, fault.Fault);
+            Assert.Equal(TransportError.Differs, failure?.Error);
+            Assert.Equal(fault.IsNew, isNew);
+        });
+    }
+
+    [Fact]
+    public async Task A_connection_that_stalls_is_given_up_in_time()
+    {
+        FtpPeer.IsNeeded();
+        var faults = new[] { 0, 1, 1024, 2048 }.SelectMany(n => new[]
+        {
+            new FtpFault { StallWriting = n },
+            new FtpFault { StallReading = n },
+            new FtpFault { StallReading = n, Reading = 1 },
+        });
+        await EachAsync(faults, async (proxy, program, fault) =>
+        {
+            var (failure, _) = await BreakAsync(proxy, program, fault, seconds: 1);
+            Assert.Equal(TransportError.Slow, failure?.Error);
+        });
+    }
+
+    [Fact]
+    public async Task A_connection_cut_at_any_command_leaves_one_whole()
+    {
+        FtpPeer.IsNeeded();
+        string[] commands = ["USER", "PASS", "PWD", "CWD", "EPSV", "TYPE", "STOR", "SIZE", "RETR", "RNFR", "RNTO"];
+        var faults = commands.SelectMany(c => new[] { new FtpFault { CutBefore = c }, new FtpFault { CutAfter = c } });
+        await EachAsync(faults, async (proxy, program, fault) =>
+        {
+            var (failure, isNew) = await BreakAsync(proxy, program, fault);
+            Assert.Equal(TransportError.Away, failure?.Error);
+            Assert.Equal(fault.CutAfter == "RNTO", isNew);
+        });
+    }
+
+    [Theory]
+    [InlineData("STOR", "550 Permission denied.", TransportError.Denied)]
+    [InlineData("STOR", "553 Name not allowed.", TransportError.Denied)]
+    [InlineData("STOR", "552 No room.", TransportError.Full)]
+    [InlineData("STOR", "452 No room.", TransportError.Full)]
+    [InlineData("STOR", "450 In use.", TransportError.Unknown)]
+    [InlineData("STOR", "421 Going down.", TransportError.Away)]
+    [InlineData("STOR", "425 No data connection.", TransportError.Away)]
+    [InlineData("RETR", "550 Permission denied.", TransportError.Denied)]
+    [InlineData("CWD", "550 Not there.", TransportError.Denied)]
+    [InlineData("PASS", "530 Login incorrect.", TransportError.Login)]
+    [InlineData("USER", "421 Too many.", TransportError.Away)]
+    [InlineData("EPSV", "421 Too many.", TransportError.Away)]
+    public async Task A_refusal_is_named_and_leaves_the_old_program(string command, string answer, TransportError error)
+    {
+        FtpPeer.IsNeeded();
+        await EachAsync([0], async (proxy, program, _) =>
+        {
+            var (failure, isNew) = await BreakAsync(proxy, program, new FtpFault { Instead = (command, answer) });
+            Assert.Equal(error, failure?.Error);
+            Assert.Contains(answer[..3], failure!.Message, StringComparison.Ordinal);
+            Assert.False(isNew);
+        });
+    }
+
+    [Theory]
+    [InlineData("RNFR", "550 Not there.")]
+    [InlineData("RNTO", "550 File exists.")]
+    [InlineData("RNTO", "553 Name not allowed.")]
+    public async Task A_refused_renaming_goes_on_in_two_steps(string command, string answer)
+    {
+        FtpPeer.IsNeeded();
+        await EachAsync([0], async (proxy, program, _) =>
+        {
+            var (failure, isNew) = await BreakAsync(proxy, program, new FtpFault { Instead = (command, answer) });
+            Assert.Null(failure);
+            Assert.True(isNew);
+        });
+    }
+
+    [Theory]
+    [InlineData("552 No room after all.", TransportError.Full)]
+    [InlineData("550 Not kept.", TransportError.Denied)]
+    [InlineData("426 Failure reading network stream.", TransportError.Away)]
+    [InlineData("451 Local error.", TransportError.Unknown)]
+    public async Task A_refusal_after_all_bytes_is_named_and_leaves_the_old_program(string answer, TransportError error)
+    {
+        FtpPeer.IsNeeded();
+        await EachAsync([0], async (proxy, program, _) =>
+        {
+            var (failure, isNew) = await BreakAsync(proxy, program, new FtpFault { Finally = ("STOR", answer) });
+            Assert.Equal(error, failure?.Error);
+            Assert.False(isNew);
+        });
+    }
+
+    private async Task<(TransportException? Failure, bool IsNew)> BreakAsync(FtpProxy proxy, SentProgram program, FtpFault fault, double seconds = 20, bool inTwoSteps = false)
+    {
+        program.Reset();
+        proxy.Arm(fault);
+        var failure = await program.SendAsync(_peer.Value.Open(proxy.Port, seconds));
+        Assert.False(proxy.IsArmed, $"{fault} did not happen.");
+        program.IsWhole($"{fault}, at once", inTwoSteps);
+        await proxy.QuietAsync();
+        var isNew = program.IsWhole(fault.ToString(), inTwoSteps);
+        await program.MendAsync(_peer.Value.Open(proxy.Port), fault.ToString());
+        return (failure, isNew);
+    }
+
+    // Several proxies at a time, each with a program of its own in the same folder.
+    private async Task EachAsync<T>(IEnumerable<T> cases, Func<FtpProxy, SentProgram, T, Task> check)
+    {
+        var watch = Stopwatch.StartNew();
+        var all = cases.ToArray();
+        var folder = _peer.Value.Folder;
+        await Parallel.ForEachAsync(Enumerable.Range(0, Math.Min(Workers, all.Length)), new ParallelOptions { MaxDegreeOfParallelism = Workers, CancellationToken = Token }, async (worker, _) =>
+        {
+            using var proxy = new FtpProxy(_peer.Value.Port);
+            var program = new SentProgram(folder, $"P{worker}.MPF");
+            for (var n = worker; n < all.Length; n += Workers)
+                await check(proxy, program, all[n]);
+        });
+        TestContext.Current.TestOutputHelper?.WriteLine($"{all.Length} cases in {watch.Elapsed.TotalSeconds:0.0} s");
+    }
+}

@@ -1,0 +1,95 @@
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Peers.Tests;
+
+/// <summary>SFTP by OpenSSH's sftp against a real sshd.</summary>
+public sealed class SftpTransportTests
+{
+    private static CancellationToken Token => TestContext.Current.CancellationToken;
+
+    [Fact]
+    public async Task A_folder_behind_the_server_does_what_folders_do()
+    {
+        SshPeer.IsNeeded();
+        using var peer = new SshPeer();
+        await MachineFolderLaws.HoldAsync(peer.Open(), peer.Folder);
+        Assert.True(OperatingSystem.IsWindows() || File.GetUnixFileMode(Path.Combine(peer.Folder, "P1.MPF")).HasFlag(UnixFileMode.GroupRead), "The control, another user, must read the program.");
+    }
+
+    [Fact]
+    public async Task A_password_is_answered_and_a_wrong_one_is_a_refused_login()
+    {
+        SshPeer.IsNeeded();
+        Assert.SkipUnless(Environment.IsPrivilegedProcess, "Only the system's administrator may have an sshd ask for passwords.");
+        using var peer = new SshPeer(passwords: true);
+        var settings = peer.Machine(s => s with { KeyFile = null });
+        await MachineFolderLaws.HoldAsync(MachineFolders.Open(settings, () => SshPeer.Password), peer.Folder);
+        foreach (var wrong in new[] { "wrong", "", null, SshPeer.Password.Trim() })
+        {
+            var failure = await MachineFolderLaws.Fails(TransportError.Login, () => MachineFolders.Open(settings, () => wrong).ListAsync(Token));
+            Assert.False(failure.IsWorthAnotherTry);
+        }
+    }
+
+    [Fact]
+    public async Task A_server_with_another_key_is_not_talked_to()
+    {
+        SshPeer.IsNeeded();
+        using var peer = new SshPeer();
+        foreach (var key in new[] { peer.OtherKey, "ssh-rsa AAAAB3NzaC1yc2EAAAADAQABAAAAgQC7" })
+        {
+            var folder = peer.Open(s => s with { HostKey = key });
+            await MachineFolderLaws.Fails(TransportError.WrongServer, () => folder.WriteAsync("P1.MPF", new byte[] { 1 }, Token));
+        }
+
+        Assert.Empty(Directory.EnumerateFileSystemEntries(peer.Folder));
+    }
+
+    [Fact]
+    public async Task A_key_that_the_server_does_not_know_is_a_refused_login()
+    {
+        SshPeer.IsNeeded();
+        using var peer = new SshPeer();
+        await MachineFolderLaws.Fails(TransportError.Login, () => peer.Open(s => s with { KeyFile = peer.StrangersKeyFile }).ListAsync(Token));
+        await MachineFolderLaws.Fails(TransportError.Login, () => peer.Open(s => s with { KeyFile = peer.KeyFile + ".none" }).ListAsync(Token));
+    }
+
+    [Fact]
+    public async Task A_machine_that_is_off_is_away()
+    {
+        SshPeer.IsNeeded();
+        using var peer = new SshPeer();
+        await MachineFolderLaws.Fails(TransportError.Away, () => peer.Open(s => s with { Port = Daemon.FreePort() }).ListAsync(Token));
+        await MachineFolderLaws.Fails(TransportError.Away, () => peer.Open(s => s with { Host = "no-such-machine.invalid" }).ListAsync(Token));
+    }
+
+    [Fact]
+    public async Task A_folder_that_is_not_there_is_denied_and_never_made()
+    {
+        SshPeer.IsNeeded();
+        using var peer = new SshPeer();
+        var folder = peer.Open(s => s with { Folder = peer.Folder + "/none" });
+        await MachineFolderLaws.Fails(TransportError.Denied, () => folder.ListAsync(Token));
+        await MachineFolderLaws.Fails(TransportError.Denied, () => folder.WriteAsync("P1.MPF", new byte[] { 1 }, Token));
+        await MachineFolderLaws.Fails(TransportError.Denied, () => folder.ReadAsync("P1.MPF", 10, Token));
+        Assert.False(Directory.Exists(peer.Folder + "/none"));
+    }
+
+    [Fact]
+    public async Task A_full_disk_is_named()
+    {
+        SshPeer.IsNeeded();
+        using var peer = new SshPeer();
+        File.CreateSymbolicLink(Path.Combine(peer.Folder, "full"), "/dev/full");
+        await MachineFolderLaws.Fails(TransportError.Full, () => peer.Open().WriteAsync("full", new byte[] { 1 }, Token));
+    }
+
+    [Fact]
+    public async Task A_folder_may_be_named_with_what_sftp_takes_for_something_else()
+    {
+        SshPeer.IsNeeded();
+        using var peer = new SshPeer();
+        var disk = Directory.CreateDirectory(Path.Combine(peer.Folder, "a \"b\" \\c *d? [e] #f 'g'")).FullName;
+        await MachineFolderLaws.HoldAsync(peer.Open(s => s with { Folder = disk }), disk);
+    }
+}
