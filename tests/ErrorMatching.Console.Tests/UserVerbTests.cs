@@ -119,6 +119,13 @@ public sealed class UserVerbTests
         Assert.False(Directory.Exists(cell["keys"]));
     }
 
+    [Fact]
+    public void A_configuration_that_is_not_there_is_named()
+    {
+        var error = Shell.Error(1, "user", "list", "none.json");
+        Assert.Equal(("file-unreadable", "none.json"), (error.Text("code"), error.Text("file")));
+    }
+
     [Theory]
     [InlineData("add", "Dan"), InlineData("role", "Ben"), InlineData("add", "Dan", "--role", "boss"), InlineData("role", "Ben", "--role", "Administrator"), InlineData("add", "Dan", "--role", "setter", "--password", "x")]
     public void A_wrong_command_line_is_one(string verb, params string[] more)

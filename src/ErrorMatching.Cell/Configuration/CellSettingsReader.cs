@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
@@ -11,9 +12,8 @@ public static class CellSettingsReader
     /// <summary>The configuration in a file.</summary>
     /// <param name="file">The file.</param>
     /// <exception cref="JsonDocumentException">As of <see cref="Parse"/>.</exception>
-    /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file must not be read.</exception>
-    public static CellSettings Read(string file) => Parse(JsonInput.Load(file), file);
+    /// <exception cref="InputException">The file cannot be opened, or is larger than any that people write.</exception>
+    public static CellSettings Read(string file) => Parse(InputFile.Bytes(file, JsonLimits.Default.MaxBytes), file);
 
     /// <summary>The configuration in some bytes.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed.</param>

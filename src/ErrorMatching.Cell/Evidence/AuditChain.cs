@@ -58,7 +58,7 @@ public static class AuditChain
         if (written == expected) return Changed(at > 0 ? expected - 1 : expected);
 
         // It followed the same entry as the one before it does: that one was put between.
-        return at > 0 && written == expected - 1 && entry.Previous == entries[at - 1].Previous
+        return at > 0 && written == expected - 1 && entry.Previous == entries[at - 1].Previous && entry.Hash != entries[at - 1].Hash
             ? Fault(AuditFaultKind.Inserted, expected - 1, $"The entry that stands as number {expected - 1} was not written there; the one that was comes after it.")
             : Fault(AuditFaultKind.Inserted, expected, $"Entry {written} stands a second time, as number {expected}.");
     }

@@ -41,6 +41,24 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         }
     }
 
+    /// <summary>
+    /// Takes over the end of a store that was set back on purpose, as by a restored backup, and puts on record how far the trail had gone. Nothing happens where it goes on from what was seen last, or where its end is not the one that was sealed.
+    /// </summary>
+    /// <param name="by">Who did it.</param>
+    /// <param name="basis">What was done.</param>
+    public void TakeOver(string by, string basis)
+    {
+        var (key, witness, head) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder), store.AuditHead());
+        if (key is null || witness is null || !head.IsSealedBy(key) || witness.Fault(head, store.AuditEntries(witness.Seq - 1, 1)) is null)
+        {
+            return;
+        }
+
+        store.Audit(by, "trail-set-back", string.Create(CultureInfo.InvariantCulture, $"{basis} It had gone to entry {witness.Seq} with the hash {witness.Hash}."));
+        head = store.AuditHead();
+        new AuditWitness(head.Seq, head.Hash).Keep(keysFolder);
+    }
+
     /// <summary>Writes all entries as CSV by RFC 4180 that no spreadsheet executes: times in UTC, texts as they are but for an apostrophe in front of what looks like a formula.</summary>
     /// <returns>How many entries.</returns>
     public long Export(TextWriter writer) => store.Database.Snapshot((connection, transaction) =>

@@ -33,8 +33,8 @@ internal sealed record AuditWitness(long Seq, string Hash)
     /// <param name="seen">The entry that was the last then, or nothing.</param>
     public AuditFault? Fault(AuditHead head, IReadOnlyList<AuditEntry> seen) =>
         head.Seq < Seq ? new(AuditFaultKind.Removed, head.Seq + 1, string.Create(
-            CultureInfo.InvariantCulture, $"Entries {head.Seq + 1} to {Seq} are missing: the trail went that far when it was last looked at. If an older backup was restored on purpose, this is its gap."))
-        : seen is [var entry] && entry.Hash == Hash ? null
+            CultureInfo.InvariantCulture, $"Entries {head.Seq + 1} to {Seq} are missing: the trail went that far when it was last looked at."))
+        : seen is [var entry] && entry.Seq == Seq && entry.Hash == Hash ? null
         : new(AuditFaultKind.Changed, Seq, string.Create(CultureInfo.InvariantCulture, $"Entry {Seq}, or one before it with all that follow, is not what it was when the trail was last looked at."));
 
     /// <summary>Keeps it.</summary>

@@ -16,7 +16,7 @@ internal sealed class KeyFolder : IXmlRepository
     public KeyFolder(string folder)
     {
         _folder = folder;
-        Try("made", folder, () => OperatingSystem.IsWindows() ? Directory.CreateDirectory(folder) : Own(folder));
+        Try("made", folder, () => Own(folder));
     }
 
     /// <inheritdoc/>
@@ -68,10 +68,15 @@ internal sealed class KeyFolder : IXmlRepository
 
     private static DirectoryInfo Own(string folder)
     {
+        if (OperatingSystem.IsWindows())
+        {
+            return Directory.CreateDirectory(folder);
+        }
+
         var made = Directory.CreateDirectory(folder, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
         foreach (var path in Directory.EnumerateFiles(folder).Prepend(folder))
         {
-            if (!OperatingSystem.IsWindows() && (File.GetUnixFileMode(path) & Others) != 0)
+            if ((File.GetUnixFileMode(path) & Others) != UnixFileMode.None)
             {
                 throw new PeopleException(
                     PeopleError.KeysUnusable,

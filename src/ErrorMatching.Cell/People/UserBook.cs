@@ -255,6 +255,9 @@ public sealed class UserBook
 
     private static bool IsManaging(Person person) => person is { Role: Role.Administrator, IsDisabled: false };
 
-    private static PeopleException Refusal(PeopleError error, string problem, DateTimeOffset? until) => new(
-        error, until is null ? problem : string.Create(CultureInfo.InvariantCulture, $"{problem} This name is locked until {until:yyyy-MM-dd HH:mm:ss} UTC.")) { LockedUntil = until };
+    private static PeopleException Refusal(PeopleError error, string problem, DateTimeOffset? until)
+    {
+        var locked = until is null ? "" : string.Create(CultureInfo.InvariantCulture, $" This name is locked until {until:yyyy-MM-dd HH:mm:ss} UTC.");
+        return new(error, problem + locked) { LockedUntil = until };
+    }
 }

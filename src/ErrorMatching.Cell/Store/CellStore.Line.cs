@@ -18,22 +18,27 @@ public sealed partial class CellStore
     public Correction? LastSent(string job, string? serial)
     {
         var columns = string.Join(", ", CorrectionRow.Columns.Split(", ").Select(c => "correction." + c));
-        return Read(
+        var found = Read(
             $"SELECT {columns} FROM correction JOIN step ON step.correction = correction.id AND step.to_state = @Verified "
             + "WHERE correction.job = @job AND correction.state IN @Sent" + (serial is null ? "" : " AND correction.serial = @serial") + " ORDER BY step.id DESC LIMIT 1",
             CorrectionRow.Read,
-            new { job, serial, Verified = CorrectionRow.Word(CorrectionState.Verified), Sent = new[] { CorrectionState.Verified, CorrectionState.Released }.Select(CorrectionRow.Word).ToArray() }).FirstOrDefault();
+            new { job, serial, Verified = CorrectionRow.Word(CorrectionState.Verified), Sent = new[] { CorrectionState.Verified, CorrectionState.Released }.Select(CorrectionRow.Word).ToArray() });
+        return found is [var last] ? last : null;
     }
 
     /// <summary>The latest measurement of a job's part that was recognized or recorded; null if there is none.</summary>
     /// <param name="job">The cell's job.</param>
     /// <param name="serial">Of this piece alone; null for any.</param>
     /// <param name="workOrder">Of this work order alone; null for any.</param>
-    public Correction? LastPart(string job, string? serial, string? workOrder) => Read(
-        CorrectionRow.Select + " WHERE job = @job AND piece = 'part' AND state IN @States"
-        + (serial is null ? "" : " AND serial = @serial") + (workOrder is null ? "" : " AND work_order = @workOrder") + " ORDER BY id DESC LIMIT 1",
-        CorrectionRow.Read,
-        new { job, serial, workOrder, States = new[] { CorrectionState.Recognized, CorrectionState.Recorded }.Select(CorrectionRow.Word).ToArray() }).FirstOrDefault();
+    public Correction? LastPart(string job, string? serial, string? workOrder)
+    {
+        var found = Read(
+            CorrectionRow.Select + " WHERE job = @job AND piece = 'part' AND state IN @States"
+            + (serial is null ? "" : " AND serial = @serial") + (workOrder is null ? "" : " AND work_order = @workOrder") + " ORDER BY id DESC LIMIT 1",
+            CorrectionRow.Read,
+            new { job, serial, workOrder, States = new[] { CorrectionState.Recognized, CorrectionState.Recorded }.Select(CorrectionRow.Word).ToArray() });
+        return found is [var last] ? last : null;
+    }
 
     /// <summary>The corrections whose file has a content, in order of arrival.</summary>
     public IReadOnlyList<Correction> OfMeasurement(string sha256) => Read(CorrectionRow.Select + " WHERE measurement_sha256 = @sha256 ORDER BY id", CorrectionRow.Read, new { sha256 });

@@ -134,7 +134,7 @@ internal sealed class PostgresDatabase : CellDatabase
         return new StoreException(error, $"{Place} {words}", failure);
     }
 
-    private static NpgsqlConnectionStringBuilder Connection(PostgresSettings settings)
+    internal static NpgsqlConnectionStringBuilder Connection(PostgresSettings settings)
     {
         if (settings.PasswordFile is { } file)
         {

@@ -11,7 +11,7 @@ namespace ErrorMatching.Cell;
 /// <summary>A store in a file of its own, by SQLite: write-ahead log, every change on the disk before it is reported.</summary>
 internal sealed class SqliteDatabase : CellDatabase
 {
-    private const int ApplicationId = 0x45724D43;
+    internal const int ApplicationId = 0x45724D43;
     private const long WholeCheckBytes = 256 << 20;
     private readonly string _file;
     private readonly Lock _writing = new();

@@ -28,7 +28,7 @@ internal static class CommandTree
             new SurfaceVerb(),
             new Command("cell", "Runs beside gauges and machines.") 
             {
-                new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellSecret(),
+                new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellSecret(),
             },
             new Command("user", "Says who may do what at a cell.") { new UserAdd(), new UserList(), new UserDisable(), new UserEnable(), new UserRole(), new UserPassword() },
             new Command("audit", "Proves and hands out what was done at a cell, and by whom.") { new AuditVerify(), new AuditExport() },

@@ -92,7 +92,9 @@ public static class InputFile
         }
     }
 
-    private static T Open<T>(string path, Func<string, T> read)
+    /// <summary>Reads a file by a function of its own.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    public static T Open<T>(string path, Func<string, T> read)
     {
         try
         {

@@ -136,6 +136,9 @@ public sealed class AuditChainTests
         var chain = Chain(5);
         chain.Insert(4, chain[1]);
         Found(AuditFaultKind.Inserted, 5, Numbered(chain));
+        chain = Chain(5);
+        chain.Add(chain[4]);
+        Found(AuditFaultKind.Inserted, 6, Numbered(chain));
     }
 
     [Fact]

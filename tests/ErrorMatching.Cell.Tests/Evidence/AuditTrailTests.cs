@@ -194,6 +194,34 @@ public sealed class AuditTrailTests : PeopleTest
     }
 
     [Fact]
+    public void A_backup_that_is_brought_back_on_purpose_puts_the_gap_on_record()
+    {
+        Store.Backup(PathOf("older.db"));
+        Store.Audit("anna", "approved", "to be forgotten");
+        var lost = Evidence.Verify();
+        using var older = CellStore.Open(new SqliteSettings(PathOf("older.db")), Clock, Key);
+        var evidence = new AuditTrail(older, Keys);
+        evidence.TakeOver("console", "A backup was brought back.");
+        var entry = older.AuditEntries(Entries, 10)[^1];
+        Assert.Equal(("console", "trail-set-back", $"A backup was brought back. It had gone to entry 10 with the hash {lost.Hash}."), (entry.Who, entry.What, entry.Basis));
+        Assert.Equal((true, Entries + 1), (evidence.Verify().Holds, evidence.Verify().Entries));
+
+        // Once is enough, and what goes on is no gap.
+        evidence.TakeOver("console", "A backup was brought back.");
+        Assert.Equal(Entries + 1, evidence.Verify().Entries);
+    }
+
+    [Fact]
+    public void Nobody_takes_over_what_was_not_sealed()
+    {
+        Evidence.Remember();
+        Tamper($"DELETE FROM audit WHERE seq = {Entries}", $"UPDATE audit_head SET seq = {Entries - 1}, hash = '{Store.AuditEntries(Entries - 2, 1)[0].Hash}'");
+        Evidence.TakeOver("eve", "nothing to see");
+        Assert.Equal(AuditFaultKind.Unsealed, Evidence.Verify().Fault?.Kind);
+        Assert.DoesNotContain(Trail, e => e.StartsWith("eve", StringComparison.Ordinal));
+    }
+
+    [Fact]
     public void An_emptied_trail_is_found()
     {
         Evidence.Remember();

@@ -48,7 +48,7 @@ public sealed partial class DocumentationTests
 
     [Fact]
     public void The_pages_for_users_have_commands() => Assert.All(
-        new[] { "README.md", "docs/first-match.md", "docs/write-a-job.md", "docs/read-the-report.md", "docs/feedback-from-a-counterpart.md", "docs/displace-blocks-by-hand.md", "docs/dialects.md", "docs/prove-a-program.md", "docs/refusals.md", "docs/compensate-a-surface.md", "docs/probe-a-surface.md", "docs/cut-a-surface.md", "docs/fit-a-surface.md" },
+        new[] { "README.md", "docs/first-match.md", "docs/write-a-job.md", "docs/read-the-report.md", "docs/feedback-from-a-counterpart.md", "docs/displace-blocks-by-hand.md", "docs/dialects.md", "docs/prove-a-program.md", "docs/refusals.md", "docs/compensate-a-surface.md", "docs/probe-a-surface.md", "docs/cut-a-surface.md", "docs/fit-a-surface.md", "docs/configure-a-cell.md" },
         p => Assert.NotEmpty(DocumentedCommand.Of(File.ReadAllText(Repository.PathTo(p)))));
 
     [Theory]

@@ -30,6 +30,9 @@ internal sealed record FtpFault
     /// <summary>Cuts all connections when the server has done this command, before its last answer is heard.</summary>
     public string? CutAfter { get; init; }
 
+    /// <summary>How many times the command of a cut passes before.</summary>
+    public int Skip { get; init; }
+
     /// <summary>Answers this command itself; the server never hears of it.</summary>
     public (string Command, string Answer)? Instead { get; init; }
 

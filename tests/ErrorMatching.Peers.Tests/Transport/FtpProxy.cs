@@ -18,6 +18,7 @@ internal sealed partial class FtpProxy : IDisposable
     private FtpFault? _fault;
     private int _readings;
     private int _sessions;
+    private int _skipped;
 
     /// <summary>Starts it before a server on a loopback port.</summary>
     public FtpProxy(int server)
@@ -39,6 +40,7 @@ internal sealed partial class FtpProxy : IDisposable
     public void Arm(FtpFault fault)
     {
         _readings = 0;
+        _skipped = 0;
         Volatile.Write(ref _fault, fault);
     }
 
@@ -83,6 +85,9 @@ internal sealed partial class FtpProxy : IDisposable
         var fault = Volatile.Read(ref _fault);
         return fault is not null && matches(fault) && Interlocked.CompareExchange(ref _fault, null, fault) == fault;
     }
+
+    // Sessions of one client follow each other, so nothing counts at the same time.
+    private bool HasPassed(FtpFault fault) => _skipped++ >= fault.Skip;
 
     private sealed class Session(FtpProxy proxy, TcpClient client)
     {
@@ -138,7 +143,7 @@ internal sealed partial class FtpProxy : IDisposable
             {
                 var space = line.IndexOf(' ', StringComparison.Ordinal);
                 (_command, _argument) = space < 0 ? (line, "") : (line[..space], line[(space + 1)..]);
-                if (proxy.Takes(f => f.CutBefore == _command))
+                if (proxy.Takes(f => f.CutBefore == _command && proxy.HasPassed(f)))
                     return;
                 (string Command, string Answer)? instead = null;
                 if (proxy.Takes(f => (instead = f.Instead)?.Command == _command))
@@ -165,7 +170,7 @@ internal sealed partial class FtpProxy : IDisposable
             while (await lines.ReadLineAsync(_cut.Token) is { } line)
             {
                 var isLast = line.Length > 3 && line[3] == ' ' && line[0] is not '1';
-                if (isLast && proxy.Takes(f => f.CutAfter == _command))
+                if (isLast && proxy.Takes(f => f.CutAfter == _command && proxy.HasPassed(f)))
                     return;
                 (string Command, string Answer)? last = null;
                 if (isLast && proxy.Takes(f => (last = f.Finally)?.Command == _command))

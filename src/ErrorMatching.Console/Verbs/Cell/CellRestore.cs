@@ -17,6 +17,11 @@ internal sealed class CellRestore : CellVerb
     {
         var file = arguments.GetRequiredValue(_file);
         var kept = CellStore.Restore(settings.Store, file, TimeProvider.System, "console", AuditKey.Open(settings.KeysFolder));
+        using (var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Open(settings.KeysFolder), inspect: false))
+        {
+            new AuditTrail(store, settings.KeysFolder).TakeOver("console", $"A backup was brought back: {file}.");
+        }
+
         return new CellFileAnswer("restore", file, $"The store is the one of {file} again.{(kept is null ? "" : $" What was there is {kept}.")} Start the cell: programs at machines that this store does not know are not overwritten without a setter.");
     }
 }

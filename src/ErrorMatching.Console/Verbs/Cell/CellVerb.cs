@@ -1,5 +1,6 @@
 using System.CommandLine;
 using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
@@ -17,7 +18,7 @@ internal abstract class CellVerb : Verb
     {
         try
         {
-            return Run(CellSettingsReader.Read(arguments.GetRequiredValue(_config)), arguments, cancellation);
+            return Run(InputFile.Open(arguments.GetRequiredValue(_config), CellSettingsReader.Read), arguments, cancellation);
         }
         catch (PeopleException e)
         {

@@ -11,15 +11,18 @@ internal static class JobKind
     /// <summary>A job that mirrors the error of a free-form surface.</summary>
     public const string Freeform = "freeform";
 
+    /// <summary>The configuration of a cell, which is written and described like a job.</summary>
+    public const string Cell = "cell";
+
     /// <summary>The argument of a verb.</summary>
     public static Argument<string> Argument()
     {
-        var kind = new Argument<string>("KIND") { Description = $"{Mating} or {Freeform}.", HelpName = "KIND" };
+        var kind = new Argument<string>("KIND") { Description = $"{Mating}, {Freeform} or {Cell}.", HelpName = "KIND" };
         kind.Validators.Add(result =>
         {
-            if (result.Tokens is [{ Value: not (Mating or Freeform) } token])
+            if (result.Tokens is [{ Value: not (Mating or Freeform or Cell) } token])
             {
-                result.AddError($"The kind of job is {token.Value}; expected {Mating} or {Freeform}.");
+                result.AddError($"The kind of job is {token.Value}; expected {Mating}, {Freeform} or {Cell}.");
             }
         });
         return kind;

@@ -1,5 +1,7 @@
 using System.CommandLine;
+using System.Runtime.CompilerServices;
 using System.Text;
+using ErrorMatching.Cell;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
@@ -14,7 +16,7 @@ internal sealed class JobNew : Verb
 
     /// <summary>The verb.</summary>
     public JobNew()
-        : base("new", "Writes a commented job to start from.", "errormatch job new mating out/job.json")
+        : base("new", "Writes a commented job, or configuration of a cell, to start from.", "errormatch job new mating out/job.json")
     {
         Arguments.Add(_kind);
         Arguments.Add(_file);
@@ -24,7 +26,19 @@ internal sealed class JobNew : Verb
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_file);
-        OutputFile.Create(file, Encoding.UTF8.GetBytes(arguments.GetRequiredValue(_kind) == JobKind.Freeform ? FreeformTemplate.Text : JobTemplate.Text), cancellation);
-        return new JobNewAnswer(file);
+        var kind = arguments.GetRequiredValue(_kind);
+        OutputFile.Create(file, Encoding.UTF8.GetBytes(TextOf(kind)), cancellation);
+        return new JobNewAnswer(file, kind == JobKind.Cell ? "cell check" : "job check");
     }
+
+    private static string TextOf(string kind) => kind switch
+    {
+        JobKind.Freeform => FreeformTemplate.Text,
+        JobKind.Cell => CellText(),
+        _ => JobTemplate.Text,
+    };
+
+    // By itself, so that a job does not load the cell.
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static string CellText() => CellTemplate.Text;
 }

@@ -1,4 +1,6 @@
 using System.CommandLine;
+using System.Runtime.CompilerServices;
+using ErrorMatching.Cell;
 using ErrorMatching.Freeform;
 using ErrorMatching.Mating;
 
@@ -11,9 +13,18 @@ internal sealed class JobSchema : Verb
 
     /// <summary>The verb.</summary>
     public JobSchema()
-        : base("schema", "Prints the JSON Schema of jobs: every key with its meaning.", "errormatch job schema mating") => Arguments.Add(_kind);
+        : base("schema", "Prints the JSON Schema of jobs, or of a cell: every key with its meaning.", "errormatch job schema mating") => Arguments.Add(_kind);
 
     /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation) =>
-        new JobSchemaAnswer(arguments.GetRequiredValue(_kind) == JobKind.Freeform ? FreeformTemplate.Schema : JobTemplate.Schema);
+        new JobSchemaAnswer(arguments.GetRequiredValue(_kind) switch
+    {
+        JobKind.Freeform => FreeformTemplate.Schema,
+        JobKind.Cell => CellSchema(),
+        _ => JobTemplate.Schema,
+    });
+
+    // By itself, so that a job does not load the cell.
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static string CellSchema() => CellTemplate.Schema;
 }

@@ -1,0 +1,28 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>What a cell would find if it started now. Nothing is written, taken, sent or made.</summary>
+/// <param name="Gauges">Its gauges.</param>
+/// <param name="Machines">Its machines, each after a login and a listing.</param>
+/// <param name="Store">Its store.</param>
+/// <param name="Jobs">Its jobs.</param>
+public sealed record CellCheck(IReadOnlyList<CheckedGauge> Gauges, IReadOnlyList<CheckedMachine> Machines, CheckedStore Store, IReadOnlyList<CheckedJob> Jobs)
+{
+    /// <summary>What is wrong with what the configuration names: jobs' files and programs.</summary>
+    public IEnumerable<CheckProblem> Wrong => Jobs.Select(j => j.Problem).OfType<CheckProblem>();
+
+    /// <summary>What does not answer: folders, machines, the store.</summary>
+    public IEnumerable<CheckProblem> Away => Gauges.Select(g => g.Problem).Concat(Machines.Select(m => m.Problem)).Append(Store.Problem).OfType<CheckProblem>();
+
+    /// <summary>Looks at everything that a configuration names. All machines are asked at once.</summary>
+    /// <param name="settings">The configuration.</param>
+    /// <param name="cancellation">Ends the waiting for machines.</param>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static async Task<CellCheck> OfAsync(CellSettings settings, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(settings);
+        var store = StoreCheck.Of(settings.Store);
+        var machines = await new MachineCheck(settings, store).OfAllAsync(cancellation).ConfigureAwait(false);
+        var gauges = new GaugeCheck(settings, machines);
+        return new([.. settings.Gauges.Select(g => gauges.Of(g, cancellation))], machines, store, [.. settings.Jobs.Select(j => JobCheck.Of(j, cancellation))]);
+    }
+}

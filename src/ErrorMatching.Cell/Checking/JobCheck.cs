@@ -1,0 +1,41 @@
+using ErrorMatching.Jobs;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Reads what a job names, and follows the program that it starts from.</summary>
+internal static class JobCheck
+{
+    public static CheckedJob Of(CellJobSettings job, CancellationToken cancellation)
+    {
+        string? program = null;
+        try
+        {
+            NcDialect dialect;
+            if (job.IsFreeform)
+            {
+                var files = new FreeformFiles(job.File);
+                _ = files.Surface();
+                (program, dialect) = (job.Program, files.Dialect(files.Job.Toolpath.Dialect));
+            }
+            else
+            {
+                var files = new JobFiles(job.File);
+                _ = files.Theoretical();
+                (program, dialect) = (files.Job.PathOf(files.Job.Counterpart.Program), InputFile.DialectOf(files.Job));
+            }
+
+            if (program is null)
+            {
+                return new(job, null, null, null);
+            }
+
+            var path = NcInterpreter.Run(NcProgram.Read(InputFile.Program(program)), dialect, new ProgramFolder(program).Find, cancellation);
+            return path.Refusal is { } refusal ? new(job, program, null, new(ErrorItems.Of([refusal], program))) : new(job, program, path.Motions.Length, null);
+        }
+        catch (Exception e) when (ErrorItems.OfInput(e) is { } items)
+        {
+            return new(job, program, null, new(items));
+        }
+    }
+}

@@ -1,0 +1,52 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>Signs in to machines and lists their folders.</summary>
+internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
+{
+    public const string SecretMissing = "secret-missing";
+    public const string KeyMissing = "key-missing";
+
+    public async Task<IReadOnlyList<CheckedMachine>> OfAllAsync(CancellationToken cancellation)
+    {
+        // A store of an earlier form would be changed by opening it.
+        using var opened = store.IsThere && store.Form == store.Latest && settings.Machines.Any(NeedsPassword) ? CellStore.Open(settings.Store, TimeProvider.System, inspect: false) : null;
+        return await Task.WhenAll(settings.Machines.Select(m => OfAsync(m, opened, cancellation))).ConfigureAwait(false);
+    }
+
+    private async Task<CheckedMachine> OfAsync(MachineSettings machine, CellStore? opened, CancellationToken cancellation)
+    {
+        string? secret = null;
+        try
+        {
+            if (NeedsPassword(machine))
+            {
+                secret = opened is null ? null : new MachineSecrets(opened, settings.KeysFolder).Get(machine.Name);
+                if (secret is null)
+                {
+                    var why = opened is null ? "the store, which keeps it, is not there yet or has another form" : "none is kept";
+                    return Problem(SecretMissing, $"{machine.Name}: its password is missing, for {why}. Set it: errormatch cell secret {settings.File} {machine.Name} --user NAME.");
+                }
+            }
+
+            if (machine.Transport is SftpSettings { KeyFile: { } key } && !File.Exists(key))
+            {
+                return Problem(KeyMissing, $"{machine.Name}: there is no key {key} to sign in with. Name the private key whose public half the server knows.");
+            }
+
+            var names = await MachineFolders.Open(machine, () => secret).ListAsync(cancellation).ConfigureAwait(false);
+            return new(machine, names, NeedsPassword(machine), null);
+        }
+        catch (TransportException e)
+        {
+            return Problem(CellCodes.Of(e.Error), e.Message);
+        }
+        catch (PeopleException e)
+        {
+            return Problem(SecretMissing, $"{machine.Name}: {e.Message}");
+        }
+
+        CheckedMachine Problem(string code, string message) => new(machine, null, NeedsPassword(machine), CheckProblem.Of(code, message));
+    }
+
+    private static bool NeedsPassword(MachineSettings machine) => machine.Transport is FtpSettings or SftpSettings { KeyFile: null };
+}

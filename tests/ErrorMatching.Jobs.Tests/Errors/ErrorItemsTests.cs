@@ -1,0 +1,56 @@
+using ErrorMatching.Freeform;
+using ErrorMatching.Geometry;
+using ErrorMatching.Json;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Jobs.Tests;
+
+public sealed class ErrorItemsTests
+{
+    private static readonly JsonProblem Problem = new("no-such-key", "$.nmae", new(3, 5), "the key nmae", "one of name", "found the key nmae; expected one of name");
+
+    [Fact]
+    public void Each_exception_of_an_input_has_a_code_and_a_place()
+    {
+        (Exception, string, string?, int?)[] expected =
+        [
+            (new MeasurementException("not-a-number", "NaN", "a number", "p.csv", 4, 2), "not-a-number", "p.csv", 4),
+            (new FreeformException("unknown-entity", "s.igs", "no such surface", 7), "unknown-entity", "s.igs", 7),
+            (new JobException("job.json", [Problem]), "no-such-key", "job.json", 3),
+            (new JsonDocumentException("dialect.json", [Problem]), "no-such-key", "dialect.json", 3),
+            (new PointsException("p.csv", new GeometryException(GeometryError.NearParallel, "no corner")), "near-parallel", "p.csv", null),
+            (new WrongPieceException("p.csv", SourceSide.Part), "wrong-piece", "p.csv", null),
+            (new InputException("job.json", "cannot be opened", new IOException()), "file-unreadable", "job.json", null),
+            (new NcException(NcErrorCode.BadSelector, "no selector"), "bad-selector", null, null),
+        ];
+        foreach (var (exception, code, file, line) in expected)
+        {
+            var item = Assert.Single(ErrorItems.OfInput(exception)!);
+            Assert.Equal((code, file, line), (item.Code, item.File, item.Line));
+            Assert.NotEmpty(item.Message);
+        }
+    }
+
+    [Fact]
+    public void All_problems_of_a_document_are_named() => Assert.Equal(2, ErrorItems.OfInput(new JobException("job.json", [Problem, Problem]))!.Count);
+
+    [Fact]
+    public void A_defect_is_no_error_of_an_input()
+    {
+        Assert.Null(ErrorItems.OfInput(new InvalidOperationException()));
+        Assert.Null(ErrorItems.OfInput(new OperationCanceledException()));
+        Assert.Null(ErrorItems.OfInput(new OutputException(OutputException.Unwritable, "f", "m")));
+        Assert.Null(ErrorItems.OfInput(new IOException()));
+    }
+
+    [Fact]
+    public void Each_error_of_geometry_and_of_programs_has_a_code_of_its_own()
+    {
+        var codes = Enum.GetValues<GeometryError>().Select(e => ErrorItems.Of(new GeometryException(e, "m"), "f").Code).ToArray();
+        Assert.Equal(codes.Length, codes.Distinct().Count());
+        var ofPrograms = Enum.GetValues<NcErrorCode>().Select(e => ErrorItems.Of(new NcException(e, "m")).Code).ToArray();
+        Assert.Equal(ofPrograms.Length, ofPrograms.Distinct().Count());
+    }
+}

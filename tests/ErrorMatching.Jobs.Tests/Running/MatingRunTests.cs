@@ -1,0 +1,90 @@
+using System.Text.Json;
+using ErrorMatching.Mating;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Jobs.Tests;
+
+public sealed class MatingRunTests
+{
+    private static readonly string Job = Repository.PathTo("samples", "complex-mating", "job.json");
+
+    [Fact]
+    public void Bytes_give_what_their_file_gives()
+    {
+        var file = Repository.PathTo("samples", "complex-mating", "counterpart-after.csv");
+        var program = Repository.PathTo("samples", "complex-mating", "counterpart.nc");
+        var byFile = Matched(new() { Part = new(file), Program = new(program) });
+        var byBytes = Matched(new() { Part = new(file, File.ReadAllBytes(file)), Program = new(program, File.ReadAllBytes(program)) });
+        Assert.Equal(byFile.Program.ToArray(), byBytes.Program.ToArray());
+        Assert.Equal(byFile.ReportJson(), byBytes.ReportJson());
+        Assert.Equal(byFile.ReportHtml(), byBytes.ReportHtml());
+    }
+
+    [Fact]
+    public void What_is_given_as_bytes_is_no_file_to_be_spared()
+    {
+        var files = new JobFiles(Job);
+        Assert.NotNull(MatingRun.Of(files, new() { Part = new("part.csv", File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "part.csv"))) }, TestContext.Current.CancellationToken).Result);
+        Assert.Equal(["job.json", "theoretical.csv", "counterpart.nc"], files.Read.Select(Path.GetFileName));
+    }
+
+    [Fact]
+    public void A_gain_takes_the_place_of_the_job_s_and_the_report_says_so()
+    {
+        var (whole, half) = (Matched(new()), Matched(new() { Gain = 0.5 }));
+        Assert.All(whole.Report.KeyPoints.Zip(half.Report.KeyPoints), p => Assert.Equal(p.First.Correction * 0.5, p.Second.Correction));
+        Assert.Equal(0.5, half.Report.Compensation.Gain);
+        Assert.Contains("A gain of 0.5 took the place of the job's, which is 1.", half.Report.Notes);
+        Assert.Equal(whole.Report.Notes, Matched(new() { Gain = 1 }).Report.Notes);
+        foreach (var none in new[] { 0, -1, 2.1, double.NaN })
+        {
+            Assert.Throws<ArgumentOutOfRangeException>(() => Matched(new() { Gain = none }));
+        }
+    }
+
+    [Fact]
+    public void A_report_that_nobody_timed_says_no_time()
+    {
+        using var untimed = JsonDocument.Parse(Matched(new()).ReportJson());
+        Assert.Equal(JsonValueKind.Null, untimed.RootElement.GetProperty("time").GetProperty("calculatingS").ValueKind);
+        using var timed = JsonDocument.Parse(Matched(new() { ElapsedS = () => 0.25 }).ReportJson());
+        Assert.Equal(0.25, timed.RootElement.GetProperty("time").GetProperty("calculatingS").GetDouble());
+    }
+
+    [Fact]
+    public void The_report_names_the_program_where_it_will_stand()
+    {
+        Assert.Equal("counterpart.nc", Matched(new()).Report.Program.File);
+        var matched = Matched(new() { Folder = "out" });
+        Assert.Equal((Path.Combine("out", "counterpart.nc"), "counterpart.nc"), (matched.Report.Program.File, matched.Name));
+    }
+
+    [Fact]
+    public void A_refusal_has_a_code_and_the_block()
+    {
+        using var folder = new TemporaryFolder();
+        var matched = Matched(new() { Folder = folder.Path });
+        var again = MatingRun.Of(new(Job), new() { Program = new("counterpart.nc", matched.Program) }, TestContext.Current.CancellationToken);
+        Assert.Null(again.Result);
+        var refusal = Assert.Single(again.Refusals);
+        Assert.Equal(("already-compensated", "counterpart.nc"), (refusal.Code, refusal.File));
+        Assert.NotNull(refusal.Block);
+    }
+
+    [Fact]
+    public void Points_that_determine_nothing_name_their_file()
+    {
+        // A datum of two points that lie on one another has no direction.
+        var text = File.ReadAllText(Job).Replace("\"kind\": \"none\"", "\"kind\": \"datum\", \"origin\": \"1\", \"direction\": \"2\"", StringComparison.Ordinal);
+        var job = MatingJob.Parse(System.Text.Encoding.UTF8.GetBytes(text), Job);
+        var points = "point,x_mm,y_mm\n" + string.Concat(job.NeededPoints.Select(p => p + ",-36,40\n"));
+        var e = Assert.Throws<PointsException>(() => MatingRun.Of(new(job), new() { Part = new("part.csv", System.Text.Encoding.UTF8.GetBytes(points)) }, TestContext.Current.CancellationToken));
+        Assert.Equal("part.csv", e.File);
+        Assert.StartsWith("part.csv: ", e.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_cancelled_run_computes_nothing() => Assert.Throws<OperationCanceledException>(() => MatingRun.Of(new(Job), new(), new CancellationToken(canceled: true)));
+
+    private static MatchedProgram Matched(MatingRequest request) => MatingRun.Of(new(Job), request, TestContext.Current.CancellationToken).Result!;
+}

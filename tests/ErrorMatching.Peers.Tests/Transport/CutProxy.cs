@@ -1,0 +1,140 @@
+using System.Net;
+using System.Net.Sockets;
+
+namespace ErrorMatching.Peers.Tests;
+
+/// <summary>Stands between sftp and an SSH server, whose stream it cannot read: cuts it after so many bytes, holds it, or changes one.</summary>
+internal sealed class CutProxy : IDisposable
+{
+    private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
+    private readonly CancellationTokenSource _end = new();
+    private readonly int _server;
+    private CutFault? _fault;
+    private int _sessions;
+    private int _connections;
+    private long _up;
+    private long _down;
+
+    /// <summary>Starts it before a server on a loopback port.</summary>
+    public CutProxy(int server)
+    {
+        _server = server;
+        _listener.Start(64);
+        _ = ServeAsync();
+    }
+
+    public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
+
+    /// <summary>True as long as the fault has not happened.</summary>
+    public bool IsArmed => Volatile.Read(ref _fault) is not null;
+
+    /// <summary>How many bytes went through the last connection to the server, and from it.</summary>
+    public (long Up, long Down) Passed => (Interlocked.Read(ref _up), Interlocked.Read(ref _down));
+
+    /// <summary>Arms a fault; connections are counted from here.</summary>
+    public void Arm(CutFault? fault)
+    {
+        _connections = 0;
+        Volatile.Write(ref _fault, fault);
+    }
+
+    /// <summary>Waits until the server has ended all sessions: what it had heard before a cut it may do after it.</summary>
+    public async Task QuietAsync()
+    {
+        while (Volatile.Read(ref _sessions) > 0)
+            await Task.Delay(2, _end.Token);
+    }
+
+    public void Dispose()
+    {
+        _end.Cancel();
+        _listener.Stop();
+        _end.Dispose();
+    }
+
+    private static bool IsEnd(Exception e) => e is OperationCanceledException or IOException or SocketException or ObjectDisposedException or InvalidOperationException;
+
+    private async Task ServeAsync()
+    {
+        try
+        {
+            while (true)
+            {
+                var client = await _listener.AcceptTcpClientAsync(_end.Token);
+                Interlocked.Increment(ref _sessions);
+                _ = RunAsync(client, Interlocked.Increment(ref _connections) - 1);
+            }
+        }
+        catch (Exception e) when (IsEnd(e))
+        {
+        }
+    }
+
+    private async Task RunAsync(TcpClient client, int number)
+    {
+        using var cut = CancellationTokenSource.CreateLinkedTokenSource(_end.Token);
+        using var server = new TcpClient { NoDelay = true };
+        client.NoDelay = true;
+        (_up, _down) = (0, 0);
+        try
+        {
+            await server.ConnectAsync(IPAddress.Loopback, _server, cut.Token);
+            var fault = Volatile.Read(ref _fault) is { } armed && armed.Connection == number ? armed : null;
+            await Task.WhenAny(PumpAsync(client, server, fault is { IsUp: true } ? fault : null, true, cut), PumpAsync(server, client, fault is { IsUp: false } ? fault : null, false, cut));
+        }
+        catch (Exception e) when (IsEnd(e))
+        {
+        }
+
+        await cut.CancelAsync();
+        client.Dispose();
+        try
+        {
+            // Reads until the server, too, has hung up.
+            server.Client.Shutdown(SocketShutdown.Send);
+            using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(10));
+            var rest = new byte[4096];
+            while (await server.GetStream().ReadAsync(rest, limit.Token) > 0)
+            {
+            }
+        }
+        catch (Exception e) when (IsEnd(e))
+        {
+        }
+
+        Interlocked.Decrement(ref _sessions);
+    }
+
+    private async Task PumpAsync(TcpClient from, TcpClient to, CutFault? fault, bool isUp, CancellationTokenSource cut)
+    {
+        var buffer = new byte[16 << 10];
+        long passed = 0;
+        while (true)
+        {
+            var room = fault is { Kind: not CutKind.Corrupt } ? (int)Math.Min(buffer.Length, fault.After - passed) : buffer.Length;
+            if (room == 0)
+            {
+                Volatile.Write(ref _fault, null);
+                while (fault!.Kind == CutKind.Stall && await from.GetStream().ReadAsync(buffer, cut.Token) > 0)
+                {
+                    // What comes goes nowhere, until who sends it gives up.
+                }
+
+                return;
+            }
+
+            var read = await from.GetStream().ReadAsync(buffer.AsMemory(0, room), cut.Token);
+            if (read == 0)
+                return;
+            if (fault is { Kind: CutKind.Corrupt } && fault.After >= passed && fault.After < passed + read)
+            {
+                buffer[fault.After - passed] ^= 0x20;
+                Volatile.Write(ref _fault, null);
+            }
+
+            passed += read;
+            Interlocked.Add(ref (isUp ? ref _up : ref _down), read);
+            await to.GetStream().WriteAsync(buffer.AsMemory(0, read), cut.Token);
+        }
+    }
+}
