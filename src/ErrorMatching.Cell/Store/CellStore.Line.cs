@@ -2,15 +2,13 @@ namespace ErrorMatching.Cell;
 
 public sealed partial class CellStore
 {
-    private static readonly string[] InLine = [.. new[] { CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed, CorrectionState.Approved }.Select(CorrectionRow.Word)];
-
     /// <summary>The corrections that stand in line for a slot, in order of arrival: from recognized to approved, and those that failed there. What failed without a program has nothing to send and is not among them.</summary>
     /// <param name="machine">The machine.</param>
     /// <param name="slot">Its slot.</param>
     public IReadOnlyList<Correction> Line(string machine, string slot) => Read(
-        CorrectionRow.Select + " WHERE machine = @machine AND slot = @slot AND (state IN @InLine OR (state = @Failed AND program_sha256 IS NOT NULL)) ORDER BY id",
+        CorrectionRow.Select + $" WHERE machine = @machine AND slot = @slot AND ({CorrectionRow.IsIn("state", CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed, CorrectionState.Approved)} OR (state = @Failed AND program_sha256 IS NOT NULL)) ORDER BY id",
         CorrectionRow.Read,
-        new { machine, slot, InLine, Failed = CorrectionRow.Word(CorrectionState.Failed) });
+        new { machine, slot, Failed = CorrectionRow.Word(CorrectionState.Failed) });
 
     /// <summary>The correction of a job whose program was verified last at its machine and was not reverted; null if there is none.</summary>
     /// <param name="job">The cell's job.</param>
@@ -20,9 +18,9 @@ public sealed partial class CellStore
         var columns = string.Join(", ", CorrectionRow.Columns.Split(", ").Select(c => "correction." + c));
         var found = Read(
             $"SELECT {columns} FROM correction JOIN step ON step.correction = correction.id AND step.to_state = @Verified "
-            + "WHERE correction.job = @job AND correction.state IN @Sent" + (serial is null ? "" : " AND correction.serial = @serial") + " ORDER BY step.id DESC LIMIT 1",
+            + $"WHERE correction.job = @job AND {CorrectionRow.IsIn("correction.state", CorrectionState.Verified, CorrectionState.Released)}" + (serial is null ? "" : " AND correction.serial = @serial") + " ORDER BY step.id DESC LIMIT 1",
             CorrectionRow.Read,
-            new { job, serial, Verified = CorrectionRow.Word(CorrectionState.Verified), Sent = new[] { CorrectionState.Verified, CorrectionState.Released }.Select(CorrectionRow.Word).ToArray() });
+            new { job, serial, Verified = CorrectionRow.Word(CorrectionState.Verified) });
         return found is [var last] ? last : null;
     }
 
@@ -33,10 +31,10 @@ public sealed partial class CellStore
     public Correction? LastPart(string job, string? serial, string? workOrder)
     {
         var found = Read(
-            CorrectionRow.Select + " WHERE job = @job AND piece = 'part' AND state IN @States"
+            CorrectionRow.Select + $" WHERE job = @job AND piece = 'part' AND {CorrectionRow.IsIn("state", CorrectionState.Recognized, CorrectionState.Recorded)}"
             + (serial is null ? "" : " AND serial = @serial") + (workOrder is null ? "" : " AND work_order = @workOrder") + " ORDER BY id DESC LIMIT 1",
             CorrectionRow.Read,
-            new { job, serial, workOrder, States = new[] { CorrectionState.Recognized, CorrectionState.Recorded }.Select(CorrectionRow.Word).ToArray() });
+            new { job, serial, workOrder });
         return found is [var last] ? last : null;
     }
 

@@ -84,7 +84,7 @@ public sealed partial class CellStore : IDisposable
     /// <summary>The corrections that are in any of some states, in order of arrival.</summary>
     public IReadOnlyList<Correction> InState(params CorrectionState[] states) => states is []
         ? []
-        : Read(CorrectionRow.Select + $" WHERE state IN ({string.Join(", ", states.Select(s => $"'{CorrectionRow.Word(s)}'"))}) ORDER BY id", CorrectionRow.Read);
+        : Read(CorrectionRow.Select + $" WHERE {CorrectionRow.IsIn("state", states)} ORDER BY id", CorrectionRow.Read);
 
     /// <summary>The steps of a correction, in order.</summary>
     public IReadOnlyList<CorrectionStep> StepsOf(long id) =>

@@ -26,6 +26,9 @@ internal static class CorrectionRow
     /// <summary>The state's word in the store.</summary>
     public static string Word(CorrectionState state) => Words[(int)state];
 
+    /// <summary>The condition that a column of states is one of some. Spelled out, for the two engines take lists as parameters in different ways.</summary>
+    public static string IsIn(string column, params IEnumerable<CorrectionState> states) => $"{column} IN ({string.Join(", ", states.Select(s => $"'{Word(s)}'"))})";
+
     public static Correction Read(DbDataReader row) => new(
         row.GetInt64(0), State(row.GetString(1)), (int)row.GetInt64(2), row.GetString(3), row.GetString(4), StoredTime.From(row.GetInt64(5)), row.GetString(7), row.GetInt64(8))
     {

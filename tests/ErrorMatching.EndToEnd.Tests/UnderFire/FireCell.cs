@@ -8,7 +8,6 @@ namespace ErrorMatching.EndToEnd.Tests;
 /// <summary>A cell in a temporary folder, run by the built console: incoming files, slots with ready files, and ways to end the process.</summary>
 internal sealed class FireCell : IDisposable
 {
-    private readonly string _configuration;
     private readonly StringBuilder _said = new();
     private Process? _process;
 
@@ -17,7 +16,9 @@ internal sealed class FireCell : IDisposable
     /// <param name="store">The store's part of the configuration.</param>
     /// <param name="transport">The machine's transport; null for a folder.</param>
     /// <param name="machine">The folder in which the machine's files lie as the machine itself sees it; null for one of the cell's.</param>
-    public FireCell(int slots, string store = """{ "kind": "sqlite", "file": "store/cell.db" }""", string? transport = null, string? machine = null)
+    /// <param name="name">The cell's name.</param>
+    /// <param name="keys">Folder of the keys, which the cells of one store share.</param>
+    public FireCell(int slots, string store = """{ "kind": "sqlite", "file": "store/cell.db" }""", string? transport = null, string? machine = null, string name = "Under fire", string keys = "keys")
     {
         Slots = [.. Enumerable.Range(0, slots).Select(i => $"S{i:00}")];
         Machine = machine ?? this["machine"];
@@ -35,11 +36,11 @@ internal sealed class FireCell : IDisposable
             File.Copy(this["job", "counterpart.nc"], Path.Combine(Machine, ProgramOf(slot)), overwrite: true);
         }
 
-        _configuration = this["cell.json"];
-        File.WriteAllText(_configuration, $$"""
+        Configuration = this["cell.json"];
+        File.WriteAllText(Configuration, $$"""
             {
-              "kind": "cell", "name": "Under fire",
-              "store": {{store}},
+              "kind": "cell", "name": "{{name}}",
+              "store": {{store}}, "keys": "{{keys}}",
               "gauges": [{ "name": "cmm", "incoming": "incoming", "files": "*.csv", "finished": "rename", "everyMs": 50, "mostMB": 16 }],
               "machines": [{
                 "name": "vmc", "dialect": "delta-nc300", "transport": {{transport ?? """{ "kind": "folder", "folder": "machine" }"""}},
@@ -50,6 +51,9 @@ internal sealed class FireCell : IDisposable
             }
             """);
     }
+
+    /// <summary>The cell's configuration.</summary>
+    public string Configuration { get; }
 
     /// <summary>The slots' names.</summary>
     public IReadOnlyList<string> Slots { get; }
@@ -91,7 +95,7 @@ internal sealed class FireCell : IDisposable
     /// <summary>Starts the cell.</summary>
     public Process Start()
     {
-        var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", _configuration])
+        var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", Configuration])
         {
             UseShellExecute = false,
             WorkingDirectory = Folder,
@@ -132,7 +136,7 @@ internal sealed class FireCell : IDisposable
     /// <summary>All corrections, as the console tells them.</summary>
     public async Task<IReadOnlyList<JsonElement>> History()
     {
-        var run = await ConsoleRun.Of(Folder, "cell", "history", _configuration, "--most", "100000", "--json");
+        var run = await ConsoleRun.Of(Folder, "cell", "history", Configuration, "--most", "100000", "--json");
         Assert.True(run.Exit == 0, run.Output + run.Error);
         return [.. run.Json.GetProperty("corrections").EnumerateArray()];
     }
@@ -140,7 +144,7 @@ internal sealed class FireCell : IDisposable
     /// <summary>Fails unless the audit trail is whole.</summary>
     public async Task AuditHolds()
     {
-        var run = await ConsoleRun.Of(Folder, "audit", "verify", _configuration);
+        var run = await ConsoleRun.Of(Folder, "audit", "verify", Configuration);
         Assert.True(run.Exit == 0, run.Output + run.Error);
     }
 

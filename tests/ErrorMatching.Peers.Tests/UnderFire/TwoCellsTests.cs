@@ -1,0 +1,91 @@
+using System.Collections.Concurrent;
+using System.Globalization;
+using ErrorMatching.EndToEnd.Tests;
+
+namespace ErrorMatching.Peers.Tests;
+
+/// <summary>Two cells with the same slots on one PostgreSQL server: they never send to one slot at once, whichever of them dies.</summary>
+[Collection(PostgresTests.Name)]
+public sealed class TwoCellsTests(PostgresServer server)
+{
+    [Fact]
+    public async Task Two_cells_never_send_to_one_slot_at_once()
+    {
+        PostgresServer.IsNeeded();
+        var token = TestContext.Current.CancellationToken;
+        var settings = server.NewDatabase();
+        var store = string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "postgresql", "host": "{{settings.Host}}", "port": {{settings.Port}}, "database": "{{settings.Database}}", "user": "{{settings.User}}", "passwordFile": "{{settings.PasswordFile}}" }""");
+        using var first = new FireCell(slots: 3, store, name: "First");
+        using var second = new FireCell(slots: 3, store, transport: $$"""{ "kind": "folder", "folder": "{{first.Machine}}" }""", machine: first.Machine, name: "Second", keys: first["keys"]);
+        var files = new FireFiles();
+        await using var machine = new FireMachine(first, () => files.FileByProgram);
+        using var writers = new SlotWriters(first.Machine);
+        var pieces = Enumerable.Range(0, 60).Select(i => files.Next(first.Slots[i % 3], i)).ToArray();
+        first.Start();
+        second.Start();
+        for (var i = 0; i < pieces.Length; i++)
+        {
+            (i % 2 == 0 ? first : second).Drop(pieces[i].Name, pieces[i].Bytes);
+            if (i == 30)
+            {
+                await second.Kill();
+                second.Start();
+            }
+
+            await Task.Delay(20, token);
+        }
+
+        await first.Until(() => Task.FromResult(machine.Cut.Count >= pieces.Length), TimeSpan.FromSeconds(120), "all cut");
+        await first.Until(async () => (await first.History()).Count(c => c.GetProperty("state").GetString() == "released") == pieces.Length, TimeSpan.FromSeconds(60), "all released");
+        await first.Stop();
+        await second.Stop();
+
+        Assert.Empty(machine.Wrong);
+        Assert.Empty(writers.AtOnce);
+        Assert.True(writers.Seen > pieces.Length / 2, $"Only {writers.Seen} transfers were seen.");
+        Assert.Equal(pieces.Select(p => p.Name).Order(StringComparer.Ordinal), machine.Cut.Select(c => c.File).Order(StringComparer.Ordinal));
+        await first.AuditHolds();
+    }
+
+    // Looks for two temporary files of one program at one time.
+    private sealed class SlotWriters : IDisposable
+    {
+        private readonly string _folder;
+        private readonly CancellationTokenSource _end = new();
+        private readonly Task _work;
+        private readonly HashSet<string> _seen = new(StringComparer.Ordinal);
+
+        public SlotWriters(string folder)
+        {
+            _folder = folder;
+            _work = Task.Run(Work);
+        }
+
+        public ConcurrentQueue<string> AtOnce { get; } = new();
+
+        public int Seen => _seen.Count;
+
+        public void Dispose()
+        {
+            _end.Cancel();
+            _work.GetAwaiter().GetResult();
+            _end.Dispose();
+        }
+
+        private void Work()
+        {
+            while (!_end.IsCancellationRequested)
+            {
+                var names = Directory.EnumerateFiles(_folder).Select(f => Path.GetFileName(f)).Where(n => n.Contains(".NC", StringComparison.Ordinal) && !n.EndsWith(".NC", StringComparison.Ordinal)).ToArray();
+                foreach (var slot in names.GroupBy(n => n[n.IndexOf('O', StringComparison.Ordinal)..].Split('.')[0], StringComparer.Ordinal))
+                {
+                    _seen.UnionWith(slot);
+                    if (slot.Count() > 1)
+                    {
+                        AtOnce.Enqueue(string.Join(" and ", slot));
+                    }
+                }
+            }
+        }
+    }
+}
