@@ -9,9 +9,6 @@ public static class CellCodes
     /// <summary>A newer measurement of the same piece took its place.</summary>
     public const string Superseded = "superseded";
 
-    /// <summary>The configuration has the job no more that a file was recognized for.</summary>
-    public const string JobGone = "job-gone";
-
     /// <summary>Corrections shall add up to a program whose sums nobody knows.</summary>
     public const string SumsUnknown = "sums-unknown";
 

@@ -11,6 +11,12 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
     private readonly Dictionary<(string Machine, string Slot), Wake> _slots = settings.Machines
         .SelectMany(m => m.Slots.Select(s => (m.Name, s.Name))).ToDictionary(k => k, _ => new Wake());
 
+    /// <summary>Names of this cell's gauges; another cell of the same store has others.</summary>
+    public IReadOnlyList<string> Gauges { get; } = [.. settings.Gauges.Select(g => g.Name)];
+
+    /// <summary>Names of this cell's jobs.</summary>
+    public IReadOnlyList<string> Jobs { get; } = [.. settings.Jobs.Select(j => j.Name)];
+
     /// <summary>The configuration.</summary>
     public CellSettings Settings => settings;
 

@@ -4,12 +4,24 @@ namespace ErrorMatching.Cell;
 /// <param name="Heartbeat">The sign of life of the process that runs it; null if there is none.</param>
 /// <param name="IsRunning">True if that is fresh.</param>
 /// <param name="Slots">All slots, in the order of the configuration.</param>
-/// <param name="Proposed">What waits for a person's approval, in order of arrival.</param>
-/// <param name="Failed">What failed and waits for a setter, in order of arrival.</param>
-/// <param name="InWork">What arrived and is not computed yet.</param>
+/// <param name="Proposed">What waits for a person's approval, in order of arrival: the first hundred.</param>
+/// <param name="Failed">What failed and waits for a setter, in order of arrival: the first hundred.</param>
+/// <param name="InWork">What arrived and is not computed yet: the first hundred.</param>
+/// <param name="Counts">How many corrections there are in each state; states without any are left out.</param>
 public sealed record CellStatus(
-    Heartbeat? Heartbeat, bool IsRunning, IReadOnlyList<SlotStatus> Slots, IReadOnlyList<Correction> Proposed, IReadOnlyList<Correction> Failed, IReadOnlyList<Correction> InWork)
+    Heartbeat? Heartbeat,
+    bool IsRunning,
+    IReadOnlyList<SlotStatus> Slots,
+    IReadOnlyList<Correction> Proposed,
+    IReadOnlyList<Correction> Failed,
+    IReadOnlyList<Correction> InWork,
+    IReadOnlyDictionary<CorrectionState, long> Counts)
 {
+    private const int Most = 100;
+
+    /// <summary>How many corrections are in a state.</summary>
+    public long CountOf(CorrectionState state) => Counts.GetValueOrDefault(state);
+
     /// <summary>True if nothing stands in the way but a person's approval or an operator's release, which is the ordinary course.</summary>
     public bool IsHealthy => IsRunning && Failed.Count == 0 && Heartbeat!.Troubles.Count == 0;
 
@@ -27,8 +39,9 @@ public sealed record CellStatus(
             heartbeat,
             heartbeat?.IsFresh(clock.GetUtcNow()) ?? false,
             [.. settings.Machines.SelectMany(m => m.Slots.Select(s => SlotStatus.Of(settings, m, s, store)))],
-            store.InState(CorrectionState.Proposed),
-            store.InState(CorrectionState.Failed),
-            store.InState(CorrectionState.Archived, CorrectionState.Recognized));
+            store.First(CorrectionState.Proposed, Most),
+            store.First(CorrectionState.Failed, Most),
+            [.. store.First(CorrectionState.Archived, Most), .. store.First(CorrectionState.Recognized, Most)],
+            store.Counts());
     }
 }

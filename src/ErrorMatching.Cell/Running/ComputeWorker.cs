@@ -37,7 +37,7 @@ internal sealed class ComputeWorker(CellFlow flow)
     {
         lock (_gate)
         {
-            var next = flow.Store.InState(CorrectionState.Recognized).FirstOrDefault(c => !_taken.Contains(c.Id));
+            var next = flow.Store.First(CorrectionState.Recognized, _taken.Count + 1, jobs: flow.Jobs).FirstOrDefault(c => !_taken.Contains(c.Id));
             if (next is not null)
             {
                 _taken.Add(next.Id);
@@ -49,12 +49,7 @@ internal sealed class ComputeWorker(CellFlow flow)
 
     private void Compute(Correction recognized, CancellationToken stop)
     {
-        if (flow.Settings.Jobs.FirstOrDefault(j => j.Name == recognized.Job) is not { } job)
-        {
-            Refuse(recognized, CellCodes.JobGone, $"The configuration has no job {recognized.Job} any more. Bring it back, and give the measurement again.");
-            return;
-        }
-
+        var job = flow.Settings.Jobs.First(j => j.Name == recognized.Job);
         switch (_computer.Compute(CorrectionRequests.Of(flow, recognized, job, flow.Store.Content(recognized.MeasurementSha256)), stop))
         {
             case Computed computed:

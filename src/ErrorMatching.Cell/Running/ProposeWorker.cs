@@ -5,6 +5,7 @@ namespace ErrorMatching.Cell;
 /// <summary>Proposes what is computed, lets a newer measurement take the place of older ones of the same piece, and approves where the policy says so.</summary>
 internal sealed class ProposeWorker(CellFlow flow)
 {
+    private const int Most = 100;
     private const int MostOfOneSerial = 1000;
     private bool _hasLookedBack;
 
@@ -15,7 +16,7 @@ internal sealed class ProposeWorker(CellFlow flow)
         if (!_hasLookedBack)
         {
             // What the policy approves was left over if the cell ended between the two steps, or if the policy changed.
-            foreach (var proposed in flow.Store.InState(CorrectionState.Proposed))
+            foreach (var proposed in flow.Store.First(CorrectionState.Proposed, int.MaxValue, jobs: flow.Jobs))
             {
                 ApproveByPolicy(proposed);
             }
@@ -23,7 +24,8 @@ internal sealed class ProposeWorker(CellFlow flow)
             _hasLookedBack = true;
         }
 
-        foreach (var computed in flow.Store.InState(CorrectionState.Computed))
+        var next = flow.Store.First(CorrectionState.Computed, Most, jobs: flow.Jobs);
+        foreach (var computed in next)
         {
             if (stop.IsCancellationRequested)
             {
@@ -34,7 +36,7 @@ internal sealed class ProposeWorker(CellFlow flow)
             Propose(computed);
         }
 
-        return Task.FromResult(flow.Pace.Idle);
+        return Task.FromResult(next.Count < Most ? flow.Pace.Idle : TimeSpan.Zero);
     }
 
     private void Propose(Correction computed)

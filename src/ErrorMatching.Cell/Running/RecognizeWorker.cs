@@ -3,6 +3,7 @@ namespace ErrorMatching.Cell;
 /// <summary>Finds out whose measurement an archived file is and what its correction stands on, and refuses what was there before.</summary>
 internal sealed class RecognizeWorker(CellFlow flow)
 {
+    private const int Most = 100;
     private readonly Recognizer _recognizer = new(flow.Settings);
     private readonly CorrectionComputer _computer = new(flow.Settings.Policy);
 
@@ -10,7 +11,8 @@ internal sealed class RecognizeWorker(CellFlow flow)
     /// <returns>How long to wait before looking again.</returns>
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
-        foreach (var archived in flow.Store.InState(CorrectionState.Archived))
+        var next = flow.Store.First(CorrectionState.Archived, Most, gauges: flow.Gauges);
+        foreach (var archived in next)
         {
             if (stop.IsCancellationRequested)
             {
@@ -21,7 +23,7 @@ internal sealed class RecognizeWorker(CellFlow flow)
             flow.Guarded(archived, () => Recognize(archived));
         }
 
-        return Task.FromResult(flow.Pace.Idle);
+        return Task.FromResult(next.Count < Most ? flow.Pace.Idle : TimeSpan.Zero);
     }
 
     private void Recognize(Correction archived)

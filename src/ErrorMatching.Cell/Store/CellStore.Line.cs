@@ -10,6 +10,20 @@ public sealed partial class CellStore
         CorrectionRow.Read,
         new { machine, slot, Failed = CorrectionRow.Word(CorrectionState.Failed) });
 
+    /// <summary>The first corrections in a state, in order of arrival, of the gauges or of the jobs that are asked for: several cells may share a store.</summary>
+    /// <param name="state">The state.</param>
+    /// <param name="most">How many at most.</param>
+    /// <param name="gauges">The gauges; null for all.</param>
+    /// <param name="jobs">The cell's jobs; null for all.</param>
+    public IReadOnlyList<Correction> First(CorrectionState state, int most, IReadOnlyList<string>? gauges = null, IReadOnlyList<string>? jobs = null) => Read(
+        CorrectionRow.Select + " WHERE state = @State" + (gauges is null ? "" : " AND gauge IN @gauges") + (jobs is null ? "" : " AND job IN @jobs") + " ORDER BY id LIMIT @most",
+        CorrectionRow.Read,
+        new { State = CorrectionRow.Word(state), most, gauges, jobs });
+
+    /// <summary>How many corrections there are in each state; states without any are left out.</summary>
+    public IReadOnlyDictionary<CorrectionState, long> Counts() =>
+        Read("SELECT state, count(*) FROM correction GROUP BY state", r => (State: Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true), Count: r.GetInt64(1))).ToDictionary(c => c.State, c => c.Count);
+
     /// <summary>The correction of a job whose program was verified last at its machine and was not reverted; null if there is none.</summary>
     /// <param name="job">The cell's job.</param>
     /// <param name="serial">Of this piece alone; null for any.</param>

@@ -26,7 +26,7 @@ internal static class CommandTree
             new Command("job", "Writes and checks jobs.") { new JobCheck(), new JobNew(), new JobSchema() },
             new Command("nc", "Looks at NC programs, displaces blocks, compares and proves programs.") { new NcCheck(), new NcMotionVerb(), new NcLocate(), new NcDisplace(), new NcDiff(), new NcProve(), new NcDialectsVerb() },
             new SurfaceVerb(),
-            new Command("cell", "Runs beside gauges and machines.") 
+            new Command("cell", "Runs beside gauges and machines.")
             {
                 new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellSecret(),
             },

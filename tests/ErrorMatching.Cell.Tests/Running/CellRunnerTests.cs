@@ -246,4 +246,18 @@ public sealed class CellRunnerTests
         Assert.Single(cell.Machine["m2"].Done, d => d.StartsWith("rename P", StringComparison.Ordinal));
         Assert.Null(cell.Store.VerifyAudit());
     }
+
+    [Fact]
+    public async Task A_cell_leaves_files_and_jobs_of_another_cell_on_the_same_store_alone()
+    {
+        await using var cell = new RunningCell();
+        var other = cell.Store.Archive(new("another gauge", "a_S9.csv", "key", Encoding.UTF8.GetBytes(RunningCell.Measurement(9)))).Correction;
+        var job = cell.Store.Archive(new("another gauge", "x_S8.csv", "key 2", Encoding.UTF8.GetBytes(RunningCell.Measurement(8)))).Correction;
+        cell.Store.Step(job, CorrectionState.Recognized, "cell", "by another cell", c => c with { Job = "another job", Piece = "part", Machine = "m9", Slot = "A" });
+        cell.Start();
+        cell.Drop("a_S1.csv", 1);
+        await cell.Until(3, CorrectionState.Verified);
+        await Task.Delay(300, TestContext.Current.CancellationToken);
+        Assert.Equal((CorrectionState.Archived, CorrectionState.Recognized), (cell.Store.Find(other.Id)!.State, cell.Store.Find(job.Id)!.State));
+    }
 }

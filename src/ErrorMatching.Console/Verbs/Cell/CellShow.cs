@@ -22,7 +22,7 @@ internal sealed class CellShow : CellVerb
     /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) => WithExistingStore(settings, store => Show(settings, store, arguments, cancellation));
 
-    private Outcome Show(CellSettings settings, CellStore store, ParseResult arguments, CancellationToken cancellation)
+    private CellShowAnswer Show(CellSettings settings, CellStore store, ParseResult arguments, CancellationToken cancellation)
     {
         var correction = new CorrectionDecisions(store).Demand(arguments.GetRequiredValue(_id));
         var folder = arguments.GetValue(_out);

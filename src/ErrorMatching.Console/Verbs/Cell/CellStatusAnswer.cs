@@ -38,6 +38,13 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         Write(json, "inWork", status.InWork);
         Write(json, "proposed", status.Proposed);
         Write(json, "failed", status.Failed);
+        json.WriteStartObject("counts");
+        foreach (var state in Enum.GetValues<CorrectionState>())
+        {
+            json.WriteNumber(CorrectionJson.Word(state), status.CountOf(state));
+        }
+
+        json.WriteEndObject();
         json.WriteStartArray("problems");
         foreach (var (code, message) in Problems())
         {
@@ -58,12 +65,13 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
             : $"{settings.Name} is not running");
         page.Line();
         page.Table(["machine", "slot", "program", "holds", "state", "since", "waiting", "next"], status.Slots.Select(Row));
-        List(page, "Waiting for a person", status.Proposed);
-        List(page, "Failed", status.Failed);
-        if (status.InWork.Count > 0)
+        List(page, "Waiting for a person", status.Proposed, status.CountOf(CorrectionState.Proposed));
+        List(page, "Failed", status.Failed, status.CountOf(CorrectionState.Failed));
+        var inWork = status.CountOf(CorrectionState.Archived) + status.CountOf(CorrectionState.Recognized);
+        if (inWork > 0)
         {
             page.Line();
-            page.Line($"{Number(status.InWork.Count)} arrived and not computed yet.");
+            page.Line($"{Number(inWork)} arrived and not computed yet.");
         }
 
         var next = WhatNext().ToArray();
@@ -120,7 +128,7 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         slot.Next is [var first, ..] ? Label(first) : "",
     ];
 
-    private static void List(Page page, string heading, IReadOnlyList<Correction> corrections)
+    private static void List(Page page, string heading, IReadOnlyList<Correction> corrections, long count)
     {
         if (corrections.Count == 0)
         {
@@ -128,7 +136,7 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         }
 
         page.Line();
-        page.Heading(corrections.Count > MostListed ? $"{heading}: {Number(corrections.Count)}, the first {Number(MostListed)}" : heading);
+        page.Heading(count > MostListed ? $"{heading}: {Number(count)}, the first {Number(MostListed)}" : heading);
         page.Table(
             ["id", "file", "job", "serial", "largest mm", "sum mm", "since", "why"],
             corrections.Take(MostListed).Select(c => (IReadOnlyList<string>)
