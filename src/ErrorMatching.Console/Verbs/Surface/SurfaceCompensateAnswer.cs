@@ -15,15 +15,21 @@ internal sealed class SurfaceCompensateAnswer(CompensationReport report, string?
 
     /// <summary>What belongs into the folder. The program comes last: where it stands, its report stands too.</summary>
     /// <param name="program">The finishing program.</param>
-    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program) =>
-    [
-        (In("compensation.csv"), CompensationCsv.Write(report.Result)),
-        (In("surface.stp"), StepWriter.Write(report.Result.Surface)),
-        (In("surface.igs"), IgesWriter.Write(report.Result.Surface)),
-        (In("report.json"), _json),
-        (In("report.html"), CompensationReportHtml.Write(report)),
-        (In("finishing.nc"), program),
-    ];
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program)
+    {
+        // The page takes as long as all the others: it is written beside them.
+        var page = Task.Run(() => CompensationReportHtml.Write(report));
+        var (points, step, iges) = (CompensationCsv.Write(report.Result), StepWriter.Write(report.Result.Surface), IgesWriter.Write(report.Result.Surface));
+        return
+        [
+            (In("compensation.csv"), points),
+            (In("surface.stp"), step),
+            (In("surface.igs"), iges),
+            (In("report.json"), _json),
+            (In("report.html"), page.GetAwaiter().GetResult()),
+            (In("finishing.nc"), program),
+        ];
+    }
 
     /// <inheritdoc/>
     public override void WriteText(Page page)
