@@ -28,9 +28,11 @@ public static class SurfaceFitter
     /// <summary>The rule of <see cref="BestSurface"/>, unless the curve mesh misses left-out lines by less: it has the fewest poles of all, which on quadratics leaves the noise the least to bend.</summary>
     private static FittedSurface Best(PointGrid grid, double curveToleranceMm)
     {
+        BestSurface.Check(grid);
+        var mesh = Task.Run(() => Fit(grid, FitMethod.ThroughCurveMesh, curveToleranceMm));
         var best = BestSurface.Fit(grid);
-        var mesh = Fit(grid, FitMethod.ThroughCurveMesh, curveToleranceMm);
-        return mesh.LeaveLineOutMm < best.LeaveLineOutMm ? mesh with { Method = FitMethod.Best } : best;
+        var through = mesh.GetAwaiter().GetResult();
+        return through.LeaveLineOutMm < best.LeaveLineOutMm ? through with { Method = FitMethod.Best } : best;
     }
 
     /// <summary>The surface, and how to lay one through a part of the points: with the degree, poles or weight that all points have chosen.</summary>

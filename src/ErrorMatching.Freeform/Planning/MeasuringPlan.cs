@@ -4,6 +4,10 @@ namespace ErrorMatching.Freeform;
 /// <remarks>Lengths in millimetres, in the work offset of the surface.</remarks>
 public sealed record MeasuringPlan
 {
+    // Found once they are asked for: who only compares measured points with their plan does not wait for them.
+    private double? _reconstructionErrorMm;
+    private ProbeAccess? _access;
+
     internal MeasuringPlan()
     {
     }
@@ -36,16 +40,16 @@ public sealed record MeasuringPlan
     public required double TrimSetInMm { get; init; }
 
     /// <summary>Largest distance of the nominal surface from a piecewise cubic surface through the plan's points alone, along the normal: what the plan can miss of a shape like the nominal one.</summary>
-    public required double ReconstructionErrorMm { get; init; }
+    public double ReconstructionErrorMm => _reconstructionErrorMm ??= Points.Count == 0 ? double.NaN : new PlanReconstruction(Surface, Lines).ErrorMm().EverywhereMm;
 
     /// <summary>Height of the stylus ball's center in travel between points.</summary>
-    public required double ClearanceZ { get; init; }
+    public double ClearanceZ => Access.ClearanceZ;
 
     /// <summary>Length of the way of the ball's center from over the first point to over the last: across at clearance height, down, to the surface, back and up.</summary>
-    public required double TravelMm { get; init; }
+    public double TravelMm => Access.TravelMm;
 
     /// <summary>What keeps the plan from being used; empty where every point can be touched.</summary>
-    public required IReadOnlyList<FreeformRefusal> Refusals { get; init; }
+    public IReadOnlyList<FreeformRefusal> Refusals => Refusal is { } refusal ? [refusal] : Access.Refusals;
 
     /// <summary>True if every point faces down, as those of a job with "outside": "-z" do: no vertical stylus touches them, but the plan says where a machine measures that reaches them from below.</summary>
     public bool FacesDown => Points.Count > 0 && Points.All(p => p.Normal.Z < 0);
@@ -64,6 +68,21 @@ public sealed record MeasuringPlan
 
     /// <summary>The point of the surface that is expected: the nominal one with its stock.</summary>
     public Geometry.Point3 ContactOf(PlanPoint point) => Along(point, StockMm);
+
+    /// <summary>Why there are no points; null if there are.</summary>
+    internal FreeformRefusal? Refusal { get; init; }
+
+    /// <summary>The curves with their points, before they were put in order.</summary>
+    internal IReadOnlyList<PlanCurve> Lines { get; init; } = [];
+
+    private ProbeAccess Access => _access ??= new(this);
+
+    /// <summary>Where the measuring move of a point begins, seen from above.</summary>
+    internal Geometry.Point2 AboveOf(PlanPoint point)
+    {
+        var approach = ApproachOf(point);
+        return new(approach.X, approach.Y);
+    }
 
     private static Geometry.Point3 Along(PlanPoint point, double distance)
     {

@@ -43,20 +43,16 @@ public static class MeasuringPlanner
             BreaksV = [],
             RimSetInMm = rimSetInMm,
             TrimSetInMm = surface.Region.IsWhole ? 0 : Math.Max(rimSetInMm, PlanLayout.TrimSetInMm),
-            ReconstructionErrorMm = double.NaN,
-            ClearanceZ = double.NaN,
-            TravelMm = 0,
-            Refusals = [],
         };
         try
         {
             var layout = new PlanLayout(surface, rimSetInMm);
             var curves = measuring.ReconstructionErrorMm is { } wanted ? Enough(surface, layout, wanted) : Given(layout, measuring);
-            return Ordered(empty with { Curves = curves.Count, BreaksU = layout.BreaksU, BreaksV = layout.BreaksV, ReconstructionErrorMm = new PlanReconstruction(surface, curves).ErrorMm().EverywhereMm }, curves);
+            return Ordered(empty with { Curves = curves.Count, BreaksU = layout.BreaksU, BreaksV = layout.BreaksV, Lines = curves });
         }
         catch (PlanRefusedException e)
         {
-            return empty with { Refusals = [e.Refusal] };
+            return empty with { Refusal = e.Refusal };
         }
     }
 
@@ -90,9 +86,9 @@ public static class MeasuringPlanner
             string.Create(CultureInfo.InvariantCulture, $"{MostForError} points do not know the nominal surface to {wanted} mm: it has a feature too sharp for points. Raise reconstructionErrorMm, or give numbers of curves and points.")));
     }
 
-    private static MeasuringPlan Ordered(MeasuringPlan plan, IReadOnlyList<PlanCurve> curves)
+    private static MeasuringPlan Ordered(MeasuringPlan plan)
     {
-        var points = new List<PlanPoint>();
+        var (curves, points) = (plan.Lines, new List<PlanPoint>());
         for (var j = 0; j < curves.Count; j++)
         {
             for (var i = 0; i < curves[j].Nodes.Count; i++)
@@ -103,15 +99,8 @@ public static class MeasuringPlanner
             }
         }
 
-        Point2[] above = [.. points.Select(plan.ApproachOf).Select(p => new Point2(p.X, p.Y))];
+        Point2[] above = [.. points.Select(plan.AboveOf)];
         var order = MeasuringOrder.Of(above, [.. points.Select(p => p.J)]);
-        PlanPoint[] numbered = [.. order.Select((index, k) => points[index] with { Number = k + 1 })];
-        var radius = plan.StylusRadiusMm;
-        var cloud = new SurfaceCloud(plan.Surface, plan.StockMm, radius / 4, radius);
-        var clearance = Math.Max(cloud.Top + plan.Measuring.ClearanceMm + radius, numbered.Max(p => plan.ApproachOf(p).Z));
-        var upAndDown = numbered.Sum(p => clearance - plan.ApproachOf(p).Z + plan.Measuring.ApproachMm);
-        var ordered = plan with { Points = numbered, ClearanceZ = clearance, TravelMm = MeasuringOrder.Length(above, order) + (2 * upAndDown) };
-        var access = new ProbeAccess(ordered, cloud);
-        return ordered with { Refusals = [.. numbered.Select(access.Refusal).OfType<FreeformRefusal>()] };
+        return plan with { Points = [.. order.Select((index, k) => points[index] with { Number = k + 1 })] };
     }
 }

@@ -16,10 +16,35 @@ internal sealed class ProbeAccess
     private readonly MeasuringPlan _plan;
     private readonly SurfaceCloud _cloud;
 
-    public ProbeAccess(MeasuringPlan plan, SurfaceCloud cloud) => (_plan, _cloud) = (plan, cloud);
+    public ProbeAccess(MeasuringPlan plan)
+    {
+        var (radius, points) = (plan.StylusRadiusMm, plan.Points);
+        (_plan, _cloud) = (plan, new(plan.Surface, plan.StockMm, radius / 4, radius));
+        if (points.Count == 0)
+        {
+            return;
+        }
 
-    /// <summary>Why a point cannot be touched; null where it can.</summary>
-    public FreeformRefusal? Refusal(PlanPoint point) => Reason(point) is { } reason
+        ClearanceZ = Math.Max(_cloud.Top + plan.Measuring.ClearanceMm + radius, points.Max(p => plan.ApproachOf(p).Z));
+        for (var k = 0; k < points.Count; k++)
+        {
+            var upAndDown = ClearanceZ - plan.ApproachOf(points[k]).Z + plan.Measuring.ApproachMm;
+            TravelMm += (2 * upAndDown) + (k > 0 ? plan.AboveOf(points[k - 1]).DistanceTo(plan.AboveOf(points[k])) : 0);
+        }
+
+        Refusals = [.. points.Select(Refusal).OfType<FreeformRefusal>()];
+    }
+
+    /// <summary>As of <see cref="MeasuringPlan.ClearanceZ"/>.</summary>
+    public double ClearanceZ { get; } = double.NaN;
+
+    /// <summary>As of <see cref="MeasuringPlan.TravelMm"/>.</summary>
+    public double TravelMm { get; }
+
+    /// <summary>Why points cannot be touched.</summary>
+    public IReadOnlyList<FreeformRefusal> Refusals { get; } = [];
+
+    private FreeformRefusal? Refusal(PlanPoint point) => Reason(point) is { } reason
         ? new("untouchable-point", string.Create(CultureInfo.InvariantCulture, $"point {point.Number} (i {point.I}, j {point.J}) at X{point.Position.X:0.###} Y{point.Position.Y:0.###} Z{point.Position.Z:0.###} cannot be touched: {reason}"))
         : null;
 

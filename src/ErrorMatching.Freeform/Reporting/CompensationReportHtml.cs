@@ -56,7 +56,7 @@ public static class CompensationReportHtml
         Figure(html, () => map.Write(html, "measured", "Measured error", (u, v) => 1000 * result.Systematic.At(u, v), Labels(result, s => s.ErrorMm)), "Colors are the field that is taken as systematic; numbers are what was measured.");
         var gain = result.Input.Job.Compensation.Gain;
         Figure(html, () => map.Write(html, "left", "Expected systematic error after compensation", (u, v) => 1000 * (result.Systematic.At(u, v) - (gain * result.Compensated.At(u, v))), []), "The same colors. Nothing of it is measured yet.");
-        var uncertain = new HeatMap(result.Input.Surface, 1000 * result.Samples.Max(s => result.Systematic.StandardUncertaintyAt(s.U, s.V)));
+        var uncertain = new HeatMap(map, 1000 * result.Samples.Max(s => result.Systematic.StandardUncertaintyAt(s.U, s.V)));
         Figure(html, () => uncertain.Write(html, "uncertain", "Standard uncertainty of the field", (u, v) => 1000 * result.Systematic.StandardUncertaintyAt(u, v), []), "How well the field is known; colors of their own.");
     }
 

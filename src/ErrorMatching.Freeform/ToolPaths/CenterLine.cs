@@ -12,6 +12,10 @@ internal sealed class CenterLine
     private Vector3[] _normals = new Vector3[64];
     private double[] _raised = new double[64];
 
+    // Unit direction and length of the piece that ends at each point.
+    private Vector3[] _along = new Vector3[64];
+    private double[] _lengths = new double[64];
+
     public int Count { get; private set; }
 
     public ReadOnlySpan<Point2> Places => _places.AsSpan(0, Count);
@@ -23,6 +27,15 @@ internal sealed class CenterLine
     /// <summary>By how much centers were raised where the ball would have cut elsewhere, in millimetres.</summary>
     public ReadOnlySpan<double> Raised => _raised.AsSpan(0, Count);
 
+    /// <summary>The straight piece that begins at a point: its ends, its unit direction (zero if it has no length) and its length.</summary>
+    public CenterPiece Piece(int from) => new(_centers[from], _centers[from + 1], _along[from + 1], _lengths[from + 1]);
+
+    /// <summary>True if one of the ends of a piece was raised.</summary>
+    public bool IsRaised(int from) => _raised[from] > 0 || _raised[from + 1] > 0;
+
+    /// <summary>True if the line passes a parameter u, rising from its beginning.</summary>
+    public bool Covers(double u) => Count > 1 && _places[0].X <= u && u <= _places[Count - 1].X;
+
     public void Clear() => Count = 0;
 
     public void Add(Point2 place, Point3 center, Vector3 normal, double raised = 0)
@@ -33,9 +46,18 @@ internal sealed class CenterLine
             Array.Resize(ref _centers, 2 * Count);
             Array.Resize(ref _normals, 2 * Count);
             Array.Resize(ref _raised, 2 * Count);
+            Array.Resize(ref _along, 2 * Count);
+            Array.Resize(ref _lengths, 2 * Count);
         }
 
         (_places[Count], _centers[Count], _normals[Count], _raised[Count]) = (place, center, normal, raised);
+        if (Count > 0)
+        {
+            var along = center - _centers[Count - 1];
+            var length = along.Length;
+            (_along[Count], _lengths[Count]) = (along * (length > 0 ? 1 / length : 0), length);
+        }
+
         Count++;
     }
 
@@ -48,9 +70,7 @@ internal sealed class CenterLine
         var (largest, where) = (0.0, Count > 0 ? _places[0] : default);
         for (var i = 0; i + 1 < Count && !double.IsNaN(largest); i++)
         {
-            var along = _centers[i + 1] - _centers[i];
-            var length = along.Length;
-            along *= length > 0 ? 1 / length : 0;
+            var along = _along[i + 1];
             foreach (var fraction in Samples)
             {
                 var place = _places[i].Lerp(_places[i + 1], fraction);

@@ -12,12 +12,20 @@ internal sealed partial class PathPlanning
     // How much may be left at a place where the ball does not fit: as much as the stage leaves anyway, or the scallop.
     private double MostRaised => Math.Max(_toolpath.ScallopMm, _offset.StockMm);
 
+    // Nothing of a line is raised yet, so that it leaves the exact offset by the chordal error at most: where the ball rolls freely on the exact one, nothing is nearer than that.
     private bool Gouges(CenterLine line)
     {
         var centers = line.Centers;
+        var places = line.Places;
         for (var i = 0; i < centers.Length; i++)
         {
-            if (Gouges(centers[i], line.Normals[i]) || (i + 1 < centers.Length && Gouges(Middle(centers[i], centers[i + 1]), Between(line.Normals[i], line.Normals[i + 1]))))
+            var isFree = RollsAt(places[i]);
+            if (!isFree && Gouges(centers[i], line.Normals[i]))
+            {
+                return true;
+            }
+
+            if (i + 1 < centers.Length && !(isFree && IsInFreePart(places[i + 1])) && Gouges(Middle(centers[i], centers[i + 1]), Between(line.Normals[i], line.Normals[i + 1])))
             {
                 return true;
             }
@@ -25,6 +33,18 @@ internal sealed partial class PathPlanning
 
         return false;
     }
+
+    private bool RollsAt(Point2 place)
+    {
+        if (!IsInFreePart(place))
+        {
+            _free = _rolling.FreeAround(place.X, place.Y);
+        }
+
+        return _free is not null;
+    }
+
+    private bool IsInFreePart(Point2 place) => _free is var (from, to) && place.X >= from.X && place.Y >= from.Y && place.X <= to.X && place.Y <= to.Y;
 
     private bool Gouges(Point3 center, Vector3 normal) => _tree.IsNearer(center, normal, NearestMm);
 

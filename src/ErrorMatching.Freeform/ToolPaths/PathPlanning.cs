@@ -21,10 +21,12 @@ internal sealed partial class PathPlanning
     private readonly int _decimals;
     private readonly PassBuilder _builder;
     private readonly PatchTree _tree;
+    private readonly RollingBall _rolling;
     private readonly List<CenterLine> _edges = [];
     private readonly List<CutPiece> _edgePieces = [];
     private readonly StripHeight _strip;
     private readonly List<CutChain> _chains = [];
+    private (Point2 From, Point2 To)? _free;
     private FreeformRefusal? _refusal;
     private int _passes;
     private int _points;
@@ -39,6 +41,7 @@ internal sealed partial class PathPlanning
         (_offset, _rounding, _toolpath, _decimals) = (offset, rounding, toolpath, decimals);
         _builder = new(offset, rounding, toolpath.ChordMm, PassBuilder.LiftShare * toolpath.ScallopMm);
         _tree = new(offset.Surface);
+        _rolling = new(offset.Surface.Spline, offset.DistanceMm);
         _strip = new(offset, _edges, toolpath.ScallopMm);
     }
 

@@ -32,12 +32,13 @@ internal sealed class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine
         foreach (var line in lines)
         {
             (_hint, _otherHint) = (0, 0);
-            for (var i = 0; i < line.Count && highest <= scallopMm; i++)
+            var places = line.Places;
+            for (var i = 0; i < places.Length && highest <= scallopMm; i++)
             {
-                At(line.Places[i].X, ref highest, ref where);
-                if (i + 1 < line.Count)
+                At(places[i].X, ref highest, ref where);
+                if (i + 1 < places.Length)
                 {
-                    At((line.Places[i].X + line.Places[i + 1].X) / 2, ref highest, ref where);
+                    At((places[i].X + places[i + 1].X) / 2, ref highest, ref where);
                 }
             }
         }
@@ -57,7 +58,7 @@ internal sealed class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine
     {
         foreach (var line in lines)
         {
-            if (line.Count > 1 && line.Places[0].X <= u && u <= line.Places[^1].X)
+            if (line.Covers(u))
             {
                 return line;
             }
@@ -124,10 +125,9 @@ internal sealed class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine
     {
         foreach (var edge in edges)
         {
-            var centers = edge.Centers;
-            for (var i = 0; i + 1 < centers.Length; i++)
+            for (var i = 0; i + 1 < edge.Count; i++)
             {
-                enough = Math.Min(enough, LeavesPiece(place, normal, centers[i], centers[i + 1]).Mm);
+                enough = Math.Min(enough, LeavesPiece(place, normal, edge.Piece(i)).Mm);
             }
         }
 
@@ -137,20 +137,20 @@ internal sealed class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine
     /// <summary>How far along the normal the tube of a polyline begins; infinite where the normal misses it. Places beside raised points are not measured.</summary>
     private double Leaves(Point3 place, Vector3 normal, CenterLine line, ref int hint)
     {
-        var centers = line.Centers;
-        hint = Math.Min(hint, centers.Length - 2);
+        var last = line.Count - 2;
+        hint = Math.Min(hint, last);
         var best = double.PositiveInfinity;
         var from = 0;
-        for (var steps = 0; steps < centers.Length; steps++)
+        for (var steps = 0; steps < line.Count; steps++)
         {
-            if (line.Raised[hint] > 0 || line.Raised[hint + 1] > 0)
+            if (line.IsRaised(hint))
             {
                 return double.NegativeInfinity;
             }
 
-            var (height, side) = LeavesPiece(place, normal, centers[hint], centers[hint + 1]);
+            var (height, side) = LeavesPiece(place, normal, line.Piece(hint));
             best = Math.Min(best, height);
-            if (side == 0 || side == -from || hint + side < 0 || hint + side > centers.Length - 2)
+            if (side == 0 || side == -from || hint + side < 0 || hint + side > last)
             {
                 break;
             }
@@ -162,26 +162,23 @@ internal sealed class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine
     }
 
     // Where a ray enters the ball's way along one straight piece, and on which side of the piece it would do so earlier.
-    private (double Mm, int Side) LeavesPiece(Point3 place, Vector3 normal, Point3 a, Point3 b)
+    private (double Mm, int Side) LeavesPiece(Point3 place, Vector3 normal, in CenterPiece piece)
     {
-        var axis = b - a;
-        var length = axis.Length;
-        var p = a - place;
-        if (length > 0)
+        var p = piece.From - place;
+        if (piece.LengthMm > 0)
         {
-            axis *= 1 / length;
-            var (nAlong, pAlong) = (normal.Dot(axis), p.Dot(axis));
-            var (n, q) = (normal - (axis * nAlong), p - (axis * pAlong));
+            var (nAlong, pAlong) = (normal.Dot(piece.Along), p.Dot(piece.Along));
+            var (n, q) = (normal - (piece.Along * nAlong), p - (piece.Along * pAlong));
             var (nn, nq) = (n.Dot(n), n.Dot(q));
             var inside = (nq * nq) - (nn * (q.Dot(q) - (offset.RadiusMm * offset.RadiusMm)));
             var t = inside >= 0 && nn > 0 ? (nq - Math.Sqrt(inside)) / nn : 0;
             var foot = (t * nAlong) - pAlong;
-            if (foot >= 0 && foot <= length)
+            if (foot >= 0 && foot <= piece.LengthMm)
             {
                 return (inside >= 0 && nn > 0 ? t : double.PositiveInfinity, 0);
             }
 
-            return foot < 0 ? (LeavesBall(normal, p), -1) : (LeavesBall(normal, b - place), 1);
+            return foot < 0 ? (LeavesBall(normal, p), -1) : (LeavesBall(normal, piece.To - place), 1);
         }
 
         return (LeavesBall(normal, p), 0);

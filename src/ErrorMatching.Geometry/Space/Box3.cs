@@ -31,5 +31,12 @@ public readonly record struct Box3(Point3 Min, Point3 Max)
     /// <summary>Distance of a point from the box, 0 inside.</summary>
     public double DistanceTo(Point3 p) => new Vector3(Outside(p.X, Min.X, Max.X), Outside(p.Y, Min.Y, Max.Y), Outside(p.Z, Min.Z, Max.Z)).Length;
 
+    /// <summary>Distance from another box, 0 if they touch.</summary>
+    /// <param name="other">The other box.</param>
+    public double DistanceTo(Box3 other) => new Vector3(
+        Math.Max(0, Math.Max(other.Min.X - Max.X, Min.X - other.Max.X)),
+        Math.Max(0, Math.Max(other.Min.Y - Max.Y, Min.Y - other.Max.Y)),
+        Math.Max(0, Math.Max(other.Min.Z - Max.Z, Min.Z - other.Max.Z))).Length;
+
     private static double Outside(double x, double low, double high) => Math.Max(0, Math.Max(low - x, x - high));
 }

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace ErrorMatching.Geometry;
 
 /// <summary>A place in space, in millimetres.</summary>
@@ -10,8 +12,10 @@ public readonly record struct Point3(double X, double Y, double Z)
     public bool IsFinite => double.IsFinite(X) && double.IsFinite(Y) && double.IsFinite(Z);
 
     /// <summary>The point displaced by a vector.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Point3 operator +(Point3 p, Vector3 v) => new(p.X + v.X, p.Y + v.Y, p.Z + v.Z);
 
     /// <summary>The displacement that leads from <paramref name="b"/> to <paramref name="a"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 operator -(Point3 a, Point3 b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
 }

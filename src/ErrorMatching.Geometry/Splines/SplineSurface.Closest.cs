@@ -5,8 +5,8 @@ public sealed partial class SplineSurface
 {
     private SurfaceCell? _cells;
 
-    // Two threads may both make it; they make the same.
-    private SurfaceCell Cells => _cells ??= new(this);
+    /// <summary>The tree of its parts. Two threads may both make it; they make the same.</summary>
+    internal SurfaceCell Cells => _cells ??= new(this);
 
     /// <summary>The place of the surface that is closest to a point.</summary>
     /// <remarks>

@@ -27,6 +27,8 @@ internal sealed class SurfaceCell
         IsPiece = spansU.Length == 1 && spansV.Length == 1;
         Surface = IsPiece ? surface.Piece(spansU[0], spansV[0]) : surface;
         Box = IsPiece ? Box3.Around(Surface.Poles) : surface.Box(spansU[0], spansU[^1], spansV[0], spansV[^1]);
+        From = new(surface.KnotsU.Values[spansU[0]], surface.KnotsV.Values[spansV[0]]);
+        To = new(surface.KnotsU.Values[spansU[^1] + 1], surface.KnotsV.Values[spansV[^1] + 1]);
         if (!IsPiece)
         {
             return;
@@ -46,6 +48,12 @@ internal sealed class SurfaceCell
 
     /// <summary>A box that holds the part.</summary>
     public Box3 Box { get; }
+
+    /// <summary>Its lowest parameters.</summary>
+    public Point2 From { get; }
+
+    /// <summary>Its highest parameters.</summary>
+    public Point2 To { get; }
 
     /// <summary>True if the part has no inner breaks, and so has all that follows.</summary>
     public bool IsPiece { get; }
@@ -73,6 +81,9 @@ internal sealed class SurfaceCell
 
     /// <summary>No place of the cell is farther than this from Center + s Ds + t Dt at its own s and t (Taylor's theorem).</summary>
     public double OffPlane { get; }
+
+    /// <summary>By how much first derivatives change within the cell at most, as a part of those at its center.</summary>
+    public double Unsteadiness => Math.Max((Bounds[2, 0] + Bounds[1, 1]) / Ds.Length, (Bounds[1, 1] + Bounds[0, 2]) / Dt.Length);
 
     /// <summary>The two halves, cut at the break in the middle of the direction that has more of them, or where there is none in the middle of the direction that bends more; null where halves can no longer be told apart.</summary>
     public SurfaceCell[]? Children()

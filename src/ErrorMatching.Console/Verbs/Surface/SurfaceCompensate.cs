@@ -41,7 +41,7 @@ internal sealed class SurfaceCompensate : Verb
         var answer = new SurfaceCompensateAnswer(finished, folder);
         if (folder is not null)
         {
-            OutputFile.WriteAll(answer.Files, files.Read, cancellation);
+            OutputFile.WriteAll(answer.Files(), files.Read, cancellation);
         }
 
         return answer;

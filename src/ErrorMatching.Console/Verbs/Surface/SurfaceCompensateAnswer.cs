@@ -15,15 +15,22 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
     public override byte[] ToJson() => _json;
 
     /// <summary>What belongs into the folder. The program comes last: where it stands, its report stands too.</summary>
-    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
-    [
-        (In("compensation.csv"), CompensationCsv.Write(finished.Report.Result)),
-        (In("surface.stp"), StepWriter.Write(finished.Report.Result.Surface)),
-        (In("surface.igs"), IgesWriter.Write(finished.Report.Result.Surface)),
-        (In("report.json"), _json),
-        (In("report.html"), finished.ReportHtml()),
-        (In(FinishedSurface.Name), finished.Program),
-    ];
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files()
+    {
+        // The page takes as long as all the others: it is written beside them.
+        var page = Task.Run(finished.ReportHtml);
+        var result = finished.Report.Result;
+        var (points, step, iges) = (CompensationCsv.Write(result), StepWriter.Write(result.Surface), IgesWriter.Write(result.Surface));
+        return
+        [
+            (In("compensation.csv"), points),
+            (In("surface.stp"), step),
+            (In("surface.igs"), iges),
+            (In("report.json"), _json),
+            (In("report.html"), page.GetAwaiter().GetResult()),
+            (In(FinishedSurface.Name), finished.Program),
+        ];
+    }
 
     /// <inheritdoc/>
     public override void WriteText(Page page)

@@ -4,6 +4,7 @@ namespace ErrorMatching.Freeform;
 internal abstract class FieldModel(FieldData data)
 {
     private double? _lineOut;
+    private IReadOnlyList<(int Number, double Difference)>? _leftOut;
 
     public FieldData Data => data;
 
@@ -59,20 +60,28 @@ internal abstract class FieldModel(FieldData data)
         return result;
     }
 
-    /// <summary>The difference of each left-out value, with its number; each value may be left out with both its lines.</summary>
-    public IEnumerable<(int Number, double Difference)> LeaveLinesOut()
+    /// <summary>The difference of each left-out value, with its number; each value may be left out with both its lines. Found once, by one thread.</summary>
+    public IReadOnlyList<(int Number, double Difference)> LeaveLinesOut()
     {
+        if (_leftOut is not null)
+        {
+            return _leftOut;
+        }
+
+        var leftOut = new List<(int, double)>();
         foreach (var line in data.LinesOut())
         {
             var model = Refit(data.Without(line));
             foreach (var k in line)
             {
-                yield return (k, model is null ? double.PositiveInfinity : data.Z[k] - model.At(data.U[k], data.V[k]));
+                leftOut.Add((k, model is null ? double.PositiveInfinity : data.Z[k] - model.At(data.U[k], data.V[k])));
             }
         }
+
+        return _leftOut = leftOut;
     }
 
-    private static double Mean(IEnumerable<(int Number, double Difference)> differences)
+    private static double Mean(IReadOnlyList<(int Number, double Difference)> differences)
     {
         var (sum, count) = (0.0, 0);
         foreach (var (_, difference) in differences)

@@ -20,26 +20,55 @@ internal static class ModelChoice
     /// <summary>The model of some values, of which there must be one at least.</summary>
     public static FieldModel Best(FieldData data)
     {
-        // The models know nothing of each other: polynomials are sought on one core, the others on a second. What both ask of the values is made before.
+        // The models know nothing of each other: polynomials are sought and tried on one core, the others on a second. What both ask of the values is made before.
         _ = (data.Grid, data.Crossings);
-        var search = Task.Run(() => new BreakSearch(data).Run());
-        var process = ProcessSearch.Run(data, ProcessSearch.Trend(2));
-        var linear = data.Count > MostForBreaksInWaves ? null : ProcessSearch.Run(data, ProcessSearch.Trend(1));
-        var spline = SplineModel.Run(data);
-        var polynomials = search.GetAwaiter().GetResult();
-        if (polynomials[^1].IsExact && !(Error(polynomials[^1]) > Nothing))
+        var search = Task.Run(() => Polynomials(data));
+        var process = Tried(ProcessSearch.Run(data, ProcessSearch.Trend(2)));
+        var linear = data.Count > MostForBreaksInWaves ? null : Tried(ProcessSearch.Run(data, ProcessSearch.Trend(1)));
+        var spline = Tried(SplineModel.Run(data));
+        var (polynomials, broken) = search.GetAwaiter().GetResult();
+        if (IsPerfect(polynomials[^1]))
         {
             return polynomials[^1];
         }
 
         var smooth = Least([polynomials[0], linear, process, spline])!;
-        var broken = polynomials.Skip(1).SelectMany(m => new FieldModel?[] { m, BreakSearch.Squares(m) }).ToList();
         if (process is not null && (polynomials.Count > 1 || smooth is ProcessModel) && !polynomials[^1].IsExact && data.Count <= MostForBreaksInWaves)
         {
             broken.Add(ProcessSearch.WithBreak(process));
         }
 
         return Least(broken.Where(m => m is not null && IsEarned(m, smooth))) ?? smooth;
+    }
+
+    /// <summary>The polynomials without breaks and with more and more, and those of them that have some, each also of squares alone; all of them tried.</summary>
+    private static (IReadOnlyList<PolynomialModel> All, List<FieldModel?> Broken) Polynomials(FieldData data)
+    {
+        var all = new BreakSearch(data).Run();
+        var broken = new List<FieldModel?>();
+        if (IsPerfect(all[^1]))
+        {
+            return (all, broken);
+        }
+
+        Tried(all[0]);
+        for (var k = 1; k < all.Count; k++)
+        {
+            broken.Add(Tried(all[k]));
+            broken.Add(Tried(BreakSearch.Squares(all[k])));
+        }
+
+        return (all, broken);
+    }
+
+    private static bool IsPerfect(PolynomialModel model) => model.IsExact && !(Error(model) > Nothing);
+
+    /// <summary>A model whose line-out error was found, where there is one.</summary>
+    private static T? Tried<T>(T? model)
+        where T : FieldModel
+    {
+        _ = model?.LineOut;
+        return model;
     }
 
     /// <summary>True if breaks lower the line-out error enough; or, where noise hides the difference, if they do not raise it and say the same with half the freedom.</summary>

@@ -183,11 +183,7 @@ internal sealed class TermSelection
 
         public void Remove(Candidate unit)
         {
-            var part = LeastSquares.Remove(Column, unit.Column);
-            for (var k = 0; k < Between.Length; k++)
-            {
-                Between[k] -= part * unit.Between[k];
-            }
+            Vectors.Subtract(Between, LeastSquares.Remove(Column, unit.Column), unit.Between);
         }
     }
 }

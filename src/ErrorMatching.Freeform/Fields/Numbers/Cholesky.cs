@@ -38,7 +38,7 @@ internal sealed class Cholesky
                 var start = Math.Max(first, j - width);
                 var a = row.AsSpan(start - first, j - start);
                 var b = other.AsSpan(start - Math.Max(0, j - width), j - start);
-                var value = row[j - first] - Dot(a, b);
+                var value = row[j - first] - Vectors.Dot(a, b);
                 if (j < i)
                 {
                     row[j - first] = value / other[^1];
@@ -83,28 +83,9 @@ internal sealed class Cholesky
         {
             var row = _rows[i];
             var first = Math.Max(0, i - _width);
-            y[i] = (y[i] - Dot(row.AsSpan(0, i - first), y.AsSpan(first, i - first))) / row[^1];
+            y[i] = (y[i] - Vectors.Dot(row.AsSpan(0, i - first), y.AsSpan(first, i - first))) / row[^1];
         }
 
         return y;
-    }
-
-    private static double Dot(ReadOnlySpan<double> a, ReadOnlySpan<double> b)
-    {
-        var sums = System.Numerics.Vector<double>.Zero;
-        var step = System.Numerics.Vector<double>.Count;
-        var k = 0;
-        for (; k + step <= a.Length; k += step)
-        {
-            sums += new System.Numerics.Vector<double>(a[k..]) * new System.Numerics.Vector<double>(b[k..]);
-        }
-
-        var sum = System.Numerics.Vector.Sum(sums);
-        for (; k < a.Length; k++)
-        {
-            sum += a[k] * b[k];
-        }
-
-        return sum;
     }
 }

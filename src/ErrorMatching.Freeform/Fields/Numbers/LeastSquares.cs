@@ -100,24 +100,11 @@ internal sealed class LeastSquares
     public static double Remove(double[] vector, double[] unit)
     {
         var part = Product(vector, unit);
-        for (var i = 0; i < vector.Length; i++)
-        {
-            vector[i] -= part * unit[i];
-        }
-
+        Vectors.Subtract(vector, part, unit);
         return part;
     }
 
-    public static double Product(double[] a, double[] b)
-    {
-        var sum = 0.0;
-        for (var i = 0; i < a.Length; i++)
-        {
-            sum += a[i] * b[i];
-        }
-
-        return sum;
-    }
+    public static double Product(double[] a, double[] b) => Vectors.Dot(a, b);
 
     public static void Scale(double[] vector, double factor)
     {

@@ -35,8 +35,8 @@ public static class BestSurface
     private static double LeaveLineOut(PlacedGrid placed, FieldModel[] models, SplineSurface surface)
     {
         var (sum, count) = (0.0, 0);
-        var differences = Array.ConvertAll(models, m => m.LeaveLinesOut().ToArray());
-        for (var k = 0; k < differences[0].Length; k++)
+        var differences = Array.ConvertAll(models, m => m.LeaveLinesOut());
+        for (var k = 0; k < differences[0].Count; k++)
         {
             var number = differences[0][k].Number;
             var missed = Vector3.Zero;
@@ -53,7 +53,8 @@ public static class BestSurface
         return count > 0 ? sum / count : double.NaN;
     }
 
-    private static void Check(PointGrid grid)
+    /// <summary>Refuses a grid that no surface is laid through, as of <see cref="Fit"/>.</summary>
+    internal static void Check(PointGrid grid)
     {
         var count = grid.Curves.Sum(c => (long)c.Count);
         if (grid.Curves.Count < 2 || grid.Curves.Any(c => c.Count < 2))

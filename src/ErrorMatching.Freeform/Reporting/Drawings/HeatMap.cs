@@ -23,9 +23,7 @@ internal sealed class HeatMap
     /// <param name="limitUm">Absolute value in micrometres of the last colors; maps that are compared share it.</param>
     public HeatMap(PartSurface surface, double limitUm)
     {
-        // A round limit that is not much larger than what is shown: a tenth of it is 1, 2 or 5 times a power of ten.
-        var step = RoundNumber.AtLeast(Math.Max(limitUm, 0.1) / 10);
-        (_surface, _limitUm) = (surface, Math.Ceiling(Math.Max(limitUm, 0.1) / step) * step);
+        (_surface, _limitUm) = (surface, Rounded(limitUm));
         var (minX, maxX, minY, maxY) = (double.MaxValue, double.MinValue, double.MaxValue, double.MinValue);
         var corners = new Point3[(CellsU + 1) * (CellsV + 1)];
         for (var i = 0; i <= CellsU; i++)
@@ -41,6 +39,15 @@ internal sealed class HeatMap
         (_minX, _maxY) = (minX, maxY);
         _height = Math.Clamp((maxY - minY) * _scale, 60, 1200);
         _corners = Array.ConvertAll(corners, p => SvgNumber.Points([Place(p)]));
+    }
+
+    /// <summary>A map of the same surface with other colors.</summary>
+    /// <param name="like">The map whose surface it shows.</param>
+    /// <param name="limitUm">Absolute value in micrometres of the last colors.</param>
+    public HeatMap(HeatMap like, double limitUm)
+    {
+        (_surface, _limitUm) = (like._surface, Rounded(limitUm));
+        (_minX, _maxY, _scale, _height, _corners) = (like._minX, like._maxY, like._scale, like._height, like._corners);
     }
 
     /// <summary>Writes the map.</summary>
@@ -138,6 +145,14 @@ internal sealed class HeatMap
 
         var (low, high) = (points.MinBy(p => p.ValueUm), points.MaxBy(p => p.ValueUm));
         return $"Lowest {Micrometres.Signed(low.ValueUm)} µm at point {low.Label}, highest {Micrometres.Signed(high.ValueUm)} µm at point {high.Label}.";
+    }
+
+    // A round limit that is not much larger than what is shown: a tenth of it is 1, 2 or 5 times a power of ten.
+    private static double Rounded(double limitUm)
+    {
+        var limit = Math.Max(limitUm, 0.1);
+        var step = RoundNumber.AtLeast(limit / 10);
+        return Math.Ceiling(limit / step) * step;
     }
 
     private double U(double cell) => _surface.Spline.KnotsU.Start + ((_surface.Spline.KnotsU.End - _surface.Spline.KnotsU.Start) * cell / CellsU);
