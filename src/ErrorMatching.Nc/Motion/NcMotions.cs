@@ -20,11 +20,14 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     private readonly NcMotions? _like;
     private NcMotions? _ahead;
 
-    internal NcMotions(NcMotions? like = null)
+    /// <summary>An empty list.</summary>
+    /// <param name="like">A list whose memory is shared where motions are the same.</param>
+    /// <param name="inPlace">True if motions can be taken over from it.</param>
+    internal NcMotions(NcMotions? like = null, bool inPlace = false)
     {
         _like = like;
-        _motions = new(like?._motions);
-        _arcs = new(like?._arcs);
+        _motions = new(like?._motions, inPlace);
+        _arcs = new(like?._arcs, inPlace);
     }
 
     /// <summary>Number of motions.</summary>
@@ -35,8 +38,11 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     /// <summary>True if no motion belongs to an earlier block than the one before it: the program runs straight through.</summary>
     public bool FollowBlocks { get; private set; } = true;
 
-    /// <summary>True if a straight cut ends where it begins.</summary>
+    /// <summary>True if a straight cut ends where it begins, or did in the list that motions were taken over from.</summary>
     internal bool HasPoints { get; private set; }
+
+    /// <summary>Number of motions that begin elsewhere than the one before ends.</summary>
+    internal int Jumps => _starts.Count;
 
     /// <summary>The motion at a position, from 0.</summary>
     public NcMotion this[int index]
@@ -283,8 +289,8 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
             AddSetting(ahead._settings[setting]);
         }
 
-        _newSettings.AddFrom(ahead._newSettings, 2);
-        _areArcs.AddFrom(ahead._areArcs, 2);
+        _newSettings.AddFrom(ahead._newSettings, 2, ahead.Length);
+        _areArcs.AddFrom(ahead._areArcs, 2, ahead.Length);
         foreach (var (motion, start) in ahead._starts)
         {
             if (motion > 0)
@@ -299,6 +305,28 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         _motions.Join(ahead._motions, 1);
         _arcs.Join(ahead._arcs, 0);
         _ahead = ahead;
+    }
+
+    /// <summary>True if what follows here would be stored as it is stored behind so many motions of the list that this one is like: as many came before, and the last is the same in all that counts for the next.</summary>
+    internal bool EndsAsAfter(int motions) => Length == motions && motions > 0 && _motions[motions - 1].SameEnd(_like!._motions[motions - 1])
+        && SettingAt(motions - 1).SameAs(_like.SettingAt(motions - 1)) && _areArcs.CountTo(motions - 1) == _like._areArcs.CountTo(motions - 1);
+
+    /// <summary>Appends the motions that the list has which this one is like, up to one that is not appended. Here it must end as that one after as many motions, and none of them may jump.</summary>
+    internal void TakeOver(int behind)
+    {
+        var (first, like) = (Length, _like!);
+        for (var setting = like._newSettings.CountTo(first - 1); setting < like._newSettings.CountTo(behind - 1); setting++)
+        {
+            AddSetting(like._settings[setting]);
+        }
+
+        _newSettings.AddFrom(like._newSettings, first, behind);
+        _areArcs.AddFrom(like._areArcs, first, behind);
+        _arcs.TakeOver(like._areArcs.CountTo(behind - 1));
+        _motions.TakeOver(behind);
+        HasPoints |= like.HasPoints;
+        _lastBlock = BlockOf(behind - 1);
+        (_lastFeed, _lastFrame) = SettingAt(behind - 1);
     }
 
     private bool StartsAtLast(in Point3 place)

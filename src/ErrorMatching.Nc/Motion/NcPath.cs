@@ -43,6 +43,9 @@ public sealed class NcPath
     /// <summary>Why the program could not be followed to its end: a program that is missing, a loop without end, a branch on what only the machine knows. Null where it was.</summary>
     public NcRefusal? Refusal { get; }
 
+    /// <summary>How the program was reached at some of its blocks.</summary>
+    internal IReadOnlyList<RunBorder> Borders { get; init; } = [];
+
     /// <summary>Where called programs were looked for that are not in the file.</summary>
     internal Func<string, NcProgram?>? Library { get; }
 
