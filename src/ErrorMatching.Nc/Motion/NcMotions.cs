@@ -51,9 +51,19 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         {
             ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)index, (uint)Length, nameof(index));
             ref readonly var m = ref _motions[index];
-            var (start, unknown) = StartOf(index, m.Flags);
             var setting = SettingAt(index);
             var arc = m.IsArc ? ArcAt(index) : default;
+            if (index > 0 && (m.Flags & MotionFlags.StartsElsewhere) == MotionFlags.None)
+            {
+                // Nearly always: where the one before ends, and all of it is known.
+                ref readonly var before = ref _motions[index - 1];
+                if ((before.UnknownEnd | m.UnknownEnd) == AxisSet.None)
+                {
+                    return new(m.Block, m.Kind, m.Plane, m.Flags, before.End, m.End, arc.Center, arc.Turns, setting.Feed, setting.Frame, AxisSet.None, AxisSet.None);
+                }
+            }
+
+            var (start, unknown) = StartOf(index, m.Flags);
             return new(m.Block, m.Kind, m.Plane, m.Flags, unknown.KnownPartOf(start), m.UnknownEnd.KnownPartOf(m.End), arc.Center, arc.Turns, setting.Feed, setting.Frame, unknown, m.UnknownEnd);
         }
     }
