@@ -8,7 +8,7 @@ namespace ErrorMatching.Nc.Tests;
 /// </summary>
 public class AheadTests
 {
-    private const int Long = 100_400;
+    private const int Long = 100_352;
     private const int Short = 99_900;
     private const int Middle = Long / 2;
 

@@ -12,15 +12,26 @@ internal sealed class Chunks<T>
     private T[] _last = [];
     private int _used;
 
+    // Where the piece ends that items are added to.
+    private int _end;
+
     // Items from the seam on lie further behind by a gap: their pieces came from another list.
     private int _seam = int.MaxValue;
     private int _gap;
 
     /// <summary>An empty list.</summary>
     /// <param name="like">A list whose pieces are taken over where they are equal, byte for byte.</param>
-    public Chunks(Chunks<T>? like = null) => _like = like;
+    /// <param name="inPlace">True if each item is to lie where that list has the one at its position.</param>
+    public Chunks(Chunks<T>? like = null, bool inPlace = false)
+    {
+        _like = like;
+        if (inPlace && like is not null)
+        {
+            (_seam, _gap) = (like._seam, like._gap);
+        }
+    }
 
-    public int Count => _used - _gap;
+    public int Count => _used > _seam ? _used - _gap : _used;
 
     public ref T this[int index]
     {
@@ -33,14 +44,37 @@ internal sealed class Chunks<T>
 
     public void Add(in T item)
     {
-        var at = _used & (Size - 1);
-        if (at == 0)
+        if (_used == _end)
         {
             Grow();
         }
 
-        _last[at] = item;
+        _last[_used & (Size - 1)] = item;
         _used++;
+    }
+
+    /// <summary>Appends the items that the list has which this one is like, from this one's end up to a position. It must have been made in that one's place. Whole pieces are shared.</summary>
+    public void TakeOver(int behind)
+    {
+        while (Count < behind)
+        {
+            if (_used == _end)
+            {
+                Grow();
+            }
+
+            var (piece, at, items) = (_used >> Shift, _used & (Size - 1), Math.Min(_end - _used, behind - Count));
+            if (items == Size)
+            {
+                _chunks[piece] = _like!._chunks[piece];
+            }
+            else
+            {
+                Array.Copy(_like!._chunks[piece], at, _last, at, items);
+            }
+
+            _used += items;
+        }
     }
 
     /// <summary>Takes over the pieces of another list, which gets no more items. Once only.</summary>
@@ -52,7 +86,7 @@ internal sealed class Chunks<T>
         (_seam, _gap) = (Count, (own << Shift) + from - Count);
         Array.Resize(ref _chunks, own + others + 1);
         Array.Copy(other._chunks, 0, _chunks, own, others);
-        (_last, _used) = (other._last, (own << Shift) + other._used);
+        (_last, _used, _end) = (other._last, (own << Shift) + other._used, (own << Shift) + other._end);
     }
 
     /// <summary>How many items from a position on lie at the same place of one piece that this list shares with another.</summary>
@@ -71,7 +105,9 @@ internal sealed class Chunks<T>
 
     private void Grow()
     {
+        _used += _used == _seam ? _gap : 0;
         var piece = _used >> Shift;
+        _end = Math.Min((piece + 1) << Shift, _used < _seam ? _seam : int.MaxValue);
         if (piece == _chunks.Length)
         {
             Array.Resize(ref _chunks, piece * 2);
@@ -90,7 +126,7 @@ internal sealed class Chunks<T>
         }
 
         var other = _like._chunks[piece];
-        if (!System.Runtime.InteropServices.MemoryMarshal.AsBytes<T>(_last).SequenceEqual(System.Runtime.InteropServices.MemoryMarshal.AsBytes<T>(other)))
+        if (!ReferenceEquals(_chunks[piece], other) && !System.Runtime.InteropServices.MemoryMarshal.AsBytes<T>(_last).SequenceEqual(System.Runtime.InteropServices.MemoryMarshal.AsBytes<T>(other)))
         {
             return false;
         }

@@ -10,7 +10,7 @@ public sealed partial class NcInterpreter
     private const int Many = 100_000;
 
     /// <summary>So many first blocks set the modes, and so many blocks lead to the middle.</summary>
-    private const int LeadIn = 8_000;
+    private const int LeadIn = 16 * Stretch;
 
     /// <summary>What runs ahead is looked at for an end that often, in blocks.</summary>
     private const int Watch = 1_024;
@@ -25,9 +25,9 @@ public sealed partial class NcInterpreter
 
     private void StartAhead(CancellationToken end)
     {
-        if (_ahead is null && ReferenceEquals(_text, _program) && IsStraight())
+        if (_ahead is null && IsStraight())
         {
-            var (state, seam) = (_state, _program.BlockCount / 2);
+            var (state, seam) = (_state, _program.BlockCount / 2 / Stretch * Stretch);
             _seam = seam;
             _ahead = Task.Run(() => Ahead(state, seam, end), CancellationToken.None);
         }
@@ -43,7 +43,7 @@ public sealed partial class NcInterpreter
             return null;
         }
 
-        var ahead = new NcInterpreter(_program, _dialect, _motions.Ahead(before._motions), null, end) { _state = before._state, _at = seam, _began = before._state };
+        var ahead = new NcInterpreter(_program, _dialect, _motions.Ahead(before._motions), null, end) { _state = before._state, _at = seam, _nextBorder = seam, _began = before._state };
         ahead.RunCuts(_program.BlockCount);
 
         // A problem would have to be told in its order, and only once; there should be none.
@@ -56,6 +56,11 @@ public sealed partial class NcInterpreter
         for (; _at < behind; _at++)
         {
             _block = _at;
+            if ((_at & (Stretch - 1)) == 0)
+            {
+                NoteBorder();
+            }
+
             if (((_at & (Watch - 1)) == 0 && _cancellation.IsCancellationRequested) || !_words.TryReadPlain(_program.BytesOf(_program[_at]), _dialect.Syntax))
             {
                 return;
@@ -90,7 +95,7 @@ public sealed partial class NcInterpreter
     private bool TryJoinAhead()
     {
         _seam = int.MaxValue;
-        if (!ReferenceEquals(_text, _program) || !IsStraight() || _ahead is not { Status: >= TaskStatus.Running })
+        if (!IsStraight() || _ahead is not { Status: >= TaskStatus.Running })
         {
             return false;
         }
@@ -100,7 +105,9 @@ public sealed partial class NcInterpreter
             return false;
         }
 
+        var before = _motions.Length;
         _motions.Join(ahead._motions);
+        JoinBorders(ahead, before);
         (_state, _at) = (ahead._state, ahead._at);
         (_firstInteger, _integers) = (_integers > 0 ? _firstInteger : ahead._firstInteger, _integers + ahead._integers);
         return true;

@@ -36,12 +36,7 @@ public sealed partial class NcInterpreter
         using var ahead = new CancellationTokenSource();
         while (!_ended)
         {
-            if (_at == LeadIn && _program.BlockCount >= Many)
-            {
-                StartAhead(ahead.Token);
-            }
-
-            if (_at == _seam && TryJoinAhead())
+            if ((_at & (Stretch - 1)) == 0 && ReferenceEquals(_text, _program) && CrossBorder(ahead.Token))
             {
                 continue;
             }
@@ -62,7 +57,7 @@ public sealed partial class NcInterpreter
 
         ahead.Cancel();
         _cancellation.ThrowIfCancellationRequested();
-        return new(_program, _dialect, _motions, _problems, _placeDependents, _frames, Notes(), _flow?.Refusal, _library);
+        return new(_program, _dialect, _motions, _problems, _placeDependents, _frames, Notes(), _flow?.Refusal, _library) { Borders = _borders };
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
@@ -75,8 +70,11 @@ public sealed partial class NcInterpreter
             if (TryRunStraight())
             {
                 _at++;
+                return;
             }
-            else if (!ConcernsFlow())
+
+            _onlyCuts &= IsCut();
+            if (!ConcernsFlow())
             {
                 Step();
                 GoOn();
@@ -94,6 +92,7 @@ public sealed partial class NcInterpreter
 
     private void RunAny(ReadOnlySpan<byte> bytes, NcBlock block)
     {
+        _onlyCuts = false;
         if (FlowTrigger.Concerns(bytes.Slice(block.Start, block.Length), _dialect.Syntax) && HasStatements(block))
         {
             RunWithFlow(block);

@@ -75,10 +75,6 @@ public sealed partial class NcInterpreter
     public static NcPath Run(NcProgram program, NcDialect dialect, Func<string, NcProgram?>? library, CancellationToken cancellation) =>
         new NcInterpreter(program.In(dialect.Syntax), dialect, new(), library, cancellation).Run();
 
-    /// <summary>Interprets a program as another was that it is much like: motions that are the same take no memory of their own.</summary>
-    internal static NcPath Run(NcProgram program, NcPath like) =>
-        new NcInterpreter(program.In(like.Dialect.Syntax), like.Dialect, new(like.Motions), like.Library, CancellationToken.None).Run();
-
     private void Step()
     {
         (_use, _code, _family, _probes, _hasUnknownCode) = (AxisUse.Motion, NcMeaning.Unknown, 0, false, false);
@@ -227,6 +223,7 @@ public sealed partial class NcInterpreter
         var problem = new NcProblem(code, _block, message);
         if (_said.Add(problem))
         {
+            _onlyCuts = false;
             _problems.Add(problem);
         }
 

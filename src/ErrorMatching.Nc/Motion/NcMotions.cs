@@ -5,7 +5,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>The motions of a program in the order in which they are executed, made from flat arrays when they are looked at.</summary>
-public sealed class NcMotions : IReadOnlyList<NcMotion>
+public sealed partial class NcMotions : IReadOnlyList<NcMotion>
 {
     private readonly Chunks<StoredMotion> _motions;
     private MotionSetting[] _settings = new MotionSetting[16];
@@ -20,11 +20,14 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     private readonly NcMotions? _like;
     private NcMotions? _ahead;
 
-    internal NcMotions(NcMotions? like = null)
+    /// <summary>An empty list.</summary>
+    /// <param name="like">A list whose memory is shared where motions are the same.</param>
+    /// <param name="inPlace">True if motions can be taken over from it.</param>
+    internal NcMotions(NcMotions? like = null, bool inPlace = false)
     {
         _like = like;
-        _motions = new(like?._motions);
-        _arcs = new(like?._arcs);
+        _motions = new(like?._motions, inPlace);
+        _arcs = new(like?._arcs, inPlace);
     }
 
     /// <summary>Number of motions.</summary>
@@ -35,8 +38,11 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     /// <summary>True if no motion belongs to an earlier block than the one before it: the program runs straight through.</summary>
     public bool FollowBlocks { get; private set; } = true;
 
-    /// <summary>True if a straight cut ends where it begins.</summary>
+    /// <summary>True if a straight cut ends where it begins, or did in the list that motions were taken over from.</summary>
     internal bool HasPoints { get; private set; }
+
+    /// <summary>Number of motions that begin elsewhere than the one before ends.</summary>
+    internal int Jumps => _starts.Count;
 
     /// <summary>The motion at a position, from 0.</summary>
     public NcMotion this[int index]
@@ -45,9 +51,19 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         {
             ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)index, (uint)Length, nameof(index));
             ref readonly var m = ref _motions[index];
-            var (start, unknown) = StartOf(index, m.Flags);
             var setting = SettingAt(index);
             var arc = m.IsArc ? ArcAt(index) : default;
+            if (index > 0 && (m.Flags & MotionFlags.StartsElsewhere) == MotionFlags.None)
+            {
+                // Nearly always: where the one before ends, and all of it is known.
+                ref readonly var before = ref _motions[index - 1];
+                if ((before.UnknownEnd | m.UnknownEnd) == AxisSet.None)
+                {
+                    return new(m.Block, m.Kind, m.Plane, m.Flags, before.End, m.End, arc.Center, arc.Turns, setting.Feed, setting.Frame, AxisSet.None, AxisSet.None);
+                }
+            }
+
+            var (start, unknown) = StartOf(index, m.Flags);
             return new(m.Block, m.Kind, m.Plane, m.Flags, unknown.KnownPartOf(start), m.UnknownEnd.KnownPartOf(m.End), arc.Center, arc.Turns, setting.Feed, setting.Frame, unknown, m.UnknownEnd);
         }
     }
@@ -59,6 +75,12 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
     /// Where a motion ends on a control that begins at the origin with all offsets zero: the same as <see cref="NcMotion.End"/> where the program says it, a stand-in where only the machine knows.
     /// </summary>
     public Point3 AssumedEnd(int index) => _motions[index].End;
+
+    /// <summary>True if a motion is an arc.</summary>
+    internal bool IsArc(int index) => _motions[index].IsArc;
+
+    /// <summary>True if cutter compensation begins or ends with a motion.</summary>
+    internal bool SwitchesCompensation(int index) => (_motions[index].Flags & MotionFlags.CompensationSwitches) != MotionFlags.None;
 
     /// <summary>Where a motion ends, without the rest. Coordinates that are not known read as zero.</summary>
     internal Point3 EndOf(int index)
@@ -251,54 +273,6 @@ public sealed class NcMotions : IReadOnlyList<NcMotion>
         _lastBlock = block;
         Share(state.Feed, state.Frame, isArc: false);
         _motions.Add(new(block, state.Mode, state.Plane, flags, end, AxisSet.None));
-    }
-
-    /// <summary>Begins a list that may be joined to this one later. Its first motion only says where it begins.</summary>
-    /// <param name="lead">Motions that end there.</param>
-    internal NcMotions Ahead(NcMotions lead)
-    {
-        var (end, unknown) = (lead.AssumedEnd(lead.Length - 1), lead._motions[lead.Length - 1].UnknownEnd);
-        var motions = new NcMotions(_like?._ahead);
-        motions.Add(new(-1, MotionKind.Rapid, CoordinatePlane.XY, MotionFlags.None, end, end, default, 0, 0, 0, unknown, unknown));
-        return motions;
-    }
-
-    /// <summary>True if the last motion ends, to the last bit, where a list of <see cref="Ahead"/> begins.</summary>
-    internal bool EndsWhereBegins(NcMotions ahead) => Length > 0 && _motions[Length - 1].SameEnd(ahead._motions[0]);
-
-    /// <summary>Appends the motions of a list of <see cref="Ahead"/> but its first; it gets no more.</summary>
-    internal void Join(NcMotions ahead)
-    {
-        if (ahead.Length == 1)
-        {
-            return;
-        }
-
-        // The first of them can have the setting of the last one here; whether the others begin a new one does not depend on what was before.
-        var first = Length;
-        var setting = ahead._newSettings[1] ? 1 : 0;
-        Share(ahead._settings[setting].Feed, ahead._settings[setting].Frame, ahead._areArcs[1]);
-        while (++setting < ahead._settingCount)
-        {
-            AddSetting(ahead._settings[setting]);
-        }
-
-        _newSettings.AddFrom(ahead._newSettings, 2);
-        _areArcs.AddFrom(ahead._areArcs, 2);
-        foreach (var (motion, start) in ahead._starts)
-        {
-            if (motion > 0)
-            {
-                _starts[first + motion - 1] = start;
-            }
-        }
-
-        HasPoints |= ahead.HasPoints;
-        FollowBlocks &= ahead.FollowBlocks;
-        (_lastBlock, _lastFeed, _lastFrame) = (ahead._lastBlock, ahead._lastFeed, ahead._lastFrame);
-        _motions.Join(ahead._motions, 1);
-        _arcs.Join(ahead._arcs, 0);
-        _ahead = ahead;
     }
 
     private bool StartsAtLast(in Point3 place)

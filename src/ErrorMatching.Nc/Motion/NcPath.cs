@@ -43,6 +43,9 @@ public sealed class NcPath
     /// <summary>Why the program could not be followed to its end: a program that is missing, a loop without end, a branch on what only the machine knows. Null where it was.</summary>
     public NcRefusal? Refusal { get; }
 
+    /// <summary>How the program was reached at some of its blocks.</summary>
+    internal IReadOnlyList<RunBorder> Borders { get; init; } = [];
+
     /// <summary>Where called programs were looked for that are not in the file.</summary>
     internal Func<string, NcProgram?>? Library { get; }
 
@@ -57,7 +60,7 @@ public sealed class NcPath
     {
         if (Motions.FollowBlocks)
         {
-            var first = FirstFrom(null, block);
+            var first = FirstFrom(null, block, ref _recent);
             var behind = first;
             while (behind < Motions.Length && Motions.BlockOf(behind) == block)
             {
@@ -74,7 +77,7 @@ public sealed class NcPath
         }
 
         var order = _byBlock ??= OrderByBlock();
-        var from = FirstFrom(order, block);
+        var from = FirstFrom(order, block, ref _recent);
         var to = from;
         while (to < order.Length && Motions.BlockOf(order[to]) == block)
         {
@@ -88,10 +91,16 @@ public sealed class NcPath
     public int MotionOf(int block) => RunOf(block, 0);
 
     /// <summary>One of the motions of a block, by its place among them; -1 behind the last.</summary>
-    internal int RunOf(int block, int run)
+    internal int RunOf(int block, int run) => RunOf(block, run, ref _recent);
+
+    /// <summary>The same for one of several who ask for blocks in different places.</summary>
+    /// <param name="block">The block.</param>
+    /// <param name="run">Which of its motions, from 0.</param>
+    /// <param name="recent">Where the asker found the last one, 0 at first.</param>
+    internal int RunOf(int block, int run, ref int recent)
     {
         var order = Motions.FollowBlocks ? null : _byBlock ??= OrderByBlock();
-        var place = FirstFrom(order, block) + run;
+        var place = FirstFrom(order, block, ref recent) + run;
         return place < Motions.Length && BlockAt(order, place) == block ? order is null ? place : order[place] : -1;
     }
 
@@ -110,10 +119,10 @@ public sealed class NcPath
     }
 
     // The first motion of a block or of a later one, in the order of the blocks (null: the path's own). It is mostly near the one that was asked for last.
-    private int FirstFrom(int[]? order, int block)
+    private int FirstFrom(int[]? order, int block, ref int recent)
     {
         var (low, high) = (0, Motions.Length);
-        var hint = _recent;
+        var hint = recent;
         for (var reach = 1; hint < high && reach <= Far; reach *= 2)
         {
             if (BlockAt(order, hint) < block)
@@ -140,7 +149,7 @@ public sealed class NcPath
             }
         }
 
-        _recent = low;
+        recent = low;
         return low;
     }
 

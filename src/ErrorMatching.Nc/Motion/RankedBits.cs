@@ -22,18 +22,19 @@ internal sealed class RankedBits
         _count++;
     }
 
-    /// <summary>Appends the bits of another list from a position on.</summary>
-    public void AddFrom(RankedBits other, int position)
+    /// <summary>Appends the bits of another list from a position on up to one that is not appended.</summary>
+    public void AddFrom(RankedBits other, int position, int behind)
     {
         // Up to a border of the other's words, then word by word, each in two parts.
-        for (; (position & 63) != 0 && position < other._count; position++)
+        for (; (position & 63) != 0 && position < behind; position++)
         {
             Add(other[position]);
         }
 
-        for (; position < other._count; position += 64)
+        for (; position < behind; position += 64)
         {
-            var (bits, rest) = (other._bits[position >> 6], Math.Min(64, other._count - position));
+            var rest = Math.Min(64, behind - position);
+            var bits = other._bits[position >> 6] & (ulong.MaxValue >> (64 - rest));
             while (rest > 0)
             {
                 var (word, at) = (_count >> 6, _count & 63);

@@ -27,7 +27,7 @@ public sealed partial class Prover
 
     private void CheckElement(ElementWish element, in NcMotion was, in NcMotion now)
     {
-        if (IsShrunk(element.Motion))
+        if (IsShrunk(element.Motion, was))
         {
             return;
         }
@@ -58,8 +58,8 @@ public sealed partial class Prover
         CheckArc(was, now);
         CheckReach(was, now.PlaneStart - was.PlaneStart);
         CheckReach(was, now.PlaneEnd - was.PlaneEnd);
-        CheckJoint(element.Motion, element.Motion, element.Start);
-        CheckJoint(element.Motion, element.Motion + 1, element.End);
+        CheckJoint(was, element.Motion, element.Motion, element.Start);
+        CheckJoint(was, element.Motion, element.Motion + 1, element.End);
     }
 
     // A vertex may run along its element to meet the neighbor, but not away.

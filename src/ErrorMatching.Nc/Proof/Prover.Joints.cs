@@ -100,20 +100,20 @@ public sealed partial class Prover
     /// One end of a named element: it took the wish itself, or it lies on the line or circle of another motion that meets the element there at an angle, or it is
     /// the tangent point of a fillet.
     /// </summary>
-    private void CheckJoint(int motion, int joint, Vector2 wished)
+    private void CheckJoint(in NcMotion was, int motion, int joint, Vector2 wished)
     {
-        var plane = _before.Motions[motion].Plane;
+        var plane = was.Plane;
         var move = MoveOf(joint);
         var moved = plane.Project(default(Point3) + move) - Point2.Origin;
         if (Math.Abs(plane.Height(default(Point3) + move)) > 1e-9)
         {
-            Fail(_before.Motions[motion].Block, "an end moved along the tool axis.");
+            Fail(was.Block, "an end moved along the tool axis.");
         }
 
         var other = _closures.TryGetValue(joint, out var closing) ? closing : -1;
         if (other >= 0 && (MoveOf(other) - move).Length > 1e-9)
         {
-            Fail(_before.Motions[motion].Block, "the contour no longer closes.");
+            Fail(was.Block, "the contour no longer closes.");
         }
 
         if ((moved - wished).Length <= _increment + 1e-6 || IsFillet(motion))
@@ -129,7 +129,7 @@ public sealed partial class Prover
 
         if (!isHeld)
         {
-            Fail(_before.Motions[motion].Block, FormattableString.Invariant($"an end moved by ({moved.X:0.000}, {moved.Y:0.000}), where neither the wish nor a neighbor puts it."));
+            Fail(was.Block, FormattableString.Invariant($"an end moved by ({moved.X:0.000}, {moved.Y:0.000}), where neither the wish nor a neighbor puts it."));
         }
     }
 
@@ -137,7 +137,7 @@ public sealed partial class Prover
     private IEnumerable<(int Motion, bool AtStart)> MotionsAt(int joint)
     {
         var behind = joint;
-        while (behind >= 0 && behind < _before.Motions.Length && (IsShrunk(behind) || PathWithoutPoints.IsPoint(_before.Motions[behind])))
+        while (behind >= 0 && behind < _before.Motions.Length && (IsShrunk(behind, _before.Motions[behind]) || PathWithoutPoints.IsPoint(_before.Motions[behind])))
         {
             behind++;
         }
@@ -148,7 +148,7 @@ public sealed partial class Prover
         }
 
         var ahead = joint - 1;
-        while (ahead >= 0 && (IsShrunk(ahead) || PathWithoutPoints.IsPoint(_before.Motions[ahead])))
+        while (ahead >= 0 && (IsShrunk(ahead, _before.Motions[ahead]) || PathWithoutPoints.IsPoint(_before.Motions[ahead])))
         {
             ahead--;
         }
@@ -160,8 +160,7 @@ public sealed partial class Prover
     }
 
     /// <summary>True for a named line that was cut off by the displacement of a corner and shrank to it: what it was measured by are the elements on both sides.</summary>
-    private bool IsShrunk(int motion) => _elements.Contains(motion) && _before.Motions[motion] is { Kind: MotionKind.Line, MovesInPlane: true } was
-        && _after.Motions[motion] is { MovesInPlane: false } && was.PlaneLength <= _reach;
+    private bool IsShrunk(int motion, in NcMotion was) => !_after.Motions.MovesInPlane(motion) && _elements.Contains(motion) && was is { Kind: MotionKind.Line, MovesInPlane: true } && was.PlaneLength <= _reach;
 
     private bool Holds(int neighbor, bool atStart, int motion, int joint, Vector2 moved, Vector2 wished)
     {

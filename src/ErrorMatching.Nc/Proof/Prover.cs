@@ -77,10 +77,15 @@ public sealed partial class Prover
         if (_failures.Count == 0 && SameStructure(markerBlock))
         {
             // The two look at different things and need nothing of each other, so a long program has them beside each other.
-            var bytes = _different.Count < Many ? null : Task.Run(() => CompareBytes(markerBlock));
+            var parts = CompareBytes(markerBlock);
             moved = CompareMotions();
-            (bytesIdentical, var failures) = bytes?.GetAwaiter().GetResult() ?? CompareBytes(markerBlock);
-            _failures.AddRange(failures);
+            bytesIdentical = true;
+            foreach (var part in parts)
+            {
+                var (identical, failures) = part.GetAwaiter().GetResult();
+                bytesIdentical &= identical;
+                _failures.AddRange(failures);
+            }
         }
 
         return new(_failures.Count == 0, _before.Motions.Length, moved, _neighbors, _marker, _maxDeviation, bytesIdentical, _failures);

@@ -17,8 +17,13 @@ internal static class CompensationEntry
         var motions = change.Path.Motions;
         foreach (var i in change.Affected())
         {
+            if (!motions.SwitchesCompensation(i))
+            {
+                continue;
+            }
+
             var motion = motions[i];
-            if (!motion.Has(MotionFlags.CompensationSwitches) || change.PlaneMoveOf(i, motion.Plane) == change.PlaneMoveOf(i + 1, motion.Plane))
+            if (change.PlaneMoveOf(i, motion.Plane) == change.PlaneMoveOf(i + 1, motion.Plane))
             {
                 continue;
             }

@@ -44,7 +44,7 @@ public sealed class DisplacementWish
     /// <summary>A wish for end points: the ends of the named motions move by one vector.</summary>
     /// <param name="motions">The motions, in any order.</param>
     /// <param name="by">The vector, mm.</param>
-    public static DisplacementWish OfEndPoints(IReadOnlyList<int> motions, Vector3 by) => new([], [.. motions.Distinct().Order()], by);
+    public static DisplacementWish OfEndPoints(IReadOnlyList<int> motions, Vector3 by) => new([], InOrder(motions) ? [.. motions] : [.. motions.Distinct().Order()], by);
 
     /// <summary>A wish for end points, each by a vector of its own: a path that follows a surface.</summary>
     /// <param name="points">One wish a motion, in any order.</param>
@@ -71,10 +71,28 @@ public sealed class DisplacementWish
     /// <returns>The wish, or a refusal where the blocks hold no cutting motion, or one that begins at an unknown place.</returns>
     public static NcOutcome<DisplacementWish> Normal(NcPath path, IReadOnlyList<int> blocks, double left)
     {
-        var elements = new List<ElementWish>(blocks.Count);
-        foreach (var block in InOrder(blocks) ? blocks : blocks.Distinct())
+        var distinct = InOrder(blocks) ? blocks : [.. blocks.Distinct()];
+        var (first, second) = distinct.Count < Halves.Many
+            ? (WishesOf(path, distinct, 0, distinct.Count, left), ([], null))
+            : Halves.Of(0, distinct.Count, (from, behind) => WishesOf(path, distinct, from, behind, left));
+        if ((first.Refusal ?? second.Refusal) is { } refusal)
         {
-            for (var run = 0; path.RunOf(block, run) is >= 0 and var motion; run++)
+            return refusal;
+        }
+
+        var elements = first.Elements;
+        elements.AddRange(second.Elements);
+        return elements.Count == 0 ? NoMotion(path, blocks) : IsAscending(elements) ? new DisplacementWish(elements, [], Vector3.Zero) : OfElements(elements);
+    }
+
+    // The wishes for some of the blocks; the list has room for those of all blocks behind them.
+    private static (List<ElementWish> Elements, NcRefusal? Refusal) WishesOf(NcPath path, IReadOnlyList<int> blocks, int from, int behind, double left)
+    {
+        var elements = new List<ElementWish>(blocks.Count - from);
+        var recent = 0;
+        for (var i = from; i < behind; i++)
+        {
+            for (var run = 0; path.RunOf(blocks[i], run, ref recent) is >= 0 and var motion; run++)
             {
                 var m = path.Motions[motion];
                 if (!m.IsCut || !MayMoveInPlane(path, motion, m))
@@ -84,14 +102,14 @@ public sealed class DisplacementWish
 
                 if (!m.IsKnownInPlane)
                 {
-                    return Obstacles.Of(path, motion) ?? Obstacles.UnknownPlace(path, motion);
+                    return (elements, Obstacles.Of(path, motion) ?? Obstacles.UnknownPlace(path, motion));
                 }
 
                 elements.Add(ElementWish.AlongNormals(m, motion, left, left, left));
             }
         }
 
-        return elements.Count == 0 ? NoMotion(path, blocks) : IsAscending(elements) ? new DisplacementWish(elements, [], Vector3.Zero) : OfElements(elements);
+        return (elements, null);
     }
 
     // Between unknown places a motion does not show that it moves; its words do.
@@ -106,17 +124,20 @@ public sealed class DisplacementWish
         var motions = new List<int>(blocks.Count);
         foreach (var block in blocks)
         {
-            motions.AddRange(path.MotionsOf(block));
+            for (var run = 0; path.RunOf(block, run) is >= 0 and var motion; run++)
+            {
+                motions.Add(motion);
+            }
         }
 
         return motions.Count > 0 ? OfEndPoints(motions, by) : NoMotion(path, blocks);
     }
 
-    private static bool InOrder(IReadOnlyList<int> blocks)
+    private static bool InOrder(IReadOnlyList<int> positions)
     {
-        for (var i = 1; i < blocks.Count; i++)
+        for (var i = 1; i < positions.Count; i++)
         {
-            if (blocks[i - 1] >= blocks[i])
+            if (positions[i - 1] >= positions[i])
             {
                 return false;
             }

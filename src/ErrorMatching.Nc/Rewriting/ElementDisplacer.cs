@@ -91,7 +91,7 @@ internal sealed partial class ElementDisplacer
     private NcRefusal? Add(ElementWish element)
     {
         var motion = _path.Motions[element.Motion];
-        if (Obstacles.Of(_path, element.Motion) is { } obstacle)
+        if (Obstacles.Of(_path, motion) is { } obstacle)
         {
             return obstacle;
         }
@@ -338,7 +338,7 @@ internal sealed partial class ElementDisplacer
         var motions = _path.Motions;
         foreach (var i in _change.Affected())
         {
-            if (motions[i].IsArc && !_named.Contains(i) && !_change.HasCenter(i) && (_change.IsSet(i) || _change.IsSet(i + 1)) && !SlidesOnCircle(i) && _change.FollowWithArc(i) is { } refusal)
+            if (motions.IsArc(i) && !_named.Contains(i) && !_change.HasCenter(i) && (_change.IsSet(i) || _change.IsSet(i + 1)) && !SlidesOnCircle(i) && _change.FollowWithArc(i) is { } refusal)
             {
                 return refusal;
             }

@@ -49,7 +49,7 @@ internal static class EndPointDisplacer
         var path = change.Path;
         foreach (var i in change.Affected())
         {
-            if (path.Motions[i].IsArc && (change.MoveOf(i) != Vector3.Zero || change.MoveOf(i + 1) != Vector3.Zero))
+            if (path.Motions.IsArc(i) && (change.MoveOf(i) != Vector3.Zero || change.MoveOf(i + 1) != Vector3.Zero))
             {
                 return NcRefusal.At(path.Program, path.Motions[i].Block, NcRefusalCodes.ArcForm, "an arc cannot follow points that are displaced each by its own vector. Post it as short straight lines.");
             }
@@ -63,7 +63,7 @@ internal static class EndPointDisplacer
         var motions = change.Path.Motions;
         foreach (var i in change.Affected())
         {
-            if (motions[i].IsArc && change.FollowWithArc(i) is { } refusal)
+            if (motions.IsArc(i) && change.FollowWithArc(i) is { } refusal)
             {
                 return refusal;
             }

@@ -4,11 +4,13 @@ namespace ErrorMatching.Nc;
 internal static class Obstacles
 {
     /// <summary>The reason why one motion cannot be changed, or null.</summary>
-    public static NcRefusal? Of(NcPath path, int motion)
+    public static NcRefusal? Of(NcPath path, int motion) => Of(path, path.Motions[motion]);
+
+    /// <summary>The same for a motion that is at hand.</summary>
+    public static NcRefusal? Of(NcPath path, in NcMotion motion)
     {
-        var m = path.Motions[motion];
-        var (code, why) = Reason(m);
-        return code is null ? null : NcRefusal.At(path.Program, m.Block, code, why!);
+        var (code, why) = Reason(motion);
+        return code is null ? null : NcRefusal.At(path.Program, motion.Block, code, why!);
     }
 
     /// <summary>The refusal of a motion whose place the program does not say.</summary>

@@ -9,6 +9,7 @@ internal sealed class PathChange
 {
     private readonly SparseList<Vector3> _moves;
     private readonly SparseList<Point2> _centers;
+    private List<int>? _affected;
 
     public PathChange(NcPath path)
     {
@@ -22,8 +23,10 @@ internal sealed class PathChange
     /// <summary>Arcs with a new exact center in their plane, in the order of the path.</summary>
     public IEnumerable<int> ArcsWithCenter() => _centers.Positions();
 
-    /// <summary>Motions that begin or end at a joint with a new place, or have a new center, in the order of the path: the cost of a change grows with them, not with the program.</summary>
-    public List<int> Affected()
+    /// <summary>Motions that begin or end at a joint with a new place, or have a new center, in the order of the path: the cost of a change grows with them, not with the program. The list is kept; do not change it.</summary>
+    public List<int> Affected() => _affected ??= FindAffected();
+
+    private List<int> FindAffected()
     {
         var affected = new List<int>(_moves.Count + 1);
         foreach (var joint in _moves.Positions())
@@ -57,11 +60,11 @@ internal sealed class PathChange
     /// <summary>The center of an arc in its plane: the new one if it has one.</summary>
     public Point2 CenterOf(int motion, in NcMotion arc) => _centers.Has(motion) ? _centers[motion] : arc.Center;
 
-    public void Move(int joint, Vector3 by) => _moves[joint] = by;
+    public void Move(int joint, Vector3 by) => (_moves[joint], _affected) = (by, null);
 
     public void Move(int joint, CoordinatePlane plane, Vector2 by) => Move(joint, plane.Lift(Point2.Origin + by, 0) - default(Point3));
 
-    public void SetCenter(int motion, Point2 center) => _centers[motion] = center;
+    public void SetCenter(int motion, Point2 center) => (_centers[motion], _affected) = (center, null);
 
     /// <summary>A joint's displacement in a plane.</summary>
     public Vector2 PlaneMoveOf(int joint, CoordinatePlane plane) => plane.Project(default(Point3) + MoveOf(joint)) - Point2.Origin;
@@ -94,7 +97,7 @@ internal sealed class PathChange
         var (start, end) = (PlaneMoveOf(motion, arc.Plane), PlaneMoveOf(motion + 1, arc.Plane));
         if ((start - end).Length < 1e-12)
         {
-            _centers[motion] = arc.Center + start;
+            SetCenter(motion, arc.Center + start);
             return null;
         }
 
@@ -110,7 +113,7 @@ internal sealed class PathChange
 
         if (arc.PlaneStart.DistanceTo(arc.PlaneEnd) > 1e-9 && Carrier.Displaced(arc, new(motion, start, (start + end) / 2, end))?.Circle is { } circle)
         {
-            _centers[motion] = circle.Center;
+            SetCenter(motion, circle.Center);
             if (KeepsSense(motion))
             {
                 return null;

@@ -186,7 +186,7 @@ internal sealed partial class WordEditor
             return null;
         }
 
-        if (Obstacles.Of(_path, index) is { } obstacle)
+        if (Obstacles.Of(_path, motion) is { } obstacle)
         {
             return obstacle;
         }
