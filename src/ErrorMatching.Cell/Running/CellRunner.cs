@@ -49,6 +49,7 @@ public sealed class CellRunner
         var flow = new CellFlow(_settings, _store, _clock, _log, Pace, finish.Token) { AroundStep = AroundStep };
         using var lines = CellTelemetry.Watch(() => Lines(flow));
         using var sources = new Sources(flow, _open);
+        AllowForWaiting();
         var workers = Workers(flow, sources).Select(w => Task.Run(() => w(end.Token), CancellationToken.None)).ToArray();
         _log.Information("{Cell} runs: {Gauges} gauges, {Slots} slots", _settings.Name, _settings.Gauges.Count, _settings.Machines.Sum(m => m.Slots.Count));
 
@@ -89,6 +90,13 @@ public sealed class CellRunner
 
         yield return new Worker(flow, "store", new(), new StoreWatch(flow).WorkAsync).RunAsync;
         yield return new Worker(flow, "heartbeat", new(), new HeartbeatWorker(flow, Alive).WorkAsync).RunAsync;
+    }
+
+    // A step waits for the disk on the thread that takes it. With as many threads as cores, which is what the pool begins with, transfers of other slots would wait as well, and the pool grows by two a second.
+    private void AllowForWaiting()
+    {
+        ThreadPool.GetMinThreads(out var threads, out var ports);
+        ThreadPool.SetMinThreads(Math.Max(threads, (2 * (_settings.Gauges.Count + _settings.Machines.Sum(m => m.Slots.Count))) + 16), ports);
     }
 
     private static IEnumerable<(string Machine, string Slot, long Waiting)> Lines(CellFlow flow) =>

@@ -1,6 +1,6 @@
 using System.CommandLine;
-using System.Text.Json;
 using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
