@@ -97,6 +97,7 @@ internal sealed class SqliteDatabase : CellDatabase
         var temporary = $"{file}.{Environment.ProcessId.ToString(CultureInfo.InvariantCulture)}.tmp";
         try
         {
+            MakeForOwner(temporary);
             Read(connection =>
             {
                 using var copy = new SqliteConnection(ConnectionString(temporary));
@@ -229,6 +230,20 @@ internal sealed class SqliteDatabase : CellDatabase
     }
 
     // A log without its file is the sign of a lost store, and would be read into a new one.
+    // A store has hashes of passwords: whoever else may read it is its owner's decision, not the umask's. Its log follows it.
+    private static void MakeForOwner(string file)
+    {
+        var options = new FileStreamOptions { Mode = FileMode.Create, Access = FileAccess.Write };
+        if (!OperatingSystem.IsWindows())
+        {
+            options.UnixCreateMode = UnixFileMode.UserRead | UnixFileMode.UserWrite;
+        }
+
+        using (new FileStream(file, options))
+        {
+        }
+    }
+
     private void Make(Action<CellDatabase> prepare)
     {
         var folder = Path.GetDirectoryName(Path.GetFullPath(_file))!;
@@ -243,6 +258,7 @@ internal sealed class SqliteDatabase : CellDatabase
         var temporary = $"{_file}.{Environment.ProcessId.ToString(CultureInfo.InvariantCulture)}.{Guid.NewGuid():N}.new";
         try
         {
+            MakeForOwner(temporary);
             using (var made = new SqliteDatabase(temporary))
             {
                 made.Change((connection, transaction) => connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA application_id = {ApplicationId}"), transaction: transaction));
