@@ -62,10 +62,18 @@ internal sealed class PostgresDatabase : CellDatabase
     };
 
     /// <inheritdoc/>
-    public override void Inspect()
+    public override void Inspect() => Read(connection =>
     {
         // The server looks after its own files; contents and the audit trail are proved by their hashes.
-    }
+        if (connection.QuerySingle<string>("SHOW server_encoding") != "UTF8")
+        {
+            throw new StoreException(StoreError.NotSupported, $"{Place} cannot keep every text: make its database with createdb --encoding=UTF8 --template=template0.");
+        }
+
+        return connection.QuerySingle<string>("SHOW fsync") == "on"
+            ? true
+            : throw new StoreException(StoreError.NotSupported, $"{Place} forgets at a power cut what it has acknowledged: set fsync = on for its server.");
+    });
 
     /// <inheritdoc/>
     public override bool HasTable(DbConnection connection, string name) =>

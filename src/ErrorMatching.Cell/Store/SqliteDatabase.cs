@@ -12,6 +12,8 @@ namespace ErrorMatching.Cell;
 internal sealed class SqliteDatabase : CellDatabase
 {
     internal const int ApplicationId = 0x45724D43;
+    private const int NoRoomForIndex = 4874;
+    private const int NoSuchContent = 787;
     private const long WholeCheckBytes = 256 << 20;
     private readonly string _file;
     private readonly Lock _writing = new();
@@ -90,9 +92,12 @@ internal sealed class SqliteDatabase : CellDatabase
     public override void Backup(string file)
     {
         if (Path.GetFullPath(file) == Path.GetFullPath(_file)) throw new StoreException(StoreError.Denied, $"{file} is the store itself: name another file for its backup.");
+        var folder = Path.GetDirectoryName(Path.GetFullPath(file));
+        if (!Directory.Exists(folder)) throw new StoreException(StoreError.Missing, $"The backup {file} was not written: the folder {folder} is not there.");
         var temporary = $"{file}.{Environment.ProcessId.ToString(CultureInfo.InvariantCulture)}.tmp";
         try
         {
+            MakeForOwner(temporary);
             Read(connection =>
             {
                 using var copy = new SqliteConnection(ConnectionString(temporary));
@@ -107,13 +112,17 @@ internal sealed class SqliteDatabase : CellDatabase
             using (var written = new FileStream(temporary, FileMode.Open, FileAccess.ReadWrite)) written.Flush(flushToDisk: true);
             File.Move(temporary, file, overwrite: true);
         }
+        catch (StoreException failure) when (failure.Error is not StoreError.Damaged)
+        {
+            throw new StoreException(failure.Error, $"The backup {file} was not written: {failure.InnerException!.Message}", failure);
+        }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            throw new StoreException(StoreError.Disk, $"The backup {file} cannot be written: {failure.Message}", failure);
+            throw new StoreException(StoreError.Disk, $"The backup {file} was not written: {failure.Message}", failure);
         }
         finally
         {
-            File.Delete(temporary);
+            foreach (var end in (ReadOnlySpan<string>)["", "-journal", "-wal", "-shm"]) File.Delete(temporary + end);
         }
     }
 
@@ -221,6 +230,20 @@ internal sealed class SqliteDatabase : CellDatabase
     }
 
     // A log without its file is the sign of a lost store, and would be read into a new one.
+    // A store has hashes of passwords: whoever else may read it is its owner's decision, not the umask's. Its log follows it.
+    private static void MakeForOwner(string file)
+    {
+        var options = new FileStreamOptions { Mode = FileMode.Create, Access = FileAccess.Write };
+        if (!OperatingSystem.IsWindows())
+        {
+            options.UnixCreateMode = UnixFileMode.UserRead | UnixFileMode.UserWrite;
+        }
+
+        using (new FileStream(file, options))
+        {
+        }
+    }
+
     private void Make(Action<CellDatabase> prepare)
     {
         var folder = Path.GetDirectoryName(Path.GetFullPath(_file))!;
@@ -235,6 +258,7 @@ internal sealed class SqliteDatabase : CellDatabase
         var temporary = $"{_file}.{Environment.ProcessId.ToString(CultureInfo.InvariantCulture)}.{Guid.NewGuid():N}.new";
         try
         {
+            MakeForOwner(temporary);
             using (var made = new SqliteDatabase(temporary))
             {
                 made.Change((connection, transaction) => connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA application_id = {ApplicationId}"), transaction: transaction));
@@ -282,15 +306,18 @@ internal sealed class SqliteDatabase : CellDatabase
 
     private StoreException Damaged(string found, Exception? cause) => new(StoreError.Damaged, $"The store {_file} is damaged: {found.Trim()} Restore the latest backup.", cause);
 
+    private StoreException Full(Exception cause) => new(StoreError.Full, $"The disk of the store {_file} is full. Nothing was changed. Make room; the cell goes on by itself.", cause);
+
     private StoreException Named(SqliteException failure) => failure.SqliteErrorCode switch
     {
         5 or 6 => new(StoreError.Locked, $"The store {_file} is held by another process for longer than {Patience.TotalSeconds} s. Nothing was changed.", failure),
+        10 when failure.SqliteExtendedErrorCode == NoRoomForIndex => Full(failure),
         8 => new(StoreError.ReadOnly, $"The store {_file} cannot be written: its disk or file is read-only. Nothing was changed.", failure),
         10 => new(StoreError.Disk, $"The disk of the store {_file} reports an error. Nothing was changed. Look at the system's log and copy the store to a good disk.", failure),
         11 or 26 => Damaged(failure.Message, failure),
-        13 => new(StoreError.Full, $"The disk of the store {_file} is full. Nothing was changed. Make room; the cell goes on by itself.", failure),
+        13 => Full(failure),
         14 => new(StoreError.Denied, $"The store {_file} cannot be opened: {failure.Message} Look at who may write the file and its folder.", failure),
-        19 when failure.SqliteExtendedErrorCode == 787 => new(StoreError.Missing, $"A content that is named is not in the store {_file}. Nothing was changed.", failure),
+        19 when failure.SqliteExtendedErrorCode == NoSuchContent => new(StoreError.Missing, $"A content that is named is not in the store {_file}. Nothing was changed.", failure),
         _ => new(StoreError.Unknown, $"The store {_file}: {failure.Message}", failure),
     };
 }

@@ -114,8 +114,8 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
         Set("LogLevel=ERROR");
         Set("StrictHostKeyChecking=yes");
         Set("HostKeyAlias=" + HostAlias);
-        Set($"UserKnownHostsFile=\"{known}\"");
-        Set($"GlobalKnownHostsFile=\"{known}\"");
+        Set("UserKnownHostsFile=" + ForOption(known));
+        Set("GlobalKnownHostsFile=" + ForOption(known));
         Set("UpdateHostKeys=no");
         Set("CheckHostIP=no");
         Set("IdentitiesOnly=yes");
@@ -128,7 +128,7 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
         if (sftp.KeyFile is { } key)
         {
             Set("BatchMode=yes");
-            Set($"IdentityFile=\"{key}\"");
+            Set("IdentityFile=" + ForOption(key));
             Set("PreferredAuthentications=publickey");
         }
         else
@@ -139,7 +139,8 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
             Set("PreferredAuthentications=password,keyboard-interactive");
         }
 
-        arguments.AddRange(["-o", "User=" + sftp.User, "-P", sftp.Port.ToString(CultureInfo.InvariantCulture), "-b", "-", sftp.Host]);
+        var host = sftp.Host.Contains(':', StringComparison.Ordinal) ? $"[{sftp.Host}]" : sftp.Host;
+        arguments.AddRange(["-o", "User=" + sftp.User, "-P", sftp.Port.ToString(CultureInfo.InvariantCulture), "-b", "-", host]);
         return arguments;
     }
 
@@ -165,6 +166,10 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
 
     private static string Quoted(string path) =>
         "\"" + path.Replace("\\", "\\\\", StringComparison.Ordinal).Replace("\"", "\\\"", StringComparison.Ordinal) + "\"";
+
+    // In options a percent sign begins a token; Windows' OpenSSH takes slashes, which need no escapes.
+    private static string ForOption(string path) =>
+        "\"" + (OperatingSystem.IsWindows() ? path.Replace('\\', '/') : path).Replace("%", "%%", StringComparison.Ordinal) + "\"";
 
     private static string[] NamesOf(ToolResult result) =>
         [.. Encoding.UTF8.GetString(result.Output).Split('\n').Select(l => l.TrimEnd('\r')).Where(l => l.Length > 0 && !l.StartsWith(SftpAnswer.Echo, StringComparison.Ordinal))];

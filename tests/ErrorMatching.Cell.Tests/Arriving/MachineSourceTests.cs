@@ -135,11 +135,23 @@ public sealed class MachineSourceTests : IDisposable
     {
         var machine = new MachineSettings
         {
-            Name = "vmc1", Transport = new FolderSettings(folder ?? _folder), Dialect = "siemens-840d", Slots = [], Timeout = TimeSpan.FromSeconds(10), Attempts = 1,
+            Name = "vmc1",
+            Transport = new FolderSettings(folder ?? _folder),
+            Dialect = "siemens-840d",
+            Slots = [],
+            Timeout = TimeSpan.FromSeconds(10),
+            Attempts = 1,
         };
         var gauge = new GaugeSettings
         {
-            Name = "probe", Machine = "vmc1", Files = "*.LOG", Finished = finished, Format = null, MostBytes = 1000, Every = TimeSpan.FromSeconds(2), KeepsFile = keeps,
+            Name = "probe",
+            Machine = "vmc1",
+            Files = "*.LOG",
+            Finished = finished,
+            Format = null,
+            MostBytes = 1000,
+            Every = TimeSpan.FromSeconds(2),
+            KeepsFile = keeps,
         };
         return new(gauge, MachineFolders.Open(machine, () => null), _clock);
     }

@@ -8,7 +8,6 @@ namespace ErrorMatching.Cell.Tests;
 public sealed class AuditTrailTests : PeopleTest
 {
     private const int Entries = 9;
-    private const string Rewritten = "UPDATE audit SET who = 'eve' WHERE seq >= {0}";
 
     private AuditTrail Evidence => new(Store, Keys);
 
@@ -113,13 +112,13 @@ public sealed class AuditTrailTests : PeopleTest
 
     [Fact]
     public void The_last_entry_changed_and_hashed_again_is_found() =>
-        Found(AuditFaultKind.Changed, Entries, [string.Format(CultureInfo.InvariantCulture, Rewritten, Entries), .. Rehash(Entries, Entries)]);
+        Found(AuditFaultKind.Changed, Entries, [Rewritten(Entries), .. Rehash(Entries, Entries)]);
 
     [Theory]
     [InlineData(1), InlineData(5), InlineData(Entries)]
     public void All_that_follows_hashed_again_is_found_by_the_seal(long seq)
     {
-        string[] rehash = [string.Format(CultureInfo.InvariantCulture, Rewritten, seq), .. Rehash(seq, Entries)];
+        string[] rehash = [Rewritten(seq), .. Rehash(seq, Entries)];
         Found(AuditFaultKind.Changed, Entries, rehash);
         Found(AuditFaultKind.Unsealed, Entries, "UPDATE audit_head SET hash = (SELECT hash FROM audit ORDER BY seq DESC LIMIT 1)");
         Found(AuditFaultKind.Unsealed, Entries, "UPDATE audit_head SET seal = NULL");
@@ -129,7 +128,7 @@ public sealed class AuditTrailTests : PeopleTest
     [Fact]
     public void A_trail_hashed_again_and_sealed_with_other_keys_is_found()
     {
-        Tamper([string.Format(CultureInfo.InvariantCulture, Rewritten, 3), .. Rehash(3, Entries)]);
+        Tamper([Rewritten(3), .. Rehash(3, Entries)]);
         var hash = Store.AuditEntries(Entries - 1, 1)[0].Hash;
         Found(AuditFaultKind.Unsealed, Entries, $"UPDATE audit_head SET hash = '{hash}', seal = '{AuditHead.SealOf(AuditKey.Open(PathOf("others")), Entries, hash)}'");
     }
@@ -296,6 +295,8 @@ public sealed class AuditTrailTests : PeopleTest
 
     private AuditEntry Forged(long seq, string who) =>
         AuditEntry.After(seq == 1 ? AuditEntry.NoHash : Store.AuditEntries(seq - 2, 1)[0].Hash, seq, Clock.Now, who, "approved", "correction 99", "forged");
+
+    private static string Rewritten(long from) => $"UPDATE audit SET who = 'eve' WHERE seq >= {from}";
 
     private static string Insert(AuditEntry e) => string.Create(
         CultureInfo.InvariantCulture, $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash) VALUES ({e.Seq}, {StoredTime.Of(e.At)}, '{e.Who}', '{e.What}', '{e.Subject}', '{e.Basis}', '{e.Previous}', '{e.Hash}')");

@@ -98,10 +98,10 @@ public sealed class MachineSecretsTests : PeopleTest
     public void Copied_keys_read_it()
     {
         Secrets.Set("vmc1", Secret, "Anna");
-        Directory.CreateDirectory(PathOf("copied"), OperatingSystem.IsWindows() ? default : UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
+        AuditKey.Open(PathOf("copied"));
         foreach (var file in Directory.EnumerateFiles(Keys))
         {
-            File.Copy(file, Path.Combine(PathOf("copied"), Path.GetFileName(file)));
+            File.Copy(file, Path.Combine(PathOf("copied"), Path.GetFileName(file)), overwrite: true);
         }
 
         Assert.Equal(Secret, new MachineSecrets(Store, PathOf("copied")).Get("vmc1"));

@@ -193,6 +193,18 @@ public sealed class UserBookTests : PeopleTest
     }
 
     [Fact]
+    public void Only_its_owner_reads_the_store_and_a_copy_of_it()
+    {
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "Windows has lists of rights instead.");
+        Users.AddFirst("Anna", Right);
+        Store.Backup(PathOf("copy.db"));
+        foreach (var file in new[] { "cell.db", "cell.db-wal", "copy.db" })
+        {
+            Assert.Equal(UnixFileMode.UserRead | UnixFileMode.UserWrite, OperatingSystem.IsWindows() ? default : File.GetUnixFileMode(PathOf(file)));
+        }
+    }
+
+    [Fact]
     public void No_password_is_in_the_store()
     {
         Users.Add(Anna(), "Ben", Role.Operator, Other);

@@ -253,6 +253,18 @@ public sealed class SqliteDamageTests : IDisposable
         Assert.DoesNotContain(Directory.EnumerateFiles(_folder), f => f.Contains("restore", StringComparison.Ordinal));
     }
 
+    [Fact]
+    public void A_backup_that_cannot_be_written_is_named_and_leaves_nothing()
+    {
+        Fill();
+        using var store = CellStore.Open(Settings, TimeProvider.System);
+        var nowhere = Path.Combine(_folder, "none", "backup.db");
+        Assert.Contains($"The backup {nowhere} was not written", Assert.Throws<StoreException>(() => store.Backup(nowhere)).Message, StringComparison.Ordinal);
+        Directory.CreateDirectory(Path.Combine(_folder, "folder"));
+        Assert.Equal(StoreError.Disk, Assert.Throws<StoreException>(() => store.Backup(Path.Combine(_folder, "folder"))).Error);
+        Assert.DoesNotContain(Directory.EnumerateFiles(_folder), f => f.Contains(".tmp", StringComparison.Ordinal));
+    }
+
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
     private static Correction Archive(CellStore store, int number)

@@ -46,6 +46,25 @@ public sealed class SqliteProcessTests : IDisposable
     }
 
     [Fact]
+    public void Two_processes_that_write_make_one_chain()
+    {
+        using var store = CellStore.Open(new SqliteSettings(File), TimeProvider.System);
+        using var writer = StoreWriter.Start("write", File);
+        var theirs = Enumerable.Range(0, 20).Select(_ => writer.StandardOutput.ReadLine()).Count(l => l is not null);
+        for (var i = 0; i < 40; i++)
+        {
+            store.Audit("anna", "signed-in", "password");
+            Thread.Sleep(5);
+        }
+
+        writer.Kill();
+        writer.WaitForExit();
+        Assert.Equal(40, store.AuditEntries(0, int.MaxValue).Count(e => e.What == "signed-in"));
+        Assert.InRange(store.ChangeCount(), 1 + theirs + 40, long.MaxValue);
+        Assert.Null(store.VerifyAudit());
+    }
+
+    [Fact]
     public void A_store_that_another_process_keeps_in_a_change_is_named_locked_and_is_still_read()
     {
         using var store = CellStore.Open(new SqliteSettings(File), TimeProvider.System);

@@ -10,6 +10,8 @@ public sealed class SqliteStoreTests : StoreTests
 
     private protected override void RemoveTriggers(CellStore store) => store.Write(t => t.Execute("DROP TRIGGER audit_update; DROP TRIGGER audit_delete"));
 
+    private protected override CellStore SecondCell(CellStore first) => first;
+
     protected override void Dispose(bool disposing)
     {
         base.Dispose(disposing);

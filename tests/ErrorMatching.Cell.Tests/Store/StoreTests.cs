@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
 
@@ -92,6 +93,40 @@ public abstract partial class StoreTests : IDisposable
         Assert.Equal(second, store.Find(second.Id));
     }
 
+    [Fact]
+    public void Writers_in_four_threads_make_one_chain()
+    {
+        const int EachDoes = 150;
+        var first = Open();
+        CellStore[] stores = [first, SecondCell(first)];
+        var failures = new List<Exception>();
+        var threads = Enumerable.Range(0, 4).Select(t => new Thread(() =>
+        {
+            try
+            {
+                for (var i = 0; i < EachDoes; i++)
+                {
+                    var name = string.Create(CultureInfo.InvariantCulture, $"{t}-{i}");
+                    var correction = stores[t % 2].Archive(new Arrival("gauge", name, name, Encoding.UTF8.GetBytes(name))).Correction;
+                    correction = stores[t % 2].Step(correction, CorrectionState.Recognized, "cell", "by name", c => c with { Identity = name });
+                    correction = stores[t % 2].Step(correction, CorrectionState.Computed, "cell", "computed");
+                    stores[t % 2].Step(correction, CorrectionState.Proposed, "cell", "within limits");
+                }
+            }
+            catch (Exception failure)
+            {
+                lock (failures) failures.Add(failure);
+            }
+        })).ToArray();
+        foreach (var thread in threads) thread.Start();
+        foreach (var thread in threads) thread.Join();
+
+        Assert.Empty(failures);
+        Assert.Equal(1 + 4 * 4 * EachDoes, stores[0].ChangeCount());
+        Assert.Null(stores[1].VerifyAudit());
+        Assert.Equal(4 * EachDoes, stores[0].InState(CorrectionState.Proposed).Count);
+    }
+
     protected static string Hash(string text) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text)));
 
     protected static ReadOnlyMemory<byte> Bytes(string text) => Encoding.UTF8.GetBytes(text);
@@ -111,6 +146,9 @@ public abstract partial class StoreTests : IDisposable
         _opened.Add(store);
         return store;
     }
+
+    /// <summary>The store as another cell has it, where one is for several.</summary>
+    private protected virtual CellStore SecondCell(CellStore first) => Open();
 
     public void Dispose()
     {

@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Text;
 using ErrorMatching.Cell;
 
@@ -17,39 +16,6 @@ public sealed class PostgresCellsTests : IDisposable
         PostgresServer.IsNeeded();
         _server = server;
         _settings = server.NewDatabase();
-    }
-
-    [Fact]
-    public void Writers_of_two_cells_make_one_chain()
-    {
-        const int EachDoes = 250;
-        CellStore[] stores = [Open(), Open()];
-        var failures = new List<Exception>();
-        var threads = Enumerable.Range(0, 4).Select(t => new Thread(() =>
-        {
-            try
-            {
-                for (var i = 0; i < EachDoes; i++)
-                {
-                    var name = string.Create(CultureInfo.InvariantCulture, $"{t}-{i}");
-                    var correction = stores[t % 2].Archive(new Arrival("gauge", name, name, Encoding.UTF8.GetBytes(name))).Correction;
-                    correction = stores[t % 2].Step(correction, CorrectionState.Recognized, "cell", "by name", c => c with { Identity = name });
-                    correction = stores[t % 2].Step(correction, CorrectionState.Computed, "cell", "computed");
-                    stores[t % 2].Step(correction, CorrectionState.Proposed, "cell", "within limits");
-                }
-            }
-            catch (Exception failure)
-            {
-                lock (failures) failures.Add(failure);
-            }
-        })).ToArray();
-        foreach (var thread in threads) thread.Start();
-        foreach (var thread in threads) thread.Join();
-
-        Assert.Empty(failures);
-        Assert.Equal(1 + 4 * 4 * EachDoes, stores[0].ChangeCount());
-        Assert.Null(stores[1].VerifyAudit());
-        Assert.Equal(4 * EachDoes, stores[0].InState(CorrectionState.Proposed).Count);
     }
 
     [Fact]
@@ -148,6 +114,32 @@ public sealed class PostgresCellsTests : IDisposable
         }
 
         store.Step(correction, CorrectionState.Recognized, "cell", "by name");
+    }
+
+    [Fact]
+    public void A_server_that_cannot_keep_every_text_or_forgets_is_refused()
+    {
+        var latin = _server.NewDatabase("ENCODING 'LATIN1' TEMPLATE template0");
+        Assert.Contains("createdb --encoding=UTF8", Assert.Throws<StoreException>(() => CellStore.Open(latin, TimeProvider.System)).Message, StringComparison.Ordinal);
+        _server.Execute("postgres", "ALTER SYSTEM SET fsync = off");
+        _server.Execute("postgres", "SELECT pg_reload_conf()");
+        try
+        {
+            StoreException? refused = null;
+            for (var i = 0; refused is null && i < 100; i++)
+            {
+                // The server reads its settings a little later.
+                Thread.Sleep(50);
+                refused = Record.Exception(() => Open()) as StoreException;
+            }
+
+            Assert.Contains("fsync = on", refused?.Message, StringComparison.Ordinal);
+        }
+        finally
+        {
+            _server.Execute("postgres", "ALTER SYSTEM RESET fsync");
+            _server.Execute("postgres", "SELECT pg_reload_conf()");
+        }
     }
 
     [Fact]

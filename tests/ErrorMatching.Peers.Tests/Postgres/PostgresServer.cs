@@ -53,10 +53,11 @@ public sealed class PostgresServer : IDisposable
     public static void SetMode(string file, string mode) => Run("chmod", mode, file);
 
     /// <summary>Makes an empty database.</summary>
-    public PostgresSettings NewDatabase()
+    /// <param name="how">What else CREATE DATABASE is told.</param>
+    public PostgresSettings NewDatabase(string how = "")
     {
         var name = string.Create(CultureInfo.InvariantCulture, $"cell{Interlocked.Increment(ref _databases)}");
-        Execute("postgres", $"CREATE DATABASE {name}");
+        Execute("postgres", $"CREATE DATABASE {name} {how}");
         return new PostgresSettings("127.0.0.1", Port, name, User, PasswordFile);
     }
 
@@ -80,7 +81,7 @@ public sealed class PostgresServer : IDisposable
     public void Start()
     {
         var start = AsServer(
-            Path.Combine(Programs!, "postgres"), "-D", Data, "-p", Port.ToString(CultureInfo.InvariantCulture), "-c", "listen_addresses=127.0.0.1", "-c", "unix_socket_directories=", "-c", "fsync=off", "-c", "shared_buffers=16MB");
+            Path.Combine(Programs!, "postgres"), "-D", Data, "-p", Port.ToString(CultureInfo.InvariantCulture), "-c", "listen_addresses=127.0.0.1", "-c", "unix_socket_directories=", "-c", "shared_buffers=16MB");
         start.UseShellExecute = false;
         start.RedirectStandardError = true;
         start.RedirectStandardOutput = true;

@@ -31,6 +31,17 @@ public sealed class FtpTransportTests
     }
 
     [Theory]
+    [InlineData("/")]
+    [InlineData("/etc")]
+    public async Task A_folder_may_be_named_from_the_root(string folder)
+    {
+        FtpPeer.IsNeeded();
+        using var peer = new FtpPeer(FtpTls.None);
+        var names = await MachineFolders.Open(peer.Machine(folder: folder), () => FtpPeer.Password).ListAsync(Token);
+        Assert.Contains(folder == "/" ? "etc" : "passwd", names);
+    }
+
+    [Theory]
     [InlineData(FtpTls.Explicit)]
     [InlineData(FtpTls.Implicit)]
     public async Task A_server_with_another_key_gets_no_password(FtpTls tls)

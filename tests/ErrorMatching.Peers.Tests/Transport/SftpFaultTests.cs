@@ -34,7 +34,7 @@ public sealed class SftpFaultTests : IDisposable
 
         Assert.True(faults.Count >= 200);
         var ends = new bool[faults.Count];
-        await EachAsync(faults.Select((f, n) => (f, n)).ToArray(), async (proxy, program, fault) => ends[fault.n] = (await BreakAsync(proxy, program, fault.f, mend: fault.n % 4 == 0, TransportError.Away)).IsNew);
+        await EachAsync(faults.Select((f, n) => (f, n)).ToArray(), async (proxy, program, fault) => ends[fault.n] = (await BreakAsync(proxy, program, fault.f, mend: fault.n % 8 == 0, TransportError.Away)).IsNew);
         Assert.Contains(true, ends);
         Assert.Contains(false, ends);
     }

@@ -40,6 +40,7 @@ internal sealed class SshPeer : IDisposable
             UsePAM {(passwords ? "yes" : "no")}
             PasswordAuthentication {(passwords ? "yes" : "no")}
             KbdInteractiveAuthentication no
+            KexAlgorithms curve25519-sha256
             MaxStartups 1000
             PidFile none
             Subsystem sftp internal-sftp

@@ -17,12 +17,14 @@ internal sealed class JobSchema : Verb
 
     /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation) =>
-        new JobSchemaAnswer(arguments.GetRequiredValue(_kind) switch
+        new JobSchemaAnswer(SchemaOf(arguments.GetRequiredValue(_kind)));
+
+    private static string SchemaOf(string kind) => kind switch
     {
         JobKind.Freeform => FreeformTemplate.Schema,
         JobKind.Cell => CellSchema(),
         _ => JobTemplate.Schema,
-    });
+    };
 
     // By itself, so that a job does not load the cell.
     [MethodImpl(MethodImplOptions.NoInlining)]
