@@ -1,4 +1,3 @@
-using System.CommandLine;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Console.Tests;
