@@ -18,21 +18,24 @@ internal sealed class MemoryMachine(string name) : IMachineFolder
     /// <summary>Names of all operations, in order.</summary>
     public ConcurrentQueue<string> Done { get; } = new();
 
-    public Task<IReadOnlyList<string>> ListAsync(CancellationToken cancellation) => Do<IReadOnlyList<string>>("list", cancellation, () => [.. Files.Keys.Order(StringComparer.Ordinal)]);
+    public Task<IReadOnlyList<string>> ListAsync(CancellationToken cancellation) => Do<IReadOnlyList<string>>("list", () => [.. Files.Keys.Order(StringComparer.Ordinal)], cancellation);
 
-    public Task<byte[]?> ReadAsync(string name, long mostBytes, CancellationToken cancellation) => Do("read " + name, cancellation, () => Files.GetValueOrDefault(name));
+    public Task<byte[]?> ReadAsync(string name, long mostBytes, CancellationToken cancellation) => Do("read " + name, () => Files.GetValueOrDefault(name), cancellation);
 
-    public Task<byte[]> WriteAsync(string name, ReadOnlyMemory<byte> bytes, CancellationToken cancellation) => Do("write", cancellation, () => Files[name] = bytes.ToArray());
+    public Task<byte[]> WriteAsync(string name, ReadOnlyMemory<byte> bytes, CancellationToken cancellation) => Do("write", () => Files[name] = bytes.ToArray(), cancellation);
 
-    public Task<byte[]> RenameAsync(string from, string to, long mostBytes, CancellationToken cancellation) => Do("rename " + to, cancellation, () =>
-    {
-        Assert.True(Files.TryRemove(from, out var bytes));
-        return Files[to] = bytes;
-    });
+    public Task<byte[]> RenameAsync(string from, string to, long mostBytes, CancellationToken cancellation) => Do(
+        "rename " + to,
+        () =>
+        {
+            Assert.True(Files.TryRemove(from, out var bytes));
+            return Files[to] = bytes;
+        },
+        cancellation);
 
-    public Task DeleteAsync(string name, CancellationToken cancellation) => Do("delete " + name, cancellation, () => Files.TryRemove(name, out _));
+    public Task DeleteAsync(string name, CancellationToken cancellation) => Do("delete " + name, () => Files.TryRemove(name, out _), cancellation);
 
-    private Task<T> Do<T>(string what, CancellationToken cancellation, Func<T> work)
+    private Task<T> Do<T>(string what, Func<T> work, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
         if (Fails is { } error)
