@@ -59,6 +59,7 @@ public abstract partial class StoreTests : IDisposable
         var again = Open();
         var found = again.Find(id)!;
         Assert.Equal(("A-1", "WO-1", 0.1, double.BitIncrement(0.2)), (found.Serial, found.WorkOrder, found.LargestMm, found.SumMm));
+        Assert.Equal(("one.csv", "gauge", "trace", Hash("1")), (found.FileName, found.Gauge, found.Trace, found.MeasurementSha256));
         Assert.Equal("G1"u8.ToArray(), again.Content(found.ProgramSha256!));
         Assert.Equal([CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed], again.StepsOf(id).Select(s => s.To));
     }
@@ -80,6 +81,22 @@ public abstract partial class StoreTests : IDisposable
         Recognize(store, correction, "A-1");
         Assert.Equal(StoreError.Conflict, Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Refused, "cell", "late")).Error);
         Assert.Equal(2, store.StepsOf(correction.Id).Count);
+    }
+
+    [Fact]
+    public void A_step_changes_nothing_of_the_arrival()
+    {
+        var store = Open();
+        var correction = store.Archive(Arrival("one", "1")).Correction;
+        var after = store.Step(
+            correction,
+            CorrectionState.Refused,
+            "cell",
+            "nobody's",
+            c => new Correction(c.Id + 1, CorrectionState.Verified, 9, "other", "other", c.ArrivedAt.AddDays(1), Hash("2"), 2) { Code = "unknown", Reason = "No job has such files." });
+        Assert.Equal(correction with { State = CorrectionState.Refused, Version = 2, Code = "unknown", Reason = "No job has such files.", Trace = null }, after);
+        Assert.Equal(after, store.Find(correction.Id));
+        Assert.Null(store.Find(correction.Id + 1));
     }
 
     [Fact]
