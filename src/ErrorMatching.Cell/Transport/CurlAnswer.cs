@@ -30,6 +30,9 @@ internal sealed partial class CurlAnswer
     {
         { End: ToolEnd.TooMuch } => TransportError.TooLarge,
         { ExitCode: 0 } => null,
+
+        // curl calls this one, too, a timeout, though it comes at once.
+        { ExitCode: 28 } when _response == 421 => TransportError.Away,
         _ => OfExit(_result.ExitCode) ?? OfResponse(_response) ?? OfTransfer(_result.ExitCode),
     };
 

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A folder behind an FTP server, plain or with TLS, driven by the program <c>curl</c>: one run, and one login, an operation.</summary>
+/// <summary>A folder behind an FTP server, plain or with TLS, driven by the program <c>curl</c>: one run, and one login, an operation, but two for writing and reading back.</summary>
 internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?> secret, TimeSpan limit) : IMachineFolder
 {
     private const int MostListed = 4 << 20;
@@ -43,8 +43,11 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         var file = local["program"];
         await File.WriteAllBytesAsync(file, bytes, cancellation).ConfigureAwait(false);
         var url = Url(doing, name);
-        var config = Continue(Begin(doing).Set("upload-file", file).Set("url", url).Set("next"), doing).Set("url", url);
-        var result = await RunAsync(doing, config, bytes.Length + 1L, cancellation).ConfigureAwait(false);
+        var config = Begin(doing).Set("upload-file", file).Set("url", url);
+        Demand(doing, new CurlAnswer(await RunAsync(doing, config, 0, cancellation).ConfigureAwait(false)));
+
+        // A run of its own: where curl 7.88 reads by the connection that it wrote by, it sleeps a second in 1 to 15 of 100 runs.
+        var result = await RunAsync(doing, Begin(doing).Set("url", url), bytes.Length + 1L, cancellation).ConfigureAwait(false);
         if (result.End != ToolEnd.TooMuch)
             Demand(doing, new CurlAnswer(result));
         return result.Output;
@@ -102,10 +105,7 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
             throw TransportFailure.Of(error, machine, doing, answer.Text);
     }
 
-    private CurlConfig Begin(string doing) => Continue(new CurlConfig().Set("fail-early"), doing);
-
-    // The options of one step; curl forgets them at the next.
-    private CurlConfig Continue(CurlConfig config, string doing)
+    private CurlConfig Begin(string doing)
     {
         var password = secret() ?? "";
         if (ftp.User.Any(c => c == ':' || char.IsControl(c)))
@@ -114,7 +114,7 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
             throw TransportFailure.Of(TransportError.Login, machine, doing, "a password with a line break cannot be sent by FTP");
 
         var seconds = limit.TotalSeconds.ToString("0.###", CultureInfo.InvariantCulture);
-        config.Set("silent").Set("show-error").Set("globoff").Set("path-as-is").Set("ftp-skip-pasv-ip")
+        var config = new CurlConfig().Set("silent").Set("show-error").Set("globoff").Set("path-as-is").Set("ftp-skip-pasv-ip")
             .Set("ftp-method", "singlecwd")
             .Set("proto", "=ftp,ftps")
             .Set("noproxy", "*")

@@ -27,6 +27,7 @@ public sealed class CurlTests
     [InlineData(25, 450, TransportError.Unknown)]
     [InlineData(70, 552, TransportError.Full)]
     [InlineData(28, 150, TransportError.Slow)]
+    [InlineData(28, 421, TransportError.Away)]
     [InlineData(35, 234, TransportError.Away)]
     [InlineData(51, 234, TransportError.WrongServer)]
     [InlineData(60, 234, TransportError.WrongServer)]

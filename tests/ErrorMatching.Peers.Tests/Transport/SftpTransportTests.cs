@@ -76,6 +76,29 @@ public sealed class SftpTransportTests
     }
 
     [Fact]
+    public async Task A_server_that_does_not_rename_over_a_file_gets_a_program_in_two_steps()
+    {
+        SshPeer.IsNeeded();
+        using var peer = new SshPeer(options: "-P posix-rename");
+        var program = new SentProgram(peer.Folder, "P1.MPF");
+        program.Reset();
+        File.WriteAllText(Path.Combine(peer.Folder, "other"), "M30");
+        await MachineFolderLaws.Fails(TransportError.CannotReplace, () => peer.Open().RenameAsync("other", "P1.MPF", 100, Token));
+        File.Delete(Path.Combine(peer.Folder, "other"));
+        Assert.False(program.IsWhole("refusing"));
+        Assert.Null(await program.SendAsync(peer.Open()));
+        Assert.True(program.IsWhole("two steps"));
+        Assert.Empty(program.Leftovers());
+
+        // As a cut between the two steps leaves it.
+        program.Reset();
+        File.Move(Path.Combine(peer.Folder, "P1.MPF"), Path.Combine(peer.Folder, "P1.MPF.emold"));
+        File.WriteAllBytes(Path.Combine(peer.Folder, "P1.MPF.17-0123abcd.emnew"), SentProgram.New);
+        Assert.False(program.IsWhole("a cut", inTwoSteps: true));
+        await program.MendAsync(peer.Open(), "a cut");
+    }
+
+    [Fact]
     public async Task A_full_disk_is_named()
     {
         SshPeer.IsNeeded();

@@ -15,7 +15,8 @@ internal sealed class SshPeer : IDisposable
 
     /// <summary>Starts it.</summary>
     /// <param name="passwords">True if it asks PAM for passwords; the system's administrator alone can have that.</param>
-    public SshPeer(bool passwords = false)
+    /// <param name="options">Options of its SFTP server.</param>
+    public SshPeer(bool passwords = false, string options = "")
     {
         _home = Directory.CreateTempSubdirectory("errormatch-sshd-").FullName;
         Folder = Directory.CreateDirectory(On("programs of the mill")).FullName;
@@ -43,7 +44,7 @@ internal sealed class SshPeer : IDisposable
             KexAlgorithms curve25519-sha256
             MaxStartups 1000
             PidFile none
-            Subsystem sftp internal-sftp
+            Subsystem sftp internal-sftp {options}
 
             """));
         _daemon = new Daemon(program, _home, Port, "-D", "-e", "-f", On("sshd.conf"));
