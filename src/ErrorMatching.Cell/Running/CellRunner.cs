@@ -83,9 +83,14 @@ public sealed class CellRunner
         }
 
         yield return new Worker(flow, "approval", flow.Computed, new ProposeWorker(flow).WorkAsync).RunAsync;
-        foreach (var (machine, slot) in _settings.Machines.SelectMany(m => m.Slots.Select(s => (m, s))))
+        foreach (var machine in _settings.Machines)
         {
-            yield return new Worker(flow, $"slot {machine.Name}/{slot.Name}", flow.OfSlot(machine.Name, slot.Name), new SlotWorker(flow, machine, slot, _open(machine), originals).WorkAsync).RunAsync;
+            var folder = _open(machine);
+            var listing = new MachineListing(folder, _clock, Pace.Ready);
+            foreach (var slot in machine.Slots)
+            {
+                yield return new Worker(flow, $"slot {machine.Name}/{slot.Name}", flow.OfSlot(machine.Name, slot.Name), new SlotWorker(flow, machine, slot, folder, listing, originals).WorkAsync).RunAsync;
+            }
         }
 
         yield return new Worker(flow, "store", new(), new StoreWatch(flow).WorkAsync).RunAsync;

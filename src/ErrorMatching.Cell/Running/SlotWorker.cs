@@ -8,10 +8,13 @@ namespace ErrorMatching.Cell;
 /// <param name="machine">The machine.</param>
 /// <param name="slot">The slot.</param>
 /// <param name="folder">The machine's programs.</param>
+/// <param name="listing">What lies there, for ready files.</param>
 /// <param name="originals">The original programs of the slot's jobs.</param>
-internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSettings slot, IMachineFolder folder, OriginalPrograms originals)
+internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSettings slot, IMachineFolder folder, MachineListing listing, OriginalPrograms originals)
 {
     private readonly ProgramSender _sender = new(folder, TransferTries.For(machine, flow.Clock, t => flow.Log.Debug("{Machine}: try {Try} failed, next in {Wait}: {Message}", t.Machine, t.Number, t.Wait, t.Failure.Message)));
+    private (long Id, CorrectionState State) _seen;
+    private long _seenAt;
     private long _nextReady;
     private bool _isInOrder;
 
@@ -232,12 +235,18 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         }
 
         var now = flow.Clock.GetTimestamp();
+        if (_seen != (held.Id, held.State))
+        {
+            // Only what is listed from here on tells of this program: whoever sent it or brought it back had removed the ready file before.
+            (_seen, _seenAt) = ((held.Id, held.State), now);
+        }
+
         if (_nextReady > now)
         {
             return flow.Clock.GetElapsedTime(now, _nextReady);
         }
 
-        var names = await folder.ListAsync(stop);
+        var names = await listing.NamesAsync(_seenAt, stop);
         _nextReady = flow.Clock.GetTimestamp() + (long)(flow.Pace.Ready.TotalSeconds * flow.Clock.TimestampFrequency);
         if (!names.Contains(ready, StringComparer.Ordinal))
         {
