@@ -1,3 +1,6 @@
+using System.Globalization;
+using Dapper;
+
 namespace ErrorMatching.Cell;
 
 public sealed partial class CellStore
@@ -15,10 +18,12 @@ public sealed partial class CellStore
     /// <param name="most">How many at most.</param>
     /// <param name="gauges">The gauges; null for all.</param>
     /// <param name="jobs">The cell's jobs; null for all.</param>
-    public IReadOnlyList<Correction> First(CorrectionState state, int most, IReadOnlyList<string>? gauges = null, IReadOnlyList<string>? jobs = null) => Read(
-        CorrectionRow.Select + " WHERE state = @State" + (gauges is null ? "" : " AND gauge IN @gauges") + (jobs is null ? "" : " AND job IN @jobs") + " ORDER BY id LIMIT @most",
-        CorrectionRow.Read,
-        new { State = CorrectionRow.Word(state), most, gauges, jobs });
+    public IReadOnlyList<Correction> First(CorrectionState state, int most, IReadOnlyList<string>? gauges = null, IReadOnlyList<string>? jobs = null)
+    {
+        var parameters = new DynamicParameters(new { State = CorrectionRow.Word(state), most });
+        var where = " WHERE state = @State" + IsOneOf("gauge", gauges, parameters) + IsOneOf("job", jobs, parameters);
+        return Read(CorrectionRow.Select + where + " ORDER BY id LIMIT @most", CorrectionRow.Read, parameters);
+    }
 
     /// <summary>How many corrections there are in each state; states without any are left out.</summary>
     public IReadOnlyDictionary<CorrectionState, long> Counts() =>
@@ -54,4 +59,21 @@ public sealed partial class CellStore
 
     /// <summary>The corrections whose file has a content, in order of arrival.</summary>
     public IReadOnlyList<Correction> OfMeasurement(string sha256) => Read(CorrectionRow.Select + " WHERE measurement_sha256 = @sha256 ORDER BY id", CorrectionRow.Read, new { sha256 });
+
+    // A parameter for each: the two engines take a list as one parameter in different ways.
+    private static string IsOneOf(string column, IReadOnlyList<string>? names, DynamicParameters parameters)
+    {
+        if (names is null)
+        {
+            return "";
+        }
+
+        var marks = names.Select((_, i) => string.Create(CultureInfo.InvariantCulture, $"@{column}{i}")).ToArray();
+        for (var i = 0; i < marks.Length; i++)
+        {
+            parameters.Add(marks[i], names[i]);
+        }
+
+        return marks.Length == 0 ? " AND 1 = 0" : $" AND {column} IN ({string.Join(", ", marks)})";
+    }
 }

@@ -23,4 +23,18 @@ public abstract partial class StoreTests
         Assert.Null(store.LastPart("job", "A-3", "WO-2"));
         Assert.Equal([known.Id], store.OfMeasurement(known.MeasurementSha256).Select(c => c.Id));
     }
+
+    [Fact]
+    public void The_first_in_a_state_are_those_of_the_gauges_and_jobs_that_are_asked_for()
+    {
+        var store = Open();
+        var (one, two) = (store.Archive(Arrival("one", "1")).Correction, store.Archive(Arrival("two", "2")).Correction);
+        Assert.Equal([one.Id, two.Id], store.First(CorrectionState.Archived, 10).Select(c => c.Id));
+        Assert.Equal([one.Id], store.First(CorrectionState.Archived, 1, ["other", "gauge"]).Select(c => c.Id));
+        Assert.Empty(store.First(CorrectionState.Archived, 10, ["other"]));
+        Assert.Empty(store.First(CorrectionState.Archived, 10, []));
+        Recognize(store, two, "A-2");
+        Assert.Equal([two.Id], store.First(CorrectionState.Recognized, 10, jobs: ["job", "other"]).Select(c => c.Id));
+        Assert.Empty(store.First(CorrectionState.Recognized, 10, ["gauge"], ["other"]));
+    }
 }

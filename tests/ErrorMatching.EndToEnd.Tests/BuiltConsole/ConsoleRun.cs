@@ -29,13 +29,20 @@ internal sealed record ConsoleRun(int Exit, string Output, string Error)
     public static Task<ConsoleRun> Of(string folder, params IReadOnlyList<string> arguments) => Of(folder, new Dictionary<string, string?>(), arguments);
 
     /// <summary>Runs a command line in a folder with other variables in its environment.</summary>
-    public static async Task<ConsoleRun> Of(string folder, IReadOnlyDictionary<string, string?> environment, IReadOnlyList<string> arguments)
+    public static Task<ConsoleRun> Of(string folder, IReadOnlyDictionary<string, string?> environment, IReadOnlyList<string> arguments) => Of(folder, environment, arguments, "");
+
+    /// <summary>Runs a command line in a folder with lines on its standard input.</summary>
+    public static Task<ConsoleRun> Typed(string folder, IReadOnlyList<string> arguments, params IReadOnlyList<string> lines) =>
+        Of(folder, new Dictionary<string, string?>(), arguments, string.Concat(lines.Select(l => l + "\n")));
+
+    private static async Task<ConsoleRun> Of(string folder, IReadOnlyDictionary<string, string?> environment, IReadOnlyList<string> arguments, string input)
     {
         var start = new ProcessStartInfo(Executable, arguments)
         {
             UseShellExecute = false,
             WorkingDirectory = folder,
             RedirectStandardInput = true,
+            StandardInputEncoding = Strict,
             RedirectStandardOutput = true,
             RedirectStandardError = true,
             StandardOutputEncoding = Strict,
@@ -47,8 +54,9 @@ internal sealed record ConsoleRun(int Exit, string Output, string Error)
         }
 
         using var process = Process.Start(start)!;
-        process.StandardInput.Close();
         var token = TestContext.Current.CancellationToken;
+        await process.StandardInput.WriteAsync(input);
+        process.StandardInput.Close();
         var (output, error) = (process.StandardOutput.ReadToEndAsync(token), process.StandardError.ReadToEndAsync(token));
         await process.WaitForExitAsync(token);
         return new(process.ExitCode, await output, await error);

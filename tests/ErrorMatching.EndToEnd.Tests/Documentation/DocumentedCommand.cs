@@ -10,6 +10,12 @@ internal sealed partial record DocumentedCommand(string Line, int Exit, IReadOnl
 {
     private const string LeftOut = "...";
 
+    /// <summary>What is typed where a page shows that a password is asked for: one for each name, the second time it is typed left out.</summary>
+    public IReadOnlyList<string> Typed => [.. Shown.Select(l => Question().Match(l)).Where(m => m.Success && !m.Groups["again"].Success).Select(m => "a long password of " + m.Groups["name"].Value)];
+
+    /// <summary>What the page shows besides those questions.</summary>
+    public IReadOnlyList<string> Printed => [.. Shown.Where(l => !Question().IsMatch(l))];
+
     public static IReadOnlyList<DocumentedCommand> Of(string page)
     {
         var commands = new List<DocumentedCommand>();
@@ -34,6 +40,9 @@ internal sealed partial record DocumentedCommand(string Line, int Exit, IReadOnl
 
         return commands;
     }
+
+    [GeneratedRegex("^(New p|P)assword (of|at) (?<name>\\S+)(?<again> again)?:$", RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Question();
 
     [GeneratedRegex("```console\n(?<lines>.*?)```", RegexOptions.Singleline | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex ConsoleBlock();
