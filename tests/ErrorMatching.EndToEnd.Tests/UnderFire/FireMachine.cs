@@ -10,6 +10,7 @@ internal sealed class FireMachine : IAsyncDisposable
     private readonly Func<IReadOnlyDictionary<string, string>> _known;
     private readonly CancellationTokenSource _end = new();
     private readonly Task _work;
+    private readonly Dictionary<string, (long Length, DateTime WrittenAt)> _stamps = new(StringComparer.Ordinal);
     private readonly Random _random = new(20261);
 
     /// <summary>Switches the machine on.</summary>
@@ -51,10 +52,19 @@ internal sealed class FireMachine : IAsyncDisposable
 
     private void Look(string slot, Dictionary<string, string> last)
     {
+        var file = new FileInfo(Path.Combine(_cell.Machine, FireCell.ProgramOf(slot)));
         byte[] bytes;
         try
         {
-            bytes = File.ReadAllBytes(Path.Combine(_cell.Machine, FireCell.ProgramOf(slot)));
+            // Whatever writes or renames it changes one of these.
+            var stamp = (file.Length, file.LastWriteTimeUtc);
+            if (_stamps.GetValueOrDefault(slot) == stamp)
+            {
+                return;
+            }
+
+            bytes = File.ReadAllBytes(file.FullName);
+            _stamps[slot] = stamp;
         }
         catch (FileNotFoundException)
         {
@@ -73,9 +83,9 @@ internal sealed class FireMachine : IAsyncDisposable
         {
             Wrong.Enqueue($"{slot} holds the original again.");
         }
-        else if (_known().TryGetValue(hash, out var file))
+        else if (_known().TryGetValue(hash, out var measurement))
         {
-            Cut.Enqueue((slot, file));
+            Cut.Enqueue((slot, measurement));
             Thread.Sleep(_random.Next(20));
             var ready = Path.Combine(_cell.Machine, slot + ".READY");
             File.WriteAllText(ready + ".tmp", "");
