@@ -19,7 +19,7 @@ $action = New-ScheduledTaskAction -Execute $Program -Argument "cell run `"$Confi
 $trigger = New-ScheduledTaskTrigger -AtStartup
 # No time limit, no stop on battery, started again one minute after it ended, for as long as it takes.
 $settings = New-ScheduledTaskSettingsSet -ExecutionTimeLimit ([TimeSpan]::Zero) -RestartCount 999 -RestartInterval (New-TimeSpan -Minutes 1) `
-    -MultipleInstances IgnoreNew -AllowStartIfOnBatteries -DontStopIfGoingOnBatteries -StartWhenAvailable
+    -Priority 4 -MultipleInstances IgnoreNew -AllowStartIfOnBatteries -DontStopIfGoingOnBatteries -StartWhenAvailable
 $password = (Get-Credential -UserName $Account -Message 'The account that the cell runs under').GetNetworkCredential().Password
 Register-ScheduledTask -TaskName $Name -Action $action -Trigger $trigger -Settings $settings -User $Account -Password $password -RunLevel Limited -Force | Out-Null
 Start-ScheduledTask -TaskName $Name

@@ -37,7 +37,8 @@ internal sealed class ClaimFolder(string incoming)
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            // Its writer still has it, or has just replaced or withdrawn it.
+            // Its writer still has it, or has just replaced or withdrawn it; or this folder is gone, and is made again next time.
+            _isThere = false;
             return null;
         }
     }

@@ -76,7 +76,7 @@ internal sealed class KeyFolder : IXmlRepository
         var made = Directory.CreateDirectory(folder, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
         foreach (var path in Directory.EnumerateFiles(folder).Prepend(folder))
         {
-            if ((File.GetUnixFileMode(path) & Others) != UnixFileMode.None)
+            if (ModeOf(path) is { } mode && (mode & Others) != UnixFileMode.None)
             {
                 throw new PeopleException(
                     PeopleError.KeysUnusable,
@@ -85,6 +85,20 @@ internal sealed class KeyFolder : IXmlRepository
         }
 
         return made;
+    }
+
+    // A file that another process was just writing has its name by now.
+    [System.Runtime.Versioning.UnsupportedOSPlatform("windows")]
+    private static UnixFileMode? ModeOf(string path)
+    {
+        try
+        {
+            return File.GetUnixFileMode(path);
+        }
+        catch (FileNotFoundException)
+        {
+            return null;
+        }
     }
 
     private static T Try<T>(string done, string path, Func<T> work)

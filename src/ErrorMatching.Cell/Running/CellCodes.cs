@@ -18,6 +18,9 @@ public static class CellCodes
     /// <summary>A file lies in a gauge's folder and cannot be taken.</summary>
     public const string FileLeft = "file-left";
 
+    /// <summary>The sign of life or the end of the audit trail cannot be kept beside the store.</summary>
+    public const string NotKept = "not-kept";
+
     /// <summary>A defect of the program.</summary>
     public const string Defect = "internal-error";
 

@@ -51,7 +51,7 @@ public sealed class CorrectionDecisions(CellStore store)
             throw new DecisionException(DecisionException.WrongState, Sentence($"Correction {id} is reverted and does not have its slot any more: there is nothing to release."));
         }
 
-        store.FreeSlot(correction.Machine!, correction.Slot!, by, reason ?? "the slot may be used again");
+        store.FreeSlot(correction.Machine!, correction.Slot!, id, by, reason ?? "the slot may be used again");
         return correction;
     }
 

@@ -41,6 +41,6 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
     /// <summary>Takes the sign away: the cell has ended in order.</summary>
     public static void Remove(string folder) => File.Delete(Path.Combine(folder, FileName));
 
-    /// <summary>True if the cell lived just now.</summary>
-    public bool IsFresh(DateTimeOffset now) => now - At < Fresh;
+    /// <summary>True if the cell lived just now. A sign from the future is none: the clock was set back since.</summary>
+    public bool IsFresh(DateTimeOffset now) => (now - At).Duration() < Fresh;
 }

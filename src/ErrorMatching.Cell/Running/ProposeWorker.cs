@@ -59,16 +59,20 @@ internal sealed class ProposeWorker(CellFlow flow)
 
     private void ApproveByPolicy(Correction proposed)
     {
-        if (flow.PolicyOf(proposed) is { Automatic: true } policy)
+        // The limits may have become narrower since it was computed: then a person decides.
+        if (flow.PolicyOf(proposed) is { Automatic: true } policy && IsWithin(proposed, policy))
         {
             var limit = policy.LimitMm is { } mm ? string.Create(CultureInfo.InvariantCulture, $" within {mm} mm") : "";
             flow.Step(proposed, CorrectionState.Approved, $"policy: automatic{limit}");
         }
     }
 
+    private static bool IsWithin(Correction proposed, PolicySettings policy) =>
+        !(policy.LimitMm is { } limit && !(proposed.LargestMm <= limit)) && !((policy.SumLimitMm ?? policy.LimitMm) is { } sum && !(proposed.SumMm <= sum));
+
     private IReadOnlyList<Correction> OfSamePiece(Correction correction) => correction.Serial is not { } serial
         ? []
-        : [.. flow.Store.Search(new() { Serial = serial, Most = MostOfOneSerial }).Where(c => c.Id != correction.Id && c.Job == correction.Job && c.Piece == correction.Piece)];
+        : [.. flow.Store.Search(new() { Serial = serial, Most = MostOfOneSerial }).Where(c => c.Id != correction.Id && c.Job == correction.Job && c.Piece == correction.Piece && c.WorkOrder == correction.WorkOrder)];
 
     private static bool TakesPlace(Correction newer) => newer.State switch
     {

@@ -45,15 +45,22 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
             throw new DecisionException(DecisionException.WrongState, Sentence($"Slot {slot.Name} of {machine.Name} holds a later program than that of correction {id}: revert that one."));
         }
 
-        await BringBackAsync(open(machine), machine, slot, correction, previous, cancellation);
+        await BringBackAsync(open(machine), machine, slot, correction, previous, by, reason, cancellation);
         return decisions.Step(correction, CorrectionState.Reverted, by, reason, c => c with { Code = "reverted", Reason = reason });
     }
 
-    private async Task BringBackAsync(IMachineFolder folder, MachineSettings machine, SlotSettings slot, Correction correction, string previous, CancellationToken cancellation)
+    private async Task BringBackAsync(IMachineFolder folder, MachineSettings machine, SlotSettings slot, Correction correction, string previous, string by, string reason, CancellationToken cancellation)
     {
         var sender = new ProgramSender(folder, TransferTries.For(machine, clock));
         await sender.RecoverAsync(slot.Program, cancellation);
         var found = await sender.CurrentAsync(slot.Program, cancellation) is { } bytes ? Convert.ToHexStringLower(SHA256.HashData(bytes)) : null;
+        if (found != correction.ProgramSha256 && found != previous)
+        {
+            throw new DecisionException(
+                DecisionException.ChangedAtMachine,
+                Sentence($"{slot.Program} at {machine.Name} is not the program of correction {correction.Id} but {found ?? "missing"}: somebody changed it. Look at it; what was there before the correction is in the store, for errormatch cell show {correction.Id} --out."));
+        }
+
         if (slot.ReadyFile is { } ready)
         {
             // It tells of the program that is taken back.
@@ -66,13 +73,8 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
             return;
         }
 
-        if (found != correction.ProgramSha256)
-        {
-            throw new DecisionException(
-                DecisionException.ChangedAtMachine,
-                Sentence($"{slot.Program} at {machine.Name} is not the program of correction {correction.Id} but {found ?? "missing"}: somebody changed it. Look at it; what was there before the correction is in the store, for errormatch cell show {correction.Id} --out."));
-        }
-
+        // Before anything changes at the machine: should this be cut, the trail names who began it.
+        store.Audit(by, "reverting", reason, Sentence($"correction {correction.Id}"));
         await sender.SendAsync(slot.Program, store.Content(previous), Sentence($"revert{correction.Id}"), cancellation);
     }
 

@@ -49,6 +49,11 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
             return TimeSpan.Zero;
         }
 
+        if (flow.Store.Slot(machine.Name, slot.Name).Correction is { } holder && holder != correction.Id)
+        {
+            return TimeSpan.Zero;
+        }
+
         stop.ThrowIfCancellationRequested();
         using var activity = CellTelemetry.Start("upload", correction);
         if (correction.State == CorrectionState.Uploading)
@@ -84,14 +89,15 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
             approved,
             CorrectionState.Uploading,
             hash is null ? "the slot was empty" : $"the slot held {hash}",
-            c => c with { PreviousSha256 = hash },
-            found is null ? null : [found]);
+            // A stranger's program is named by the step that refuses it: should the process end in between, the next one finds a stranger again.
+            c => isKnown ? c with { PreviousSha256 = hash } : c,
+            isKnown && found is not null ? [found] : null);
         if (isKnown)
         {
             return uploading;
         }
 
-        Fail(uploading, CellCodes.ChangedAtMachine, $"{slot.Program} at {machine.Name} is neither what the cell put there nor an original: somebody changed it. It is kept as {hash}. Look at it, then approve again to replace it, or reject.");
+        Fail(uploading, CellCodes.ChangedAtMachine, $"{slot.Program} at {machine.Name} is neither what the cell put there nor an original: somebody changed it. It is kept as {hash}. Look at it, then approve again to replace it, or reject.", found);
         return null;
     }
 
@@ -147,7 +153,8 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         {
             var found = await LookAsync(flow.Finish);
             var hash = HashOf(found);
-            if (hash == uploading.ProgramSha256)
+            // Where old and new are the same, a ready file may still tell of the old one: then it is sent again.
+            if (hash == uploading.ProgramSha256 && hash != uploading.PreviousSha256)
             {
                 return "the machine held it after a cut";
             }
@@ -204,7 +211,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
             return;
         }
 
-        if (hash == uploading.ProgramSha256)
+        if (hash == uploading.ProgramSha256 && hash != uploading.PreviousSha256)
         {
             Verify(uploading, "the machine held it after a cut");
         }
@@ -260,7 +267,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         }
         else
         {
-            flow.Store.FreeSlot(machine.Name, slot.Name, CellFlow.ByCell, basis);
+            flow.Store.FreeSlot(machine.Name, slot.Name, held.Id, CellFlow.ByCell, basis);
         }
 
         await folder.DeleteAsync(ready, flow.Finish);

@@ -6,7 +6,7 @@ namespace ErrorMatching.Cell;
 internal abstract class CellDatabase : IDisposable
 {
     /// <summary>How long one waits for another process to finish its change.</summary>
-    public static readonly TimeSpan Patience = TimeSpan.FromSeconds(5);
+    public static readonly TimeSpan Patience = TimeSpan.FromSeconds(15);
 
     /// <summary>The database in a sentence, such as a file's name or a server's.</summary>
     public abstract string Place { get; }

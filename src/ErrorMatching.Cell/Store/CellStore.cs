@@ -152,10 +152,10 @@ public sealed partial class CellStore : IDisposable
     public SlotHolding Slot(string machine, string slot) =>
         First(SlotRow.Select, SlotRow.Read, new { Machine = machine, Slot = slot }) ?? new SlotHolding(machine, slot, null, null, null);
 
-    /// <summary>Frees a slot whatever correction has it, as after a revert. A free one stays free.</summary>
-    public void FreeSlot(string machine, string slot, string by, string basis) => Write(transaction =>
+    /// <summary>Frees a slot of the correction that has it, as after a revert. One that another has, or nobody, stays as it is.</summary>
+    public void FreeSlot(string machine, string slot, long correction, string by, string basis) => Write(transaction =>
     {
-        var freed = transaction.Execute("UPDATE slot SET correction = NULL WHERE machine = @machine AND slot = @slot AND correction IS NOT NULL", new { machine, slot });
+        var freed = transaction.Execute("UPDATE slot SET correction = NULL WHERE machine = @machine AND slot = @slot AND correction = @correction", new { machine, slot, correction });
         if (freed == 1) transaction.Audit(by, "freed", $"slot {slot} of {machine}", basis);
         return freed;
     });

@@ -3,6 +3,8 @@ namespace ErrorMatching.Cell;
 /// <summary>A folder or network share that this computer reaches by a path. What hangs, as a share may, is given up after the time limit.</summary>
 internal sealed class FolderTransport(string machine, string folder, TimeSpan limit) : IMachineFolder
 {
+    private Task? _hanging;
+
     public string Machine => machine;
 
     public Task<IReadOnlyList<string>> ListAsync(CancellationToken cancellation) => DoAsync<IReadOnlyList<string>>(
@@ -89,20 +91,25 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
 
     private async Task<T> DoAsync<T>(string doing, Func<T> work, CancellationToken cancellation)
     {
+        // A share that hangs holds a thread: one, not one for each try, and nothing overtakes what may still happen there.
+        if (_hanging is { IsCompleted: false })
+            throw TransportFailure.Of(TransportError.Slow, machine, doing, "an earlier access still hangs in the share");
+        var working = Task.Run(
+            () =>
+            {
+                // A share that is not mounted must not be mistaken for an empty one.
+                if (!Directory.Exists(folder))
+                    throw TransportFailure.Of(TransportError.Away, machine, doing, $"the folder {folder} is not there");
+                return work();
+            },
+            cancellation);
         try
         {
-            return await Task.Run(
-                () =>
-                {
-                    // A share that is not mounted must not be mistaken for an empty one.
-                    if (!Directory.Exists(folder))
-                        throw TransportFailure.Of(TransportError.Away, machine, doing, $"the folder {folder} is not there");
-                    return work();
-                },
-                cancellation).WaitAsync(limit, cancellation).ConfigureAwait(false);
+            return await working.WaitAsync(limit, cancellation).ConfigureAwait(false);
         }
         catch (TimeoutException e)
         {
+            _hanging = working;
             throw TransportFailure.Of(TransportError.Slow, machine, doing, $"nothing came within {limit.TotalSeconds:0.#} s", e);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)

@@ -69,7 +69,7 @@ public abstract partial class StoreTests
         var store = Open(AuditKey);
         var released = Release(store, "one", "G1");
         store.Audit("anna", "signed-in", "password");
-        store.FreeSlot("mill", "1", "anna", "is free already");
+        store.FreeSlot("mill", "1", released.Id, "anna", "is free already");
         var program = $"correction {released.Id} program {Hash("G1")}";
         Assert.Equal(
             [

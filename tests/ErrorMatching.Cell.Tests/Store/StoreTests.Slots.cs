@@ -50,7 +50,7 @@ public abstract partial class StoreTests
         Assert.Equal(new SlotHolding("mill", "1", second.Id, Hash("G1"), null), store.Slot("mill", "1"));
         var third = Approve(store, "three", "G3");
         Assert.Throws<SlotTakenException>(() => Up(store, third));
-        store.FreeSlot("mill", "1", "anna", "sent");
+        store.FreeSlot("mill", "1", second.Id, "anna", "sent");
         Assert.Null(store.Slot("mill", "1").Correction);
         Up(store, third);
     }

@@ -112,10 +112,11 @@ internal sealed class FireCell : IDisposable
         return _process = process;
     }
 
-    /// <summary>Ends the process as a power cut does.</summary>
-    public async Task Kill()
+    /// <summary>Ends the process at once.</summary>
+    /// <param name="withTools">True as a power cut does, with the programs that it runs; false as somebody does who kills it alone.</param>
+    public async Task Kill(bool withTools = true)
     {
-        _process!.Kill(entireProcessTree: true);
+        _process!.Kill(withTools);
         await _process.WaitForExitAsync(TestContext.Current.CancellationToken);
     }
 

@@ -18,7 +18,7 @@ public sealed class FloodTests
     [Fact]
     public async Task Every_file_of_a_flood_is_accounted_for()
     {
-        using var cell = new FireCell(slots: 8);
+        using var cell = new FireCell(slots: Math.Clamp(Files / 50, 8, 60));
         var files = new FireFiles();
         var random = new Random(11);
         var (good, wanted) = (new List<(string Name, byte[] Bytes)>(), new Dictionary<string, string>(StringComparer.Ordinal));

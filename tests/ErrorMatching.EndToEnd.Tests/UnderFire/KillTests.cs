@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text.Json;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
@@ -7,64 +6,12 @@ namespace ErrorMatching.EndToEnd.Tests;
 /// <remarks>20 times here, 500 times by <c>tests/fire kill 500</c>.</remarks>
 public sealed class KillTests
 {
-    private static readonly int Kills = int.Parse(Environment.GetEnvironmentVariable("ERRORMATCH_KILLS") ?? "20", CultureInfo.InvariantCulture);
+    private static readonly int Times = int.Parse(Environment.GetEnvironmentVariable("ERRORMATCH_KILLS") ?? "20", CultureInfo.InvariantCulture);
 
     [Fact]
     public async Task Nothing_is_lost_or_done_twice_however_often_the_process_dies()
     {
         using var cell = new FireCell(slots: 4);
-        await Run(cell, Kills, seed: 7);
+        await FireKills.Run(cell, Times, seed: 7);
     }
-
-    /// <summary>Kills a cell again and again under load, lets it come to an end, and looks at everything.</summary>
-    internal static async Task Run(FireCell cell, int kills, int seed)
-    {
-        var token = TestContext.Current.CancellationToken;
-        var random = new Random(seed);
-        var files = new FireFiles();
-        var measured = Enumerable.Range(0, kills * 4).Select(i => files.Next(cell.Slots[i % cell.Slots.Count], i)).ToArray();
-        await using var machine = new FireMachine(cell, () => files.FileByProgram);
-        var dropped = 0;
-        for (var kill = 0; kill < kills; kill++)
-        {
-            cell.Start();
-            for (var end = random.Next(150, 1500); end > 0;)
-            {
-                if (dropped < (kill + 1) * 4)
-                {
-                    cell.Drop(measured[dropped].Name, measured[dropped].Bytes);
-                    dropped++;
-                }
-
-                var pause = Math.Min(end, random.Next(1, 150));
-                await Task.Delay(pause, token);
-                end -= pause;
-            }
-
-            await cell.Kill();
-        }
-
-        foreach (var (name, bytes) in measured[dropped..])
-        {
-            cell.Drop(name, bytes);
-        }
-
-        cell.Start();
-        await cell.Until(() => Task.FromResult(machine.Cut.Count >= measured.Length), TimeSpan.FromSeconds(60 + kills), $"{measured.Length} programs cut");
-        await cell.Until(async () => (await cell.History()).Count(c => State(c) == "released") == measured.Length, TimeSpan.FromSeconds(60), "all released");
-        var (exit, took) = await cell.Stop();
-        Assert.True(exit is 0 or 130, $"Exit {exit}");
-        Assert.True(took < TimeSpan.FromSeconds(10), $"It took {took} to stop.");
-
-        Assert.Empty(machine.Wrong);
-        Assert.Equal(measured.Select(m => m.Name).Order(StringComparer.Ordinal), machine.Cut.Select(c => c.File).Order(StringComparer.Ordinal));
-        var history = await cell.History();
-        Assert.Equal(measured.Select(m => m.Name).Order(StringComparer.Ordinal), history.Where(c => State(c) == "released").Select(c => c.GetProperty("fileName").GetString()).Order(StringComparer.Ordinal));
-        Assert.All(history, c => Assert.True(State(c) is "released" or "refused", c.ToString()));
-        Assert.Empty(Directory.EnumerateFiles(cell.Incoming));
-        Assert.Equal(cell.Slots.Select(FireCell.ProgramOf).Order(StringComparer.Ordinal), Directory.EnumerateFiles(cell.Machine).Select(f => Path.GetFileName(f)).Where(f => !f.EndsWith(".READY", StringComparison.Ordinal)).Order(StringComparer.Ordinal));
-        await cell.AuditHolds();
-    }
-
-    private static string? State(JsonElement correction) => correction.GetProperty("state").GetString();
 }

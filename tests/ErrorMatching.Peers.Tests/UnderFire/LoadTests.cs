@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Globalization;
-using System.Text;
 using ErrorMatching.Cell;
 using ErrorMatching.EndToEnd.Tests;
 
@@ -18,14 +17,7 @@ public sealed class LoadTests
         FtpPeer.IsNeeded();
         var token = TestContext.Current.CancellationToken;
         using var ftp = new FtpPeer(FtpTls.None);
-        using var cell = new FireCell(
-            slots: 30,
-            transport: string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "ftp", "host": "127.0.0.1", "port": {{ftp.Port}}, "user": "ftp", "folder": "{{ftp.Folder}}", "tls": "none" }"""),
-            machine: ftp.Folder);
-        const string administrator = "long enough for anna";
-        await Type(cell, ["user", "add", cell.Configuration, "anna", "--role", "administrator", "--password-stdin"], administrator);
-        await Type(cell, ["cell", "secret", cell.Configuration, "vmc", "--user", "anna", "--password-stdin"], administrator, FtpPeer.Password);
-
+        using var cell = await FtpCell.Of(ftp, slots: 30);
         var files = new FireFiles();
         var pieces = Enumerable.Range(0, Seconds * PiecesPerSecond).Select(i => files.Next(cell.Slots[i % cell.Slots.Count], i)).ToArray();
         await using var machine = new FireMachine(cell, () => files.FileByProgram);
@@ -67,24 +59,5 @@ public sealed class LoadTests
         TestContext.Current.TestOutputHelper!.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
             $"{pieces.Length} pieces in {took.TotalSeconds:0.0} s, file to verified: median {latencies[latencies.Length / 2]:0} ms, 99 % {latencies[latencies.Length * 99 / 100]:0} ms, worst {latencies[^1]:0} ms; processor time {processor.TotalSeconds / took.TotalSeconds:0.00} s a second; memory {string.Join(" ", memory.Where((_, i) => i % Math.Max(1, memory.Count / 10) == 0).Select(m => m >> 20))} MiB"));
-    }
-
-    private static async Task Type(FireCell cell, IReadOnlyList<string> arguments, params string[] lines)
-    {
-        var start = new ProcessStartInfo(ConsoleRun.Executable, arguments)
-        {
-            UseShellExecute = false,
-            WorkingDirectory = cell.Folder,
-            RedirectStandardInput = true,
-            RedirectStandardOutput = true,
-            RedirectStandardError = true,
-            StandardInputEncoding = new UTF8Encoding(false),
-        };
-        using var process = Process.Start(start)!;
-        await process.StandardInput.WriteAsync(string.Concat(lines.Select(l => l + "\n")));
-        process.StandardInput.Close();
-        var (output, error) = (process.StandardOutput.ReadToEndAsync(), process.StandardError.ReadToEndAsync());
-        await process.WaitForExitAsync(TestContext.Current.CancellationToken);
-        Assert.True(process.ExitCode == 0, await output + await error);
     }
 }

@@ -1,4 +1,6 @@
 using System.CommandLine;
+using System.Globalization;
+using System.Security.Cryptography;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using Serilog;
@@ -48,11 +50,22 @@ internal sealed class CellRun() : CellVerb(
         var secrets = new MachineSecrets(store, settings.KeysFolder);
         var runner = new CellRunner(settings, store, m => MachineFolders.Open(m, () => secrets.Get(m.Name)), clock, log) { Alive = notice.Alive };
         using var stopping = cancellation.Register(notice.Stopping);
+        store.Audit("cell", "started", InForce(settings), settings.Name);
         notice.Ready();
         await runner.RunAsync(cancellation);
+        store.Audit("cell", "stopped", "told to stop", settings.Name);
         new AuditTrail(store, settings.KeysFolder).Remember();
         return new CellRunAnswer(settings, since, clock.GetUtcNow());
     }
+
+    // Who approves, and within what, is part of the evidence: a limit that somebody raised shows in the trail.
+    private static string InForce(CellSettings settings) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"configuration {Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(settings.File)))}; policy {Words(settings.Policy)}{string.Concat(settings.Jobs.Where(j => j.Policy is not null).Select(j => $"; {j.Name}: {Words(j.Policy!)}"))}");
+
+    private static string Words(PolicySettings policy) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"{(policy.Automatic ? "automatic" : "a person")}, limit {(policy.LimitMm is { } limit ? $"{limit} mm" : "the job's")}, sum {(policy.SumLimitMm is { } sum ? $"{sum} mm" : "none of its own")}, gain {(policy.Gain is { } gain ? $"{gain}" : "the job's")}");
 
     // A server that starts after the cell is waited for; what waiting does not mend ends the run.
     private static async Task<CellStore> OpenAsync(CellSettings settings, ILogger log, TimeProvider clock, CancellationToken cancellation)

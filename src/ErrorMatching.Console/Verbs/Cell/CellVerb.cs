@@ -49,14 +49,17 @@ internal abstract class CellVerb : Verb
     protected static Outcome WithStore(CellSettings settings, Func<CellStore, Outcome> work)
     {
         using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Open(settings.KeysFolder), inspect: false);
+        var outcome = work(store);
         try
-        {
-            return work(store);
-        }
-        finally
         {
             new AuditTrail(store, settings.KeysFolder).Remember();
         }
+        catch (Exception e) when (e is PeopleException or StoreException)
+        {
+            // What was asked for is done, and its answer is the one to give; the running cell remembers the end as well, and tells when it cannot.
+        }
+
+        return outcome;
     }
 
     /// <summary>Works with the cell's store, which must be there.</summary>
