@@ -134,17 +134,24 @@ public sealed class BuiltInDialectTests
     public void Words_are_looked_up_without_allocation()
     {
         var dialect = NcDialects.Siemens840D;
-        _ = dialect.MeaningOf("Trans"u8);
+
+        // Once before: what is made at the first question of its kind is no allocation of a look-up.
+        LookUp();
         var before = GC.GetAllocatedBytesForCurrentThread();
         for (var i = 0; i < 1000; i++)
+        {
+            LookUp();
+        }
+
+        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+
+        void LookUp()
         {
             _ = dialect.MeaningOf("Trans"u8);
             _ = dialect.RoleOf("turn"u8);
             _ = dialect.IsFlow("gotof"u8);
             _ = dialect.IsMachineProgram("L9810"u8);
         }
-
-        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
     }
 
     [Fact]
