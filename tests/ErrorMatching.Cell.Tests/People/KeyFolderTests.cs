@@ -67,22 +67,32 @@ public sealed class KeyFolderTests : PeopleTest
     {
         using var stop = new CancellationTokenSource();
 
-        // As another process writes under a name of its own and renames that.
-        var other = Task.Run(() =>
-        {
-            var folder = new KeyFolder(Keys);
-            while (!stop.IsCancellationRequested)
+        // As other processes write under names of their own, and rename those.
+        var others = Task.Run(
+            () =>
             {
-                Assert.True(folder.Write("audit.other", [1], overwrite: true));
-            }
-        });
+                while (!stop.IsCancellationRequested)
+                {
+                    string[] files = [.. Enumerable.Range(0, 50).Select(i => Path.Combine(Keys, $"{i}.new"))];
+                    foreach (var file in files)
+                    {
+                        Create(file);
+                    }
+
+                    foreach (var file in files)
+                    {
+                        File.Delete(file);
+                    }
+                }
+            },
+            TestContext.Current.CancellationToken);
         for (var i = 0; i < 300; i++)
         {
             Assert.NotEmpty(new KeyFolder(Keys).Read("audit.key"));
         }
 
         await stop.CancelAsync();
-        await other;
+        await others;
     }
 
     [Fact]
@@ -96,6 +106,17 @@ public sealed class KeyFolderTests : PeopleTest
     }
 
     private static UnixFileMode Mode(string path) => OperatingSystem.IsWindows() ? default : File.GetUnixFileMode(path);
+
+    private static void Create(string path)
+    {
+        var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.Write };
+        if (!OperatingSystem.IsWindows())
+        {
+            options.UnixCreateMode = Owner;
+        }
+
+        using var file = new FileStream(path, options);
+    }
 
     private static void Set(string path, UnixFileMode mode)
     {
