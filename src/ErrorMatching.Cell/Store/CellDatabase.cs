@@ -66,6 +66,22 @@ internal abstract class CellDatabase : IDisposable
 
     protected abstract DbTransaction BeginSnapshot(DbConnection connection);
 
+    /// <summary>Prepares what was opened, and closes it again if that fails: nobody else could.</summary>
+    protected static T Prepared<T>(T opened, Action<T> prepare)
+        where T : IDisposable
+    {
+        try
+        {
+            prepare(opened);
+            return opened;
+        }
+        catch
+        {
+            opened.Dispose();
+            throw;
+        }
+    }
+
     /// <summary>Runs something and names what the engine throws.</summary>
     protected T Named<T>(Func<T> work)
     {

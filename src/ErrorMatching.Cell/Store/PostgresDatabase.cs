@@ -34,20 +34,7 @@ internal sealed class PostgresDatabase : CellDatabase
     /// <summary>Opens a store in a database that is there.</summary>
     /// <param name="settings">Where it is.</param>
     /// <param name="prepare">Looks whether it is whole and takes it to the present form.</param>
-    public static PostgresDatabase Open(PostgresSettings settings, Action<CellDatabase> prepare)
-    {
-        var database = new PostgresDatabase(settings);
-        try
-        {
-            prepare(database);
-            return database;
-        }
-        catch
-        {
-            database.Dispose();
-            throw;
-        }
-    }
+    public static PostgresDatabase Open(PostgresSettings settings, Action<CellDatabase> prepare) => Prepared<PostgresDatabase>(new(settings), prepare);
 
     /// <inheritdoc/>
     public override string Word(string token, string argument) => token switch

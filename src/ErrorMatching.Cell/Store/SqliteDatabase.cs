@@ -38,17 +38,11 @@ internal sealed class SqliteDatabase : CellDatabase
     {
         var database = new SqliteDatabase(file);
         if (!File.Exists(file)) database.Make(prepare);
-        try
+        return Prepared(database, d =>
         {
-            database.Prove();
-            prepare(database);
-            return database;
-        }
-        catch
-        {
-            database.Dispose();
-            throw;
-        }
+            d.Prove();
+            prepare(d);
+        });
     }
 
     /// <inheritdoc/>
@@ -212,22 +206,12 @@ internal sealed class SqliteDatabase : CellDatabase
         DefaultTimeout = (int)Patience.TotalSeconds,
     }.ConnectionString;
 
-    private SqliteConnection Connect()
+    private SqliteConnection Connect() => Prepared(new SqliteConnection(ConnectionString(_file)), connection =>
     {
-        var connection = new SqliteConnection(ConnectionString(_file));
-        try
-        {
-            connection.Open();
-            connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA busy_timeout = {(long)Patience.TotalMilliseconds}"));
-            connection.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
-            return connection;
-        }
-        catch
-        {
-            connection.Dispose();
-            throw;
-        }
-    }
+        connection.Open();
+        connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA busy_timeout = {(long)Patience.TotalMilliseconds}"));
+        connection.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    });
 
     // A log without its file is the sign of a lost store, and would be read into a new one.
     // A store has hashes of passwords: whoever else may read it is its owner's decision, not the umask's. Its log follows it.
