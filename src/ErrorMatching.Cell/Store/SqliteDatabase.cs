@@ -249,11 +249,8 @@ internal sealed class SqliteDatabase : CellDatabase
                 prepare(made);
             }
 
-            File.Move(temporary, _file, overwrite: false);
-        }
-        catch (IOException) when (File.Exists(_file))
-        {
-            // Another process was faster; its store is as good.
+            // If another process was faster, its store is as good.
+            _ = FirstFile.TryPut(temporary, _file);
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
