@@ -50,6 +50,9 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
     /// <summary>Called before and after each step of this process with the state it leads to; tests end the process there.</summary>
     public Action<CorrectionState, bool>? AroundStep { get; init; }
 
+    /// <summary>Called with a worker's name whenever it begins to look for work; tests wait for it.</summary>
+    public Action<string>? Looking { get; init; }
+
     /// <summary>What holds for a correction's job.</summary>
     public PolicySettings PolicyOf(Correction correction) => settings.Jobs.FirstOrDefault(j => j.Name == correction.Job)?.Policy ?? settings.Policy;
 

@@ -39,6 +39,9 @@ public sealed class CellRunner
     /// <summary>Called before and after each step with the state it leads to.</summary>
     internal Action<CorrectionState, bool>? AroundStep { get; init; }
 
+    /// <summary>Called with a worker's name whenever it begins to look for work.</summary>
+    internal Action<string>? Looking { get; init; }
+
     /// <summary>Runs until told to stop; then finishes or gives back what it holds, within 10 s.</summary>
     /// <param name="stop">Tells it to stop.</param>
     public async Task RunAsync(CancellationToken stop)
@@ -46,7 +49,7 @@ public sealed class CellRunner
         using var finish = new CancellationTokenSource();
         using var end = CancellationTokenSource.CreateLinkedTokenSource(stop);
         using var atStop = end.Token.UnsafeRegister(_ => finish.CancelAfter(Pace.Finish), null);
-        var flow = new CellFlow(_settings, _store, _clock, _log, Pace, finish.Token) { AroundStep = AroundStep };
+        var flow = new CellFlow(_settings, _store, _clock, _log, Pace, finish.Token) { AroundStep = AroundStep, Looking = Looking };
         using var lines = CellTelemetry.Watch(() => Lines(flow));
         using var sources = new Sources(flow, _open);
         AllowForWaiting();

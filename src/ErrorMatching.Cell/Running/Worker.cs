@@ -14,6 +14,7 @@ internal sealed class Worker(CellFlow flow, string where, Wake wake, Func<Cancel
         while (!stop.IsCancellationRequested)
         {
             var next = wake.Next;
+            flow.Looking?.Invoke(where);
             try
             {
                 var wait = await work(stop);
@@ -35,6 +36,11 @@ internal sealed class Worker(CellFlow flow, string where, Wake wake, Func<Cancel
             catch (StoreException e) when (e.Error == StoreError.Conflict)
             {
                 // Somebody else took a step first: what there is to do now is in the store.
+                flow.Log.Debug("{Where}: {Message}", where, e.Message);
+            }
+            catch (SlotTakenException e)
+            {
+                // Another process gave the slot to another correction between the look and the step.
                 flow.Log.Debug("{Where}: {Message}", where, e.Message);
             }
             catch (Exception e) when (e is not OperationCanceledException)

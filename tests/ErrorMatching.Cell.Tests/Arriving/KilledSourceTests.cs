@@ -105,6 +105,18 @@ public sealed class KilledSourceTests
     }
 
     [Fact]
+    public void A_folder_of_what_is_moved_aside_that_somebody_removed_is_made_again()
+    {
+        using var incoming = new Incoming();
+        incoming.Write("a.csv", "one", 1);
+        Assert.Equal(1, incoming.Take());
+        Directory.Delete(incoming.PathOf(ClaimFolder.Name), recursive: true);
+        incoming.Write("b.csv", "two", 2);
+        Assert.Equal(1, incoming.Take() + incoming.Take());
+        Assert.Equal(["a.csv:one", "b.csv:two"], incoming.Texts);
+    }
+
+    [Fact]
     public void A_file_that_grows_while_it_is_read_is_read_again()
     {
         using var incoming = new Incoming();

@@ -139,7 +139,7 @@ public sealed class MachineSourceTests : IDisposable
             Transport = new FolderSettings(folder ?? _folder),
             Dialect = "siemens-840d",
             Slots = [],
-            Timeout = TimeSpan.FromSeconds(10),
+            Timeout = TimeSpan.FromMinutes(10),
             Attempts = 1,
         };
         var gauge = new GaugeSettings

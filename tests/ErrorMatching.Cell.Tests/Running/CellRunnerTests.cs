@@ -48,7 +48,7 @@ public sealed class CellRunnerTests
         await cell.Until(1, CorrectionState.Verified);
         cell.Drop("a_S2.csv", 2);
         await cell.Until(2, CorrectionState.Approved);
-        await Task.Delay(300, TestContext.Current.CancellationToken);
+        await cell.UntilLookedAgain("slot m1/A");
         Assert.Equal(CorrectionState.Approved, cell.Store.Find(2)!.State);
         using var elsewhere = cell.Open();
         new CorrectionDecisions(elsewhere).Release(1, "olga", null);
@@ -80,7 +80,7 @@ public sealed class CellRunnerTests
         cell.Drop("b_S1.csv", 1);
         await cell.Until(1, CorrectionState.Verified);
         Assert.False(cell.Machine["m1"].Files.ContainsKey("B.READY"));
-        await Task.Delay(200, TestContext.Current.CancellationToken);
+        await cell.UntilListedAgain("m1");
         Assert.Equal(CorrectionState.Verified, cell.Store.Find(1)!.State);
     }
 
@@ -91,7 +91,7 @@ public sealed class CellRunnerTests
         cell.Start();
         cell.Drop("a_S1.csv", 1);
         await cell.Until(1, CorrectionState.Proposed);
-        await Task.Delay(200, TestContext.Current.CancellationToken);
+        await cell.UntilLookedAgain("approval", "slot m1/A");
         Assert.Equal(CorrectionState.Proposed, cell.Store.Find(1)!.State);
         using var elsewhere = cell.Open();
         new CorrectionDecisions(elsewhere).Approve(1, "sam", "looks right");
@@ -110,7 +110,7 @@ public sealed class CellRunnerTests
         using var elsewhere = cell.Open();
         var decisions = new CorrectionDecisions(elsewhere);
         decisions.Approve(2, "sam", null);
-        await Task.Delay(200, TestContext.Current.CancellationToken);
+        await cell.UntilLookedAgain("slot m1/A");
         Assert.Equal(CorrectionState.Approved, cell.Store.Find(2)!.State);
         decisions.Reject(1, "sam", "measured dirty");
         await cell.Until(2, CorrectionState.Verified);
@@ -257,7 +257,7 @@ public sealed class CellRunnerTests
         cell.Start();
         cell.Drop("a_S1.csv", 1);
         await cell.Until(3, CorrectionState.Verified);
-        await Task.Delay(300, TestContext.Current.CancellationToken);
+        await cell.UntilLookedAgain("recognition", "computing 1", "computing 2", "approval");
         Assert.Equal((CorrectionState.Archived, CorrectionState.Recognized), (cell.Store.Find(other.Id)!.State, cell.Store.Find(job.Id)!.State));
     }
 }

@@ -21,7 +21,7 @@ public sealed class MachineTroubleTests
         // Nobody overtakes what failed there.
         cell.Drop("a_S2.csv", 2);
         await cell.Until(2, CorrectionState.Approved);
-        await Task.Delay(200, TestContext.Current.CancellationToken);
+        await cell.UntilLookedAgain("slot m1/A");
         Assert.Equal(CorrectionState.Approved, cell.Store.Find(2)!.State);
 
         using var elsewhere = cell.Open();
@@ -97,7 +97,7 @@ public sealed class MachineTroubleTests
         cell.Start();
         cell.Drop("a_S1.csv", 1);
         await RunningCell.Until(() => machine.Fails is not null);
-        await Task.Delay(200, TestContext.Current.CancellationToken);
+        await cell.UntilLookedAgain("slot m1/A");
         Assert.Equal(CorrectionState.Uploading, cell.Store.Find(1)!.State);
         machine.Fails = null;
         await cell.Until(1, CorrectionState.Verified);
@@ -120,7 +120,7 @@ public sealed class MachineTroubleTests
 
         cell.Drop("a_S2.csv", 2);
         await cell.Until(2, CorrectionState.Approved);
-        await Task.Delay(200, TestContext.Current.CancellationToken);
+        await cell.UntilLookedAgain("slot m1/A");
         Assert.Equal(CorrectionState.Approved, cell.Store.Find(2)!.State);
         new CorrectionDecisions(elsewhere).Release(1, "olga", null);
         await cell.Until(2, CorrectionState.Verified);
@@ -166,19 +166,14 @@ public sealed class MachineTroubleTests
     public async Task A_stop_in_the_middle_of_a_transfer_leaves_the_slot_in_order()
     {
         await using var cell = new RunningCell();
-        using var reached = new ManualResetEventSlim();
         var machine = cell.Machine["m1"];
-        machine.Around = (what, isDone) =>
-        {
-            if (what == "write" && !isDone && !reached.IsSet)
-            {
-                reached.Set();
-                Thread.Sleep(3000);
-            }
-        };
+        var hangs = false;
+        machine.Hangs = what => hangs |= what == "write";
+        cell.Pace = cell.Pace with { Finish = TimeSpan.FromMilliseconds(50) };
         cell.Start();
         cell.Drop("a_S1.csv", 1);
-        await RunningCell.Until(() => reached.IsSet);
+        await RunningCell.Until(() => hangs);
+        machine.Hangs = null;
         await cell.StopAsync();
         Assert.Equal(CorrectionState.Approved, cell.Store.Find(1)!.State);
         Assert.Null(cell.Store.Slot("m1", "A").Correction);

@@ -15,6 +15,12 @@ internal sealed class MemoryMachine(string name) : IMachineFolder
     /// <summary>Called before and after each operation that changes or reads something, with its name; what it throws is what the operation throws.</summary>
     public Action<string, bool>? Around { get; set; }
 
+    /// <summary>What of that failed as an assertion; a runner takes it for a defect, and goes on.</summary>
+    public Exception? Broken { get; private set; }
+
+    /// <summary>Asked with each operation's name whether it hangs until it is cancelled.</summary>
+    public Func<string, bool>? Hangs { get; set; }
+
     /// <summary>Names of all operations, in order.</summary>
     public ConcurrentQueue<string> Done { get; } = new();
 
@@ -35,18 +41,36 @@ internal sealed class MemoryMachine(string name) : IMachineFolder
 
     public Task DeleteAsync(string name, CancellationToken cancellation) => Do("delete " + name, () => Files.TryRemove(name, out _), cancellation);
 
-    private Task<T> Do<T>(string what, Func<T> work, CancellationToken cancellation)
+    private async Task<T> Do<T>(string what, Func<T> work, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
         if (Fails is { } error)
         {
-            return Task.FromException<T>(new TransportException(error, $"{name} fails as the test says."));
+            throw new TransportException(error, $"{name} fails as the test says.");
         }
 
-        Around?.Invoke(what, false);
+        if (Hangs?.Invoke(what) == true)
+        {
+            await Task.Delay(Timeout.Infinite, cancellation);
+        }
+
+        Tell(what, false);
         Done.Enqueue(what);
         var result = work();
-        Around?.Invoke(what, true);
-        return Task.FromResult(result);
+        Tell(what, true);
+        return result;
+    }
+
+    private void Tell(string what, bool isDone)
+    {
+        try
+        {
+            Around?.Invoke(what, isDone);
+        }
+        catch (Xunit.Sdk.XunitException e)
+        {
+            Broken ??= e;
+            throw;
+        }
     }
 }

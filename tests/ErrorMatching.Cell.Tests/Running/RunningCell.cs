@@ -1,3 +1,5 @@
+using System.Collections.Concurrent;
+using System.Diagnostics;
 using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
@@ -15,6 +17,10 @@ internal sealed class RunningCell : IAsyncDisposable
         { "name": "m2", "dialect": "delta-nc300", "transport": { "kind": "folder", "folder": "m2" }, "attempts": 1, "slots": [{ "name": "A", "program": "P3.NC" }] }
         """;
 
+    // So long nothing takes on any machine: what has not come about by then does not come about.
+    private static readonly TimeSpan Forever = TimeSpan.FromMinutes(2);
+
+    private readonly ConcurrentDictionary<string, int> _looks = new(StringComparer.Ordinal);
     private readonly List<CellStore> _stores = [];
     private readonly List<(CancellationTokenSource Stop, Task Run)> _runs = [];
     private int _drops;
@@ -56,8 +62,8 @@ internal sealed class RunningCell : IAsyncDisposable
         Locked = TimeSpan.FromMilliseconds(10),
         Pause = TimeSpan.FromMilliseconds(30),
         LongestPause = TimeSpan.FromMilliseconds(60),
-        Finish = TimeSpan.FromSeconds(2),
-        GiveBack = TimeSpan.FromSeconds(1),
+        Finish = Forever,
+        GiveBack = Forever,
         Heartbeat = TimeSpan.FromMilliseconds(100),
     };
 
@@ -72,7 +78,7 @@ internal sealed class RunningCell : IAsyncDisposable
           "machines": [{{Machines}}],
           "jobs": [
             { "name": "a", "job": "job/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^a_(?<serial>[A-Z0-9-]+)(_.*)?\\.csv$" }, "machine": "m1", "slot": "A", "order": "{{Order}}" },
-            { "name": "b", "job": "job/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^b_(?<serial>[A-Z0-9-]+)(_.*)?\\.csv$" }, "machine": "m1", "slot": "B" },
+            { "name": "b", "job": "job/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^b_(?<serial>[A-Z0-9-]+)(_(?<workOrder>WO[0-9]+))?(_.*)?\\.csv$" }, "machine": "m1", "slot": "B" },
             { "name": "c", "job": "job/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^c_(?<serial>[A-Z0-9-]+)(_.*)?\\.csv$" }, "machine": "m2", "slot": "A" },
             { "name": "part", "job": "job/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^first-article" }, "piece": "counterpart", "machine": "m2", "slot": "A" }
           ],
@@ -94,7 +100,12 @@ internal sealed class RunningCell : IAsyncDisposable
     public void Start()
     {
         var stop = new CancellationTokenSource();
-        var runner = new CellRunner(Settings, Open(), m => Machine[m.Name], TimeProvider.System, Logger.None) { Pace = Pace, AroundStep = AroundStep };
+        var runner = new CellRunner(Settings, Open(), m => Machine[m.Name], TimeProvider.System, Logger.None)
+        {
+            Pace = Pace,
+            AroundStep = AroundStep,
+            Looking = where => _looks.AddOrUpdate(where, 1, (_, looks) => looks + 1),
+        };
         _runs.Add((stop, Task.Run(() => runner.RunAsync(stop.Token))));
     }
 
@@ -104,7 +115,7 @@ internal sealed class RunningCell : IAsyncDisposable
         foreach (var (stop, run) in _runs)
         {
             await stop.CancelAsync();
-            await run.WaitAsync(TimeSpan.FromSeconds(10));
+            await run.WaitAsync(4 * Forever);
             stop.Dispose();
         }
 
@@ -117,7 +128,7 @@ internal sealed class RunningCell : IAsyncDisposable
         foreach (var (stop, run) in _runs)
         {
             await stop.CancelAsync();
-            await Task.WhenAny(run, Task.Delay(TimeSpan.FromSeconds(10)));
+            await Task.WhenAny(run, Task.Delay(4 * Forever));
             Assert.True(run.IsCompleted);
             stop.Dispose();
         }
@@ -146,17 +157,12 @@ internal sealed class RunningCell : IAsyncDisposable
     /// <summary>Waits until something holds.</summary>
     public static async Task Until(Func<bool> holds, Func<string>? otherwise = null)
     {
-        for (var i = 0; i < 3000; i++)
+        var began = Stopwatch.GetTimestamp();
+        while (!holds())
         {
-            if (holds())
-            {
-                return;
-            }
-
+            Assert.True(Stopwatch.GetElapsedTime(began) < Forever, $"It did not come about within {Forever}. {otherwise?.Invoke()}");
             await Task.Delay(10);
         }
-
-        Assert.Fail("It did not come about within 30 s. " + otherwise?.Invoke());
     }
 
     /// <summary>Waits until a correction is in a state.</summary>
@@ -164,6 +170,27 @@ internal sealed class RunningCell : IAsyncDisposable
     {
         await Until(() => Store.Find(id)?.State == state, () => $"Correction {id}: {Store.Find(id)}");
         return Store.Find(id)!;
+    }
+
+    /// <summary>Waits until some workers have looked once more for work, and ended that look: what they have not done by then, they do not do.</summary>
+    /// <param name="workers">Their names, such as <c>slot m1/A</c>.</param>
+    public async Task UntilLookedAgain(params string[] workers)
+    {
+        foreach (var worker in workers)
+        {
+            // The next look begins after this, and has ended when the one behind it begins.
+            var before = _looks.GetValueOrDefault(worker);
+            await Until(() => _looks.GetValueOrDefault(worker) >= before + 2, () => $"{worker} does not look.");
+        }
+    }
+
+    /// <summary>Waits until a machine was asked once more what lies there, and whoever asked has done what follows from it.</summary>
+    public async Task UntilListedAgain(string machine)
+    {
+        var before = Listings();
+        await Until(() => Listings() >= before + 2, () => $"{machine} is not listed.");
+
+        int Listings() => Machine[machine].Done.Count(d => d == "list");
     }
 
     /// <summary>The states that a correction went through.</summary>
@@ -182,6 +209,7 @@ internal sealed class RunningCell : IAsyncDisposable
         }
 
         Directory.Delete(Folder, recursive: true);
+        Assert.All(Machine.Values, m => Assert.Null(m.Broken));
     }
 
     private static void Copy(string from, string to)

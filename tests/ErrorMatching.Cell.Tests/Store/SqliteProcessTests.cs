@@ -6,6 +6,7 @@ namespace ErrorMatching.Cell.Tests;
 /// <summary>A store in a file beside other processes, and processes that end at any instant.</summary>
 public sealed class SqliteProcessTests : IDisposable
 {
+    private const int Turns = 40;
     private readonly string _folder = Directory.CreateTempSubdirectory("errormatch-store-").FullName;
 
     private string File => Path.Combine(_folder, "cell.db");
@@ -19,12 +20,11 @@ public sealed class SqliteProcessTests : IDisposable
             using var writer = StoreWriter.Start("write", File);
             for (var line = 0; line < 1 + 37 * kill % 90; line++)
             {
-                Note(writer.StandardOutput.ReadLine());
+                Note(writer.Output.ReadLine());
             }
 
             writer.Kill();
-            while (writer.StandardOutput.ReadLine() is { } rest) Note(rest);
-            writer.WaitForExit();
+            while (writer.Output.ReadLine() is { } rest) Note(rest);
 
             using var store = CellStore.Open(new SqliteSettings(File), TimeProvider.System);
             Assert.Null(store.VerifyAudit());
@@ -49,18 +49,21 @@ public sealed class SqliteProcessTests : IDisposable
     public void Two_processes_that_write_make_one_chain()
     {
         using var store = CellStore.Open(new SqliteSettings(File), TimeProvider.System);
-        using var writer = StoreWriter.Start("write", File);
-        var theirs = Enumerable.Range(0, 20).Select(_ => writer.StandardOutput.ReadLine()).Count(l => l is not null);
-        for (var i = 0; i < 40; i++)
+        using var writer = StoreWriter.Start("take-turns", File);
+        for (var i = 0; i < Turns; i++)
         {
+            // Both write at the same time, and each goes on when both have.
+            writer.Input.WriteLine($"turn {i}");
+            writer.Input.Flush();
             store.Audit("anna", "signed-in", "password");
-            Thread.Sleep(5);
+            Assert.NotNull(writer.Output.ReadLine());
         }
 
-        writer.Kill();
+        writer.Input.Close();
         writer.WaitForExit();
-        Assert.Equal(40, store.AuditEntries(0, int.MaxValue).Count(e => e.What == "signed-in"));
-        Assert.InRange(store.ChangeCount(), 1 + theirs + 40, long.MaxValue);
+        Assert.Equal(Turns, store.AuditEntries(0, int.MaxValue).Count(e => e.What == "signed-in"));
+        Assert.Equal(Turns, store.InState(CorrectionState.Archived).Count);
+        Assert.Equal(1 + (2 * Turns), store.ChangeCount());
         Assert.Null(store.VerifyAudit());
     }
 
@@ -70,11 +73,11 @@ public sealed class SqliteProcessTests : IDisposable
         using var store = CellStore.Open(new SqliteSettings(File), TimeProvider.System);
         var correction = store.Archive(new Arrival("gauge", "one.csv", "one", "1"u8.ToArray())).Correction;
         using var holder = StoreWriter.Start("hold", File);
-        Assert.Equal("held", holder.StandardOutput.ReadLine());
+        Assert.Equal("held", holder.Output.ReadLine());
         Assert.Equal(StoreError.Locked, Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
         Assert.Equal(correction, store.Find(correction.Id));
         using (var beside = CellStore.Open(new SqliteSettings(File), TimeProvider.System, inspect: false)) Assert.Equal(correction, beside.Find(correction.Id));
-        holder.StandardInput.Close();
+        holder.Input.Close();
         holder.WaitForExit();
         store.Step(correction, CorrectionState.Recognized, "cell", "by name");
         Assert.Null(store.VerifyAudit());
@@ -85,10 +88,9 @@ public sealed class SqliteProcessTests : IDisposable
     {
         using var store = CellStore.Open(new SqliteSettings(File), TimeProvider.System);
         using var holder = StoreWriter.Start("hold", File);
-        Assert.Equal("held", holder.StandardOutput.ReadLine());
+        Assert.Equal("held", holder.Output.ReadLine());
         Assert.Null(store.TryLockSlot("mill", "1"));
         holder.Kill();
-        holder.WaitForExit();
         using var slot = store.TryLockSlot("mill", "1");
         Assert.True(slot!.IsHeld);
         store.Audit("anna", "signed-in", "password");
@@ -115,7 +117,7 @@ public sealed class SqliteProcessTests : IDisposable
         Assert.SkipUnless(may.ExitCode == 0, "This system lets nobody mount a disk of their own (unshare --mount --map-root-user).");
 
         using var other = StoreWriter.Start(task, File, "unshare", "--mount", "--map-root-user", "sh", "-c", $"mount -t tmpfs -o {options} tmpfs '{_folder}' && exec \"$0\"");
-        var said = other.StandardOutput.ReadToEnd();
+        var said = other.Output.ReadToEnd();
         other.WaitForExit();
         return said.Split('\n', StringSplitOptions.RemoveEmptyEntries);
     }

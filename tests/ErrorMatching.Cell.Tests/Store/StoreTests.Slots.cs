@@ -90,17 +90,37 @@ public abstract partial class StoreTests
     public void One_process_at_a_time_may_send_to_a_slot()
     {
         var (here, there) = (Open(), Open());
-        using (var taken = here.TryLockSlot("mill", "1"))
+        var taken = here.TryLockSlot("mill", "1");
+        Assert.NotNull(taken);
+        Assert.True(taken.IsHeld, "Who took it does not have it.");
+        Assert.Null(here.TryLockSlot("mill", "1"));
+        Assert.Null(there.TryLockSlot("mill", "1"));
+        using (var other = there.TryLockSlot("mill", "2"))
         {
-            Assert.True(taken!.IsHeld);
-            Assert.Null(here.TryLockSlot("mill", "1"));
-            Assert.Null(there.TryLockSlot("mill", "1"));
-            using var other = there.TryLockSlot("mill", "2");
-            Assert.True(other!.IsHeld);
+            Assert.NotNull(other);
+            Assert.True(other.IsHeld, "Another slot's right is not held.");
         }
 
+        taken.Dispose();
+        Assert.False(taken.IsHeld, "Who gave it back still has it.");
         using var again = there.TryLockSlot("mill", "1");
-        Assert.True(again!.IsHeld);
+        Assert.NotNull(again);
+        Assert.True(again.IsHeld, "Who took it next does not have it.");
+        Assert.Null(here.TryLockSlot("mill", "1"));
+    }
+
+    [Fact]
+    public void A_slot_is_freed_of_the_correction_that_has_it_and_of_no_other()
+    {
+        var store = Open();
+        var first = Release(store, "one", "G1");
+        var second = Up(store, Approve(store, "two", "G2"));
+        var entries = store.ChangeCount();
+        store.FreeSlot("mill", "1", first.Id, "anna", "cut");
+        Assert.Equal((second.Id, entries), (store.Slot("mill", "1").Correction, store.ChangeCount()));
+        store.FreeSlot("mill", "1", second.Id, "anna", "cut");
+        Assert.Null(store.Slot("mill", "1").Correction);
+        Assert.Equal(("anna", "freed", "slot 1 of mill", "cut"), store.AuditEntries(entries, 9).Single() is var e ? (e.Who, e.What, e.Subject, e.Basis) : default);
     }
 
     [Fact]
@@ -109,8 +129,9 @@ public abstract partial class StoreTests
         var store = Open();
         using var one = store.TryLockSlot("a b", "c");
         using var two = store.TryLockSlot("a", "b c");
-        Assert.True(one!.IsHeld);
-        Assert.True(two!.IsHeld);
+        Assert.NotNull(one);
+        Assert.NotNull(two);
+        Assert.True(one.IsHeld && two.IsHeld, "One of two rights that were given is not held.");
     }
 
     [Fact]

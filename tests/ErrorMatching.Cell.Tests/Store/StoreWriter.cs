@@ -5,24 +5,50 @@ using System.Text;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>This program a second time, as another process that works with a store: it says on its output what was acknowledged, and may be killed at any instant.</summary>
-internal static class StoreWriter
+/// <summary>This program a second time, as another process that works with a store: it says on its output what was acknowledged, and may be killed at any instant. It does not outlive its test.</summary>
+internal sealed class StoreWriter : IDisposable
 {
     private const string Task = "ERRORMATCH_TEST_STORE_TASK";
     private const string File = "ERRORMATCH_TEST_STORE_FILE";
+    private readonly Process _process;
+
+    private StoreWriter(Process process) => _process = process;
+
+    /// <summary>What it says.</summary>
+    public StreamReader Output => _process.StandardOutput;
+
+    /// <summary>What it is told.</summary>
+    public StreamWriter Input => _process.StandardInput;
 
     /// <summary>Starts the other process.</summary>
     /// <param name="task">What it does: the name of one of the methods below.</param>
     /// <param name="file">The store.</param>
     /// <param name="before">A program and arguments that start it; nothing for none.</param>
-    public static Process Start(string task, string file, params string[] before)
+    public static StoreWriter Start(string task, string file, params string[] before)
     {
         var program = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "ErrorMatching.Cell.Tests.exe" : "ErrorMatching.Cell.Tests");
         string[] all = [.. before, program];
         var start = new ProcessStartInfo(all[0], all[1..]) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardInput = true };
         start.Environment[Task] = task;
         start.Environment[File] = file;
-        return Process.Start(start)!;
+        return new(Process.Start(start)!);
+    }
+
+    /// <summary>Ends it at once.</summary>
+    public void Kill()
+    {
+        _process.Kill(entireProcessTree: true);
+        _process.WaitForExit();
+    }
+
+    /// <summary>Waits until it has ended by itself.</summary>
+    public void WaitForExit() => _process.WaitForExit();
+
+    /// <summary>Ends it, should it still run.</summary>
+    public void Dispose()
+    {
+        Kill();
+        _process.Dispose();
     }
 
     // Before the tests of this program begin, of which there are to be none then.
@@ -38,6 +64,9 @@ internal static class StoreWriter
         {
             case "write":
                 Write(settings);
+                break;
+            case "take-turns":
+                TakeTurns(settings);
                 break;
             case "hold":
                 Hold(settings);
@@ -68,6 +97,16 @@ internal static class StoreWriter
             Random.Shared.NextBytes(program);
             correction = store.Step(correction, CorrectionState.Computed, "cell", "computed", contents: [program]);
             Say(correction);
+        }
+    }
+
+    // Takes a step for each line that it is told.
+    private static void TakeTurns(SqliteSettings settings)
+    {
+        using var store = CellStore.Open(settings, TimeProvider.System);
+        while (Console.In.ReadLine() is { } key)
+        {
+            Say(store.Archive(new Arrival("gauge", key, key, Encoding.UTF8.GetBytes(key))).Correction);
         }
     }
 
