@@ -88,8 +88,8 @@ public sealed class FloodTests
             }
         }
 
-        await cell.Until(() => Task.FromResult(Directory.EnumerateFiles(cell.Incoming).Count() == left.Count && machine.Cut.Count == cut.Count), TimeSpan.FromSeconds(120 + (Files / 10)), "all files taken and cut");
-        await cell.Until(async () => (await cell.History()).All(c => c.GetProperty("state").GetString() is "released" or "refused"), TimeSpan.FromSeconds(60), "an end for each");
+        await cell.Until(() => Task.FromResult(Directory.EnumerateFiles(cell.Incoming).Count() == left.Count && machine.Cut.Count == cut.Count), TimeSpan.FromSeconds(300 + (Files / 5)), "all files taken and cut");
+        await cell.Until(async () => (await cell.History()).All(c => c.GetProperty("state").GetString() is "released" or "refused"), TimeSpan.FromMinutes(5), "an end for each");
         await cell.Stop();
 
         var history = await cell.History();

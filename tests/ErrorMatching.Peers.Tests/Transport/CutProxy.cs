@@ -39,11 +39,7 @@ internal sealed class CutProxy : IDisposable
     }
 
     /// <summary>Waits until the server has ended all sessions: what it had heard before a cut it may do after it.</summary>
-    public async Task QuietAsync()
-    {
-        while (Volatile.Read(ref _sessions) > 0)
-            await Task.Delay(2, _end.Token);
-    }
+    public Task QuietAsync() => Quiet.WhenAsync(() => Volatile.Read(ref _sessions) == 0);
 
     public void Dispose()
     {
@@ -92,9 +88,8 @@ internal sealed class CutProxy : IDisposable
         {
             // Reads until the server, too, has hung up.
             server.Client.Shutdown(SocketShutdown.Send);
-            using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(10));
             var rest = new byte[4096];
-            while (await server.GetStream().ReadAsync(rest, limit.Token) > 0)
+            while (await server.GetStream().ReadAsync(rest, _end.Token) > 0)
             {
             }
         }
