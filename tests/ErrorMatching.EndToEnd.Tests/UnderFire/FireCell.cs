@@ -93,7 +93,8 @@ internal sealed class FireCell : IDisposable
     }
 
     /// <summary>Starts the cell.</summary>
-    public Process Start()
+    /// <param name="variables">Further variables of its environment.</param>
+    public Process Start(params IEnumerable<(string Name, string Value)> variables)
     {
         var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", Configuration])
         {
@@ -103,6 +104,11 @@ internal sealed class FireCell : IDisposable
             RedirectStandardOutput = true,
             RedirectStandardError = true,
         };
+        foreach (var (name, value) in variables)
+        {
+            start.Environment[name] = value;
+        }
+
         var process = Process.Start(start)!;
         process.StandardInput.Close();
         process.ErrorDataReceived += (_, line) => Heard(line.Data);
