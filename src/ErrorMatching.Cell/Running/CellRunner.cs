@@ -59,7 +59,7 @@ public sealed class CellRunner
         // Workers end only when told to: one that ends before is a defect, and takes the others with it.
         var first = await Task.WhenAny(workers);
         await end.CancelAsync();
-        await Task.WhenAny(Task.WhenAll(workers), Task.Delay(Pace.Finish + Pace.GiveBack + Pace.GiveBack, CancellationToken.None));
+        await Task.WhenAny(Task.WhenAll(workers), Task.Delay(Pace.Finish + Pace.GiveBack + Pace.Deaf, CancellationToken.None));
         Heartbeat.Remove(_settings.LogFolder);
         if (!stop.IsCancellationRequested)
         {

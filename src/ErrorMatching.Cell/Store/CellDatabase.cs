@@ -52,7 +52,7 @@ internal abstract class CellDatabase : IDisposable
     public abstract ISlotLock? TryLock(string name);
 
     /// <summary>Writes a whole copy while others go on working.</summary>
-    public abstract void Backup(string file);
+    public abstract void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation);
 
     /// <inheritdoc/>
     public abstract void Dispose();

@@ -74,7 +74,7 @@ internal sealed class PostgresDatabase : CellDatabase
     public override ISlotLock? TryLock(string name) => Named(() => PostgresLock.TryTake(_lockConnection, name));
 
     /// <inheritdoc/>
-    public override void Backup(string file) => throw new StoreException(
+    public override void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation) => throw new StoreException(
         StoreError.NotSupported,
         string.Create(CultureInfo.InvariantCulture, $"A store on PostgreSQL is backed up by its own tools: pg_dump --format=custom --host={_settings.Host} --port={_settings.Port} --username={_settings.User} --file={file} {_settings.Database}"));
 

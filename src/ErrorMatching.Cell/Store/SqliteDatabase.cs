@@ -83,7 +83,7 @@ internal sealed class SqliteDatabase : CellDatabase
     }
 
     /// <inheritdoc/>
-    public override void Backup(string file)
+    public override void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         if (Path.GetFullPath(file) == Path.GetFullPath(_file)) throw new StoreException(StoreError.Denied, $"{file} is the store itself: name another file for its backup.");
         var folder = Path.GetDirectoryName(Path.GetFullPath(file));
@@ -96,11 +96,12 @@ internal sealed class SqliteDatabase : CellDatabase
             {
                 using var copy = new SqliteConnection(ConnectionString(temporary));
                 copy.Open();
-                ((SqliteConnection)connection).BackupDatabase(copy);
+                SqliteCopy.Copy((SqliteConnection)connection, copy, progress, cancellation);
 
                 // One file, without a log beside it.
                 copy.Execute("PRAGMA journal_mode = DELETE");
-                var found = copy.QueryFirst<string>("PRAGMA quick_check(1)");
+                progress?.Report(new("looking at each page of the copy", 0, 0));
+                var found = SqliteCopy.Check(copy, cancellation);
                 return found == "ok" ? true : throw Damaged(found, null);
             });
             using (var written = new FileStream(temporary, FileMode.Open, FileAccess.ReadWrite)) written.Flush(flushToDisk: true);
@@ -213,9 +214,8 @@ internal sealed class SqliteDatabase : CellDatabase
         connection.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     });
 
-    // A log without its file is the sign of a lost store, and would be read into a new one.
     // A store has hashes of passwords: whoever else may read it is its owner's decision, not the umask's. Its log follows it.
-    private static void MakeForOwner(string file)
+    internal static void MakeForOwner(string file)
     {
         var options = new FileStreamOptions { Mode = FileMode.Create, Access = FileAccess.Write };
         if (!OperatingSystem.IsWindows())
@@ -228,6 +228,7 @@ internal sealed class SqliteDatabase : CellDatabase
         }
     }
 
+    // A log without its file is the sign of a lost store, and would be read into a new one.
     private void Make(Action<CellDatabase> prepare)
     {
         var folder = Path.GetDirectoryName(Path.GetFullPath(_file))!;

@@ -94,7 +94,8 @@ internal sealed class FireCell : IDisposable
     }
 
     /// <summary>Starts the cell.</summary>
-    public Process Start()
+    /// <param name="variables">Further variables of its environment.</param>
+    public Process Start(params IEnumerable<(string Name, string Value)> variables)
     {
         _hasBegun = false;
         var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", Configuration])
@@ -105,6 +106,11 @@ internal sealed class FireCell : IDisposable
             RedirectStandardOutput = true,
             RedirectStandardError = true,
         };
+        foreach (var (name, value) in variables)
+        {
+            start.Environment[name] = value;
+        }
+
         var process = Process.Start(start)!;
         process.StandardInput.Close();
         process.ErrorDataReceived += (_, line) => Heard(line.Data);

@@ -172,6 +172,11 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
             yield return $"Start the cell: errormatch cell run {settings.File}";
         }
 
+        foreach (var trouble in status.IsRunning ? status.Heartbeat!.Troubles : [])
+        {
+            yield return $"{trouble.Where}: put right what it says ({trouble.Code}); the cell goes on by itself.";
+        }
+
         foreach (var failed in status.Failed.Take(MostListed))
         {
             yield return failed.ProgramSha256 is null
