@@ -63,6 +63,31 @@ public sealed class KeyFolderTests : PeopleTest
     }
 
     [Fact]
+    public async Task A_file_that_vanishes_while_the_folder_is_looked_at_is_no_fault()
+    {
+        using var stop = new CancellationTokenSource();
+
+        // As another process writes under a name of its own and renames that.
+        var other = Task.Run(
+            () =>
+            {
+                var folder = new KeyFolder(Keys);
+                while (!stop.IsCancellationRequested)
+                {
+                    Assert.True(folder.Write("audit.other", [1], overwrite: true));
+                }
+            },
+            TestContext.Current.CancellationToken);
+        for (var i = 0; i < 300; i++)
+        {
+            Assert.NotEmpty(new KeyFolder(Keys).Read("audit.key"));
+        }
+
+        await stop.CancelAsync();
+        await other;
+    }
+
+    [Fact]
     public void A_changed_key_of_the_trail_is_named()
     {
         var file = Path.Combine(Keys, "audit.key");

@@ -1,3 +1,5 @@
+using System.Diagnostics;
+
 namespace ErrorMatching.Cell.Tests;
 
 public sealed class FolderTransportTests : IDisposable
@@ -107,14 +109,43 @@ public sealed class FolderTransportTests : IDisposable
     public async Task A_share_that_hangs_is_given_up_after_the_time_limit()
     {
         Assert.SkipUnless(OperatingSystem.IsLinux(), "A pipe without a writer is Linux's.");
-        var pipe = Path.Combine(_folder, "hangs");
-        using (var made = System.Diagnostics.Process.Start("mkfifo", [pipe]))
-            await made.WaitForExitAsync(Token);
+        var pipe = await Pipe();
         var folder = MachineFolders.Open(Settings() with { Timeout = TimeSpan.FromMilliseconds(200) }, () => null);
         Assert.Equal(TransportError.Slow, (await Assert.ThrowsAsync<TransportException>(() => folder.ReadAsync("hangs", 10, Token))).Error);
 
         // Lets the thread that hangs come back.
         await using var end = new FileStream(pipe, FileMode.Open, FileAccess.ReadWrite);
+    }
+
+    [Fact]
+    public async Task A_share_that_hangs_is_asked_again_only_when_the_access_that_hangs_has_ended()
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "A pipe without a writer is Linux's.");
+        var pipe = await Pipe();
+        var folder = MachineFolders.Open(Settings() with { Timeout = TimeSpan.FromMilliseconds(200) }, () => null);
+        await Assert.ThrowsAsync<TransportException>(() => folder.ReadAsync("hangs", 10, Token));
+        var refused = await Assert.ThrowsAsync<TransportException>(() => folder.DeleteAsync("hangs", Token));
+        Assert.Equal(TransportError.Slow, refused.Error);
+        Assert.Contains("an earlier access still hangs", refused.Message, StringComparison.Ordinal);
+        Assert.True(File.Exists(pipe));
+
+        await using var end = new FileStream(pipe, FileMode.Open, FileAccess.ReadWrite);
+        var began = Stopwatch.GetTimestamp();
+        while (await Record.ExceptionAsync(() => folder.DeleteAsync("hangs", Token)) is { } failure)
+        {
+            Assert.True(Stopwatch.GetElapsedTime(began) < TimeSpan.FromMinutes(2), failure.Message);
+            await Task.Delay(10, Token);
+        }
+
+        Assert.False(File.Exists(pipe));
+    }
+
+    private async Task<string> Pipe()
+    {
+        var pipe = Path.Combine(_folder, "hangs");
+        using var made = Process.Start("mkfifo", [pipe]);
+        await made.WaitForExitAsync(Token);
+        return pipe;
     }
 
     private IMachineFolder Open() => MachineFolders.Open(Settings(), () => null);
@@ -125,7 +156,7 @@ public sealed class FolderTransportTests : IDisposable
         Transport = new FolderSettings(_folder),
         Dialect = "siemens-840d",
         Slots = [],
-        Timeout = TimeSpan.FromSeconds(20),
+        Timeout = TimeSpan.FromMinutes(10),
         Attempts = 3,
     };
 }

@@ -1,0 +1,42 @@
+namespace ErrorMatching.Cell.Tests;
+
+public sealed class ProposingTests
+{
+    private const string ByPerson = """{ "approve": "person" }""";
+
+    [Theory]
+    [InlineData("""{ "approve": "automatic", "limitMm": 0.001 }""")]
+    [InlineData("""{ "approve": "automatic", "sumLimitMm": 0.001 }""")]
+    public async Task What_was_proposed_goes_by_the_limits_that_hold_when_the_policy_approves_it(string narrower)
+    {
+        await using var cell = new RunningCell(ByPerson);
+        cell.Start();
+        cell.Drop("a_S1.csv", 1);
+        await cell.Until(1, CorrectionState.Proposed);
+        await cell.StopAsync();
+        cell.Policy = narrower;
+        cell.Start();
+        await cell.UntilLookedAgain("approval");
+        Assert.Equal(CorrectionState.Proposed, cell.Store.Find(1)!.State);
+        await cell.StopAsync();
+        cell.Policy = """{ "approve": "automatic", "limitMm": 0.5 }""";
+        cell.Start();
+        await cell.Until(1, CorrectionState.Verified);
+        Assert.Contains(("cell", "policy: automatic within 0.5 mm"), cell.Store.StepsOf(1).Select(s => (s.By, s.Basis)));
+    }
+
+    [Fact]
+    public async Task A_newer_measurement_takes_the_place_of_one_of_the_same_work_order_only()
+    {
+        await using var cell = new RunningCell(ByPerson);
+        cell.Start();
+        cell.Drop("b_S1_WO1.csv", 1);
+        Assert.Equal(("S1", "WO1"), await cell.Until(1, CorrectionState.Proposed) is var first ? (first.Serial, first.WorkOrder) : default);
+        cell.Drop("b_S1_WO2.csv", 2);
+        await cell.Until(2, CorrectionState.Proposed);
+        Assert.Equal(CorrectionState.Proposed, cell.Store.Find(1)!.State);
+        cell.Drop("b_S1_WO1_again.csv", 3);
+        await cell.Until(3, CorrectionState.Proposed);
+        Assert.Equal((CorrectionState.Superseded, CorrectionState.Proposed), (cell.Store.Find(1)!.State, cell.Store.Find(2)!.State));
+    }
+}
