@@ -68,14 +68,16 @@ public sealed class KeyFolderTests : PeopleTest
         using var stop = new CancellationTokenSource();
 
         // As another process writes under a name of its own and renames that.
-        var other = Task.Run(() =>
-        {
-            var folder = new KeyFolder(Keys);
-            while (!stop.IsCancellationRequested)
+        var other = Task.Run(
+            () =>
             {
-                Assert.True(folder.Write("audit.other", [1], overwrite: true));
-            }
-        });
+                var folder = new KeyFolder(Keys);
+                while (!stop.IsCancellationRequested)
+                {
+                    Assert.True(folder.Write("audit.other", [1], overwrite: true));
+                }
+            },
+            TestContext.Current.CancellationToken);
         for (var i = 0; i < 300; i++)
         {
             Assert.NotEmpty(new KeyFolder(Keys).Read("audit.key"));
