@@ -24,7 +24,12 @@ public sealed class FtpFaultTests : IDisposable
         FtpPeer.IsNeeded();
         await EachAsync(Enumerable.Range(0, SentProgram.Bytes + 1), async (proxy, program, n) =>
         {
-            var (failure, isNew) = await BreakAsync(proxy, program, new FtpFault { CutWriting = n }, mend: n % 4 == 0 || n > SentProgram.Bytes - 16);
+            // Every fourth is recovered from, and sent again where that begins with no byte, one, or all of them, and at some in between.
+            var fault = new FtpFault { CutWriting = n };
+            var mend = n < 2 || n % 32 == 0 || n > SentProgram.Bytes - 16;
+            var (failure, isNew) = await BreakAsync(proxy, program, fault, mend);
+            if (!mend && n % 4 == 0)
+                await program.RecoverAsync(_peer.Value.Open(proxy.Port), fault.ToString());
             Assert.True(TransportError.Away == failure?.Error, $"{n}: {failure?.Message}");
             Assert.False(isNew);
         });
