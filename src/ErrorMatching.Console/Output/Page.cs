@@ -54,7 +54,7 @@ internal sealed class Page(TextWriter writer, bool hasColor)
         var width = facts.Max(f => f.Name.Length);
         foreach (var (name, value) in facts)
         {
-            Line(name.PadRight(width) + "  " + value);
+            Line(name.PadRight(width) + "  " + PrintedText.OneLine(value));
         }
     }
 
