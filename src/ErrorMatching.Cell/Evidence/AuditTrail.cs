@@ -9,7 +9,6 @@ namespace ErrorMatching.Cell;
 /// <remarks>Failures of the store are a <see cref="StoreException"/>, those of the keys a <see cref="PeopleException"/>.</remarks>
 public sealed class AuditTrail(CellStore store, string keysFolder)
 {
-    private const int ToldEach = 1000;
     private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash"];
 
     /// <summary>Looks at every entry, as the trail is at one moment. What was found whole is remembered beside the keys, if they are there.</summary>
@@ -85,10 +84,10 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
 
     private static IEnumerable<AuditEntry> Told(IEnumerable<AuditEntry> entries, string doing, long of, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
-        var done = 0L;
+        var (done, each) = (0L, Math.Max(1, of / 100));
         foreach (var entry in entries)
         {
-            if (done++ % ToldEach == 0)
+            if (done++ % each == 0)
             {
                 cancellation.ThrowIfCancellationRequested();
                 progress?.Report(new(doing, done, of));

@@ -29,11 +29,7 @@ public static class CellLog
                 fileSizeLimitBytes: mostBytesOfFile,
                 rollOnFileSizeLimit: true,
                 retainedFileCountLimit: mostFiles)
-            .WriteTo.Console(
-                restrictedToMinimumLevel: LogEventLevel.Information,
-                outputTemplate: "{Timestamp:HH:mm:ss} {Level:w3} {Message:l}{NewLine}{Exception}",
-                formatProvider: CultureInfo.InvariantCulture,
-                standardErrorFromLevel: LogEventLevel.Verbose)
+            .WriteTo.Console(new CellLogLines(), restrictedToMinimumLevel: LogEventLevel.Information, standardErrorFromLevel: LogEventLevel.Verbose)
             .CreateLogger();
     }
 }

@@ -39,6 +39,16 @@ public sealed partial class CellLogTests : IDisposable
     }
 
     [Fact]
+    public void For_people_each_entry_is_one_line_whatever_a_file_is_called()
+    {
+        using var text = new StringWriter();
+        var message = new Serilog.Parsing.MessageTemplateParser().Parse("{FileName}: {Basis:l}");
+        var properties = new[] { ("FileName", "a\n23:00:00 inf well\u001b[2J\u202E.csv"), ("Basis", "so \"it\" is") }.Select(p => new Serilog.Events.LogEventProperty(p.Item1, new Serilog.Events.ScalarValue(p.Item2)));
+        new CellLogLines().Format(new(new DateTimeOffset(2026, 11, 21, 22, 5, 6, TimeSpan.Zero), Serilog.Events.LogEventLevel.Warning, null, message, properties), text);
+        Assert.Equal("22:05:06 wrn a 23:00:00 inf well\uFFFD[2J\uFFFD.csv: so \"it\" is\n", text.ToString());
+    }
+
+    [Fact]
     public void It_rolls_by_size_and_keeps_as_many_files_as_it_shall()
     {
         const int Lines = 120;

@@ -19,8 +19,8 @@ public abstract partial class StoreTests
         // Anna's hash is of "correct horse battery", by hashlib.pbkdf2_hmac of Python with SHA-512, 1000 iterations and the bytes 0 to 15 as salt. Failures are by the SHA-256 of ANNA and EVE.
         [2] = """
             INSERT INTO person (name_key, name, role, password, is_disabled, added_at, password_at)
-            VALUES ('ANNA', 'Anna', 'administrator', 'AQAAAAIAAAPoAAAAEAABAgMEBQYHCAkKCwwNDg9OjEVSLnLd+mtlFb9XoK6lHa4gNh+7LmuWwX1ngTrjyQ==', 0, 1000000, 2000000),
-                   ('BEN', 'Ben', 'operator', 'none', 1, 3000000, 3000000);
+            VALUES ('ANNA', 'Anna', 'Administrator', 'AQAAAAIAAAPoAAAAEAABAgMEBQYHCAkKCwwNDg9OjEVSLnLd+mtlFb9XoK6lHa4gNh+7LmuWwX1ngTrjyQ==', 0, 1000000, 2000000),
+                   ('BEN', 'Ben', 'Operator', 'none', 1, 3000000, 3000000);
             INSERT INTO sign_in_failure (name_hash, is_user, failures, failed_at) VALUES ('5c5a268702708ababeb96ed61de8b127c9f49bedc1effcd70d4aded37beace10', 1, 2, 4000000), ('6a049984467eca45e3e44ba87042a6ea68e9a6923a60f6f29fd4f74491840dec', 0, 1, 5000000);
             INSERT INTO machine_secret (machine, bytes) VALUES ('mill', 'sealed');
             """,

@@ -17,22 +17,22 @@ public sealed class FullDiskTests
         var (first, second) = (files.Next(cell.Slots[0], 1), files.Next(cell.Slots[1], 2));
         cell.Start();
         cell.Drop(first.Name, first.Bytes);
-        await cell.Until(async () => await StateOf(cell, first.Name) == "verified", Patience, "the first is at the machine");
+        await cell.Until(async () => await cell.StateOf(first.Name) == "verified", Patience, "the first is at the machine");
 
         disk.Fill();
         cell.Drop(second.Name, second.Bytes);
-        await cell.Until(async () => (await Status(cell)).Codes.Contains("store-full"), Patience, "the trouble is named");
-        var (exit, isRunning, codes) = await Status(cell);
+        await cell.Until(async () => (await cell.Status()).Codes.Contains("store-full"), Patience, "the trouble is named");
+        var (exit, isRunning, codes) = await cell.Status();
         Assert.True(isRunning, "A cell that has no room for its sign of life was taken for dead.");
         Assert.Equal(3, exit);
         Assert.Contains("store-full", codes);
         Assert.Contains("store-full", cell.Said, StringComparison.Ordinal);
         Assert.Contains(Directory.EnumerateFiles(cell.Incoming, "*", SearchOption.AllDirectories), f => File.ReadAllBytes(f).AsSpan().SequenceEqual(second.Bytes));
-        Assert.Equal("verified", await StateOf(cell, first.Name));
+        Assert.Equal("verified", await cell.StateOf(first.Name));
 
         disk.Empty();
-        await cell.Until(async () => await StateOf(cell, second.Name) == "verified", Patience, "the second is at the machine");
-        await cell.Until(async () => (await Status(cell)).Exit == 0, Patience, "nothing is said any more");
+        await cell.Until(async () => await cell.StateOf(second.Name) == "verified", Patience, "the second is at the machine");
+        await cell.Until(async () => (await cell.Status()).Exit == 0, Patience, "nothing is said any more");
         Assert.Equal(second.Name, files.FileByProgram[FireFiles.Hash(await File.ReadAllBytesAsync(Path.Combine(cell.Machine, FireCell.ProgramOf(cell.Slots[1])), TestContext.Current.CancellationToken))]);
         await cell.AuditHolds();
         await cell.Stop();
@@ -46,36 +46,25 @@ public sealed class FullDiskTests
         var files = new FireFiles();
         var first = files.Next(cell.Slots[0], 1);
         cell.Start();
-        await cell.Until(async () => (await Status(cell)).Exit == 0, Patience, "it runs");
+        await cell.Until(async () => (await cell.Status()).Exit == 0, Patience, "it runs");
         await cell.Stop();
 
         disk.Remount("ro");
         cell.Drop(first.Name, first.Bytes);
         var run = await ConsoleRun.Of(cell.Folder, "cell", "run", cell.Configuration, "--json");
         Assert.Equal((3, "store-read-only"), (run.Exit, run.SingleError.GetProperty("code").GetString()));
-        var status = await ConsoleRun.Of(cell.Folder, "cell", "status", cell.Configuration, "--json");
-        Assert.Equal((3, "store-read-only"), (status.Exit, status.SingleError.GetProperty("code").GetString()));
+        var (exit, _, codes) = await cell.Status();
+        Assert.Equal((3, "store-read-only"), (exit, Assert.Single(codes)));
         Assert.Equal(first.Bytes, await File.ReadAllBytesAsync(Path.Combine(cell.Incoming, first.Name), TestContext.Current.CancellationToken));
 
         disk.Remount("rw");
         cell.Start();
-        await cell.Until(async () => await StateOf(cell, first.Name) == "verified", Patience, "it goes on");
+        await cell.Until(async () => await cell.StateOf(first.Name) == "verified", Patience, "it goes on");
         await cell.Stop();
     }
 
     private static void MoveLogs(FireCell cell, string folder) =>
-        File.WriteAllText(cell.Configuration, File.ReadAllText(cell.Configuration).Replace("\"gauges\":", $"\"logs\": \"{folder}\",\n  \"gauges\":", StringComparison.Ordinal));
-
-    private static async Task<(int Exit, bool IsRunning, string[] Codes)> Status(FireCell cell)
-    {
-        var run = await ConsoleRun.Of(cell.Folder, "cell", "status", cell.Configuration, "--json");
-        return run.Json.TryGetProperty("problems", out var problems)
-            ? (run.Exit, run.Json.GetProperty("running").GetBoolean(), [.. problems.EnumerateArray().Select(p => p.GetProperty("code").GetString()!)])
-            : (run.Exit, false, []);
-    }
-
-    private static async Task<string?> StateOf(FireCell cell, string name) =>
-        (await cell.History()).Where(c => c.GetProperty("fileName").GetString() == name).Select(c => c.GetProperty("state").GetString()).SingleOrDefault();
+        File.WriteAllText(cell.Configuration, File.ReadAllText(cell.Configuration).Replace("\"keys\":", $"\"logs\": \"{folder}\", \"keys\":", StringComparison.Ordinal));
 
     private sealed class SmallDisk : IDisposable
     {

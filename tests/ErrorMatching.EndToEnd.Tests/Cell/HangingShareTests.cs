@@ -24,22 +24,19 @@ public sealed class HangingShareTests
 
         cell.Start();
         cell.Drop(hanging.Name, hanging.Bytes);
-        await cell.Until(async () => await StateOf(cell, hanging.Name) == "approved", Patience, "the first waits for the share");
+        await cell.Until(async () => await cell.StateOf(hanging.Name) == "approved", Patience, "the first waits for the share");
         cell.Drop(other.Name, other.Bytes);
-        await cell.Until(async () => await StateOf(cell, other.Name) is "approved" or "verified", Patience, "the second is worked on");
+        await cell.Until(async () => await cell.StateOf(other.Name) is "approved" or "verified", Patience, "the second is worked on");
 
         await cell.Stop();
-        Assert.Equal("approved", await StateOf(cell, hanging.Name));
+        Assert.Equal("approved", await cell.StateOf(hanging.Name));
 
         File.Delete(program);
         File.Move(cell["original"], program);
         cell.Start();
-        await cell.Until(async () => await StateOf(cell, hanging.Name) == "verified" && await StateOf(cell, other.Name) == "verified", Patience, "the next start goes on");
+        await cell.Until(async () => await cell.StateOf(hanging.Name) == "verified" && await cell.StateOf(other.Name) == "verified", Patience, "the next start goes on");
         Assert.Equal(hanging.Name, files.FileByProgram[FireFiles.Hash(await File.ReadAllBytesAsync(program, TestContext.Current.CancellationToken))]);
         await cell.Stop();
         await cell.AuditHolds();
     }
-
-    private static async Task<string?> StateOf(FireCell cell, string name) =>
-        (await cell.History()).Where(c => c.GetProperty("fileName").GetString() == name).Select(c => c.GetProperty("state").GetString()).SingleOrDefault();
 }

@@ -63,7 +63,7 @@ public sealed class TelemetryReceiverTests
         var piece = new FireFiles().Next(cell.Slots[0], 1);
         cell.Start(Variables(endpoint, protocol));
         cell.Drop(piece.Name, piece.Bytes);
-        await cell.Until(async () => (await cell.History()).Any(c => c.GetProperty("state").GetString() == "verified"), Patience, "the program is at the machine");
+        await cell.Until(async () => await cell.StateOf(piece.Name) == "verified", Patience, "the program is at the machine");
         await cell.Until(() => Task.FromResult(isSent?.Invoke() ?? true), Patience, "something is sent");
         await cell.Stop();
     }

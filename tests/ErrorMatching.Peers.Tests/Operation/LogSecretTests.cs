@@ -26,7 +26,7 @@ public sealed partial class LogSecretTests
         var piece = new FireFiles().Next(cell.Slots[0], 1);
         cell.Start(("OTEL_EXPORTER_OTLP_ENDPOINT", "http://127.0.0.1:9"), ("OTEL_EXPORTER_OTLP_HEADERS", "authorization=" + Token));
         cell.Drop(piece.Name, piece.Bytes);
-        await cell.Until(async () => (await Status(cell)).Contains("machine-login"), Patience, "the login is refused");
+        await cell.Until(async () => (await cell.Status()).Codes.Contains("machine-login"), Patience, "the login is refused");
         Assert.Contains(Machines, ftp.Tried);
 
         // People who mistype, one of them a password as a name.
@@ -41,7 +41,7 @@ public sealed partial class LogSecretTests
         await File.WriteAllTextAsync(key, keys.Single(k => k.Contains('<', StringComparison.Ordinal))[..^20], TestContext.Current.CancellationToken);
         await cell.Stop();
         cell.Start();
-        await cell.Until(async () => (await Type(cell, ["cell", "approve", cell.Configuration, "1", "--user", "anna"], Annas)).Exit != 0 || (await Status(cell)).Length > 0, Patience, "the keys are missed");
+        await cell.Until(async () => (await Type(cell, ["cell", "approve", cell.Configuration, "1", "--user", "anna"], Annas)).Exit != 0 || (await cell.Status()).Codes.Length > 0, Patience, "the keys are missed");
         await cell.Stop();
 
         var log = string.Concat(Directory.EnumerateFiles(cell["logs"], "*.jsonl").Select(File.ReadAllText));
@@ -70,12 +70,6 @@ public sealed partial class LogSecretTests
     ];
 
     private static Task<ConsoleRun> Type(FireCell cell, IReadOnlyList<string> words, params string[] lines) => ConsoleRun.Typed(cell.Folder, [.. words, "--password-stdin"], lines);
-
-    private static async Task<string[]> Status(FireCell cell)
-    {
-        var run = await ConsoleRun.Of(cell.Folder, "cell", "status", cell.Configuration, "--json");
-        return run.Json.TryGetProperty("problems", out var problems) ? [.. problems.EnumerateArray().Select(p => p.GetProperty("code").GetString()!)] : [];
-    }
 
     // Long runs of the digits of Base64 and hexadecimal numbers: keys, but no words.
     [GeneratedRegex("(?=[A-Za-z+/]*[0-9])[A-Za-z0-9+/]{40,}")]

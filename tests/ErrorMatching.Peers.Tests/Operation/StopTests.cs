@@ -25,10 +25,10 @@ public sealed class StopTests
         cell.Start();
         cell.Drop(name, bytes);
         await cell.Until(() => Task.FromResult(hang.HasHung), Patience, "the machine hangs");
-        Assert.Equal("uploading", await StateOf(cell));
+        Assert.Equal("uploading", await cell.StateOf(name));
 
         await cell.Stop();
-        Assert.Equal(state, await StateOf(cell));
+        Assert.Equal(state, await cell.StateOf(name));
         Assert.Equal(FireFiles.OriginalSha256, FireFiles.Hash(await File.ReadAllBytesAsync(program, TestContext.Current.CancellationToken)));
         if (!forGood)
         {
@@ -38,7 +38,7 @@ public sealed class StopTests
 
         hang.IsOver = true;
         cell.Start();
-        await cell.Until(async () => await StateOf(cell) == "verified", Patience, "the next start goes on");
+        await cell.Until(async () => await cell.StateOf(name) == "verified", Patience, "the next start goes on");
         Assert.Equal(name, files.FileByProgram[FireFiles.Hash(await File.ReadAllBytesAsync(program, TestContext.Current.CancellationToken))]);
         await cell.Stop();
         Assert.DoesNotContain(Directory.EnumerateFiles(ftp.Folder), f => Path.GetFileName(f) != FireCell.ProgramOf(cell.Slots[0]));
@@ -61,6 +61,4 @@ public sealed class StopTests
         var run = await ConsoleRun.Typed(cell.Folder, arguments, lines);
         Assert.True(run.Exit == 0, run.Output + run.Error);
     }
-
-    private static async Task<string?> StateOf(FireCell cell) => Assert.Single(await cell.History()).GetProperty("state").GetString();
 }

@@ -79,7 +79,7 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         page.Heading(next.Length == 0 ? "Nothing to do." : "What to do next");
         foreach (var line in next)
         {
-            page.Line("- " + line);
+            page.Line("- " + PrintedText.OneLine(line));
         }
     }
 
