@@ -44,8 +44,9 @@ internal sealed class UnservedWorker(CellFlow flow)
     private string Sentence((WaitingCorrections Waiting, string? Lacks)[] unserved)
     {
         var (first, lacks) = unserved[0];
-        var line = first.Slot is null ? "" : $" In the line of slot {first.Slot} of {first.Machine} they hold those behind them.";
-        return FormattableString.Invariant(
-            $"{unserved.Sum(u => u.Waiting.Count)} corrections wait for what {flow.Settings.File} does not have any more; the first is {first.First} ({first.State.ToString().ToLowerInvariant()}), which waits for the {lacks}.{line} Bring it back into the configuration; then reject what is not to be sent.");
+        var count = unserved.Sum(u => u.Waiting.Count);
+        var who = count == 1 ? FormattableString.Invariant($"Correction {first.First}") : FormattableString.Invariant($"{count} corrections, the first is {first.First}");
+        var line = first.Slot is null ? "" : $" What is behind in the line of slot {first.Slot} of {first.Machine} waits with it.";
+        return $"{who} ({first.State.ToString().ToLowerInvariant()}): nobody takes it up, for {flow.Settings.File} does not have the {lacks} any more.{line} Bring it back into the configuration; then reject what is not to be sent.";
     }
 }

@@ -44,7 +44,7 @@ public sealed class RemovedJobTests
         await ConfiguredCell.Until(() => cell.Troubles.Any(t => t.Code == "not-configured"));
         var trouble = cell.Troubles.Single(t => t.Code == "not-configured");
         Assert.Contains(named, trouble.Message, StringComparison.Ordinal);
-        Assert.Contains("the first is 1 ", trouble.Message, StringComparison.Ordinal);
+        Assert.StartsWith("Correction 1 (", trouble.Message, StringComparison.Ordinal);
         Assert.False(CellStatus.Of(cell.Settings, cell.Store, TimeProvider.System).IsHealthy);
         await cell.StopAsync();
 

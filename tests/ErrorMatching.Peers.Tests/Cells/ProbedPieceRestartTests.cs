@@ -7,17 +7,13 @@ namespace ErrorMatching.Peers.Tests;
 public sealed class ProbedPieceRestartTests
 {
     [Theory]
-    [InlineData("list", true)]
     [InlineData("read PROBE.LOG", true)]
     [InlineData("Archived", false)]
     [InlineData("Archived", true)]
     [InlineData("rename PROBE.LOG.taken", true)]
     [InlineData("delete PROBE.LOG.taken", false)]
-    [InlineData("delete PROBE.LOG.taken", true)]
     [InlineData("Recognized", true)]
-    [InlineData("Computed", false)]
     [InlineData("Computed", true)]
-    [InlineData("Proposed", true)]
     [InlineData("Approved", true)]
     [InlineData("Uploading", true)]
     [InlineData("write", true)]
@@ -25,6 +21,35 @@ public sealed class ProbedPieceRestartTests
     public async Task Wherever_the_process_ends_the_next_one_comes_to_the_same_end(string at, bool isDone)
     {
         await using var cell = await ProbedCell.OfFolderAsync(keeps: false);
+        await EndAndGoOnAsync(cell, cell.PathOf("machine"), at, isDone);
+    }
+
+    [Theory]
+    [InlineData("read PROBE.LOG", true)]
+    [InlineData("rename PROBE.LOG.taken", true)]
+    [InlineData("write", true)]
+    public async Task So_it_is_behind_an_FTP_server(string at, bool isDone)
+    {
+        FtpPeer.IsNeeded();
+        using var peer = new FtpPeer(FtpTls.None);
+        await using var cell = await ProbedCell.OfAsync(peer, keeps: false);
+        await EndAndGoOnAsync(cell, peer.Folder, at, isDone);
+    }
+
+    [Theory]
+    [InlineData("read PROBE.LOG", true)]
+    [InlineData("rename PROBE.LOG.taken", true)]
+    [InlineData("write", true)]
+    public async Task So_it_is_behind_an_SSH_server(string at, bool isDone)
+    {
+        SshPeer.IsNeeded();
+        using var peer = new SshPeer();
+        await using var cell = await ProbedCell.OfAsync(peer, keeps: false);
+        await EndAndGoOnAsync(cell, peer.Folder, at, isDone);
+    }
+
+    private static async Task EndAndGoOnAsync(ConfiguredCell cell, string machine, string at, bool isDone)
+    {
         var isDead = 0;
         void Tick(string what, bool done)
         {
@@ -37,7 +62,7 @@ public sealed class ProbedPieceRestartTests
         var opens = cell.Opens;
         cell.AroundStep = (state, done) => Tick(state.ToString(), done);
         cell.Opens = m => new WatchedFolder(opens(m), Tick);
-        var log = Path.Combine(cell.PathOf("machine"), ProbedCell.Log);
+        var log = Path.Combine(machine, ProbedCell.Log);
         File.WriteAllText(log, await ProbedPiece.LogAsync());
         cell.Start();
         await ConfiguredCell.Until(() => Volatile.Read(ref isDead) == 1);
@@ -45,8 +70,8 @@ public sealed class ProbedPieceRestartTests
 
         (cell.AroundStep, cell.Opens) = (null, opens);
         cell.Start();
-        await ProbedCell.FinishedAsync(cell, cell.PathOf("machine"));
-        await ConfiguredCell.Until(() => Directory.GetFiles(cell.PathOf("machine")).Length == 1);
+        await ProbedCell.FinishedAsync(cell, machine);
+        await ConfiguredCell.Until(() => Directory.GetFiles(machine).Length == 1);
         await cell.StopAsync();
         Assert.Null(cell.Store.Find(2));
         Assert.Single(cell.Store.StepsOf(1), s => s.To == CorrectionState.Verified);
