@@ -96,6 +96,7 @@ public sealed class CellRunner
             }
         }
 
+        yield return new Worker(flow, "unserved", new(), new UnservedWorker(flow).WorkAsync).RunAsync;
         yield return new Worker(flow, "store", new(), new StoreWatch(flow).WorkAsync).RunAsync;
         yield return new Worker(flow, "heartbeat", new(), new HeartbeatWorker(flow, Alive).WorkAsync).RunAsync;
     }
