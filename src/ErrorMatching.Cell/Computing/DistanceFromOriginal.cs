@@ -1,4 +1,3 @@
-using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
 
