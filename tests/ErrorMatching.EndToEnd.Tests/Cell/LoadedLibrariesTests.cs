@@ -10,7 +10,6 @@ public sealed class LoadedLibrariesTests
     [Theory]
     [InlineData("--version", "System.CommandLine")]
     [InlineData("cell history --help", "System.CommandLine")]
-    [InlineData("nc check samples/complex-mating/counterpart.nc --dialect delta-nc300", "ErrorMatching.Nc")]
     [InlineData("match samples/complex-mating/job.json", "ErrorMatching.Mating")]
     public async Task A_verb_that_needs_no_cell_does_not_load_it(string line, string needed)
     {

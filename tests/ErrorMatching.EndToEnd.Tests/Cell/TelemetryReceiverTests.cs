@@ -43,10 +43,8 @@ public sealed class TelemetryReceiverTests
         Assert.All(receiver.Metrics.Values, service => Assert.Equal("errormatch-cell", service));
     }
 
-    [Theory]
-    [InlineData("http/protobuf")]
-    [InlineData("grpc")]
-    public async Task A_receiver_that_is_away_keeps_nothing_from_working(string protocol) => await Works($"http://127.0.0.1:{FreePort()}", protocol);
+    [Fact]
+    public async Task A_receiver_that_is_away_keeps_nothing_from_working() => await Works($"http://127.0.0.1:{FreePort()}", "grpc");
 
     [Theory]
     [InlineData("http/protobuf")]

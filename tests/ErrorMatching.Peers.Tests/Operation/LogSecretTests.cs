@@ -38,7 +38,7 @@ public sealed partial class LogSecretTests
         // Keys that others can read are named, not shown; so are keys that are broken.
         var keys = Directory.EnumerateFiles(cell["keys"]).Select(File.ReadAllText).ToArray();
         var key = Directory.EnumerateFiles(cell["keys"], "*.xml").Single();
-        await File.WriteAllTextAsync(key, keys.Single(k => k.Contains('<', StringComparison.Ordinal))[..^20], TestContext.Current.CancellationToken);
+        await File.WriteAllTextAsync(key, (await File.ReadAllTextAsync(key, TestContext.Current.CancellationToken))[..^20], TestContext.Current.CancellationToken);
         await cell.Stop();
         cell.Start();
         await cell.Until(async () => (await Type(cell, ["cell", "approve", cell.Configuration, "1", "--user", "anna"], Annas)).Exit != 0 || (await cell.Status()).Codes.Length > 0, Patience, "the keys are missed");
