@@ -10,10 +10,18 @@ internal sealed partial class StripHeight
     private bool Glances(IReadOnlyList<CenterLine> first, IReadOnlyList<CenterLine> second) =>
         offset.Surface.Region.IsWhole && first.Count == 1 && second.Count == 1 && !first[0].HasRaised && !second[0].HasRaised && first[0].Count > 1 && second[0].Count > 1;
 
-    /// <summary>True if the ridge at none of four places in rising order is higher than a height. If not, it may be.</summary>
-    private bool IsLower(Vector256<double> u, double v, CenterLine a, CenterLine b, double mm) =>
-        offset.Left(u, v, out var places, out var normals)
-        && Vector256.LessThanOrEqualAll(Vector256.Max(Leaves(places, normals, u, a, ref _aim), Leaves(places, normals, u, b, ref _otherAim)), Vector256.Create(mm));
+    /// <summary>At which of four places in rising order the ridge is not higher than a height, one bit each; at the others it may be.</summary>
+    private uint Lower(Vector256<double> u, double v, CenterLine a, CenterLine b, double mm)
+    {
+        if (!offset.Left(u, v, out var places, out var normals))
+        {
+            return 0;
+        }
+
+        // What is not a number is not lower.
+        var heights = Vector256.Max(Leaves(places, normals, u, a, ref _aim), Leaves(places, normals, u, b, ref _otherAim));
+        return Vector256.LessThanOrEqual(heights, Vector256.Create(mm)).ExtractMostSignificantBits();
+    }
 
     /// <summary>How far along each normal the tube of a polyline begins, or farther: the way around one straight piece, the one that is probably met first.</summary>
     private Vector256<double> Leaves(in FourVectors places, in FourVectors normals, Vector256<double> u, CenterLine line, ref Aim aim)

@@ -38,31 +38,23 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
             (_hint, _otherHint) = (0, 0);
             (_aim, _otherAim) = (default, default);
             var places = line.Places;
-            var (samples, glances) = ((2 * places.Length) - 1, Glances(first, second));
+            var (samples, glances, lower) = ((2 * places.Length) - 1, Glances(first, second), 0u);
             for (var i = 0; i < samples && highest <= scallopMm; i++)
             {
-                if (glances && i + Vector256<double>.Count <= samples)
+                if (i % Vector256<double>.Count == 0)
                 {
-                    var u = Vector256.Create(Sample(places, i), Sample(places, i + 1), Sample(places, i + 2), Sample(places, i + 3));
-                    if (IsLower(u, v + ((next - v) * 0.5), first[0], second[0], highest))
+                    lower = 0;
+                    if (glances && i + Vector256<double>.Count <= samples)
                     {
-                        i += Vector256<double>.Count - 1;
-                        continue;
-                    }
-
-                    (_hint, _otherHint) = (_aim.Piece, _otherAim.Piece);
-                    for (var k = 0; k < Vector256<double>.Count - 1 && highest <= scallopMm; k++, i++)
-                    {
-                        At(u[k], ref highest, ref where);
-                    }
-
-                    if (highest > scallopMm)
-                    {
-                        break;
+                        lower = Lower(Vector256.Create(Sample(places, i), Sample(places, i + 1), Sample(places, i + 2), Sample(places, i + 3)), v + ((next - v) * 0.5), first[0], second[0], highest);
+                        (_hint, _otherHint) = (_aim.Piece, _otherAim.Piece);
                     }
                 }
 
-                At(Sample(places, i), ref highest, ref where);
+                if ((lower >> (i % Vector256<double>.Count) & 1) == 0)
+                {
+                    At(Sample(places, i), ref highest, ref where);
+                }
             }
         }
 

@@ -102,7 +102,7 @@ internal sealed class BreakSearch
     }
 
     /// <summary>The local minima of the residual of a biquadratic with the model's breaks and one more, the deepest first.</summary>
-    private IEnumerable<Place> Places(PolynomialModel model)
+    private List<Place> Places(PolynomialModel model)
     {
         var basis = new List<double[]>();
         var rest = (double[])_data.Z.Clone();
