@@ -52,6 +52,7 @@ internal static class Application
         {
             var verb = (Verb)parsed.CommandResult.Command;
             verb.Secrets = terminal.Secrets;
+            verb.ProgressTo = terminal.Progress;
             return verb.Run(parsed, cancellation);
         }
         catch (MeasurementException e)

@@ -8,7 +8,7 @@ using var cancellation = new CancellationTokenSource();
 var ended = new ManualResetEventSlim();
 
 // A cell finishes or gives back what it holds; anything else has nothing to finish.
-var grace = args.Where(a => !a.StartsWith('-')).Take(2).SequenceEqual(["cell", "run"]) ? TimeSpan.FromSeconds(12) : TimeSpan.FromSeconds(2);
+var grace = args.Where(a => !a.StartsWith('-')).Take(2).SequenceEqual(["cell", "run"]) ? TimeSpan.FromSeconds(10) : TimeSpan.FromSeconds(2);
 using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Stop);
 using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);
 
@@ -17,7 +17,8 @@ var output = new StreamWriter(Console.OpenStandardOutput(), new UTF8Encoding(fal
 var error = new StreamWriter(Console.OpenStandardError(), new UTF8Encoding(false)) { NewLine = "\n", AutoFlush = true };
 var hasColor = Terminal.WantsColor(Console.IsOutputRedirected, Environment.GetEnvironmentVariable("NO_COLOR"), Environment.GetEnvironmentVariable("TERM"));
 var secrets = new SecretInput(new Lazy<TextReader>(() => new StreamReader(Console.OpenStandardInput(), new UTF8Encoding(false))), Console.IsInputRedirected ? null : () => Console.ReadKey(intercept: true), error);
-var exit = Application.Run(args, new Terminal(output, error, hasColor) { Secrets = secrets }, cancellation.Token);
+var watched = !Console.IsErrorRedirected && Environment.GetEnvironmentVariable("TERM") != "dumb";
+var exit = Application.Run(args, new Terminal(output, error, hasColor) { Secrets = secrets, Progress = watched ? error : null }, cancellation.Token);
 ended.Set();
 return exit;
 

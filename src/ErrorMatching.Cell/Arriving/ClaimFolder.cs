@@ -43,7 +43,10 @@ internal sealed class ClaimFolder(string incoming)
         }
     }
 
-    /// <summary>Removes a file of this folder.</summary>
+    /// <summary>True if a file of this name is here.</summary>
+    public bool Has(string name) => File.Exists(Path.Combine(_folder, name));
+
+    /// <summary>Removes a file of this folder; none of this name is no error.</summary>
     /// <returns>False if something still has it open; the next look sees it again.</returns>
     public bool Remove(string name)
     {

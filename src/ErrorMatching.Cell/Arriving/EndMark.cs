@@ -8,7 +8,7 @@ internal static class EndMark
     // The line and the blank ones behind it; a file with more blanks at its end is not finished yet.
     private const int Tail = 4096;
 
-    /// <summary>True if the last line that is not blank is the mark; false too if the file cannot be opened yet.</summary>
+    /// <summary>The same of a file; false too if the file cannot be opened yet.</summary>
     public static bool Ends(FileInfo file, string mark)
     {
         try
@@ -25,10 +25,10 @@ internal static class EndMark
         }
     }
 
-    /// <summary>True if the last line that is not blank is the mark.</summary>
+    /// <summary>True if the last line that is not blank is the mark. The percent sign that a control closes a file with is no line.</summary>
     public static bool Ends(ReadOnlySpan<byte> bytes, string mark)
     {
-        var line = bytes.TrimEnd(" \t\r\n\0"u8);
+        var line = bytes.TrimEnd(mark.EndsWith('%') ? " \t\r\n\0"u8 : " \t\r\n\0%"u8);
         line = line[(line.LastIndexOfAny("\r\n"u8) + 1)..].TrimStart(" \t"u8);
         return line.SequenceEqual(Encoding.UTF8.GetBytes(mark));
     }

@@ -18,6 +18,10 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
     private const long MostHashed = 4_000_000_000;
     private const int Attempts = 3;
 
+    private const string NotRemoved = "it is archived and cannot be removed: some program still has it open.";
+    private const string NotMoved =
+        $"it is finished and cannot be moved aside: some program still has it open, this user must not move it, or {ClaimFolder.Name} has something else of its name. It is taken as soon as it can be.";
+
     private readonly string _folder = gauge.Incoming ?? throw new ArgumentException("The gauge has no folder.", nameof(gauge));
     private readonly FinishedFiles _finished = new(gauge, clock);
     private readonly ClaimFolder _claims = new(gauge.Incoming);
@@ -65,7 +69,11 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
             _mayHaveClaims = true;
             if (Guarded(() => Claim(file.Name)) is not { } claimed)
             {
-                _mayHaveClaims = before;
+                if (File.Exists(Path.Combine(_folder, file.Name)))
+                {
+                    Hold(file, NotMoved);
+                }
+
                 _hint.Forget();
                 continue;
             }
@@ -107,9 +115,16 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
             var names = files.Select(f => f.Name).ToHashSet(StringComparer.Ordinal);
             foreach (var marker in names.Where(n => n.EndsWith(suffix, StringComparison.Ordinal) && _finished.IsOurs(n[..^suffix.Length]) && !names.Contains(n[..^suffix.Length])))
             {
-                if (!File.Exists(Path.Combine(_folder, marker[..^suffix.Length])) || _claims.Claim(marker[..^suffix.Length]) is null)
+                var name = marker[..^suffix.Length];
+                if (!File.Exists(Path.Combine(_folder, name)))
                 {
+                    // Somebody withdrew the file.
                     _claims.Remove(marker);
+                }
+                else if (_claims.Claim(name) is null)
+                {
+                    // The marker stays: without it nobody would know that the file is finished.
+                    Hold(new(Path.Combine(_folder, name)), NotMoved);
                 }
             }
 
@@ -119,9 +134,9 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
         return [.. files.Where(f => _finished.IsOurs(f.Name))];
     }
 
-    // The marker first: from then on nothing that is written under the file's name counts as finished.
+    // The marker first: from then on nothing that is written under the file's name counts as finished. While another file of this name still lies aside, the marker would be taken for that one's.
     private FileInfo? Claim(string name) =>
-        gauge.Finished is FinishedByMarker marker && _claims.Claim(name + marker.Suffix) is null ? null : _claims.Claim(name);
+        gauge.Finished is FinishedByMarker marker && (_claims.Has(name) || _claims.Claim(name + marker.Suffix) is null) ? null : _claims.Claim(name);
 
     private bool Hand(FileInfo file, Action<Arrival> archive, Action<UnreadArrival> archiveUnread, CancellationToken cancellation)
     {
@@ -149,30 +164,28 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
                 if (FileReading.Hash(file, cancellation) is { } hash)
                 {
                     archiveUnread(new(gauge.Name, ShownName.Of(file.Name), ArrivalKey.Of(gauge.Name, file.Name, changed, hash), hash, length, TooLarge, Reason(length)));
+                    if (!RemoveMarker(file.Name))
+                    {
+                        return Hold(file, NotRemoved);
+                    }
+
                     Guarded(() => _claims.LayAside(file, hash));
-                    return RemoveMarker(file.Name);
+                    return true;
                 }
             }
             else if (FileReading.Whole(file) is { } bytes)
             {
                 var sha256 = Convert.ToHexStringLower(SHA256.HashData(bytes));
                 archive(new(gauge.Name, ShownName.Of(file.Name), ArrivalKey.Of(gauge.Name, file.Name, changed, sha256), bytes));
-                return _claims.Remove(file.Name) ? RemoveMarker(file.Name) : Hold(file, "it is archived and cannot be removed: some program still has it open.");
+                return RemoveMarker(file.Name) && _claims.Remove(file.Name) ? true : Hold(file, NotRemoved);
             }
         }
 
         return Hold(file, "it changes while it is read, or cannot be opened. It is read as soon as it can be.");
     }
 
-    private bool RemoveMarker(string name)
-    {
-        if (gauge.Finished is FinishedByMarker marker)
-        {
-            _claims.Remove(name + marker.Suffix);
-        }
-
-        return true;
-    }
+    // Before the file: a marker that outlived it would say of the next file of this name that it is finished.
+    private bool RemoveMarker(string name) => gauge.Finished is not FinishedByMarker marker || _claims.Remove(name + marker.Suffix);
 
     private bool Hold(FileInfo file, string reason)
     {

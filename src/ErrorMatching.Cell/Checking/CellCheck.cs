@@ -1,6 +1,6 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>What a cell would find if it started now. Nothing is written, taken, sent or made.</summary>
+/// <summary>What a cell would find if it started now. Nothing is taken, sent or kept, and at machines nothing is changed; in a gauge's folder an empty folder is made and removed again, to see that files can be taken.</summary>
 /// <param name="Gauges">Its gauges.</param>
 /// <param name="Machines">Its machines, each after a login and a listing.</param>
 /// <param name="Store">Its store.</param>
@@ -10,8 +10,11 @@ public sealed record CellCheck(IReadOnlyList<CheckedGauge> Gauges, IReadOnlyList
     /// <summary>What is wrong with what the configuration names: jobs' files and programs.</summary>
     public IEnumerable<CheckProblem> Wrong => Jobs.Select(j => j.Problem).OfType<CheckProblem>();
 
+    /// <summary>What could not be tried without changing something at a machine, one sentence each.</summary>
+    public IEnumerable<string> Untried => Machines.Select(m => m.Untried).OfType<string>();
+
     /// <summary>What does not answer: folders, machines, the store.</summary>
-    public IEnumerable<CheckProblem> Away => Gauges.Select(g => g.Problem).Concat(Machines.Select(m => m.Problem)).Append(Store.Problem).OfType<CheckProblem>();
+    public IEnumerable<CheckProblem> Away => Gauges.Select(g => g.Problem).Concat(Machines.Select(m => m.Problem)).Append(Store.Problem).OfType<CheckProblem>().Distinct();
 
     /// <summary>Looks at everything that a configuration names. All machines are asked at once.</summary>
     /// <param name="settings">The configuration.</param>

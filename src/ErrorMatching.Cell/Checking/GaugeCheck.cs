@@ -11,7 +11,12 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
     // The logs are not fetched: they may be long, and the control may be writing them.
     private CheckedGauge OfMachine(GaugeSettings gauge)
     {
-        var names = machines.First(m => m.Machine.Name == gauge.Machine).Names ?? [];
+        var machine = machines.First(m => m.Machine.Name == gauge.Machine);
+        if (machine.Names is not { } names)
+        {
+            return new(gauge, [], 0, [], machine.Problem);
+        }
+
         var ours = names.Where(n => FileNamePattern.Fits(gauge.Files, n)).Order(StringComparer.Ordinal).ToArray();
         return new(gauge, [.. ours.Take(MostLookedAt).Select(n => new CheckedFile(ShownName.Of(n), null, null))], Math.Max(0, ours.Length - MostLookedAt), [], null);
     }
@@ -23,12 +28,36 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
             var listing = new FinishedFiles(gauge with { Finished = new FinishedByRename() }, TimeProvider.System);
             var markers = new FinishedFiles(gauge, TimeProvider.System);
             var files = listing.Of(new(folder)).Where(f => markers.IsOurs(f.Name)).ToArray();
-            return new(gauge, [.. files.Take(MostLookedAt).Select(f => Of(gauge, f, cancellation))], Math.Max(0, files.Length - MostLookedAt), listing.Left, null);
+            return new(gauge, [.. files.Take(MostLookedAt).Select(f => Of(gauge, f, cancellation))], Math.Max(0, files.Length - MostLookedAt), listing.Left, Denied(gauge, folder));
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
             return new(gauge, [], 0, [], CheckProblem.Of(
                 CellCodes.GaugeAway, $"The folder {folder} of the gauge \"{gauge.Name}\" cannot be looked into: {e.Message.TrimEnd('.')}. Is it there, is the share mounted, and may this user read it?"));
+        }
+    }
+
+    // Whether files can be taken out says no attribute for sure: rights of shares, quotas, a disk that is mounted to be read. So an empty folder is made and removed again, which no gauge and no cell takes for a measurement.
+    private static CheckProblem? Denied(GaugeSettings gauge, string folder)
+    {
+        var aside = Path.Combine(folder, ClaimFolder.Name);
+        var tried = folder;
+        try
+        {
+            foreach (var place in Directory.Exists(aside) ? [folder, aside] : new[] { folder })
+            {
+                tried = place;
+                var made = Path.Combine(place, $"{ClaimFolder.Name}-check-{Guid.NewGuid():N}");
+                Directory.CreateDirectory(made);
+                Directory.Delete(made);
+            }
+
+            return null;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return CheckProblem.Of(
+                CellCodes.GaugeDenied, $"Files cannot be taken out of the folder of the gauge \"{gauge.Name}\": in {tried} nothing can be made and removed again: {e.Message.TrimEnd('.')}. Give it to the user that the cell runs as.");
         }
     }
 

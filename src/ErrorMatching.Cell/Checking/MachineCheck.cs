@@ -34,7 +34,7 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
             }
 
             var names = await MachineFolders.Open(machine, () => secret).ListAsync(cancellation).ConfigureAwait(false);
-            return new(machine, names, NeedsPassword(machine), null);
+            return new(machine, names, NeedsPassword(machine), Untried(machine), null);
         }
         catch (TransportException e)
         {
@@ -45,7 +45,13 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
             return Problem(SecretMissing, $"{machine.Name}: {e.Message}");
         }
 
-        CheckedMachine Problem(string code, string message) => new(machine, null, NeedsPassword(machine), CheckProblem.Of(code, message));
+        CheckedMachine Problem(string code, string message) => new(machine, null, NeedsPassword(machine), null, CheckProblem.Of(code, message));
+    }
+
+    private string Untried(MachineSettings machine)
+    {
+        var logs = settings.Gauges.Any(g => g.Machine == machine.Name && !g.KeepsFile) ? ", nor whether logs may be renamed and deleted" : "";
+        return $"{machine.Name}: whether programs may be written, renamed and deleted there was not tried, for that changes something{logs}. The first program shows it; until then the control keeps what it has.";
     }
 
     private static bool NeedsPassword(MachineSettings machine) => machine.Transport is FtpSettings or SftpSettings { KeyFile: null };

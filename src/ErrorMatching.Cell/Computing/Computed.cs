@@ -30,7 +30,7 @@ public sealed record Computed : Computation
     /// <summary>Where the job accumulates, the sums since the original program, this step included; else this step alone.</summary>
     public required CorrectionSums Sums { get; init; }
 
-    /// <summary>Where the job accumulates, the largest of the sums in mm; else <see cref="LargestMm"/>.</summary>
+    /// <summary>Where the job accumulates, the largest distance from the original program in mm: a sum at a point, or further between and beside them; else <see cref="LargestMm"/>.</summary>
     public required double SumMm { get; init; }
 
     /// <summary>Number of blocks that differ from the base program; null where the program is made anew.</summary>

@@ -19,13 +19,17 @@ internal sealed class DisplacementLimits(PolicySettings policy, double jobLimitM
         : null;
 
     /// <summary>Why the sum since the original program is too large, or null. Without a limit of its own, that of one step counts.</summary>
-    public RefusedComputation? OfSum(CorrectionSums sums)
+    /// <param name="mm">The largest distance from the original program.</param>
+    /// <param name="at">Where that is.</param>
+    /// <param name="block">The block concerned, or null.</param>
+    public RefusedComputation? OfSum(double mm, string at, string? block)
     {
         var limit = policy.SumLimitMm ?? policy.LimitMm ?? jobLimitMm;
-        return sums.Largest is { } largest && !(largest.LengthMm <= limit)
+        return !(mm <= limit)
             ? new(CorrectionCodes.OverSumLimit, string.Create(
                 CultureInfo.InvariantCulture,
-                $"At point {largest.Point} the program would lie {largest.LengthMm:0.0000} mm from the original one; the policy allows {limit:0.####} mm in sum. Find out why errors add up: worn tool, drift, wrong clamping. If it is meant, a setter raises sumLimitMm."))
+                $"At {at} the program would lie {mm:0.0000} mm from the original one; the policy allows {limit:0.####} mm in sum. Find out why errors add up: worn tool, drift, wrong clamping. If it is meant, a setter raises sumLimitMm."))
+            { Block = block }
             : null;
     }
 }

@@ -96,7 +96,17 @@ internal sealed class MatingCorrection
         var sums = _request.Sums.Plus(steps);
         var (mm, at, block) = Largest(matched, steps);
         var limits = new DisplacementLimits(_policy, _files.Job.Compensation.LimitMm);
-        return limits.OfStep(mm, at, block) ?? (_request.Job.Accumulates ? limits.OfSum(sums) : null) ?? (Computation)new Computed
+        if (limits.OfStep(mm, at, block) is { } overStep)
+        {
+            return overStep;
+        }
+
+        if (SinceOriginal(matched, sums, (mm, at, block)) is not { } sum)
+        {
+            return new RefusedComputation(CorrectionCodes.JobChanged, $"The original program {_files.Job.Counterpart.Program} has other motions than the one that cut the piece, so nobody can tell by how much that one is corrected in all: the original was changed since. Revert the corrections that were sent, and begin from the new original.");
+        }
+
+        return (_request.Job.Accumulates ? limits.OfSum(sum.Mm, sum.At, sum.Block) : null) ?? (Computation)new Computed
         {
             Basis = Basis(matched.Report.Inputs, matched.Match.Input.Program),
             ProgramName = matched.Name,
@@ -107,7 +117,7 @@ internal sealed class MatingCorrection
             LargestAt = at,
             Corrections = steps,
             Sums = sums,
-            SumMm = _request.Job.Accumulates ? sums.Largest?.LengthMm ?? 0 : mm,
+            SumMm = sum.Mm,
             ChangedBlocks = matched.Report.Program.ChangedBlocks,
             ChangedWords = matched.Report.Program.ChangedWords,
             Warnings = matched.Report.Warnings,
@@ -134,7 +144,7 @@ internal sealed class MatingCorrection
         }
 
         // Between and beside the points a block may be asked to move further than they do. Rounding alone is no further.
-        var (before, increment) = (matched.Match.Before, matched.Match.Rewrite?.LeastIncrementMm ?? 0);
+        var (before, increment) = (matched.Match.Before, LeastIncrement(matched.Match));
         foreach (var element in matched.Match.Rewrite is null ? [] : matched.Match.Wish!.Elements)
         {
             var mm = Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));
@@ -147,4 +157,30 @@ internal sealed class MatingCorrection
 
         return largest;
     }
+
+    // The largest distance from the original program: of the sums at the points, or between and beside them as the program itself shows it. Null if the two cannot be compared.
+    private (double Mm, string At, string? Block)? SinceOriginal(MatchedProgram matched, CorrectionSums sums, (double Mm, string At, string? Block) step)
+    {
+        if (!_request.Job.Accumulates || _request.Base is null)
+        {
+            return step;
+        }
+
+        var match = matched.Match;
+        if (DistanceFromOriginal.Largest((match.Input with { Program = _files.Program(null).Bytes }).Interpret(), match.After, match.Maps) is not { } elsewhere)
+        {
+            return null;
+        }
+
+        var atPoints = sums.Largest is { } largest ? (largest.LengthMm, $"point {largest.Point}") : (0, "");
+        if (elsewhere.Mm <= atPoints.Item1 + LeastIncrement(match))
+        {
+            return (atPoints.Item1, atPoints.Item2, null);
+        }
+
+        var name = match.After.Program.NameOf(match.After.Program[elsewhere.Block]);
+        return (elsewhere.Mm, $"block {name}", name);
+    }
+
+    private static double LeastIncrement(MatchResult match) => match.Rewrite?.LeastIncrementMm ?? Math.Pow(10, -match.Before.Dialect.MetricDecimals);
 }

@@ -31,25 +31,27 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
             problems.Refuse(keep, "keep-without-machine", "\"keep\" for a folder", "no such key: what arrives in a folder is always taken from it once it is archived");
         }
 
+        var format = ReadFormat(item.Find("format"));
         return new()
         {
             Name = item["name"].Text,
             Incoming = incoming is null ? null : paths.Of(incoming),
             Machine = machine?.Text,
             Files = item["files"].Text,
-            Finished = ReadFinished(item.Find("finished"), machine is not null),
-            Format = ReadFormat(item.Find("format")),
+            Finished = ReadFinished(item.Find("finished"), machine is not null, format is null),
+            Format = format,
             MostBytes = (long)((item.Find("mostMB")?.Number ?? 16) * 1e6),
             Every = TimeSpan.FromMilliseconds(item.Find("everyMs")?.Number ?? (machine is null ? 200 : 2000)),
             KeepsFile = item.Find("keep")?.Flag ?? true,
         };
     }
 
-    private FinishedRule ReadFinished(JsonItem? item, bool isAtMachine)
+    private FinishedRule ReadFinished(JsonItem? item, bool isAtMachine, bool isLog)
     {
         if (item is null)
         {
-            return new FinishedAtRest(TimeSpan.FromSeconds(2));
+            // From one point to the next a control takes longer than any file is at rest.
+            return isAtMachine && isLog ? new FinishedByEndMark("END") : new FinishedAtRest(TimeSpan.FromSeconds(2));
         }
 
         if (item.Kind == JsonItemKind.Text)

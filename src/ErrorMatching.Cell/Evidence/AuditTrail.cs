@@ -12,15 +12,17 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
     private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash"];
 
     /// <summary>Looks at every entry, as the trail is at one moment. What was found whole is remembered beside the keys, if they are there.</summary>
-    public AuditFinding Verify()
+    /// <param name="progress">Told how far it is; null if nobody asks.</param>
+    /// <param name="cancellation">Gives it up.</param>
+    public AuditFinding Verify(IProgress<CellProgress>? progress = null, CancellationToken cancellation = default)
     {
         var (key, witness) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder));
         var finding = store.Database.Snapshot((connection, transaction) =>
         {
             var head = AuditRow.Head(connection, transaction, "");
-            var fault = AuditChain.Verify(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), head, key);
+            var count = Count(connection, transaction);
+            var fault = AuditChain.Verify(Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), "looking at entries", count, progress, cancellation), head, key);
             var seen = Rows.Query(connection, AuditRow.Select + " WHERE seq = @Seq", ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
-            var count = Rows.Query(connection, "SELECT count(*) FROM audit", r => r.GetInt64(0), null, transaction)[0];
             return new AuditFinding(count, head.Hash, fault ?? witness?.Fault(head, seen), key is not null);
         });
         if (finding.Holds && key is not null && finding.Entries > (witness?.Seq ?? 0))
@@ -60,12 +62,15 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
     }
 
     /// <summary>Writes all entries as CSV by RFC 4180 that no spreadsheet executes: times in UTC, texts as they are but for an apostrophe in front of what looks like a formula.</summary>
+    /// <param name="writer">Where to.</param>
+    /// <param name="progress">Told how far it is; null if nobody asks.</param>
+    /// <param name="cancellation">Gives it up.</param>
     /// <returns>How many entries.</returns>
-    public long Export(TextWriter writer) => store.Database.Snapshot((connection, transaction) =>
+    public long Export(TextWriter writer, IProgress<CellProgress>? progress = null, CancellationToken cancellation = default) => store.Database.Snapshot((connection, transaction) =>
     {
         SpreadsheetCsv.Write(writer, Columns);
         var count = 0L;
-        foreach (var e in Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.Read, null, transaction))
+        foreach (var e in Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.Read, null, transaction), "writing entries", Count(connection, transaction), progress, cancellation))
         {
             SpreadsheetCsv.Write(
                 writer, e.Seq.ToString(CultureInfo.InvariantCulture), e.At.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss.ffffff'Z'", CultureInfo.InvariantCulture), e.Who, e.What, e.Subject ?? "", e.Basis, e.Previous, e.Hash);
@@ -74,6 +79,23 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
 
         return count;
     });
+
+    private static long Count(DbConnection connection, DbTransaction transaction) => Rows.Query(connection, "SELECT count(*) FROM audit", r => r.GetInt64(0), null, transaction)[0];
+
+    private static IEnumerable<AuditEntry> Told(IEnumerable<AuditEntry> entries, string doing, long of, IProgress<CellProgress>? progress, CancellationToken cancellation)
+    {
+        var (done, each) = (0L, Math.Max(1, of / 100));
+        foreach (var entry in entries)
+        {
+            if (done++ % each == 0)
+            {
+                cancellation.ThrowIfCancellationRequested();
+                progress?.Report(new(doing, done, of));
+            }
+
+            yield return entry;
+        }
+    }
 
     // What somebody changed may be no entry any more: then it is one that has no hash.
     private static AuditEntry ReadOrUnreadable(DbDataReader row)

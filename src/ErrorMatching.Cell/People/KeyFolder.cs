@@ -53,12 +53,13 @@ internal sealed class KeyFolder : IXmlRepository
                 stream.Flush(flushToDisk: true);
             }
 
-            File.Move(beside, file, overwrite);
+            if (!overwrite)
+            {
+                return FirstFile.TryPut(beside, file);
+            }
+
+            File.Move(beside, file, overwrite: true);
             return true;
-        }
-        catch (IOException) when (!overwrite && File.Exists(file))
-        {
-            return false;
         }
         finally
         {

@@ -10,6 +10,8 @@ internal static class UserName
     /// <summary>The longest name, in UTF-16 units.</summary>
     public const int MostCharacters = 64;
 
+    private const string OfSystem = "os:";
+
     // Who stands in the audit trail for what nobody did in person.
     private static readonly string[] Taken = ["cell", "console", "unknown"];
 
@@ -49,6 +51,11 @@ internal static class UserName
         if (name.StartsWith('-'))
         {
             return "begins with a hyphen, which the command line takes for an option";
+        }
+
+        if (name.StartsWith(OfSystem, StringComparison.OrdinalIgnoreCase))
+        {
+            return $"begins with {OfSystem}, which the audit trail needs for users of the operating system";
         }
 
         return Taken.Contains(Key(name), StringComparer.OrdinalIgnoreCase) ? $"is {name}, which the audit trail needs for what nobody did in person" : null;

@@ -12,6 +12,18 @@ public static class CellCodes
     /// <summary>Corrections shall add up to a program whose sums nobody knows.</summary>
     public const string SumsUnknown = "sums-unknown";
 
+    /// <summary>Corrections shall add up, and nobody has said which program cut the measured piece.</summary>
+    public const string NotReleased = "not-released";
+
+    /// <summary>The program that a correction adds to was reverted.</summary>
+    public const string BaseReverted = "base-reverted";
+
+    /// <summary>Something waits for a gauge, job or slot that the configuration does not have any more.</summary>
+    public const string NotConfigured = "not-configured";
+
+    /// <summary>Files cannot be taken out of a gauge's folder.</summary>
+    public const string GaugeDenied = "gauge-denied";
+
     /// <summary>A gauge's folder cannot be looked into.</summary>
     public const string GaugeAway = "gauge-away";
 

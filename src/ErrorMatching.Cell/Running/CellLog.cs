@@ -9,13 +9,15 @@ namespace ErrorMatching.Cell;
 /// <summary>The log of a cell: JSON lines in files that roll daily, and text for people on the error stream. It names files, corrections and machines, never a password or a program's content.</summary>
 public static class CellLog
 {
-    private const long MostBytesOfFile = 50L << 20;
-    private const int MostFiles = 60;
+    internal const long MostBytesOfFile = 50L << 20;
+    internal const int MostFiles = 60;
 
     /// <summary>Opens the log: every step in the files, what people want to know on the error stream.</summary>
     /// <param name="folder">Where its files are; made if missing.</param>
     /// <returns>The log, which its caller disposes of so that nothing is lost.</returns>
-    public static Logger Open(string folder)
+    public static Logger Open(string folder) => Open(folder, MostBytesOfFile, MostFiles);
+
+    internal static Logger Open(string folder, long mostBytesOfFile, int mostFiles)
     {
         ArgumentNullException.ThrowIfNull(folder);
         return new LoggerConfiguration()
@@ -24,14 +26,10 @@ public static class CellLog
                 new JsonFormatter(renderMessage: true, formatProvider: CultureInfo.InvariantCulture),
                 Path.Combine(folder, "cell-.jsonl"),
                 rollingInterval: RollingInterval.Day,
-                fileSizeLimitBytes: MostBytesOfFile,
+                fileSizeLimitBytes: mostBytesOfFile,
                 rollOnFileSizeLimit: true,
-                retainedFileCountLimit: MostFiles)
-            .WriteTo.Console(
-                restrictedToMinimumLevel: LogEventLevel.Information,
-                outputTemplate: "{Timestamp:HH:mm:ss} {Level:w3} {Message:l}{NewLine}{Exception}",
-                formatProvider: CultureInfo.InvariantCulture,
-                standardErrorFromLevel: LogEventLevel.Verbose)
+                retainedFileCountLimit: mostFiles)
+            .WriteTo.Console(new CellLogLines(), restrictedToMinimumLevel: LogEventLevel.Information, standardErrorFromLevel: LogEventLevel.Verbose)
             .CreateLogger();
     }
 }

@@ -59,7 +59,7 @@ public sealed class CellRunner
         // Workers end only when told to: one that ends before is a defect, and takes the others with it.
         var first = await Task.WhenAny(workers);
         await end.CancelAsync();
-        await Task.WhenAny(Task.WhenAll(workers), Task.Delay(Pace.Finish + Pace.GiveBack + Pace.GiveBack, CancellationToken.None));
+        await Task.WhenAny(Task.WhenAll(workers), Task.Delay(Pace.Finish + Pace.GiveBack + Pace.Deaf, CancellationToken.None));
         Heartbeat.Remove(_settings.LogFolder);
         if (!stop.IsCancellationRequested)
         {
@@ -96,6 +96,7 @@ public sealed class CellRunner
             }
         }
 
+        yield return new Worker(flow, "unserved", new(), new UnservedWorker(flow).WorkAsync).RunAsync;
         yield return new Worker(flow, "store", new(), new StoreWatch(flow).WorkAsync).RunAsync;
         yield return new Worker(flow, "heartbeat", new(), new HeartbeatWorker(flow, Alive).WorkAsync).RunAsync;
     }

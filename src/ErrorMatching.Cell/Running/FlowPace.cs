@@ -25,10 +25,13 @@ internal sealed record FlowPace
     public TimeSpan LongestPause { get; init; } = TimeSpan.FromMinutes(1);
 
     /// <summary>How long work may go on once the cell is told to stop.</summary>
-    public TimeSpan Finish { get; init; } = TimeSpan.FromSeconds(6);
+    public TimeSpan Finish { get; init; } = TimeSpan.FromSeconds(5);
 
     /// <summary>How long bringing a slot back into order may take after that.</summary>
     public TimeSpan GiveBack { get; init; } = TimeSpan.FromSeconds(2);
+
+    /// <summary>How long what does not hear that it shall end is waited for at last, such as a share that hangs.</summary>
+    public TimeSpan Deaf { get; init; } = TimeSpan.FromSeconds(0.5);
 
     /// <summary>How often the cell says that it lives.</summary>
     public TimeSpan Heartbeat { get; init; } = TimeSpan.FromSeconds(2);

@@ -11,6 +11,7 @@ namespace ErrorMatching.Cell;
 public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffset At, IReadOnlyList<CellTrouble> Troubles)
 {
     private const string FileName = "running.json";
+    private const int Room = 4096;
 
     /// <summary>Older ones tell of a cell that does not run any more.</summary>
     public static TimeSpan Fresh { get; } = TimeSpan.FromSeconds(15);
@@ -20,7 +21,7 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
     {
         try
         {
-            return JsonSerializer.Deserialize<Heartbeat>(File.ReadAllBytes(Path.Combine(folder, FileName)));
+            return JsonSerializer.Deserialize<Heartbeat>(File.ReadAllBytes(Path.Combine(folder, FileName))) is { Troubles: not null } sign ? sign : null;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or JsonException)
         {
@@ -28,14 +29,27 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
         }
     }
 
-    /// <summary>Leaves the sign: whole, but without waiting for the disk.</summary>
+    /// <summary>Leaves the sign: whole, but without waiting for the disk. On a full disk it is written over the one before, so that a cell is not taken for dead because it has no room to say that it lives.</summary>
     public void Write(string folder)
     {
         Directory.CreateDirectory(folder);
         var file = Path.Combine(folder, FileName);
         var written = string.Create(CultureInfo.InvariantCulture, $"{file}.{ProcessId}");
-        File.WriteAllBytes(written, JsonSerializer.SerializeToUtf8Bytes(this));
-        File.Move(written, file, overwrite: true);
+        var sign = JsonSerializer.SerializeToUtf8Bytes(this);
+
+        // Spaces behind it keep the room that troubles to come may need.
+        byte[] bytes = [.. sign, .. Enumerable.Repeat((byte)' ', Math.Max(0, Room - sign.Length))];
+        try
+        {
+            File.WriteAllBytes(written, bytes);
+            File.Move(written, file, overwrite: true);
+        }
+        catch (IOException) when (new FileInfo(file) is { Exists: true } before && before.Length == bytes.Length)
+        {
+            File.Delete(written);
+            using var over = new FileStream(file, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
+            over.Write(bytes);
+        }
     }
 
     /// <summary>Takes the sign away: the cell has ended in order.</summary>

@@ -41,6 +41,12 @@ internal sealed class ProposeWorker(CellFlow flow)
 
     private void Propose(Correction computed)
     {
+        if (RevertedBase.Of(flow, computed) is { } reverted)
+        {
+            flow.Step(computed, CorrectionState.Refused, reverted.Reason, c => c with { Code = CellCodes.BaseReverted, Reason = reverted.Reason, Identity = null });
+            return;
+        }
+
         var others = OfSamePiece(computed);
         if (others.FirstOrDefault(c => c.Id > computed.Id && TakesPlace(c)) is { } newer)
         {

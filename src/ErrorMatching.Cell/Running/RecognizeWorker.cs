@@ -38,12 +38,19 @@ internal sealed class RecognizeWorker(CellFlow flow)
 
         var slot = flow.Settings.Machines.First(m => m.Name == job.Machine).Slots.First(s => s.Name == job.Slot);
         var known = archived with { Job = job.Name, Piece = found.Piece, Serial = found.Serial, WorkOrder = found.WorkOrder, Machine = job.Machine, Slot = job.Slot, Program = slot.Program };
-        var cutBy = job.Accumulates && known.Piece == "counterpart" ? OfSerialOrAny(known.Serial, s => flow.Store.LastSent(job.Name, s)) : null;
-        var part = known.Piece == "counterpart" ? LastPart(known) : null;
+        var cut = job.Accumulates && known.Piece == "counterpart" ? CutProgram.Of(flow.Store, known) : new(null, null);
+        var cutBy = cut.By;
+        var part = known.Piece == "counterpart" ? LastPart(known, job) : null;
         known = known with { BaseSha256 = cutBy?.ProgramSha256, SumsSha256 = cutBy?.SumsSha256, PartSha256 = part?.MeasurementSha256 };
         if (Earlier(known, job) is { } earlier)
         {
             Refuse(known, CellCodes.AlreadyKnown, AlreadyKnown(earlier));
+            return;
+        }
+
+        if (cut.Undecided is not null)
+        {
+            Refuse(known, CellCodes.NotReleased, cut.Reason);
             return;
         }
 
@@ -57,6 +64,9 @@ internal sealed class RecognizeWorker(CellFlow flow)
         {
             case Identified { Basis: var basis }:
                 Begin(archived, known, basis, cutBy, part);
+                break;
+            case RefusedComputation { Code: CorrectionCodes.PartUnmeasured } when Named(known) is { } piece:
+                Refuse(known, CorrectionCodes.PartUnmeasured, $"The counterpart with {piece} is compared with its part, and no part with {piece} is measured. Measure that part, then give {known.FileName} again; if the two pieces have other numbers, let the job's patterns read only what both of them say.");
                 break;
             case RefusedComputation refused:
                 Refuse(known, refused.Code, refused.Reason);
@@ -90,12 +100,17 @@ internal sealed class RecognizeWorker(CellFlow flow)
     private Correction? Earlier(Correction known, CellJobSettings job) => !job.Accumulates ? null : flow.Store.OfMeasurement(known.MeasurementSha256)
         .FirstOrDefault(c => c.Id != known.Id && c.Job == known.Job && c.Piece == known.Piece && c.Identity is not null);
 
-    private Correction? LastPart(Correction counterpart) =>
-        (counterpart.Serial is { } serial ? flow.Store.LastPart(counterpart.Job!, serial, null) : null)
-        ?? (counterpart.WorkOrder is { } order ? flow.Store.LastPart(counterpart.Job!, null, order) : null)
-        ?? flow.Store.LastPart(counterpart.Job!, null, null);
+    // A configuration may name one job's file twice, once for each piece.
+    private Correction? LastPart(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)
+        .Select(j => flow.Store.LastPart(j.Name, counterpart.Serial, counterpart.WorkOrder)).OfType<Correction>().MaxBy(c => c.Id);
 
-    private static Correction? OfSerialOrAny(string? serial, Func<string?, Correction?> find) => (serial is null ? null : find(serial)) ?? find(null);
+    private static string? Named(Correction piece) => (piece.Serial, piece.WorkOrder) switch
+    {
+        ({ } serial, { } order) => $"serial number {serial} and work order {order}",
+        ({ } serial, null) => $"serial number {serial}",
+        (null, { } order) => $"work order {order}",
+        _ => null,
+    };
 
     private static string AlreadyKnown(Correction other) => FormattableString.Invariant(
         $"Correction {other.Id} ({other.FileName}, {other.State.ToString().ToLowerInvariant()}) has the same measurement, job and program: a correction is applied once.");

@@ -72,6 +72,12 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
     // Looks what the machine holds, keeps it, and takes the slot. Nothing is changed at the machine yet.
     private async Task<Correction?> TakeAsync(Correction approved)
     {
+        if (RevertedBase.Of(flow, approved) is { } reverted)
+        {
+            Fail(flow.Step(approved, CorrectionState.Uploading, "looked at what it adds to"), CellCodes.BaseReverted, reverted.Reason);
+            return null;
+        }
+
         byte[]? found;
         try
         {

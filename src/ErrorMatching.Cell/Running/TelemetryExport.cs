@@ -8,6 +8,9 @@ namespace ErrorMatching.Cell;
 /// <summary>Sends metrics and traces where the standard variables of OpenTelemetry say: without <c>OTEL_EXPORTER_OTLP_ENDPOINT</c> (or that of traces or metrics) nothing is made or sent.</summary>
 public sealed class TelemetryExport : IDisposable
 {
+    // A receiver that hangs must not keep a cell from stopping in time.
+    private static readonly TimeSpan LastTry = TimeSpan.FromSeconds(1);
+
     private readonly IDisposable?[] _providers;
 
     private TelemetryExport(params IDisposable?[] providers) => _providers = providers;
@@ -37,12 +40,10 @@ public sealed class TelemetryExport : IDisposable
         void Describe(ResourceBuilder resource) => resource.AddService(variable("OTEL_SERVICE_NAME") is { Length: > 0 } name ? name : "errormatch-cell", serviceInstanceId: cell).AddEnvironmentVariableDetector();
     }
 
-    /// <summary>Sends what is left, and ends.</summary>
+    /// <summary>Sends what is left, and ends within a second: what the receiver has not taken by then is lost.</summary>
     public void Dispose()
     {
-        foreach (var provider in _providers)
-        {
-            provider?.Dispose();
-        }
+        var ends = _providers.OfType<IDisposable>().Select(p => Task.Factory.StartNew(p.Dispose, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default)).ToArray();
+        Task.WaitAll(ends, LastTry);
     }
 }

@@ -52,7 +52,7 @@ internal abstract class CellDatabase : IDisposable
     public abstract ISlotLock? TryLock(string name);
 
     /// <summary>Writes a whole copy while others go on working.</summary>
-    public abstract void Backup(string file);
+    public abstract void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation);
 
     /// <inheritdoc/>
     public abstract void Dispose();
@@ -65,6 +65,22 @@ internal abstract class CellDatabase : IDisposable
     protected abstract T OnReader<T>(Func<DbConnection, T> read);
 
     protected abstract DbTransaction BeginSnapshot(DbConnection connection);
+
+    /// <summary>Prepares what was opened, and closes it again if that fails: nobody else could.</summary>
+    protected static T Prepared<T>(T opened, Action<T> prepare)
+        where T : IDisposable
+    {
+        try
+        {
+            prepare(opened);
+            return opened;
+        }
+        catch
+        {
+            opened.Dispose();
+            throw;
+        }
+    }
 
     /// <summary>Runs something and names what the engine throws.</summary>
     protected T Named<T>(Func<T> work)

@@ -44,14 +44,17 @@ public sealed partial class CellStore
     }
 
     /// <summary>The latest measurement of a job's part that was recognized or recorded; null if there is none.</summary>
+    /// <remarks>Where a serial number or a work order is given, the part has one of them, and no other one: what it does not say itself may be anything.</remarks>
     /// <param name="job">The cell's job.</param>
-    /// <param name="serial">Of this piece alone; null for any.</param>
-    /// <param name="workOrder">Of this work order alone; null for any.</param>
+    /// <param name="serial">Serial number of the piece; null if it is not known.</param>
+    /// <param name="workOrder">The work order; null if it is not known.</param>
     public Correction? LastPart(string job, string? serial, string? workOrder)
     {
         var found = Read(
             CorrectionRow.Select + $" WHERE job = @job AND piece = 'part' AND {CorrectionRow.IsIn("state", CorrectionState.Recognized, CorrectionState.Recorded)}"
-            + (serial is null ? "" : " AND serial = @serial") + (workOrder is null ? "" : " AND work_order = @workOrder") + " ORDER BY id DESC LIMIT 1",
+            + (serial is null ? "" : " AND (serial = @serial OR serial IS NULL)") + (workOrder is null ? "" : " AND (work_order = @workOrder OR work_order IS NULL)")
+            + (serial is null && workOrder is null ? "" : $" AND ({string.Join(" OR ", new[] { serial is null ? null : "serial = @serial", workOrder is null ? null : "work_order = @workOrder" }.OfType<string>())})")
+            + " ORDER BY id DESC LIMIT 1",
             CorrectionRow.Read,
             new { job, serial, workOrder });
         return found is [var last] ? last : null;
@@ -59,6 +62,18 @@ public sealed partial class CellStore
 
     /// <summary>The corrections whose file has a content, in order of arrival.</summary>
     public IReadOnlyList<Correction> OfMeasurement(string sha256) => Read(CorrectionRow.Select + " WHERE measurement_sha256 = @sha256 ORDER BY id", CorrectionRow.Read, new { sha256 });
+
+    /// <summary>A job's corrections whose compensated program has a content, in order of arrival.</summary>
+    /// <param name="job">The cell's job.</param>
+    /// <param name="sha256">The program.</param>
+    public IReadOnlyList<Correction> OfProgram(string job, string sha256) => Read(CorrectionRow.Select + " WHERE program_sha256 = @sha256 AND job = @job ORDER BY id", CorrectionRow.Read, new { sha256, job });
+
+    /// <summary>What has not come to its end and is not at its machine, by what it waits for.</summary>
+    internal IReadOnlyList<WaitingCorrections> Waiting() => Read(
+        "SELECT state, gauge, job, machine, slot, count(*), min(id) FROM correction WHERE "
+        + CorrectionRow.IsIn("state", CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Uploading)
+        + " GROUP BY state, gauge, job, machine, slot",
+        r => new WaitingCorrections(Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true), r.GetString(1), r.TextOrNull(2), r.TextOrNull(3), r.TextOrNull(4), r.GetInt64(5), r.GetInt64(6)));
 
     // A parameter for each: the two engines take a list as one parameter in different ways.
     private static string IsOneOf(string column, IReadOnlyList<string>? names, DynamicParameters parameters)

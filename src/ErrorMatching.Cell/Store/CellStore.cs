@@ -173,8 +173,10 @@ public sealed partial class CellStore : IDisposable
 
     /// <summary>Writes a copy of the whole store, as it is at one moment, while others go on working.</summary>
     /// <param name="file">The copy, which appears whole or not at all.</param>
+    /// <param name="progress">Told how far it is; null if nobody asks.</param>
+    /// <param name="cancellation">Gives it up; nothing of the copy is left then.</param>
     /// <exception cref="StoreException">With <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
-    public void Backup(string file) => Database.Backup(file);
+    public void Backup(string file, IProgress<CellProgress>? progress = null, CancellationToken cancellation = default) => Database.Backup(file, progress, cancellation);
 
     /// <summary>Brings a backup into the store's place. The backup stays as it is; what stood in its place is kept beside it.</summary>
     /// <param name="settings">Where the store is, whether one is there or not.</param>
@@ -182,16 +184,18 @@ public sealed partial class CellStore : IDisposable
     /// <param name="clock">Says the time of the audit entry.</param>
     /// <param name="by">The user's name.</param>
     /// <param name="auditKey">The key that the store is opened with.</param>
+    /// <param name="progress">Told how far it is; null if nobody asks.</param>
+    /// <param name="cancellation">Gives it up, as long as the store is the one that was there.</param>
     /// <returns>The file that holds what stood in its place; null if nothing did.</returns>
     /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> while a cell runs with the store; with <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
-    public static string? Restore(StoreSettings settings, string backup, TimeProvider clock, string by, byte[]? auditKey = null)
+    public static string? Restore(StoreSettings settings, string backup, TimeProvider clock, string by, byte[]? auditKey = null, IProgress<CellProgress>? progress = null, CancellationToken cancellation = default)
     {
         if (settings is not SqliteSettings sqlite)
         {
             throw new StoreException(StoreError.NotSupported, "A store on PostgreSQL is restored by its own tools: createdb, then pg_restore --exit-on-error --dbname=NAME FILE.");
         }
 
-        var aside = SqliteRestore.Restore(sqlite.File, backup, opened => Migrations.Apply(opened, clock, auditKey));
+        var aside = SqliteRestore.Restore(sqlite.File, backup, opened => Migrations.Apply(opened, clock, auditKey), progress, cancellation);
         using var store = Open(settings, clock, auditKey);
         store.Audit(by, "restored", $"from the backup {Path.GetFileName(backup)}", aside is null ? null : $"what was there before is {Path.GetFileName(aside)}");
         return aside;

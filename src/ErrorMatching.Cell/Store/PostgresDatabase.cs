@@ -34,20 +34,7 @@ internal sealed class PostgresDatabase : CellDatabase
     /// <summary>Opens a store in a database that is there.</summary>
     /// <param name="settings">Where it is.</param>
     /// <param name="prepare">Looks whether it is whole and takes it to the present form.</param>
-    public static PostgresDatabase Open(PostgresSettings settings, Action<CellDatabase> prepare)
-    {
-        var database = new PostgresDatabase(settings);
-        try
-        {
-            prepare(database);
-            return database;
-        }
-        catch
-        {
-            database.Dispose();
-            throw;
-        }
-    }
+    public static PostgresDatabase Open(PostgresSettings settings, Action<CellDatabase> prepare) => Prepared<PostgresDatabase>(new(settings), prepare);
 
     /// <inheritdoc/>
     public override string Word(string token, string argument) => token switch
@@ -87,7 +74,7 @@ internal sealed class PostgresDatabase : CellDatabase
     public override ISlotLock? TryLock(string name) => Named(() => PostgresLock.TryTake(_lockConnection, name));
 
     /// <inheritdoc/>
-    public override void Backup(string file) => throw new StoreException(
+    public override void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation) => throw new StoreException(
         StoreError.NotSupported,
         string.Create(CultureInfo.InvariantCulture, $"A store on PostgreSQL is backed up by its own tools: pg_dump --format=custom --host={_settings.Host} --port={_settings.Port} --username={_settings.User} --file={file} {_settings.Database}"));
 

@@ -38,17 +38,11 @@ internal sealed class SqliteDatabase : CellDatabase
     {
         var database = new SqliteDatabase(file);
         if (!File.Exists(file)) database.Make(prepare);
-        try
+        return Prepared(database, d =>
         {
-            database.Prove();
-            prepare(database);
-            return database;
-        }
-        catch
-        {
-            database.Dispose();
-            throw;
-        }
+            d.Prove();
+            prepare(d);
+        });
     }
 
     /// <inheritdoc/>
@@ -89,7 +83,7 @@ internal sealed class SqliteDatabase : CellDatabase
     }
 
     /// <inheritdoc/>
-    public override void Backup(string file)
+    public override void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         if (Path.GetFullPath(file) == Path.GetFullPath(_file)) throw new StoreException(StoreError.Denied, $"{file} is the store itself: name another file for its backup.");
         var folder = Path.GetDirectoryName(Path.GetFullPath(file));
@@ -102,11 +96,12 @@ internal sealed class SqliteDatabase : CellDatabase
             {
                 using var copy = new SqliteConnection(ConnectionString(temporary));
                 copy.Open();
-                ((SqliteConnection)connection).BackupDatabase(copy);
+                SqliteCopy.Copy((SqliteConnection)connection, copy, progress, cancellation);
 
                 // One file, without a log beside it.
                 copy.Execute("PRAGMA journal_mode = DELETE");
-                var found = copy.QueryFirst<string>("PRAGMA quick_check(1)");
+                progress?.Report(new("looking at each page of the copy", 0, 0));
+                var found = SqliteCopy.Check(copy, cancellation);
                 return found == "ok" ? true : throw Damaged(found, null);
             });
             using (var written = new FileStream(temporary, FileMode.Open, FileAccess.ReadWrite)) written.Flush(flushToDisk: true);
@@ -212,26 +207,15 @@ internal sealed class SqliteDatabase : CellDatabase
         DefaultTimeout = (int)Patience.TotalSeconds,
     }.ConnectionString;
 
-    private SqliteConnection Connect()
+    private SqliteConnection Connect() => Prepared(new SqliteConnection(ConnectionString(_file)), connection =>
     {
-        var connection = new SqliteConnection(ConnectionString(_file));
-        try
-        {
-            connection.Open();
-            connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA busy_timeout = {(long)Patience.TotalMilliseconds}"));
-            connection.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
-            return connection;
-        }
-        catch
-        {
-            connection.Dispose();
-            throw;
-        }
-    }
+        connection.Open();
+        connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA busy_timeout = {(long)Patience.TotalMilliseconds}"));
+        connection.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    });
 
-    // A log without its file is the sign of a lost store, and would be read into a new one.
     // A store has hashes of passwords: whoever else may read it is its owner's decision, not the umask's. Its log follows it.
-    private static void MakeForOwner(string file)
+    internal static void MakeForOwner(string file)
     {
         var options = new FileStreamOptions { Mode = FileMode.Create, Access = FileAccess.Write };
         if (!OperatingSystem.IsWindows())
@@ -244,6 +228,7 @@ internal sealed class SqliteDatabase : CellDatabase
         }
     }
 
+    // A log without its file is the sign of a lost store, and would be read into a new one.
     private void Make(Action<CellDatabase> prepare)
     {
         var folder = Path.GetDirectoryName(Path.GetFullPath(_file))!;
@@ -265,11 +250,8 @@ internal sealed class SqliteDatabase : CellDatabase
                 prepare(made);
             }
 
-            File.Move(temporary, _file, overwrite: false);
-        }
-        catch (IOException) when (File.Exists(_file))
-        {
-            // Another process was faster; its store is as good.
+            // If another process was faster, its store is as good.
+            _ = FirstFile.TryPut(temporary, _file);
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {

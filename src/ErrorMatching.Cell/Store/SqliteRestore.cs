@@ -5,12 +5,16 @@ namespace ErrorMatching.Cell;
 /// <summary>Brings a backup into the place of a store in a file.</summary>
 internal static class SqliteRestore
 {
+    private const int AtOnce = 1 << 20;
+
     /// <summary>Proves a copy of the backup, keeps what stands in the store's place, and renames the copy over it: there is the old store or the restored one at any instant.</summary>
     /// <param name="file">The store's file.</param>
     /// <param name="backup">The backup's.</param>
     /// <param name="migrate">Takes it to the present form.</param>
+    /// <param name="progress">Told how far it is; null if nobody asks.</param>
+    /// <param name="cancellation">Gives it up until the copy is renamed.</param>
     /// <returns>The file that holds what stood there; null if nothing did.</returns>
-    public static string? Restore(string file, string backup, Action<CellDatabase> migrate)
+    public static string? Restore(string file, string backup, Action<CellDatabase> migrate, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         if (!File.Exists(backup)) throw new StoreException(StoreError.Missing, $"The backup {backup} is not there.");
         var locks = new List<FileLock>();
@@ -22,12 +26,14 @@ internal static class SqliteRestore
                 locks.Add(FileLock.TryTake(each) ?? throw new StoreException(StoreError.Locked, $"A cell runs with the store {file}. Stop it before a backup is brought into its place."));
             }
 
-            File.Copy(backup, copy);
+            Copy(backup, copy, progress, cancellation);
+            progress?.Report(new("looking at each page of the copy", 0, 0));
             using (SqliteDatabase.Open(copy, Prove))
             {
             }
 
             using (var written = new FileStream(copy, FileMode.Open, FileAccess.ReadWrite)) written.Flush(flushToDisk: true);
+            cancellation.ThrowIfCancellationRequested();
             var aside = KeepAside(file);
             File.Move(copy, file, overwrite: true);
             return aside;
@@ -46,6 +52,21 @@ internal static class SqliteRestore
         {
             opened.Inspect();
             migrate(opened);
+        }
+    }
+
+    private static void Copy(string from, string to, IProgress<CellProgress>? progress, CancellationToken cancellation)
+    {
+        using var source = new FileStream(from, FileMode.Open, FileAccess.Read);
+        SqliteDatabase.MakeForOwner(to);
+        using var target = new FileStream(to, FileMode.Open, FileAccess.Write);
+        var buffer = new byte[AtOnce];
+        int read;
+        while ((read = source.Read(buffer)) > 0)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            target.Write(buffer, 0, read);
+            progress?.Report(new("copying the backup", target.Position, source.Length));
         }
     }
 

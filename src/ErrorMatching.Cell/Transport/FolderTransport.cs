@@ -112,6 +112,11 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
             _hanging = working;
             throw TransportFailure.Of(TransportError.Slow, machine, doing, $"nothing came within {limit.TotalSeconds:0.#} s", e);
         }
+        catch (OperationCanceledException) when (!working.IsCompleted)
+        {
+            _hanging = working;
+            throw;
+        }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
         {
             throw TransportFailure.Of(ErrorOf(e), machine, doing, e.Message, e);

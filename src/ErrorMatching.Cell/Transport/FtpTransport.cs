@@ -16,9 +16,15 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         var result = await RunAsync(doing, List(Begin(doing)), MostListed, cancellation).ConfigureAwait(false);
         var answer = new CurlAnswer(result);
 
-        // Some servers answer 550 for a folder without files; one that cannot be entered is another exit code.
+        // Some servers answer 550 for a folder without files, some for one that is not there. The longer list tells: of a folder that is there it comes, and without a file.
         if (answer.IsAbsent)
-            return [];
+        {
+            var longer = await RunAsync(doing, Begin(doing).Set("url", FolderUrl()), MostListed, cancellation).ConfigureAwait(false);
+            Demand(doing, new CurlAnswer(longer));
+            if (!Encoding.UTF8.GetString(longer.Output).Split('\n').Any(l => l.StartsWith('-')))
+                return [];
+        }
+
         Demand(doing, answer);
         return [.. Encoding.UTF8.GetString(result.Output).Split('\n').Select(NameOf).Where(n => n is not ("" or "." or ".."))];
     }
@@ -82,7 +88,9 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         var answer = new CurlAnswer(result);
         if (answer.IsRefusedCommand && !(await ListAsync(cancellation).ConfigureAwait(false)).Contains(name, StringComparer.Ordinal))
             return;
-        if (!answer.IsAbsent)
+        if (answer.IsAbsent)
+            _ = await ListAsync(cancellation).ConfigureAwait(false);
+        else
             Demand(doing, answer);
     }
 

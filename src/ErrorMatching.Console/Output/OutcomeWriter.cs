@@ -56,7 +56,7 @@ internal static class OutcomeWriter
     {
         foreach (var error in failure?.Errors ?? [])
         {
-            terminal.Error.Write(Place(error) + (error.Problem ?? error.Message) + "\n");
+            terminal.Error.Write(PrintedText.OneLine(Place(error) + (error.Problem ?? error.Message)) + "\n");
         }
     }
 

@@ -1,4 +1,5 @@
 using System.Buffers;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
@@ -35,7 +36,7 @@ internal sealed class Page(TextWriter writer, bool hasColor)
     /// <param name="rows">Rows of as many cells.</param>
     public void Table(IReadOnlyList<string> headings, IEnumerable<IReadOnlyList<string>> rows)
     {
-        IReadOnlyList<string>[] body = [.. rows];
+        IReadOnlyList<string>[] body = [.. rows.Select(r => r.Select(PrintedText.OneLine).ToArray())];
         var widths = headings.Select((h, i) => Math.Max(h.Length, body.Length == 0 ? 0 : body.Max(r => r[i].Length))).ToArray();
         var isNumeric = headings.Select((_, i) => body.Length > 0 && body.All(r => r[i].Length == 0 || IsNumber(r[i]))).ToArray();
         Heading(Row(headings));
@@ -53,7 +54,7 @@ internal sealed class Page(TextWriter writer, bool hasColor)
         var width = facts.Max(f => f.Name.Length);
         foreach (var (name, value) in facts)
         {
-            Line(name.PadRight(width) + "  " + value);
+            Line(name.PadRight(width) + "  " + PrintedText.OneLine(value));
         }
     }
 

@@ -18,6 +18,9 @@ internal abstract class Verb : Command
     /// <summary>Where passwords come from, for verbs that people sign.</summary>
     public SecretInput? Secrets { get; set; }
 
+    /// <summary>The terminal on which long work says how far it is; null if there is none.</summary>
+    public TextWriter? ProgressTo { get; set; }
+
     /// <summary>Does the work.</summary>
     /// <param name="arguments">What the user typed, parsed without errors.</param>
     /// <param name="cancellation">Set by Ctrl+C.</param>

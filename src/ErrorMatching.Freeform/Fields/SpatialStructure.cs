@@ -83,16 +83,31 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
     /// <summary>Pairs of neighbors, each once, the smaller number first.</summary>
     internal static HashSet<(int A, int B)> Neighbors(IReadOnlyList<ErrorSample> samples)
     {
-        var curves = Enumerable.Range(0, samples.Count).GroupBy(k => samples[k].J).OrderBy(g => g.Key).Select(g => g.OrderBy(k => samples[k].I).ToArray()).ToArray();
+        var order = new int[samples.Count];
+        for (var k = 0; k < order.Length; k++)
+        {
+            order[k] = k;
+        }
+
+        // Curve by curve, along each; samples of the same place in the order given.
+        Array.Sort(order, (a, b) => samples[a].J != samples[b].J ? samples[a].J.CompareTo(samples[b].J) : samples[a].I != samples[b].I ? samples[a].I.CompareTo(samples[b].I) : a.CompareTo(b));
+        var curves = new List<int[]>();
+        for (var start = 0; start < order.Length;)
+        {
+            var end = Array.FindIndex(order, start, k => samples[k].J != samples[order[start]].J);
+            curves.Add(order[start..(end < 0 ? order.Length : end)]);
+            start += curves[^1].Length;
+        }
+
         var pairs = new HashSet<(int A, int B)>();
-        for (var c = 0; c < curves.Length; c++)
+        for (var c = 0; c < curves.Count; c++)
         {
             for (var k = 0; k + 1 < curves[c].Length; k++)
             {
                 Add(curves[c][k], curves[c][k + 1]);
             }
 
-            if (c + 1 < curves.Length)
+            if (c + 1 < curves.Count)
             {
                 Across(curves[c], curves[c + 1]);
                 Across(curves[c + 1], curves[c]);

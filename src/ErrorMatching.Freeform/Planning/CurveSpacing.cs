@@ -71,7 +71,7 @@ internal sealed class CurveSpacing
 
     private void Add(IsoCurve curve, double weight)
     {
-        var (angles, lengths) = (new double[Parts], new double[Parts]);
+        var (angles, lengths, angle, length) = (new double[Parts], new double[Parts], 0.0, 0.0);
         var (before, line) = (curve.At(_t[0]), curve.Line);
         for (var i = 0; i < Parts; i++)
         {
@@ -81,12 +81,13 @@ internal sealed class CurveSpacing
                 var (a, b) = (curve.Tangent(before), curve.Tangent(behind));
                 angles[i] = Math.Atan2(a.Cross(b).Length, a.Dot(b));
                 lengths[i] = (behind.Position - before.Position).Length;
+                angle += angles[i];
+                length += lengths[i];
             }
 
             before = behind;
         }
 
-        var (angle, length) = (angles.Sum(), lengths.Sum());
         AngleRad += weight * angle;
         LengthMm += weight * length;
         var (byAngle, byLength) = angle > Straight ? ((1 - LengthPart) / angle, LengthPart / length) : (0, 1 / length);

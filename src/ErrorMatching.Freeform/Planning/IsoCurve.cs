@@ -6,7 +6,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="Surface">The surface.</param>
 /// <param name="AlongU">True if u runs.</param>
 /// <param name="Fixed">The parameter that stays.</param>
-internal readonly record struct IsoCurve(PartSurface Surface, bool AlongU, double Fixed)
+internal sealed record IsoCurve(PartSurface Surface, bool AlongU, double Fixed)
 {
     /// <summary>Knots of the parameter that runs.</summary>
     public KnotVector Knots => AlongU ? Surface.Spline.KnotsU : Surface.Spline.KnotsV;

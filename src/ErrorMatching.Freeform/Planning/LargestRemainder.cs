@@ -8,11 +8,24 @@ internal static class LargestRemainder
     /// <param name="shares">Numbers that are not negative; all alike if they are all zero.</param>
     public static int[] Divide(int count, IReadOnlyList<double> shares)
     {
-        var sum = shares.Sum();
-        var due = shares.Select(s => count * (sum > 0 ? s / sum : 1.0 / shares.Count)).ToArray();
-        var result = due.Select(d => (int)d).ToArray();
-        var order = Enumerable.Range(0, due.Length).OrderByDescending(i => Math.Round(due[i] - result[i], 9)).ThenBy(i => i).ToArray();
-        for (var (left, k) = (count - result.Sum(), 0); left > 0; left--, k++)
+        var sum = 0.0;
+        foreach (var share in shares)
+        {
+            sum += share;
+        }
+
+        var (result, fractions, order) = (new int[shares.Count], new double[shares.Count], new int[shares.Count]);
+        var left = count;
+        for (var i = 0; i < result.Length; i++)
+        {
+            var due = count * (sum > 0 ? shares[i] / sum : 1.0 / shares.Count);
+            result[i] = (int)due;
+            left -= result[i];
+            (fractions[i], order[i]) = (Math.Round(due - result[i], 9), i);
+        }
+
+        Array.Sort(order, (a, b) => fractions[a] != fractions[b] ? fractions[b].CompareTo(fractions[a]) : a.CompareTo(b));
+        for (var k = 0; left > 0; left--, k++)
         {
             result[order[k % order.Length]]++;
         }

@@ -15,7 +15,23 @@ internal static class MeasuringOrder
     /// <param name="curves">The number of each point's curve; points come curve by curve.</param>
     public static int[] Of(IReadOnlyList<Point2> points, IReadOnlyList<int> curves)
     {
-        int[] fro = [.. Enumerable.Range(0, points.Count).GroupBy(i => curves[i]).SelectMany((g, k) => k % 2 == 0 ? g : g.Reverse())];
+        var fro = new int[points.Count];
+        for (var (start, curve) = (0, 0); start < fro.Length; curve++)
+        {
+            var end = start;
+            for (; end < fro.Length && curves[end] == curves[start]; end++)
+            {
+                fro[end] = end;
+            }
+
+            if (curve % 2 > 0)
+            {
+                Array.Reverse(fro, start, end - start);
+            }
+
+            start = end;
+        }
+
         Improve(points, fro);
         if (points.Count <= Few)
         {
@@ -29,12 +45,25 @@ internal static class MeasuringOrder
     }
 
     /// <summary>Length of the way across.</summary>
-    public static double Length(IReadOnlyList<Point2> points, IReadOnlyList<int> order) => Enumerable.Range(1, Math.Max(0, order.Count - 1)).Sum(i => points[order[i - 1]].DistanceTo(points[order[i]]));
+    public static double Length(IReadOnlyList<Point2> points, IReadOnlyList<int> order)
+    {
+        var length = 0.0;
+        for (var i = 1; i < order.Count; i++)
+        {
+            length += points[order[i - 1]].DistanceTo(points[order[i]]);
+        }
+
+        return length;
+    }
 
     private static int[] Nearest(IReadOnlyList<Point2> points)
     {
-        var left = Enumerable.Range(0, points.Count).ToList();
-        var order = new int[points.Count];
+        var (left, order) = (new List<int>(points.Count), new int[points.Count]);
+        for (var i = 0; i < points.Count; i++)
+        {
+            left.Add(i);
+        }
+
         for (var (k, at) = (0, 0); k < order.Length; k++)
         {
             order[k] = left[at];

@@ -62,7 +62,7 @@ public static class MeasuredSurfaceReader
         }
 
         Missing(found, file);
-        var points = plan.Points.Select((p, k) => new MeasuredPoint(p, Contact(p, found[k]!.Value, plan, file), found[k]!.Value.Line)).ToArray();
+        var points = plan.Points.Select((p, k) => new MeasuredPoint(p, Contact(p, found[k]!, plan, file), found[k]!.Line)).ToArray();
         FarOff(points, plan, measuring, found, file);
         return new(file, Convert.ToHexStringLower(SHA256.HashData(bytes)), points, warnings);
     }
@@ -139,7 +139,7 @@ public static class MeasuredSurfaceReader
         var first = far[0];
         var off = first.Contact - plan.ContactOf(first.Planned);
         var along = off.Dot(first.Planned.Normal);
-        var isRadius = !found[first.Planned.Number - 1]!.Value.IsCenter && Math.Abs(along - plan.StylusRadiusMm) < limit / 4;
+        var isRadius = !found[first.Planned.Number - 1]!.IsCenter && Math.Abs(along - plan.StylusRadiusMm) < limit / 4;
         var hint = isRadius ? "This is the radius of the ball: does the file hold centers (\"reports\": \"stylus-center\")?"
             : far.Length == points.Length ? "All points are: is the file of another piece, work offset or tool length, or is the surface not where the job has it?"
             : "Measure it again.";

@@ -3,19 +3,20 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads the log that a probing program writes: a line that names the plan, then one a point.</summary>
+/// <summary>Reads the log that a probing program writes: a line that names the plan, then one a point, then one that says that it is whole.</summary>
 /// <remarks>
-/// <c>ERRORMATCH PROBE PLAN 0123456789ABCDEF MM</c>, then <c>P12 C X1.5 Y2. Z-3.25</c>: point 12, C for the ball's center or S for the contact, coordinates. Controls pad numbers with spaces and zeros, and
+/// <c>ERRORMATCH PROBE PLAN 0123456789ABCDEF MM</c>, then <c>P12 C X1.5 Y2. Z-3.25</c>: point 12, C for the ball's center or S for the contact, coordinates; then <c>END</c>, which may be missing. Controls pad numbers with spaces and zeros, and
 /// put lines of their own around the file, which begin with a percent sign or a semicolon.
 /// </remarks>
 internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
 {
     public const string FirstWord = "ERRORMATCH";
+    private const string LastWord = "END";
 
     public IReadOnlyList<RawPoint> Read(IReadOnlyList<string> lines)
     {
         var points = new List<RawPoint>();
-        var begun = 0;
+        var (begun, ended) = (0, 0);
         for (var i = 0; i < lines.Count; i++)
         {
             var line = lines[i].Trim();
@@ -28,6 +29,14 @@ internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
             {
                 begun = begun == 0 ? i + 1 : throw new FreeformException("two-runs", file, FormattableString.Invariant($"a second run of the probing program begins here, the first began in line {begun}. Delete all but the one that counts."), i + 1);
                 Head(line, i + 1);
+            }
+            else if (ended > 0)
+            {
+                throw new FreeformException("bad-log", file, FormattableString.Invariant($"found {Shown(line)} behind {LastWord} in line {ended}; expected nothing more."), i + 1);
+            }
+            else if (line == LastWord)
+            {
+                ended = i + 1;
             }
             else
             {

@@ -9,4 +9,4 @@ namespace ErrorMatching.Freeform;
 /// <param name="Position">Contact or center, in millimetres.</param>
 /// <param name="IsCenter">True for a center, false for a contact.</param>
 /// <param name="Line">Line of the file, from 1.</param>
-internal readonly record struct RawPoint(int? Number, int I, int J, Point3 Position, bool IsCenter, int Line);
+internal sealed record RawPoint(int? Number, int I, int J, Point3 Position, bool IsCenter, int Line);

@@ -66,7 +66,7 @@ public static class CompensationReportHtml
         {
             Figure(
                 html,
-                () => new ErrorByPointPlot([.. result.Samples.Zip(prediction.Errors).Select(p => (ReportNumber.Count(p.First.Point), 1000 * p.First.ErrorMm, (double?)(1000 * p.Second)))])
+                () => new ErrorByPointPlot([.. result.Samples.Zip(prediction.Errors).Select(p => new PlottedError(ReportNumber.Count(p.First.Point), 1000 * p.First.ErrorMm, 1000 * p.Second))])
                     .Write(html, id, $"Error by point, {name}", "measured", $"expected, {name}"),
                 "As figures 10 to 12 of the paper; after is expected, without scatter.");
         }
@@ -96,8 +96,8 @@ public static class CompensationReportHtml
             ("Gouges", certificate.RaisedPoints == 0 ? $"None: nowhere on the whole surface does the ball come nearer to it than {Micrometres.OfMm(certificate.GougeMm)} µm, chords and rounding included." : $"{ReportNumber.Count(certificate.RaisedPoints)} points were raised by up to {Micrometres.OfMm(certificate.RaisedMm)} µm where the ball does not fit: there material is left."));
     }
 
-    private static IReadOnlyList<(string, Geometry.Point3, double)> Labels(CompensationResult result, Func<ErrorSample, double> valueMm) =>
-        [.. result.Samples.Select(s => (ReportNumber.Count(s.Point), s.Nominal, 1000 * valueMm(s)))];
+    private static IReadOnlyList<PlottedPoint> Labels(CompensationResult result, Func<ErrorSample, double> valueMm) =>
+        [.. result.Samples.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * valueMm(s)))];
 
     private static void Figure(HtmlText html, Action draw, string caption)
     {

@@ -76,7 +76,7 @@ public static class EvaluationReportHtml
                 var field = FieldFit.Fit(piece.Samples);
                 using (html.In("figure"))
                 {
-                    map.Write(html, $"map{++number}", $"{name}: {piece.File}", (u, v) => 1000 * field.At(u, v), [.. piece.Samples.Select(s => (ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))]);
+                    map.Write(html, $"map{++number}", $"{name}: {piece.File}", (u, v) => 1000 * field.At(u, v), [.. piece.Samples.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))]);
                     html.Put("figcaption", "Colors between the points are the smooth field that fits them best; numbers are what was measured.");
                 }
             }
@@ -91,7 +91,7 @@ public static class EvaluationReportHtml
             var before = report.Before is { } b && k < b.Pieces.Count ? b.Pieces[k].Samples : report.Measured.Pieces[k].Samples;
             using (html.In("figure"))
             {
-                new ErrorByPointPlot([.. before.Select(s => (ReportNumber.Count(s.Point), 1000 * s.ErrorMm, report.Before is not null && after.TryGetValue(s.Point, out var a) ? 1000 * a.ErrorMm : (double?)null))])
+                new ErrorByPointPlot([.. before.Select(s => new PlottedError(ReportNumber.Count(s.Point), 1000 * s.ErrorMm, report.Before is not null && after.TryGetValue(s.Point, out var a) ? 1000 * a.ErrorMm : (double?)null))])
                     .Write(html, $"plot{k + 1}", $"Error at each point, {report.Measured.Pieces[k].File}", report.Before is null ? "measured" : "before", report.Before is null ? "not measured" : "after");
             }
         }

@@ -1,3 +1,4 @@
+using System.Runtime.Intrinsics;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
@@ -5,8 +6,6 @@ namespace ErrorMatching.Freeform;
 /// <summary>A polyline of centers as a program states them, each with its place on the surface. Made again and again without new memory.</summary>
 internal sealed class CenterLine
 {
-    private static readonly double[] Samples = [0, 0.25, 0.5, 0.75];
-
     private Point2[] _places = new Point2[64];
     private Point3[] _centers = new Point3[64];
     private Vector3[] _normals = new Vector3[64];
@@ -36,7 +35,37 @@ internal sealed class CenterLine
     /// <summary>True if the line passes a parameter u, rising from its beginning.</summary>
     public bool Covers(double u) => Count > 1 && _places[0].X <= u && u <= _places[Count - 1].X;
 
-    public void Clear() => Count = 0;
+    /// <summary>The piece of a line along u that holds a parameter, or the first or last one, looked for from another on.</summary>
+    public int PieceAt(double u, int piece)
+    {
+        var places = Places;
+        while (piece + 2 < places.Length && places[piece + 1].X <= u)
+        {
+            piece++;
+        }
+
+        while (piece > 0 && places[piece].X > u)
+        {
+            piece--;
+        }
+
+        return piece;
+    }
+
+    /// <summary>True if any of its points was raised.</summary>
+    public bool HasRaised { get; private set; }
+
+    /// <summary>Four straight pieces by the points at which they begin: their beginnings as vectors from the origin, their unit directions and their lengths.</summary>
+    public void Pieces(int first, int second, int third, int fourth, out FourVectors from, out FourVectors along, out Vector256<double> lengthMm)
+    {
+        from = FourVectors.Of(Beginning(first), Beginning(second), Beginning(third), Beginning(fourth));
+        along = FourVectors.Of(_along[first + 1], _along[second + 1], _along[third + 1], _along[fourth + 1]);
+        lengthMm = Vector256.Create(_lengths[first + 1], _lengths[second + 1], _lengths[third + 1], _lengths[fourth + 1]);
+
+        Vector3 Beginning(int i) => new(_centers[i].X, _centers[i].Y, _centers[i].Z);
+    }
+
+    public void Clear() => (Count, HasRaised) = (0, false);
 
     public void Add(Point2 place, Point3 center, Vector3 normal, double raised = 0)
     {
@@ -58,6 +87,7 @@ internal sealed class CenterLine
             (_along[Count], _lengths[Count]) = (along * (length > 0 ? 1 / length : 0), length);
         }
 
+        HasRaised |= raised > 0;
         Count++;
     }
 
@@ -71,9 +101,14 @@ internal sealed class CenterLine
         for (var i = 0; i + 1 < Count && !double.IsNaN(largest); i++)
         {
             var along = _along[i + 1];
-            foreach (var fraction in Samples)
+            if (_places[i].Y == _places[i + 1].Y && Vector256.LessThanOrEqualAll(Off(i, offset), Vector256.Create(largest)))
             {
-                var place = _places[i].Lerp(_places[i + 1], fraction);
+                continue;
+            }
+
+            for (var k = 0; k < Vector256<double>.Count; k++)
+            {
+                var place = _places[i].Lerp(_places[i + 1], Samples[k]);
                 var off = CenterRounding.Across(offset.CenterAt(place.X, place.Y) - _centers[i], along);
                 if (!(off <= largest) && _raised[i] == 0 && _raised[i + 1] == 0)
                 {
@@ -84,5 +119,22 @@ internal sealed class CenterLine
 
         Chord = (largest, where);
         return Chord;
+    }
+
+    // Where along a piece it is measured.
+    private static Vector256<double> Samples => Vector256.Create(0, 0.25, 0.5, 0.75);
+
+    // All samples of a piece along a line of the surface at once; not a number where one has no normal.
+    private Vector256<double> Off(int i, OffsetSurface offset)
+    {
+        var (from, to) = (_places[i], _places[i + 1]);
+        if (!offset.Left(Vector256.Create(from.X) + (Samples * (to.X - from.X)), from.Y, out var places, out var normals))
+        {
+            return Vector256.Create(double.NaN);
+        }
+
+        var off = places + (normals * Vector256.Create(offset.RadiusMm)) - FourVectors.Of(new(_centers[i].X, _centers[i].Y, _centers[i].Z));
+        var forward = off.Dot(FourVectors.Of(_along[i + 1]));
+        return Vector256.Sqrt(Vector256.Max(Vector256<double>.Zero, off.Dot(off) - (forward * forward)));
     }
 }

@@ -5,6 +5,5 @@ namespace ErrorMatching.Freeform;
 /// <summary>The exact place of the ball's center where it touches the surface, and how that place moves with the parameters.</summary>
 /// <param name="Normal">Unit normal out of the material.</param>
 /// <param name="Center">Center of the ball.</param>
-/// <param name="Du">Derivative of the center by u.</param>
-/// <param name="Dv">Derivative of the center by v.</param>
-internal readonly record struct CenterPoint(Vector3 Normal, Point3 Center, Vector3 Du, Vector3 Dv);
+/// <param name="Velocity">Derivative of the center along a direction in the parameters.</param>
+internal readonly record struct CenterPoint(Vector3 Normal, Point3 Center, Vector3 Velocity);

@@ -1,3 +1,4 @@
+using System.Runtime.Intrinsics;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
@@ -8,6 +9,9 @@ internal sealed class OffsetSurface
 {
     // How far, as a share of the range, a normal is looked for beside a place that has none (a pole of a sphere).
     private const double Beside = 1e-7;
+
+    // Tangents whose vector product is shorter, as a share of their squares, have no normal.
+    private const double Parallel = 1e-12;
 
     private readonly SplineSurface _spline;
     private readonly SurfaceLine _line;
@@ -31,26 +35,39 @@ internal sealed class OffsetSurface
     /// <summary>Distance of the center from the surface.</summary>
     public double DistanceMm => RadiusMm + StockMm;
 
-    /// <summary>The center over a place, with its derivatives.</summary>
-    public CenterPoint At(double u, double v)
+    /// <summary>The center over a place.</summary>
+    public CenterPoint At(double u, double v) => Moving(u, v, default);
+
+    /// <summary>The center over a place, and its derivative along a direction in the parameters; along u it is found several times as fast.</summary>
+    public CenterPoint Moving(double u, double v, Vector2 along)
     {
-        var at = _spline.At(u, v);
-        var (place, du, dv) = (new Vector3(at.Position.X, at.Position.Y, at.Position.Z), at.Du, at.Dv);
+        // Derivatives of position and of both tangents along the direction.
+        Vector3 place, du, dv, velocity, turnU, turnV;
+        if (along.Y == 0)
+        {
+            _line.At(u, v, out place, out du, out dv, out turnU, out turnV);
+            (velocity, turnU, turnV) = (du * along.X, turnU * along.X, turnV * along.X);
+        }
+        else
+        {
+            var at = _spline.At(u, v);
+            (place, du, dv) = (new(at.Position.X, at.Position.Y, at.Position.Z), at.Du, at.Dv);
+            (velocity, turnU, turnV) = ((du * along.X) + (dv * along.Y), (at.Duu * along.X) + (at.Duv * along.Y), (at.Duv * along.X) + (at.Dvv * along.Y));
+        }
+
         var cross = du.Cross(dv);
         var length = cross.Length;
-        if (!(length > 1e-12 * (du.Dot(du) + dv.Dot(dv))))
+        if (!(length > Parallel * (du.Dot(du) + dv.Dot(dv))))
         {
             return Degenerate(u, v, place);
         }
 
         var scale = _outside / length;
         var normal = cross * scale;
-        var (crossU, crossV) = (at.Duu.Cross(dv) + du.Cross(at.Duv), at.Duv.Cross(dv) + du.Cross(at.Dvv));
-        var normalU = (crossU * scale) - (normal * (normal.Dot(crossU) * scale));
-        var normalV = (crossV * scale) - (normal * (normal.Dot(crossV) * scale));
-        var distance = DistanceMm;
-        var center = place + (normal * distance);
-        return new(normal, new(center.X, center.Y, center.Z), du + (normalU * distance), dv + (normalV * distance));
+        var turn = turnU.Cross(dv) + du.Cross(turnV);
+        var turning = (turn * scale) - (normal * (normal.Dot(turn) * scale));
+        var center = place + (normal * DistanceMm);
+        return new(normal, new(center.X, center.Y, center.Z), velocity + (turning * DistanceMm));
     }
 
     /// <summary>The center over a place.</summary>
@@ -66,9 +83,26 @@ internal sealed class OffsetSurface
         _line.At(u, v, out var on, out var du, out var dv);
         var cross = du.Cross(dv);
         var length = cross.Length;
-        var normal = length > 1e-12 * (du.Dot(du) + dv.Dot(dv)) ? cross * (_outside / length) : At(u, v).Normal;
+        var normal = length > Parallel * (du.Dot(du) + dv.Dot(dv)) ? cross * (_outside / length) : At(u, v).Normal;
         var place = on + (normal * StockMm);
         return (new(place.X, place.Y, place.Z), normal);
+    }
+
+    /// <summary>Four places on the surface that the ball leaves, and their unit normals, as they come out one by one.</summary>
+    /// <returns>False if one of them has no normal of its own: ask one by one.</returns>
+    public bool Left(Vector256<double> u, double v, out FourVectors places, out FourVectors normals)
+    {
+        _line.At(u, v, out places, out var du, out var dv);
+        normals = du.Cross(dv);
+        var length = normals.Length;
+        if (!Vector256.GreaterThanAll(length, (du.Dot(du) + dv.Dot(dv)) * Parallel))
+        {
+            return false;
+        }
+
+        normals *= Vector256.Create(_outside) / length;
+        places += normals * Vector256.Create(StockMm);
+        return true;
     }
 
     // The normal of a pole is that beside it; where there is none either, it is zero.
@@ -77,6 +111,6 @@ internal sealed class OffsetSurface
         var (besideU, besideV) = (u + ((_middle.X - u) * Beside), v + ((_middle.Y - v) * Beside));
         var normal = _spline.At(besideU, besideV).Normal * _outside;
         var center = place + (normal * DistanceMm);
-        return new(normal, new(center.X, center.Y, center.Z), Vector3.Zero, Vector3.Zero);
+        return new(normal, new(center.X, center.Y, center.Z), Vector3.Zero);
     }
 }

@@ -78,16 +78,15 @@ internal sealed class PassBuilder(OffsetSurface offset, CenterRounding rounding,
     {
         var d = b - a;
         var place = a.Lerp(b, from);
-        var p = offset.At(place.X, place.Y);
-        var velocity = (p.Du * d.X) + (p.Dv * d.Y);
-        var longest = Math.Min(to - from, Math.Max((to - from) * piece.LongestStep, 5 * Shortest * rounding.IncrementMm / Math.Max(velocity.Length, 1e-9)));
+        var p = offset.Moving(place.X, place.Y, d);
+        var longest = Math.Min(to - from, Math.Max((to - from) * piece.LongestStep, 5 * Shortest * rounding.IncrementMm / Math.Max(p.Velocity.Length, 1e-9)));
         var (t, step) = (from, longest);
         if (into.Count == 0)
         {
             into.Add(place, rounding.Nearest(p.Center), p.Normal);
         }
 
-        var off = CenterRounding.Across(into.Centers[^1] - p.Center, Direction(velocity));
+        var off = CenterRounding.Across(into.Centers[^1] - p.Center, Direction(p.Velocity));
 
         while (t < to)
         {
@@ -98,10 +97,9 @@ internal sealed class PassBuilder(OffsetSurface offset, CenterRounding rounding,
                 var isLast = h >= left;
                 var next = isLast ? to : t + h;
                 var exact = a.Lerp(b, isLast ? from + ((to - from) * JustBefore) : next);
-                var q = offset.At(exact.X, exact.Y);
-                var arriving = (q.Du * d.X) + (q.Dv * d.Y);
+                var q = offset.Moving(exact.X, exact.Y, d);
                 var direction = Direction(q.Center - p.Center);
-                var bend = (arriving - velocity) * (h / 8);
+                var bend = (q.Velocity - p.Velocity) * (h / 8);
                 bend -= direction * bend.Dot(direction);
                 var (sag, lift) = (piece.Finer * bend.Length, piece.Finer * bend.Dot(q.Normal));
                 var room = Math.Max(chordMm - Math.Max(off, rounding.ReserveMm), 0.1 * chordMm);
@@ -115,8 +113,8 @@ internal sealed class PassBuilder(OffsetSurface offset, CenterRounding rounding,
 
                 var across = 0.0;
                 var isEnd = isLast && to == 1;
-                var center = isEnd ? rounding.Nearest(q.Center) : rounding.Along(q.Center, Direction(arriving), q.Normal, out across);
-                across = isEnd ? CenterRounding.Across(center - q.Center, Direction(arriving)) : across;
+                var center = isEnd ? rounding.Nearest(q.Center) : rounding.Along(q.Center, Direction(q.Velocity), q.Normal, out across);
+                across = isEnd ? CenterRounding.Across(center - q.Center, Direction(q.Velocity)) : across;
                 var worst = Math.Max(across, off);
                 if (sag + worst > chordMm && mayShrink)
                 {
@@ -125,7 +123,7 @@ internal sealed class PassBuilder(OffsetSurface offset, CenterRounding rounding,
                 }
 
                 into.Add(isLast ? a.Lerp(b, to) : exact, center, q.Normal);
-                (t, p, velocity, off) = (next, q, arriving, across);
+                (t, p, off) = (next, q, across);
                 step = Math.Min(longest, h * Math.Min(2, 0.97 * Math.Sqrt(share)));
                 break;
             }

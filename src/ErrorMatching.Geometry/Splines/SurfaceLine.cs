@@ -1,10 +1,11 @@
+using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>Evaluates a surface at place after place along lines of constant v, several times as fast as one by one.</summary>
+/// <summary>Evaluates a surface at place after place along lines of constant v, several times as fast as one by one, and four at once faster still.</summary>
 /// <remarks>
-/// Over one span of u, a line is a polynomial whose coefficients about the middle of the span are kept until span or v change (the basis functions as polynomials: The NURBS Book, section 6.6); then a place costs two Horner schemes.
+/// Over one span of u, a line is a polynomial whose coefficients about the middle of the span are kept until v changes (the basis functions as polynomials: The NURBS Book, section 6.6); then a place costs two Horner schemes.
 /// The result is that of <see cref="SplineSurface.At"/> but for rounding. It keeps what it evaluated last, so that each thread needs its own.
 /// </remarks>
 public sealed class SurfaceLine
@@ -14,17 +15,8 @@ public sealed class SurfaceLine
 
     private readonly SplineSurface _surface;
     private readonly int _degree;
-
-    // For each span of u the coefficients of its basis functions, once they were asked for: power by power, u less the middle of the span, in half spans.
-    private readonly double[]?[] _powers;
-
-    // The coefficients of the line and of its derivative by v.
-    private readonly Vector256<double>[] _place;
-    private readonly Vector256<double>[] _slope;
-    private double _v = double.NaN;
-    private int _span = -1;
-    private double _middle;
-    private double _perUnit;
+    private readonly Piece?[] _pieces;
+    private Piece? _last;
 
     /// <summary>Lines of a surface.</summary>
     /// <param name="surface">The surface.</param>
@@ -32,11 +24,10 @@ public sealed class SurfaceLine
     {
         ArgumentNullException.ThrowIfNull(surface);
         (_surface, _degree) = (surface, surface.KnotsU.Degree);
-        _powers = new double[]?[surface.KnotsU.Values.Length];
-        (_place, _slope) = (new Vector256<double>[_degree + 1], new Vector256<double>[_degree + 1]);
+        _pieces = new Piece?[surface.KnotsU.Values.Length];
     }
 
-    /// <summary>Position and derivatives at a pair of parameters. Lengths in millimetres.</summary>
+    /// <summary>Position and first derivatives at a pair of parameters. Lengths in millimetres.</summary>
     /// <param name="u">First parameter.</param>
     /// <param name="v">Second parameter.</param>
     /// <param name="position">The point as a vector from the origin.</param>
@@ -51,17 +42,18 @@ public sealed class SurfaceLine
             return;
         }
 
-        Follow(u, v);
-        var t = Vector256.Create((u - _middle) * _perUnit);
-        var (s, su, sv) = (_place[_degree], Vector256<double>.Zero, _slope[_degree]);
-        for (var k = _degree - 1; k >= 0; k--)
+        var span = Follow(u, v);
+        var (place, slope) = (span.Place, span.Slope);
+        var t = Vector256.Create((u - span.Middle) * span.PerUnit);
+        var (s, su, sv) = (place[^1], Vector256<double>.Zero, slope[^1]);
+        for (var k = place.Length - 2; k >= 0; k--)
         {
             su = (su * t) + s;
-            s = (s * t) + _place[k];
-            sv = (sv * t) + _slope[k];
+            s = (s * t) + place[k];
+            sv = (sv * t) + slope[k];
         }
 
-        su *= _perUnit;
+        su *= span.PerUnit;
         if (_surface.IsRational)
         {
             // From the weighted surface to the surface (The NURBS Book, equation 4.20).
@@ -74,45 +66,175 @@ public sealed class SurfaceLine
         (position, du, dv) = (Space(s), Space(su), Space(sv));
     }
 
-    // The coefficients of the line at v over the span that holds u.
-    private void Follow(double u, double v)
+    /// <summary>The same at four first parameters; each comes out as if it were asked for alone, to the last bit.</summary>
+    /// <param name="u">Four first parameters; fastest if all lie between the same two knots.</param>
+    /// <param name="v">Second parameter.</param>
+    /// <param name="position">The points as vectors from the origin.</param>
+    /// <param name="du">First derivatives by u.</param>
+    /// <param name="dv">First derivatives by v.</param>
+    public void At(Vector256<double> u, double v, out FourVectors position, out FourVectors du, out FourVectors dv)
     {
-        var knots = _surface.KnotsU;
-        var values = knots.Values;
-        var isInSpan = _span >= 0 && u >= values[_span] && u < values[_span + 1];
-        if (isInSpan && v == _v)
+        if (_degree > HighestDegree || !Follow(u[0], v).Holds(u))
         {
+            At(u[0], v, out var p0, out var du0, out var dv0);
+            At(u[1], v, out var p1, out var du1, out var dv1);
+            At(u[2], v, out var p2, out var du2, out var dv2);
+            At(u[3], v, out var p3, out var du3, out var dv3);
+            (position, du, dv) = (FourVectors.Of(p0, p1, p2, p3), FourVectors.Of(du0, du1, du2, du3), FourVectors.Of(dv0, dv1, dv2, dv3));
             return;
         }
 
-        var span = isInSpan ? _span : knots.SpanAt(u);
-        if (span != _span || v != _v)
+        // x, y, z, w of each coefficient.
+        var span = Follow(u[0], v);
+        var place = MemoryMarshal.Cast<Vector256<double>, double>(span.Place);
+        var slope = MemoryMarshal.Cast<Vector256<double>, double>(span.Slope)[..place.Length];
+        var t = (u - Vector256.Create(span.Middle)) * span.PerUnit;
+        var i = place.Length - 4;
+        var (x, y, z, w) = (Vector256.Create(place[i]), Vector256.Create(place[i + 1]), Vector256.Create(place[i + 2]), Vector256.Create(place[i + 3]));
+        var (xv, yv, zv, wv) = (Vector256.Create(slope[i]), Vector256.Create(slope[i + 1]), Vector256.Create(slope[i + 2]), Vector256.Create(slope[i + 3]));
+        var (xu, yu, zu, wu) = (Vector256<double>.Zero, Vector256<double>.Zero, Vector256<double>.Zero, Vector256<double>.Zero);
+        var isRational = _surface.IsRational;
+        for (i -= 4; i >= 0; i -= 4)
         {
-            var half = (values[span + 1] - values[span]) / 2;
-            (_middle, _perUnit) = (values[span] + half, 1 / half);
-            var powers = _powers[span] ??= Powers(span, half);
-            _surface.AlongV(span, v, powers, _place, _slope);
-            (_span, _v) = (span, v);
-        }
-    }
-
-    private double[] Powers(int span, double half)
-    {
-        var width = _degree + 1;
-        var powers = new double[width * width];
-        _surface.KnotsU.Basis(span, _middle, _degree, powers);
-        var factor = 1.0;
-        for (var k = 1; k <= _degree; k++)
-        {
-            factor *= half / k;
-            for (var i = 0; i < width; i++)
+            (xu, yu, zu) = ((xu * t) + x, (yu * t) + y, (zu * t) + z);
+            (x, y, z) = ((x * t) + Vector256.Create(place[i]), (y * t) + Vector256.Create(place[i + 1]), (z * t) + Vector256.Create(place[i + 2]));
+            (xv, yv, zv) = ((xv * t) + Vector256.Create(slope[i]), (yv * t) + Vector256.Create(slope[i + 1]), (zv * t) + Vector256.Create(slope[i + 2]));
+            if (isRational)
             {
-                powers[(k * width) + i] *= factor;
+                wu = (wu * t) + w;
+                w = (w * t) + Vector256.Create(place[i + 3]);
+                wv = (wv * t) + Vector256.Create(slope[i + 3]);
             }
         }
 
-        return powers;
+        (xu, yu, zu, wu) = (xu * span.PerUnit, yu * span.PerUnit, zu * span.PerUnit, wu * span.PerUnit);
+        (position, du, dv) = (new(x, y, z), new(xu, yu, zu), new(xv, yv, zv));
+        if (isRational)
+        {
+            var share = Vector256<double>.One / w;
+            position *= share;
+            du = (du - (position * wu)) * share;
+            dv = (dv - (position * wv)) * share;
+        }
+    }
+
+    /// <summary>Position and those derivatives that say how it, its tangents and its normal change along the line. Lengths in millimetres.</summary>
+    /// <param name="u">First parameter.</param>
+    /// <param name="v">Second parameter.</param>
+    /// <param name="position">The point as a vector from the origin.</param>
+    /// <param name="du">First derivative by u.</param>
+    /// <param name="dv">First derivative by v.</param>
+    /// <param name="duu">Second derivative by u.</param>
+    /// <param name="duv">Derivative by u and v.</param>
+    public void At(double u, double v, out Vector3 position, out Vector3 du, out Vector3 dv, out Vector3 duu, out Vector3 duv)
+    {
+        if (_degree > HighestDegree)
+        {
+            var at = _surface.At(u, v);
+            (position, du, dv, duu, duv) = (new(at.Position.X, at.Position.Y, at.Position.Z), at.Du, at.Dv, at.Duu, at.Duv);
+            return;
+        }
+
+        var span = Follow(u, v);
+        var (place, slope) = (span.Place, span.Slope);
+        var t = Vector256.Create((u - span.Middle) * span.PerUnit);
+        var (s, su, sv) = (place[^1], Vector256<double>.Zero, slope[^1]);
+        var (suu, suv) = (Vector256<double>.Zero, Vector256<double>.Zero);
+        for (var k = place.Length - 2; k >= 0; k--)
+        {
+            suu = (suu * t) + su;
+            su = (su * t) + s;
+            s = (s * t) + place[k];
+            suv = (suv * t) + sv;
+            sv = (sv * t) + slope[k];
+        }
+
+        su *= span.PerUnit;
+        suv *= span.PerUnit;
+        suu *= 2 * span.PerUnit * span.PerUnit;
+        if (_surface.IsRational)
+        {
+            var (w, wu, wv, wuu, wuv) = (1 / s[3], su[3], sv[3], suu[3], suv[3]);
+            s *= w;
+            su = (su - (s * wu)) * w;
+            sv = (sv - (s * wv)) * w;
+            suu = (suu - (su * (2 * wu)) - (s * wuu)) * w;
+            suv = (suv - (su * wv) - (sv * wu) - (s * wuv)) * w;
+        }
+
+        (position, du, dv, duu, duv) = (Space(s), Space(su), Space(sv), Space(suu), Space(suv));
+    }
+
+    // The line at v over the span that holds u.
+    private Piece Follow(double u, double v)
+    {
+        var span = _last is { } last && u >= last.From && u < last.To ? last : PieceAt(u);
+        if (span.V != v)
+        {
+            _surface.AlongV(span.Number, v, span.Powers, span.Place, span.Slope);
+            span.V = v;
+        }
+
+        return span;
+    }
+
+    private Piece PieceAt(double u)
+    {
+        var number = _surface.KnotsU.SpanAt(u);
+        return _last = _pieces[number] ??= new(_surface.KnotsU, number);
     }
 
     private static Vector3 Space(Vector256<double> v) => new(v[0], v[1], v[2]);
+
+    /// <summary>One polynomial piece along u, and the line over it that was asked for last.</summary>
+    private sealed class Piece
+    {
+        public Piece(KnotVector knots, int number)
+        {
+            var values = knots.Values;
+            var half = (values[number + 1] - values[number]) / 2;
+            (Number, Middle, PerUnit) = (number, values[number] + half, 1 / half);
+            From = number == knots.SpanAt(knots.Start) ? double.NegativeInfinity : values[number];
+            To = number == knots.SpanAt(knots.End) ? double.PositiveInfinity : values[number + 1];
+            var width = knots.Degree + 1;
+            Powers = new double[width * width];
+            (Place, Slope) = (new Vector256<double>[width], new Vector256<double>[width]);
+            knots.Basis(number, Middle, knots.Degree, Powers);
+            var factor = 1.0;
+            for (var k = 1; k < width; k++)
+            {
+                factor *= half / k;
+                for (var i = 0; i < width; i++)
+                {
+                    Powers[(k * width) + i] *= factor;
+                }
+            }
+        }
+
+        public int Number { get; }
+
+        /// <summary>The first parameter that belongs to the piece; what is before the surface belongs to the first.</summary>
+        public double From { get; }
+
+        /// <summary>The first that does not.</summary>
+        public double To { get; }
+
+        public double Middle { get; }
+
+        public double PerUnit { get; }
+
+        /// <summary>The coefficients of the basis functions: power by power, u less the middle, in half spans.</summary>
+        public double[] Powers { get; }
+
+        /// <summary>Where the line lies.</summary>
+        public double V { get; set; } = double.NaN;
+
+        /// <summary>The coefficients of the line.</summary>
+        public Vector256<double>[] Place { get; }
+
+        /// <summary>Those of its derivative by v.</summary>
+        public Vector256<double>[] Slope { get; }
+
+        public bool Holds(Vector256<double> u) => Vector256.GreaterThanOrEqualAll(u, Vector256.Create(From)) && Vector256.LessThanAll(u, Vector256.Create(To));
+    }
 }

@@ -98,6 +98,8 @@ public sealed class FileSourceTests
     [InlineData("point,x\nEND\n", true)]
     [InlineData("point,x\r\n  END \r\n\r\n", true)]
     [InlineData("END", true)]
+    [InlineData("point,x\nEND\n%\n", true)]
+    [InlineData("point,x\n%\n", false)]
     [InlineData("END\npoint,x\n", false)]
     [InlineData("point,x\nTHE END\n", false)]
     [InlineData("", false)]

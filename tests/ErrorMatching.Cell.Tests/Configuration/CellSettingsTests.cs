@@ -34,10 +34,11 @@ public sealed class CellSettingsTests : IDisposable
     }
 
     [Fact]
-    public void A_rule_of_finished_files_is_at_rest_unless_said_otherwise()
+    public void A_rule_of_finished_files_is_at_rest_unless_said_otherwise_and_of_a_controls_log_its_end()
     {
         Assert.Equal(new FinishedByRename(), _cell.Read(CellFolder.Right).Gauges[0].Finished);
         Assert.Equal(new FinishedByEndMark("END"), _cell.Read(CellFolder.Right).Gauges[1].Finished);
+        Assert.Equal(new FinishedByEndMark("END"), _cell.Read(CellFolder.With(", \"finished\": { \"endMark\": \"END\" }", "")).Gauges[1].Finished);
         Assert.Equal(new FinishedByMarker(".done"), _cell.Read(CellFolder.With("\"finished\": \"rename\"", "\"finished\": { \"marker\": \".done\" }")).Gauges[0].Finished);
         Assert.Equal(new FinishedAtRest(TimeSpan.FromSeconds(0.5)), _cell.Read(CellFolder.With("\"finished\": \"rename\"", "\"finished\": { \"atRestS\": 0.5 }")).Gauges[0].Finished);
         Assert.Equal(new FinishedAtRest(TimeSpan.FromSeconds(2)), _cell.Read(CellFolder.With(", \"finished\": \"rename\"", "")).Gauges[0].Finished);

@@ -15,6 +15,15 @@ public abstract partial class StoreTests
             INSERT INTO step (correction, from_state, to_state, at, who, basis) VALUES (1, NULL, 'archived', 1000000, 'cell', 'arrived'), (2, 'uploading', 'verified', 3000000, 'cell', 'read back');
             INSERT INTO slot (machine, slot, correction, program_sha256) VALUES ('mill', '1', 2, 'bb');
             """,
+
+        // Anna's hash is of "correct horse battery", by hashlib.pbkdf2_hmac of Python with SHA-512, 1000 iterations and the bytes 0 to 15 as salt. Failures are by the SHA-256 of ANNA and EVE.
+        [2] = """
+            INSERT INTO person (name_key, name, role, password, is_disabled, added_at, password_at)
+            VALUES ('ANNA', 'Anna', 'Administrator', 'AQAAAAIAAAPoAAAAEAABAgMEBQYHCAkKCwwNDg9OjEVSLnLd+mtlFb9XoK6lHa4gNh+7LmuWwX1ngTrjyQ==', 0, 1000000, 2000000),
+                   ('BEN', 'Ben', 'Operator', 'none', 1, 3000000, 3000000);
+            INSERT INTO sign_in_failure (name_hash, is_user, failures, failed_at) VALUES ('5c5a268702708ababeb96ed61de8b127c9f49bedc1effcd70d4aded37beace10', 1, 2, 4000000), ('6a049984467eca45e3e44ba87042a6ea68e9a6923a60f6f29fd4f74491840dec', 0, 1, 5000000);
+            INSERT INTO machine_secret (machine, bytes) VALUES ('mill', 'sealed');
+            """,
     };
 
     private protected abstract string TablesSql { get; }
@@ -50,6 +59,19 @@ public abstract partial class StoreTests
             using var again = CellStore.Open(settings, Clock);
             Assert.Equal(CorrectionState.Released, again.Find(2)!.State);
         }
+    }
+
+    [Fact]
+    public void People_of_an_earlier_form_sign_in_with_the_passwords_that_they_had()
+    {
+        var settings = NewSettings();
+        Filled(settings, 2);
+        using var store = CellStore.Open(settings, Clock);
+        var users = new UserBook(store, Clock, new PasswordHashes(1000));
+        Assert.Equal([("Anna", Role.Administrator, false, 2), ("Ben", Role.Operator, true, 0)], users.List().Select(u => (u.Name, u.Role, u.IsDisabled, u.Failures)));
+        Assert.Equal("Anna", users.SignIn("anna", "correct horse battery").Name);
+        Assert.Equal(PeopleError.SignInRefused, Assert.Throws<PeopleException>(() => users.SignIn("anna", "correct horse")).Error);
+        Assert.Null(store.VerifyAudit());
     }
 
     // Goes from form to form as stores did that were in use.

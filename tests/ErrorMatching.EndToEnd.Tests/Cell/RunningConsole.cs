@@ -41,10 +41,7 @@ internal sealed class RunningConsole : IDisposable
             return 0;
         }
 
-        using var kill = Process.Start("kill", ["-TERM", _process.Id.ToString(CultureInfo.InvariantCulture)]);
-        using var limit = new CancellationTokenSource(TimeSpan.FromMinutes(2));
-        await _process.WaitForExitAsync(limit.Token);
-        return _process.ExitCode;
+        return await FireStop.Of(_process);
     }
 
     /// <inheritdoc/>

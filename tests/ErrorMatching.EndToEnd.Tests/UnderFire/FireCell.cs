@@ -10,6 +10,7 @@ internal sealed class FireCell : IDisposable
 {
     private readonly StringBuilder _said = new();
     private Process? _process;
+    private volatile bool _hasBegun;
 
     /// <summary>Lays out a cell.</summary>
     /// <param name="slots">How many slots it has; jobs are told by the slot in the file's name.</param>
@@ -93,8 +94,10 @@ internal sealed class FireCell : IDisposable
     }
 
     /// <summary>Starts the cell.</summary>
-    public Process Start()
+    /// <param name="variables">Further variables of its environment.</param>
+    public Process Start(params IEnumerable<(string Name, string Value)> variables)
     {
+        _hasBegun = false;
         var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", Configuration])
         {
             UseShellExecute = false,
@@ -103,6 +106,11 @@ internal sealed class FireCell : IDisposable
             RedirectStandardOutput = true,
             RedirectStandardError = true,
         };
+        foreach (var (name, value) in variables)
+        {
+            start.Environment[name] = value;
+        }
+
         var process = Process.Start(start)!;
         process.StandardInput.Close();
         process.ErrorDataReceived += (_, line) => Heard(line.Data);
@@ -120,19 +128,15 @@ internal sealed class FireCell : IDisposable
         await _process.WaitForExitAsync(TestContext.Current.CancellationToken);
     }
 
-    /// <summary>Ends the process as a service manager does.</summary>
-    /// <returns>Its exit code and how long it took.</returns>
-    public async Task<(int Exit, TimeSpan Took)> Stop()
+    /// <summary>Ends the process as a service manager does, which must not take long.</summary>
+    public async Task Stop()
     {
-        var clock = Stopwatch.StartNew();
-        using (var kill = Process.Start("kill", ["-TERM", _process!.Id.ToString(System.Globalization.CultureInfo.InvariantCulture)]))
-        {
-            await kill.WaitForExitAsync(TestContext.Current.CancellationToken);
-        }
-
-        await _process.WaitForExitAsync(TestContext.Current.CancellationToken);
-        return (_process.ExitCode, clock.Elapsed);
+        var exit = await FireStop.Of(_process!);
+        Assert.True(exit is 0 or 130, $"Exit {exit}. {Tail()}");
     }
+
+    /// <summary>Waits until the process that was started says that it runs.</summary>
+    public Task HasBegun() => Until(() => Task.FromResult(_hasBegun), TimeSpan.FromMinutes(3), "the cell runs");
 
     /// <summary>All corrections, as the console tells them.</summary>
     public async Task<IReadOnlyList<JsonElement>> History()
@@ -182,6 +186,7 @@ internal sealed class FireCell : IDisposable
     {
         if (line is not null)
         {
+            _hasBegun |= line.Contains(" runs: ", StringComparison.Ordinal);
             lock (_said)
             {
                 _said.AppendLine(line);

@@ -139,6 +139,14 @@ public sealed class MeasuredSurfaceReaderTests
     public void A_log_of_another_plan_is_refused() => Refused(Programs.Log(Programs.Plan(Surfaces.Two), Plan.CenterOf), "other-plan", 1, "belongs to the plan");
 
     [Fact]
+    public void A_log_may_say_that_it_is_whole_and_then_says_no_more()
+    {
+        Assert.Equal(Read(Log())[1], Read(Log() + "END\n%\n")[1]);
+        Refused(Log() + "END\nP1 C X1 Y2 Z3\n", "bad-log", 23, "behind END in line 22");
+        Refused(Log() + "END\n" + Log(), "two-runs", 23, "began in line 1");
+    }
+
+    [Fact]
     public void Two_runs_in_one_log_are_refused() => Refused(Log() + Log(), "two-runs", 22, "began in line 1");
 
     [Theory]

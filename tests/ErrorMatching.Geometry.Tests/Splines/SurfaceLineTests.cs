@@ -1,3 +1,4 @@
+using System.Runtime.Intrinsics;
 using FsCheck.Fluent;
 
 namespace ErrorMatching.Geometry.Tests;
@@ -18,6 +19,9 @@ public sealed class SurfaceLineTests
             Near(new(10 * u, 8 * v, (3 * u * u) - (2 * u * v) + (v * v)), position, 1e-13);
             Near(new(10, 0, (6 * u) - (2 * v)), du, 1e-13);
             Near(new(0, 8, (-2 * u) + (2 * v)), dv, 1e-13);
+            line.At(u, v, out _, out _, out _, out var duu, out var duv);
+            Near(new(0, 0, 6), duu, 1e-12);
+            Near(new(0, 0, -2), duv, 1e-12);
         }
     }
 
@@ -38,6 +42,38 @@ public sealed class SurfaceLineTests
             Near(new(at.Position.X, at.Position.Y, at.Position.Z), position, scale);
             Near(at.Du, du, scale);
             Near(at.Dv, dv, scale);
+            line.At(u, v, out position, out du, out dv, out var duu, out var duv);
+            scale += 1e-10 * (at.Duu.Length + at.Duv.Length);
+            Near(new(at.Position.X, at.Position.Y, at.Position.Z), position, scale);
+            Near(at.Du, du, scale);
+            Near(at.Dv, dv, scale);
+            Near(at.Duu, duu, scale);
+            Near(at.Duv, duv, scale);
+        }
+    }));
+
+    [Fact]
+    public void Four_places_come_out_as_one_by_one() => FsCheck.Check.QuickThrowOnFailure(Prop.ForAll(DrawSpline.Surface.Zip(Gen.Choose(0, 1_000_000)).ToArbitrary(), drawn =>
+    {
+        var (surface, seed) = drawn;
+        var (line, other) = (new SurfaceLine(surface), new SurfaceLine(surface));
+        var noise = Draw.Noise(seed, 20);
+        for (var i = 0; i + 4 < noise.Length; i++)
+        {
+            // Near each other, so that they lie over one span, or anywhere; the last is a knot.
+            var v = DrawSpline.Inside(surface.KnotsV, noise[i]);
+            var spread = i % 2 == 0 ? 0.01 : 1;
+            var u = Vector256.Create(
+                DrawSpline.Inside(surface.KnotsU, noise[1]),
+                DrawSpline.Inside(surface.KnotsU, noise[1] + (spread * (noise[i + 2] - noise[1]))),
+                DrawSpline.Inside(surface.KnotsU, noise[1] + (spread * (noise[i + 3] - noise[1]))),
+                i % 3 == 0 ? surface.KnotsU.Breaks[i % surface.KnotsU.Breaks.Count] : DrawSpline.Inside(surface.KnotsU, noise[1]));
+            line.At(u, v, out var positions, out var du, out var dv);
+            for (var k = 0; k < 4; k++)
+            {
+                other.At(u[k], v, out var position, out var itsDu, out var itsDv);
+                Assert.Equal((position, itsDu, itsDv), (positions[k], du[k], dv[k]));
+            }
         }
     }));
 
@@ -46,10 +82,18 @@ public sealed class SurfaceLineTests
     {
         var knots = KnotVector.Clamped(12, [0, 1]);
         var surface = new SplineSurface(knots, KnotVector.Clamped(1, [0, 1]), [.. from i in Enumerable.Range(0, 13) from j in Enumerable.Range(0, 2) select new Point3(i, j, i * j)]);
-        new SurfaceLine(surface).At(0.25, 0.5, out var position, out var du, out var dv);
+        var line = new SurfaceLine(surface);
+        line.At(0.25, 0.5, out var position, out var du, out var dv);
         Near(new(3, 0.5, 1.5), position, 1e-13);
         Near(new(12, 0, 6), du, 1e-12);
         Near(new(0, 1, 3), dv, 1e-12);
+        line.At(Vector256.Create(0.25, 0.5, 0.75, 1), 0.5, out var positions, out var slopes, out _);
+        Near(new(3, 0.5, 1.5), positions[0], 1e-13);
+        Near(new(12, 0.5, 6), positions[3], 1e-13);
+        Near(new(12, 0, 6), slopes[2], 1e-12);
+        line.At(0.25, 0.5, out _, out _, out _, out var duu, out var duv);
+        Near(Vector3.Zero, duu, 1e-9);
+        Near(new(0, 0, 12), duv, 1e-11);
     }
 
     private static void Near(Vector3 expected, Vector3 actual, double tolerance) => Assert.True((expected - actual).Length <= tolerance, $"{actual}, {expected} expected");

@@ -8,7 +8,7 @@ namespace ErrorMatching.Peers.Tests;
 /// </summary>
 internal static class OcctDraw
 {
-    private const int LimitMs = 60_000;
+    private const int LimitMs = 180_000;
     private const string Package = "occt-draw";
     private const string Done = "-- the script came to its end --";
 

@@ -7,7 +7,7 @@ namespace ErrorMatching.Peers.Tests;
 /// </summary>
 internal static class Rs274
 {
-    private const int LimitMs = 30_000;
+    private const int LimitMs = 180_000;
     private const string Package = "linuxcnc-uspace";
 
     private static readonly string? Executable = (Environment.GetEnvironmentVariable("PATH") ?? "")

@@ -1,7 +1,5 @@
 using System.Diagnostics;
 using System.Globalization;
-using System.Net;
-using System.Net.Sockets;
 using ErrorMatching.Cell;
 using Npgsql;
 
@@ -13,7 +11,7 @@ public sealed class PostgresServer : IDisposable
     private const string Package = "postgresql-15";
     private const string Password = "only for tests";
     private const string User = "errormatch";
-    private static readonly TimeSpan Limit = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan Limit = TimeSpan.FromMinutes(3);
     private static readonly string? Programs = FindPrograms();
     private readonly string _folder = Directory.CreateTempSubdirectory("errormatch-postgres-").FullName;
     private Process? _server;
@@ -21,18 +19,21 @@ public sealed class PostgresServer : IDisposable
 
     public PostgresServer()
     {
-        if (Programs is null) return;
-        Port = FreePort();
+        if (Programs is null || !OperatingSystem.IsLinux()) return;
         File.WriteAllText(Path.Combine(_folder, "password"), Password);
         PasswordFile = Path.Combine(_folder, "pgpass");
         File.WriteAllText(PasswordFile, $"127.0.0.1:*:*:{User}:{Password}\n");
         SetMode(PasswordFile, "600");
         if (Environment.UserName == "root") Run("chown", "-R", "postgres", _folder);
         Run(AsServer(Path.Combine(Programs, "initdb"), "-D", Data, "-U", User, "--auth=scram-sha-256", $"--pwfile={Path.Combine(_folder, "password")}", "--encoding=UTF8", "--no-locale", "--no-sync"));
-        Start();
+
+
+        // Another program may have the port.
+        for (var tries = 0; !TryStart(Port = Daemon.AnyPort()); tries++)
+            Assert.True(tries < 20, "PostgreSQL does not start at any port.");
     }
 
-    private int Port { get; }
+    private int Port { get; set; }
 
     private string PasswordFile { get; } = "";
 
@@ -41,6 +42,7 @@ public sealed class PostgresServer : IDisposable
     /// <summary>Skips the current test where the server is not installed, or fails it where ERRORMATCH_PEERS=required demands it.</summary>
     public static void IsNeeded()
     {
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "Whose a port is, is read from /proc.");
         if (Environment.GetEnvironmentVariable("ERRORMATCH_PEERS") == "required")
         {
             Assert.True(Programs is not null, $"PostgreSQL is missing: install the package {Package}.");
@@ -77,11 +79,25 @@ public sealed class PostgresServer : IDisposable
         Run(start);
     }
 
-    /// <summary>Starts the server and waits until it answers.</summary>
+    /// <summary>Starts the server again at its port and waits until it answers.</summary>
     public void Start()
     {
+        // What a cut left is put in order here, without waiting for the disk: alone the server would first write out every file of every database that the tests have made.
+        Run(AsServer(Path.Combine(Programs!, "postgres"), "--single", "-D", Data, "-c", "fsync=off", "postgres"));
+
+        // It refuses to as long as it takes the number of its process before, which a file tells, for that of a living one.
+        var begun = Stopwatch.GetTimestamp();
+        while (!TryStart(Port))
+        {
+            Assert.True(Stopwatch.GetElapsedTime(begun) < Limit, $"PostgreSQL does not start at port {Port} again.");
+            Thread.Sleep(50);
+        }
+    }
+
+    private bool TryStart(int port)
+    {
         var start = AsServer(
-            Path.Combine(Programs!, "postgres"), "-D", Data, "-p", Port.ToString(CultureInfo.InvariantCulture), "-c", "listen_addresses=127.0.0.1", "-c", "unix_socket_directories=", "-c", "shared_buffers=16MB");
+            Path.Combine(Programs!, "postgres"), "-D", Data, "-p", port.ToString(CultureInfo.InvariantCulture), "-c", "listen_addresses=127.0.0.1", "-c", "unix_socket_directories=", "-c", "shared_buffers=16MB");
         start.UseShellExecute = false;
         start.RedirectStandardError = true;
         start.RedirectStandardOutput = true;
@@ -91,25 +107,35 @@ public sealed class PostgresServer : IDisposable
         _server.BeginErrorReadLine();
         _server.BeginOutputReadLine();
         var begun = Stopwatch.GetTimestamp();
-        while (true)
+        while (!_server.HasExited)
         {
             try
             {
-                Connect("postgres").Dispose();
-                return;
+                // Somebody else's server at this port is none of ours.
+                if (ProcessTable.Listens(_server.Id, port))
+                {
+                    Connect("postgres").Dispose();
+                    return true;
+                }
             }
-            catch (NpgsqlException) when (Stopwatch.GetElapsedTime(begun) < Limit && !_server.HasExited)
+            catch (NpgsqlException) when (Stopwatch.GetElapsedTime(begun) < Limit)
             {
-                Thread.Sleep(50);
             }
+
+            Thread.Sleep(20);
         }
+
+        _server.Dispose();
+        _server = null;
+        return false;
     }
 
     /// <summary>Kills the server as a power cut would, with all its connections.</summary>
     public void Kill()
     {
-        _server!.Kill(entireProcessTree: true);
-        Assert.True(_server.WaitForExit(Limit), "The server does not end.");
+        var all = ProcessTable.Descendants(_server!.Id).Select(p => p.Id).Append(_server.Id).ToArray();
+        _server.Kill(entireProcessTree: true);
+        Assert.True(_server.WaitForExit(Limit) && ProcessTable.EndAsync(all).GetAwaiter().GetResult(), "The server does not end.");
         _server.Dispose();
         _server = null;
     }
@@ -130,6 +156,8 @@ public sealed class PostgresServer : IDisposable
             Username = User,
             Password = Password,
             Pooling = false,
+            Timeout = (int)Limit.TotalSeconds,
+            CommandTimeout = (int)Limit.TotalSeconds,
         }.ConnectionString);
         connection.Open();
         return connection;
@@ -147,7 +175,9 @@ public sealed class PostgresServer : IDisposable
         start.UseShellExecute = false;
         start.RedirectStandardOutput = true;
         start.RedirectStandardError = true;
+        start.RedirectStandardInput = true;
         using var process = Process.Start(start)!;
+        process.StandardInput.Close();
         var (output, error) = (process.StandardOutput.ReadToEndAsync(), process.StandardError.ReadToEndAsync());
         if (!process.WaitForExit(Limit))
         {
@@ -156,13 +186,6 @@ public sealed class PostgresServer : IDisposable
         }
 
         Assert.True(process.ExitCode == 0, $"{start.FileName} {string.Join(' ', start.ArgumentList)}: exit {process.ExitCode}\n{output.GetAwaiter().GetResult()}\n{error.GetAwaiter().GetResult()}");
-    }
-
-    private static int FreePort()
-    {
-        using var listener = new TcpListener(IPAddress.Loopback, 0);
-        listener.Start();
-        return ((IPEndPoint)listener.LocalEndpoint).Port;
     }
 
     private static string? FindPrograms() => (Environment.GetEnvironmentVariable("PATH") ?? "")

@@ -14,6 +14,9 @@ internal sealed class FtpPeer : IDisposable
     /// <summary>Has what curl's configuration, a shell, an URL and FTP could take for something else. No space: vsftpd takes one in a password of its list for an underscore.</summary>
     public const string Password = "se\"sa\\m'%41$HOME#:@/;-\\n";
 
+    /// <summary>The time limit of a transfer, in seconds, that no transfer reaches unless something holds it, however busy the computer is.</summary>
+    public const double Patience = 120;
+
     private readonly Daemon _daemon;
 
     /// <summary>Starts it.</summary>
@@ -23,14 +26,12 @@ internal sealed class FtpPeer : IDisposable
     {
         var home = Directory.CreateTempSubdirectory("errormatch-vsftpd-").FullName;
         Folder = Directory.CreateDirectory(Path.Combine(home, "programs")).FullName;
-        Port = Daemon.FreePort();
         Tls = tls;
         File.WriteAllText(Path.Combine(home, "passwords"), Password + "\n");
         File.WriteAllText(Path.Combine(home, "vsftpd.conf"), string.Create(CultureInfo.InvariantCulture, $"""
             background=NO
             listen=YES
             listen_address=127.0.0.1
-            listen_port={Port}
             run_as_launching_user=YES
             seccomp_sandbox=NO
             anonymous_enable=YES
@@ -52,13 +53,13 @@ internal sealed class FtpPeer : IDisposable
             {more}
 
             """) + (tls == FtpTls.None ? "" : Certificate(home)));
-        _daemon = new Daemon(Daemon.Find("vsftpd")!, home, Port, Path.Combine(home, "vsftpd.conf"));
+        _daemon = new Daemon(Daemon.Find("vsftpd")!, home, port => [Path.Combine(home, "vsftpd.conf"), string.Create(CultureInfo.InvariantCulture, $"-olisten_port={port}")]);
     }
 
     /// <summary>Where the programs are on the disk.</summary>
     public string Folder { get; }
 
-    public int Port { get; }
+    public int Port => _daemon.Port;
 
     public FtpTls Tls { get; }
 
@@ -68,7 +69,7 @@ internal sealed class FtpPeer : IDisposable
     public static void IsNeeded() => Daemon.IsNeeded("vsftpd", "vsftpd");
 
     /// <summary>The machine behind it.</summary>
-    public MachineSettings Machine(int? port = null, double seconds = 20, int attempts = 1, string? pinned = null, string? folder = null) => new()
+    public MachineSettings Machine(int? port = null, double seconds = Patience, int attempts = 1, string? pinned = null, string? folder = null) => new()
     {
         Name = "mill",
         Transport = new FtpSettings("127.0.0.1", port ?? Port, "ftp", folder ?? Folder, Tls, pinned ?? PinnedKey),
@@ -78,7 +79,7 @@ internal sealed class FtpPeer : IDisposable
         Attempts = attempts,
     };
 
-    public IMachineFolder Open(int? port = null, double seconds = 20) => MachineFolders.Open(Machine(port, seconds), () => Password);
+    public IMachineFolder Open(int? port = null, double seconds = Patience) => MachineFolders.Open(Machine(port, seconds), () => Password);
 
     public void Dispose() => _daemon.Dispose();
 

@@ -48,11 +48,7 @@ internal sealed partial class FtpProxy : IDisposable
     public void Disarm() => Volatile.Write(ref _fault, null);
 
     /// <summary>Waits until the server has ended all sessions: what it had heard before a cut it may do after it.</summary>
-    public async Task QuietAsync()
-    {
-        while (Volatile.Read(ref _sessions) > 0)
-            await Task.Delay(2, _end.Token);
-    }
+    public Task QuietAsync() => Quiet.WhenAsync(() => Volatile.Read(ref _sessions) == 0);
 
     public void Dispose()
     {
@@ -118,14 +114,13 @@ internal sealed partial class FtpProxy : IDisposable
         }
 
         // Reads until the server, too, has hung up.
-        private static async Task EndAsync(TcpClient server)
+        private async Task EndAsync(TcpClient server)
         {
             try
             {
                 server.Client.Shutdown(SocketShutdown.Send);
-                using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(10));
                 var buffer = new byte[1024];
-                while (await server.GetStream().ReadAsync(buffer, limit.Token) > 0)
+                while (await server.GetStream().ReadAsync(buffer, proxy._end.Token) > 0)
                 {
                 }
             }

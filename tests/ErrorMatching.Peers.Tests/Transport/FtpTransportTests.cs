@@ -86,7 +86,8 @@ public sealed class FtpTransportTests
     {
         FtpPeer.IsNeeded();
         using var peer = new FtpPeer(FtpTls.None);
-        var failure = await MachineFolderLaws.Fails(TransportError.Away, () => peer.Open(Daemon.FreePort()).ListAsync(Token));
+        using var off = new ClosedPort();
+        var failure = await MachineFolderLaws.Fails(TransportError.Away, () => peer.Open(off.Number).ListAsync(Token));
         Assert.True(failure.IsWorthAnotherTry);
     }
 

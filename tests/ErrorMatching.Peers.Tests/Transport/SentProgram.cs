@@ -59,14 +59,19 @@ internal sealed class SentProgram(string folder, string name)
         return there.SequenceEqual(New);
     }
 
+    /// <summary>Recovers, and fails the test unless the machine then has one program, whole, and nothing else of this name.</summary>
+    public async Task RecoverAsync(IMachineFolder machine, string after)
+    {
+        await new ProgramSender(machine).RecoverAsync(name, Token);
+        IsWhole(after + ", recovered");
+        Assert.Empty(Leftovers());
+    }
+
     /// <summary>Recovers and sends again, and fails the test unless the machine then has the new program and nothing else of this name.</summary>
     public async Task MendAsync(IMachineFolder machine, string after)
     {
-        var sender = new ProgramSender(machine);
-        await sender.RecoverAsync(name, Token);
-        IsWhole(after + ", recovered");
-        Assert.Empty(Leftovers());
-        await sender.SendAsync(name, New, "18", Token);
+        await RecoverAsync(machine, after);
+        await new ProgramSender(machine).SendAsync(name, New, "18", Token);
         Assert.True(IsWhole(after + ", sent again"));
         Assert.Empty(Leftovers());
     }

@@ -59,7 +59,8 @@ public sealed class SftpTransportTests
     {
         SshPeer.IsNeeded();
         using var peer = new SshPeer();
-        await MachineFolderLaws.Fails(TransportError.Away, () => peer.Open(s => s with { Port = Daemon.FreePort() }).ListAsync(Token));
+        using var off = new ClosedPort();
+        await MachineFolderLaws.Fails(TransportError.Away, () => peer.Open(s => s with { Port = off.Number }).ListAsync(Token));
         await MachineFolderLaws.Fails(TransportError.Away, () => peer.Open(s => s with { Host = "no-such-machine.invalid" }).ListAsync(Token));
     }
 

@@ -20,7 +20,6 @@ internal sealed class SshPeer : IDisposable
     {
         _home = Directory.CreateTempSubdirectory("errormatch-sshd-").FullName;
         Folder = Directory.CreateDirectory(On("programs of the mill")).FullName;
-        Port = Daemon.FreePort();
         MakeKey("host");
         MakeKey("user");
         MakeKey("stranger");
@@ -32,7 +31,6 @@ internal sealed class SshPeer : IDisposable
         if (Environment.IsPrivilegedProcess)
             Directory.CreateDirectory("/run/sshd");
         File.WriteAllText(On("sshd.conf"), string.Create(CultureInfo.InvariantCulture, $"""
-            Port {Port}
             ListenAddress 127.0.0.1
             HostKey {On("host")}
             AuthorizedKeysFile {On("authorized")}
@@ -47,12 +45,13 @@ internal sealed class SshPeer : IDisposable
             Subsystem sftp internal-sftp {options}
 
             """));
-        _daemon = new Daemon(program, _home, Port, "-D", "-e", "-f", On("sshd.conf"));
+        // -r: a session is a copy of the server instead of the program started anew, which costs a third of a login on this side.
+        _daemon = new Daemon(program, _home, port => ["-D", "-e", "-r", "-f", On("sshd.conf"), "-p", port.ToString(CultureInfo.InvariantCulture)]);
     }
 
     public string Folder { get; }
 
-    public int Port { get; }
+    public int Port => _daemon.Port;
 
     /// <summary>The server's key as in <c>known_hosts</c>.</summary>
     public string HostKey { get; }
@@ -73,7 +72,7 @@ internal sealed class SshPeer : IDisposable
     }
 
     /// <summary>The machine behind it; the settings' key file null for a password.</summary>
-    public MachineSettings Machine(Func<SftpSettings, SftpSettings>? with = null, double seconds = 20, int attempts = 1)
+    public MachineSettings Machine(Func<SftpSettings, SftpSettings>? with = null, double seconds = FtpPeer.Patience, int attempts = 1)
     {
         var settings = new SftpSettings("127.0.0.1", Port, Environment.UserName, Folder, HostKey, KeyFile);
         return new MachineSettings
@@ -87,7 +86,7 @@ internal sealed class SshPeer : IDisposable
         };
     }
 
-    public IMachineFolder Open(Func<SftpSettings, SftpSettings>? with = null, double seconds = 20) => MachineFolders.Open(Machine(with, seconds), () => Password);
+    public IMachineFolder Open(Func<SftpSettings, SftpSettings>? with = null, double seconds = FtpPeer.Patience) => MachineFolders.Open(Machine(with, seconds), () => Password);
 
     public void Dispose()
     {

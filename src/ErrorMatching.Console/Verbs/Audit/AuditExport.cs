@@ -21,7 +21,12 @@ internal sealed class AuditExport : CellVerb
         DemandStore(settings);
         using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder), inspect: false);
         using var csv = new StringWriter(CultureInfo.InvariantCulture);
-        var entries = new AuditTrail(store, settings.KeysFolder).Export(csv);
+        long entries;
+        using (var progress = new ProgressLine(ProgressTo))
+        {
+            entries = new AuditTrail(store, settings.KeysFolder).Export(csv, progress, cancellation);
+        }
+
         if (arguments.GetValue(_out) is not { } file)
         {
             return new AuditExportAnswer(csv.ToString(), entries, null);

@@ -11,7 +11,8 @@ internal sealed class AuditVerify() : CellVerb("verify", "Looks whether any entr
     {
         DemandStore(settings);
         using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder), inspect: false);
-        var finding = new AuditTrail(store, settings.KeysFolder).Verify();
+        using var progress = new ProgressLine(ProgressTo);
+        var finding = new AuditTrail(store, settings.KeysFolder).Verify(progress, cancellation);
         return finding.Holds ? new AuditVerifyAnswer(finding) : FailureOfCell.Audit(finding);
     }
 }

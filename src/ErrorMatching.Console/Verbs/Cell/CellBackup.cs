@@ -23,7 +23,11 @@ internal sealed class CellBackup : CellVerb
         }
 
         Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(file))!);
-        store.Backup(file);
+        using (var progress = new ProgressLine(ProgressTo))
+        {
+            store.Backup(file, progress, cancellation);
+        }
+
         return new CellFileAnswer("backup", file, $"The store is copied to {file}, {new FileInfo(file).Length} bytes. Keep it with the folder of the keys, {settings.KeysFolder}.");
     });
 }

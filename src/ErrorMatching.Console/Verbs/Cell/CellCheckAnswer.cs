@@ -31,6 +31,13 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
         json.WriteBoolean("ok", check.Store.Problem is null);
         json.WriteEndObject();
         Array(json, "jobs", check.Jobs, j => WriteJob(json, j));
+        json.WriteStartArray("notTried");
+        foreach (var untried in check.Untried)
+        {
+            json.WriteStringValue(untried);
+        }
+
+        json.WriteEndArray();
         Array(json, "warnings", settings.Warnings, w =>
         {
             json.WriteString("code", w.Code);
@@ -61,6 +68,11 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
         ]));
         page.Line();
         page.Line($"Store: {StorePlace(Shown)}, {StoreState}.");
+        foreach (var untried in check.Untried)
+        {
+            page.Line($"Not tried: {untried}");
+        }
+
         foreach (var warning in settings.Warnings)
         {
             page.Line(string.Create(CultureInfo.InvariantCulture, $"Warning: line {warning.Line}, {warning.Path}: {warning.Message}."));

@@ -8,18 +8,15 @@ internal abstract class CellDecisionVerb : SigningVerb
 {
     private readonly IdArgument _id = new();
     private readonly Option<string> _reason;
-    private readonly Act _act;
 
     /// <summary>The verb.</summary>
     /// <param name="name">The word on the command line.</param>
     /// <param name="description">One sentence for the help.</param>
     /// <param name="example">A whole command line.</param>
-    /// <param name="act">What the one who signs must be allowed to do.</param>
     /// <param name="needsReason">True if the decision takes a reason.</param>
-    protected CellDecisionVerb(string name, string description, string example, Act act, bool needsReason)
+    protected CellDecisionVerb(string name, string description, string example, bool needsReason)
         : base(name, description, example)
     {
-        _act = act;
         _reason = new("--reason") { Description = "Why, for the audit trail.", HelpName = "TEXT", Required = needsReason };
         _reason.Validators.Add(result =>
         {
@@ -37,9 +34,12 @@ internal abstract class CellDecisionVerb : SigningVerb
     {
         var users = new UserBook(store, TimeProvider.System);
         var by = Sign(users, arguments);
-        users.Demand(by, _act);
+        users.Demand(by, Act);
         return Decide(settings, store, arguments.GetRequiredValue(_id), by.Name, arguments.GetValue(_reason), cancellation);
     });
+
+    /// <summary>What the one who signs must be allowed to do. No field: one of the cell's types would load its library with the command line.</summary>
+    protected abstract Act Act { get; }
 
     /// <summary>Carries the decision out.</summary>
     protected abstract Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation);

@@ -7,9 +7,11 @@ internal sealed class CellRelease() : CellDecisionVerb(
     "release",
     "Says that the piece is cut, which frees its slot for the next. An operator signs.",
     "errormatch cell release samples/cell/cell.json 1 --user anna",
-    Act.Release,
     needsReason: false)
 {
+    /// <inheritdoc/>
+    protected override Act Act => Act.Release;
+
     /// <inheritdoc/>
     protected override Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
         new CellDecisionAnswer("release", new CorrectionDecisions(store).Release(id, by, reason), "does not have its slot any more; the next in line may go");

@@ -16,10 +16,16 @@ internal sealed class CellRestore : CellVerb
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_file);
-        var kept = CellStore.Restore(settings.Store, file, TimeProvider.System, "console", AuditKey.Open(settings.KeysFolder));
+        var by = SystemUser.Name(Environment.GetEnvironmentVariable);
+        string? kept;
+        using (var progress = new ProgressLine(ProgressTo))
+        {
+            kept = CellStore.Restore(settings.Store, file, TimeProvider.System, by, AuditKey.Open(settings.KeysFolder), progress, cancellation);
+        }
+
         using (var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Open(settings.KeysFolder), inspect: false))
         {
-            new AuditTrail(store, settings.KeysFolder).TakeOver("console", $"A backup was brought back: {file}.");
+            new AuditTrail(store, settings.KeysFolder).TakeOver(by, $"A backup was brought back: {file}.");
         }
 
         return new CellFileAnswer("restore", file, $"The store is the one of {file} again.{(kept is null ? "" : $" What was there is {kept}.")} Start the cell: programs at machines that this store does not know are not overwritten without a setter.");

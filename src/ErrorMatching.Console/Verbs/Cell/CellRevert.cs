@@ -7,9 +7,11 @@ internal sealed class CellRevert() : CellDecisionVerb(
     "revert",
     "Brings back the program that the slot held before a correction, and reads it back. The slot stays taken until cell release. A setter signs.",
     "errormatch cell revert samples/cell/cell.json 1 --user anna --reason chatter",
-    Act.Revert,
     needsReason: true)
 {
+    /// <inheritdoc/>
+    protected override Act Act => Act.Revert;
+
     /// <inheritdoc/>
     protected override Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation)
     {

@@ -38,6 +38,7 @@ internal sealed class CellRun() : CellVerb(
     {
         var clock = TimeProvider.System;
         var since = clock.GetUtcNow();
+        log.Information("{Cell} looks through its store", settings.Name);
         using var store = await OpenAsync(settings, log, clock, cancellation);
         using var only = store.TryLockCell(settings.Name);
         if (only is null)

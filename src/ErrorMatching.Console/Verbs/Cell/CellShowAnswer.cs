@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
@@ -39,10 +40,10 @@ internal sealed class CellShowAnswer(Correction correction, IReadOnlyList<Correc
     /// <inheritdoc/>
     public override void WriteText(Page page)
     {
-        page.Heading($"Correction {correction.Id.ToString(CultureInfo.InvariantCulture)}: {correction.FileName} from {correction.Gauge} is {CorrectionJson.Word(correction.State)}");
+        page.Heading(PrintedText.OneLine($"Correction {correction.Id.ToString(CultureInfo.InvariantCulture)}: {correction.FileName} from {correction.Gauge} is {CorrectionJson.Word(correction.State)}"));
         if (correction.Code is { } code)
         {
-            page.Line($"{code}: {correction.Reason}");
+            page.Line(PrintedText.OneLine($"{code}: {correction.Reason}"));
         }
 
         page.Line();

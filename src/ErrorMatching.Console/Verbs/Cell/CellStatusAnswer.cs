@@ -79,7 +79,7 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         page.Heading(next.Length == 0 ? "Nothing to do." : "What to do next");
         foreach (var line in next)
         {
-            page.Line("- " + line);
+            page.Line("- " + PrintedText.OneLine(line));
         }
     }
 
@@ -170,6 +170,11 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         if (!status.IsRunning)
         {
             yield return $"Start the cell: errormatch cell run {settings.File}";
+        }
+
+        foreach (var trouble in status.IsRunning ? status.Heartbeat!.Troubles : [])
+        {
+            yield return $"{trouble.Where}: put right what it says ({trouble.Code}); the cell goes on by itself.";
         }
 
         foreach (var failed in status.Failed.Take(MostListed))

@@ -4,7 +4,7 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>A parameter as it is written.</summary>
 /// <param name="Text">Its spelling.</param>
-internal readonly record struct IgesValue(string Text)
+internal sealed record IgesValue(string Text)
 {
     /// <summary>A whole number or a pointer.</summary>
     public static implicit operator IgesValue(int value) => new(value.ToString(CultureInfo.InvariantCulture));

@@ -3,7 +3,7 @@ namespace ErrorMatching.Freeform;
 /// <summary>One function of the hierarchical basis of an axis from -1 to 1: a Chebyshev polynomial, or a one-sided power <c>((t - xi)+ / (1 - xi))^p</c> behind a break.</summary>
 /// <param name="Power">Degree.</param>
 /// <param name="Break">The break xi; null for a polynomial on the whole axis.</param>
-internal readonly record struct AxisFunction(int Power, double? Break = null)
+internal sealed record AxisFunction(int Power, double? Break = null)
 {
     public double At(double t)
     {

@@ -102,7 +102,7 @@ internal sealed class BreakSearch
     }
 
     /// <summary>The local minima of the residual of a biquadratic with the model's breaks and one more, the deepest first.</summary>
-    private IEnumerable<(bool AlongU, double At)> Places(PolynomialModel model)
+    private List<Place> Places(PolynomialModel model)
     {
         var basis = new List<double[]>();
         var rest = (double[])_data.Z.Clone();
@@ -115,7 +115,16 @@ internal sealed class BreakSearch
             }
         }
 
-        return [.. Minima(true, _lines.U, basis, rest).Concat(Minima(false, _lines.V, basis, rest)).OrderBy(m => m.Sum).Take(4).Select(m => (m.AlongU, m.At))];
+        // The deepest four; of equal ones the first.
+        List<Place> minima = [.. Minima(true, _lines.U, basis, rest), .. Minima(false, _lines.V, basis, rest)];
+        var places = new List<Place>();
+        while (places.Count < 4 && minima.MinBy(m => m.Sum) is { } deepest)
+        {
+            places.Add(deepest);
+            minima.Remove(deepest);
+        }
+
+        return places;
     }
 
     /// <summary>All products of functions up to the square.</summary>
@@ -124,16 +133,16 @@ internal sealed class BreakSearch
 
     private static IEnumerable<AxisFunction> UpToSquare(IReadOnlyList<double> breaks) => AxisFunction.Hierarchy(2, breaks).Where(f => f.Power <= 2);
 
-    private List<(bool AlongU, double At, double Sum)> Minima(bool alongU, double[] lines, List<double[]> basis, double[] rest)
+    private List<Place> Minima(bool alongU, double[] lines, List<double[]> basis, double[] rest)
     {
-        var scanned = new List<(bool AlongU, double At, double Sum)>();
+        var scanned = new List<Place>();
         var places = lines.Length > 60 ? 2 : PlacesPerCell;
         for (var cell = 1; cell + 2 < lines.Length; cell++)
         {
             for (var k = 0; k < places; k++)
             {
                 var at = lines[cell] + ((lines[cell + 1] - lines[cell]) * (k + 0.5) / places);
-                scanned.Add((alongU, at, Left(alongU, at, basis, rest)));
+                scanned.Add(new(alongU, at, Left(alongU, at, basis, rest)));
             }
         }
 
@@ -175,4 +184,10 @@ internal sealed class BreakSearch
         LeastSquares.Scale(column, 1 / Math.Sqrt(left));
         return column;
     }
+
+    /// <summary>A place where a break may be.</summary>
+    /// <param name="AlongU">True for a value of u.</param>
+    /// <param name="At">The value.</param>
+    /// <param name="Sum">The sum of squares that a break there leaves.</param>
+    private sealed record Place(bool AlongU, double At, double Sum);
 }

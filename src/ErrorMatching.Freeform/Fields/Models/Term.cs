@@ -1,7 +1,7 @@
 namespace ErrorMatching.Freeform;
 
 /// <summary>A product of one function of each axis.</summary>
-internal readonly record struct Term(AxisFunction U, AxisFunction V)
+internal sealed record Term(AxisFunction U, AxisFunction V)
 {
     public double At(double u, double v) => U.At(u) * V.At(v);
 

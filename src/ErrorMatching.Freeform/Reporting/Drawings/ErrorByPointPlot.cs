@@ -3,8 +3,8 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Error against point number before and after, as in figures 10 to 12 of Lee 2019: circles before, plus signs after.</summary>
-/// <param name="points">Label with the errors before and after, in micrometres; after is null where it is not known.</param>
-internal sealed class ErrorByPointPlot(IReadOnlyList<(string Label, double BeforeUm, double? AfterUm)> points)
+/// <param name="points">The points in the order of measuring.</param>
+internal sealed class ErrorByPointPlot(IReadOnlyList<PlottedError> points)
 {
     private const double Width = 820, Height = 340, Left = 74, Right = 800, Top = 40, Bottom = 290;
     private const int MostLabels = 30;
@@ -76,9 +76,9 @@ internal sealed class ErrorByPointPlot(IReadOnlyList<(string Label, double Befor
         }
     }
 
-    private string Largest(Func<(string Label, double BeforeUm, double? AfterUm), double> value)
+    private string Largest(Func<PlottedError, double> value)
     {
-        var point = points.MaxBy(p => Math.Abs(value(p)));
+        var point = points.MaxBy(p => Math.Abs(value(p)))!;
         return $"{Micrometres.Signed(value(point))} µm at point {point.Label}";
     }
 

@@ -56,7 +56,7 @@ internal sealed class HeatMap
     /// <param name="title">What it shows.</param>
     /// <param name="fieldUm">Value in micrometres at (u, v); null if only points are known.</param>
     /// <param name="points">Points with a value in micrometres each.</param>
-    public void Write(HtmlText html, string id, string title, Func<double, double, double>? fieldUm, IReadOnlyList<(string Label, Point3 At, double ValueUm)> points)
+    public void Write(HtmlText html, string id, string title, Func<double, double, double>? fieldUm, IReadOnlyList<PlottedPoint> points)
     {
         var height = Top + _height + 40;
         using (html.In("svg", ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(height)}"), ("role", "img"), ("aria-labelledby", $"{id}-t {id}-d"), ("class", "plot")))
@@ -104,7 +104,7 @@ internal sealed class HeatMap
         }
     }
 
-    private void WritePoints(HtmlText html, IReadOnlyList<(string Label, Point3 At, double ValueUm)> points)
+    private void WritePoints(HtmlText html, IReadOnlyList<PlottedPoint> points)
     {
         foreach (var (label, at, value) in points)
         {
@@ -136,14 +136,14 @@ internal sealed class HeatMap
         }
     }
 
-    private static string Describe(IReadOnlyList<(string Label, Point3 At, double ValueUm)> points)
+    private static string Describe(IReadOnlyList<PlottedPoint> points)
     {
         if (points.Count == 0)
         {
             return "No measured points.";
         }
 
-        var (low, high) = (points.MinBy(p => p.ValueUm), points.MaxBy(p => p.ValueUm));
+        var (low, high) = (points.MinBy(p => p.ValueUm)!, points.MaxBy(p => p.ValueUm)!);
         return $"Lowest {Micrometres.Signed(low.ValueUm)} µm at point {low.Label}, highest {Micrometres.Signed(high.ValueUm)} µm at point {high.Label}.";
     }
 

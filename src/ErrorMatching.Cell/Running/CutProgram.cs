@@ -1,0 +1,32 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>Which program cut a measured counterpart, where corrections add up.</summary>
+/// <param name="By">The correction that made it; null for the original program.</param>
+/// <param name="Undecided">The correction for which nobody has said yet whether the piece was cut before or behind it; null where it is known.</param>
+internal sealed record CutProgram(Correction? By, Correction? Undecided)
+{
+    /// <summary>
+    /// The last program of the piece's own serial number, else the last one of the job. A program has cut a piece when its correction is released; while one is verified, or was reverted and still has the slot, the measured
+    /// piece may have been cut by it or by the one before.
+    /// </summary>
+    /// <param name="store">The store.</param>
+    /// <param name="counterpart">The correction of the measured piece, with job, serial number, machine and slot.</param>
+    public static CutProgram Of(CellStore store, Correction counterpart)
+    {
+        var job = counterpart.Job!;
+        var own = counterpart.Serial is { } serial ? store.LastSent(job, serial) : null;
+        var last = own ?? store.LastSent(job, null);
+        if (last is { State: CorrectionState.Verified })
+        {
+            return new(null, last);
+        }
+
+        var holder = store.Slot(counterpart.Machine!, counterpart.Slot!).Correction is { } id ? store.Find(id) : null;
+        return holder is { State: CorrectionState.Reverted } && holder.Job == job && (own is null || holder.Serial == counterpart.Serial) ? new(null, holder) : new(last, null);
+    }
+
+    /// <summary>Why nothing is computed while it is not known, and what to do.</summary>
+    public string Reason => Undecided is not { } held ? "" : held.State == CorrectionState.Reverted
+        ? FormattableString.Invariant($"Correction {held.Id} was reverted and still has slot {held.Slot} of {held.Machine}: nobody knows whether its program cut the measured piece or the one that was brought back. Release it when a piece is cut with what is there now (errormatch cell release CONFIG {held.Id}), then measure that piece.")
+        : FormattableString.Invariant($"Correction {held.Id} has slot {held.Slot} of {held.Machine}, and nobody has said that its piece is cut: nobody knows whether its program cut the measured piece or the one before. When its piece is cut, release it (errormatch cell release CONFIG {held.Id}), then give the measurement again.");
+}

@@ -1,0 +1,42 @@
+using System.Diagnostics;
+
+namespace ErrorMatching.EndToEnd.Tests;
+
+/// <summary>A cell at its own pace whose machine's share hangs: the slot's program is a pipe that nobody writes to, so whoever opens it waits for good.</summary>
+public sealed class HangingShareTests
+{
+    private static readonly TimeSpan Patience = TimeSpan.FromMinutes(2);
+
+    [Fact]
+    public async Task A_share_that_hangs_keeps_a_cell_from_nothing_but_its_slot_and_it_ends_within_10_s()
+    {
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "Windows has no pipes in folders.");
+        using var cell = new FireCell(slots: 2);
+        var files = new FireFiles();
+        var (hanging, other) = (files.Next(cell.Slots[0], 1), files.Next(cell.Slots[1], 2));
+        var program = Path.Combine(cell.Machine, FireCell.ProgramOf(cell.Slots[0]));
+        File.Move(program, cell["original"]);
+        using (var make = Process.Start("mkfifo", program))
+        {
+            await make.WaitForExitAsync(TestContext.Current.CancellationToken);
+            Assert.Equal(0, make.ExitCode);
+        }
+
+        cell.Start();
+        cell.Drop(hanging.Name, hanging.Bytes);
+        await cell.Until(async () => await cell.StateOf(hanging.Name) == "approved", Patience, "the first waits for the share");
+        cell.Drop(other.Name, other.Bytes);
+        await cell.Until(async () => await cell.StateOf(other.Name) is "approved" or "verified", Patience, "the second is worked on");
+
+        await cell.Stop();
+        Assert.Equal("approved", await cell.StateOf(hanging.Name));
+
+        File.Delete(program);
+        File.Move(cell["original"], program);
+        cell.Start();
+        await cell.Until(async () => await cell.StateOf(hanging.Name) == "verified" && await cell.StateOf(other.Name) == "verified", Patience, "the next start goes on");
+        Assert.Equal(hanging.Name, files.FileByProgram[FireFiles.Hash(await File.ReadAllBytesAsync(program, TestContext.Current.CancellationToken))]);
+        await cell.Stop();
+        await cell.AuditHolds();
+    }
+}

@@ -1,0 +1,64 @@
+using System.Globalization;
+using ErrorMatching.Cell;
+using ErrorMatching.EndToEnd.Tests;
+
+namespace ErrorMatching.Peers.Tests;
+
+/// <summary>A cell at its own pace that is told to stop, by the signal of service managers, while its machine hangs in the middle of a program.</summary>
+public sealed class StopTests
+{
+    private const string Administrator = "long enough for anna";
+    private static readonly TimeSpan Patience = TimeSpan.FromMinutes(2);
+
+    [Theory]
+    [InlineData(false, "approved")]
+    [InlineData(true, "uploading")]
+    public async Task It_ends_within_10_s_gives_back_what_it_can_and_the_next_start_goes_on(bool forGood, string state)
+    {
+        FtpPeer.IsNeeded();
+        using var ftp = new FtpPeer(FtpTls.None);
+        using var hang = new FtpHang(ftp.Port, "STOR", forGood);
+        using var cell = await CellBehind(ftp, hang.Port);
+        var files = new FireFiles();
+        var (name, bytes) = files.Next(cell.Slots[0], 1);
+        var program = Path.Combine(ftp.Folder, FireCell.ProgramOf(cell.Slots[0]));
+        cell.Start();
+        cell.Drop(name, bytes);
+        await cell.Until(() => Task.FromResult(hang.HasHung), Patience, "the machine hangs");
+        Assert.Equal("uploading", await cell.StateOf(name));
+
+        await cell.Stop();
+        Assert.Equal(state, await cell.StateOf(name));
+        Assert.Equal(FireFiles.OriginalSha256, FireFiles.Hash(await File.ReadAllBytesAsync(program, TestContext.Current.CancellationToken)));
+        if (!forGood)
+        {
+            var shown = await ConsoleRun.Of(cell.Folder, "cell", "show", cell.Configuration, "1", "--json");
+            Assert.Equal("given back: the cell was stopped", shown.Json.GetProperty("steps").EnumerateArray().Last().GetProperty("basis").GetString());
+        }
+
+        hang.IsOver = true;
+        cell.Start();
+        await cell.Until(async () => await cell.StateOf(name) == "verified", Patience, "the next start goes on");
+        Assert.Equal(name, files.FileByProgram[FireFiles.Hash(await File.ReadAllBytesAsync(program, TestContext.Current.CancellationToken))]);
+        await cell.Stop();
+        Assert.DoesNotContain(Directory.EnumerateFiles(ftp.Folder), f => Path.GetFileName(f) != FireCell.ProgramOf(cell.Slots[0]));
+        await cell.AuditHolds();
+    }
+
+    private static async Task<FireCell> CellBehind(FtpPeer ftp, int port)
+    {
+        var cell = new FireCell(
+            slots: 1,
+            transport: string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "ftp", "host": "127.0.0.1", "port": {{port}}, "user": "ftp", "folder": "{{ftp.Folder}}", "tls": "none" }"""),
+            machine: ftp.Folder);
+        await Type(cell, ["user", "add", cell.Configuration, "anna", "--role", "administrator", "--password-stdin"], Administrator);
+        await Type(cell, ["cell", "secret", cell.Configuration, "vmc", "--user", "anna", "--password-stdin"], Administrator, FtpPeer.Password);
+        return cell;
+    }
+
+    private static async Task Type(FireCell cell, IReadOnlyList<string> arguments, params string[] lines)
+    {
+        var run = await ConsoleRun.Typed(cell.Folder, arguments, lines);
+        Assert.True(run.Exit == 0, run.Output + run.Error);
+    }
+}
