@@ -43,7 +43,7 @@ internal sealed class CutProxy : IDisposable
     }
 
     /// <summary>Waits until the server has ended all sessions: what it had heard before a cut it may do after it.</summary>
-    public Task QuietAsync() => Quiet.WhenAsync(() => Volatile.Read(ref _sessions) == 0);
+    public Task QuietAsync() => Quiet.WhenAsync(() => Volatile.Read(ref _sessions) == 0, "the server ends its sessions");
 
     public void Dispose()
     {

@@ -48,7 +48,7 @@ internal sealed partial class FtpProxy : IDisposable
     public void Disarm() => Volatile.Write(ref _fault, null);
 
     /// <summary>Waits until the server has ended all sessions: what it had heard before a cut it may do after it.</summary>
-    public Task QuietAsync() => Quiet.WhenAsync(() => Volatile.Read(ref _sessions) == 0);
+    public Task QuietAsync() => Quiet.WhenAsync(() => Volatile.Read(ref _sessions) == 0, "the server ends its sessions");
 
     public void Dispose()
     {
