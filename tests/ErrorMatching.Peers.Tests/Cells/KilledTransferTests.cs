@@ -50,7 +50,7 @@ public sealed class KilledTransferTests
 
     private static Process Start(FireCell cell, string temporary)
     {
-        var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", cell.Configuration]) { WorkingDirectory = cell.Folder, RedirectStandardOutput = true, RedirectStandardError = true };
+        var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", cell.Configuration]) { UseShellExecute = false, WorkingDirectory = cell.Folder, RedirectStandardOutput = true, RedirectStandardError = true };
         start.Environment["TMPDIR"] = temporary;
         var process = Process.Start(start)!;
         process.BeginOutputReadLine();
