@@ -26,5 +26,15 @@ if (args is ["toolpath"])
     return ToolPathBenchmark.Run();
 }
 
+if (args is ["fits", .. var points])
+{
+    return SurfaceFitTimes.Run(points.FirstOrDefault());
+}
+
+if (args is ["fit-once", var shape, var count, var noise])
+{
+    return SurfaceFitTimes.Once(shape, count, noise);
+}
+
 BenchmarkSwitcher.FromAssembly(typeof(MatchBenchmarks).Assembly).Run(args);
 return 0;

@@ -36,7 +36,7 @@ public sealed class FittedField : ErrorField
     /// <summary>Parameters v at which the second derivative of the field jumps, rising.</summary>
     public IReadOnlyList<double> BreaksV { get; }
 
-    /// <summary>Mean absolute difference of the samples of whole grid lines from the field fitted without their line (terms, breaks and kernel kept); NaN if there are fewer than three lines in both directions.</summary>
+    /// <summary>Mean absolute difference of the samples of whole grid lines from the field fitted without their line (the kernel kept, breaks moved and the terms of a polynomial without breaks chosen anew); NaN if there are fewer than three lines in both directions.</summary>
     public double LeaveLineOutMm => _model.LineOut;
 
     /// <summary>Measured error less field of each sample, in the order given.</summary>

@@ -49,7 +49,7 @@ internal static class BreakRefinement
             return null;
         }
 
-        var columns = model.Terms.Select(t => t.Over(model.Data.U, model.Data.V)).Concat(breaks.Select(b => Slope(model, b.AlongU, b.At))).ToList();
+        var columns = Term.Over(model.Terms, model.Data.U, model.Data.V).Concat(breaks.Select(b => Slope(model, b.AlongU, b.At))).ToList();
         if (LeastSquares.Solve(columns, model.Data.Z) is not { } fit)
         {
             return null;

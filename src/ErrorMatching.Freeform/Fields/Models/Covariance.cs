@@ -19,8 +19,11 @@ internal abstract class Covariance
         data.Count <= MostScattered || (data.Grid is { } grid && grid.U.Length <= MostLines && grid.V.Length <= MostLines);
 
     /// <summary>The matrix; null if it is not positive definite in double precision.</summary>
-    public static Covariance? Of(FieldData data, Kernel kernel) =>
-        data.Grid is { } grid ? new GridCovariance(grid, kernel) : ScatteredCovariance.Full(data, kernel);
+    /// <param name="data">The values.</param>
+    /// <param name="kernel">The kernel.</param>
+    /// <param name="like">The matrix of the same kernel over other values, some of whose lines may be the same; null if there is none.</param>
+    public static Covariance? Of(FieldData data, Kernel kernel, Covariance? like = null) =>
+        data.Grid is { } grid ? new GridCovariance(grid, kernel, like as GridCovariance) : ScatteredCovariance.Full(data, kernel);
 
     /// <summary>The solution x of K x = b.</summary>
     public abstract double[] Solve(double[] b);

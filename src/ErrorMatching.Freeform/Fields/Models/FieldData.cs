@@ -33,14 +33,17 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
     /// <summary>True if every curve has the same numbers i.</summary>
     public bool IsRectangular { get; } = Rectangular(I, J);
 
-    /// <summary>The inner lines of both directions that are left out in turn. The outermost stay: without them a fit would have to extrapolate.</summary>
-    public IReadOnlyList<int[]> LinesOut() => [.. Inner(Curves), .. Inner(Crossings)];
+    /// <summary>The inner lines of both directions that are left out in turn, each with the values that stay. The outermost stay: without them a fit would have to extrapolate.</summary>
+    public IReadOnlyList<(int[] Line, FieldData Kept)> LinesOut => _linesOut ??= [.. Inner(Curves).Concat(Inner(Crossings)).Select(line => (line, Without(line)))];
 
-    /// <summary>The values without those of a line.</summary>
-    public FieldData Without(int[] line)
+    private (int[], FieldData)[]? _linesOut;
+
+    private FieldData Without(int[] line)
     {
         var gone = new HashSet<int>(line);
-        return Only([.. Enumerable.Range(0, Count).Where(k => !gone.Contains(k))]);
+        var kept = Only([.. Enumerable.Range(0, Count).Where(k => !gone.Contains(k))]);
+        _ = (kept.Grid, kept.Crossings);
+        return kept;
     }
 
     /// <summary>The rectangular grid of the values; null if they form none.</summary>

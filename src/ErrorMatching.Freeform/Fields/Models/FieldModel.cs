@@ -69,9 +69,9 @@ internal abstract class FieldModel(FieldData data)
         }
 
         var leftOut = new List<(int, double)>();
-        foreach (var line in data.LinesOut())
+        foreach (var (line, kept) in data.LinesOut)
         {
-            var model = Refit(data.Without(line));
+            var model = Refit(kept);
             foreach (var k in line)
             {
                 leftOut.Add((k, model is null ? double.PositiveInfinity : data.Z[k] - model.At(data.U[k], data.V[k])));

@@ -5,18 +5,22 @@ internal sealed class GridCovariance : Covariance
 {
     private readonly SampleGrid _grid;
     private readonly Kernel _kernel;
-    private readonly double[][] _vectorsU;
-    private readonly double[][] _vectorsV;
+    private readonly SymmetricEigen _u;
+    private readonly SymmetricEigen _v;
     private readonly double[] _values;
 
-    public GridCovariance(SampleGrid grid, Kernel kernel)
+    public GridCovariance(SampleGrid grid, Kernel kernel, GridCovariance? like)
     {
         (_grid, _kernel) = (grid, kernel);
-        var u = new SymmetricEigen(Matrix(grid.U, kernel.AlongU));
-        var v = new SymmetricEigen(Matrix(grid.V, kernel.AlongV));
-        (_vectorsU, _vectorsV) = (u.Vectors, v.Vectors);
-        // An eigenvalue below zero is rounding.
-        _values = [.. from a in u.Values from b in v.Values select (Math.Max(0, a) * Math.Max(0, b)) + Math.Max(kernel.Noise, Kernel.LeastNoise)];
+        _u = like is not null && like._grid.U.AsSpan().SequenceEqual(grid.U) ? like._u : new(Matrix(grid.U, kernel.AlongU));
+        _v = like is not null && like._grid.V.AsSpan().SequenceEqual(grid.V) ? like._v : new(Matrix(grid.V, kernel.AlongV));
+        var noise = Math.Max(kernel.Noise, Kernel.LeastNoise);
+        _values = new double[grid.U.Length * grid.V.Length];
+        for (var k = 0; k < _values.Length; k++)
+        {
+            // An eigenvalue below zero is rounding.
+            _values[k] = (Math.Max(0, _u.Values[k / grid.V.Length]) * Math.Max(0, _v.Values[k % grid.V.Length])) + noise;
+        }
     }
 
     public override double LogDeterminant => _values.Sum(Math.Log);
@@ -32,15 +36,15 @@ internal sealed class GridCovariance : Covariance
             x[k] = b[_grid.Index[k]];
         }
 
-        x = Apply(_vectorsU, x, m, transposed: false);
-        x = ApplyAcross(_vectorsV, x, n, transposed: false);
+        x = Apply(_u.Vectors, x, m, transposed: false);
+        x = ApplyAcross(_v.Vectors, x, n, transposed: false);
         for (var k = 0; k < x.Length; k++)
         {
             x[k] /= _values[k];
         }
 
-        x = ApplyAcross(_vectorsV, x, n, transposed: true);
-        x = Apply(_vectorsU, x, m, transposed: true);
+        x = ApplyAcross(_v.Vectors, x, n, transposed: true);
+        x = Apply(_u.Vectors, x, m, transposed: true);
         var result = new double[b.Length];
         for (var k = 0; k < x.Length; k++)
         {
@@ -96,11 +100,7 @@ internal sealed class GridCovariance : Covariance
         {
             for (var k = 0; k < vectors.Length; k++)
             {
-                var factor = transposed ? vectors[k][i] : vectors[i][k];
-                for (var j = 0; j < width; j++)
-                {
-                    result[(i * width) + j] += factor * x[(k * width) + j];
-                }
+                Vectors.Subtract(result.AsSpan(i * width, width), transposed ? -vectors[k][i] : -vectors[i][k], x.AsSpan(k * width, width));
             }
         }
 
@@ -114,15 +114,18 @@ internal sealed class GridCovariance : Covariance
         var result = new double[x.Length];
         for (var i = 0; i < height; i++)
         {
-            for (var j = 0; j < width; j++)
+            var from = x.AsSpan(i * width, width);
+            var to = result.AsSpan(i * width, width);
+            for (var k = 0; k < width; k++)
             {
-                var sum = 0.0;
-                for (var k = 0; k < width; k++)
+                if (transposed)
                 {
-                    sum += (transposed ? vectors[k][j] : vectors[j][k]) * x[(i * width) + k];
+                    Vectors.Subtract(to, -from[k], vectors[k]);
                 }
-
-                result[(i * width) + j] = sum;
+                else
+                {
+                    to[k] = Vectors.Dot(vectors[k], from);
+                }
             }
         }
 

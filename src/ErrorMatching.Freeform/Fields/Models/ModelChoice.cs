@@ -21,7 +21,7 @@ internal static class ModelChoice
     public static FieldModel Best(FieldData data)
     {
         // The models know nothing of each other: polynomials are sought and tried on one core, the others on a second. What both ask of the values is made before.
-        _ = (data.Grid, data.Crossings);
+        _ = (data.Grid, data.Crossings, data.LinesOut);
         var search = Task.Run(() => Polynomials(data));
         var process = Tried(ProcessSearch.Run(data, ProcessSearch.Trend(2)));
         var linear = data.Count > MostForBreaksInWaves ? null : Tried(ProcessSearch.Run(data, ProcessSearch.Trend(1)));
@@ -77,5 +77,14 @@ internal static class ModelChoice
 
     private static FieldModel? Least(IEnumerable<FieldModel?> models) => models.OfType<FieldModel>().MinBy(Error);
 
-    private static double Error(FieldModel model) => double.IsNaN(model.LineOut) ? double.MaxValue : model.LineOut;
+    /// <summary>The line-out error; that of a polynomial, whose terms are chosen anew without each line, is not less than what it leaves of the values it was fitted to: the choice from all of them may have been a poor one.</summary>
+    private static double Error(FieldModel model)
+    {
+        if (double.IsNaN(model.LineOut))
+        {
+            return double.MaxValue;
+        }
+
+        return model is PolynomialModel polynomial ? Math.Max(model.LineOut, polynomial.MeanResidual) : model.LineOut;
+    }
 }

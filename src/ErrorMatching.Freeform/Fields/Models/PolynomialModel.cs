@@ -5,11 +5,16 @@ internal sealed class PolynomialModel : FieldModel
 {
     private readonly Term[] _terms;
     private readonly LeastSquares _fit;
+    private readonly bool _isFree;
 
-    private PolynomialModel(FieldData data, Term[] terms, LeastSquares fit)
+    /// <param name="data">The values.</param>
+    /// <param name="terms">The terms.</param>
+    /// <param name="fit">Their fit.</param>
+    /// <param name="isFree">True if the terms were chosen among all without breaks, and are so again for other values.</param>
+    private PolynomialModel(FieldData data, Term[] terms, LeastSquares fit, bool isFree = false)
         : base(data)
     {
-        (_terms, _fit) = (terms, fit);
+        (_terms, _fit, _isFree) = (terms, fit, isFree);
         BreaksU = Breaks(terms.Select(t => t.U));
         BreaksV = Breaks(terms.Select(t => t.V));
         Criterion = TermSelection.CriterionOf(data, fit.SquareSum, terms.Length, BreaksU.Count + BreaksV.Count);
@@ -31,6 +36,9 @@ internal sealed class PolynomialModel : FieldModel
 
     public double SquareSum => _fit.SquareSum;
 
+    /// <summary>Mean absolute residual.</summary>
+    public double MeanResidual => _fit.Residuals.Average(Math.Abs);
+
     /// <summary>The corrected information criterion.</summary>
     public double Criterion { get; }
 
@@ -43,11 +51,14 @@ internal sealed class PolynomialModel : FieldModel
 
     /// <summary>The fit of given terms; null if the values do not determine them.</summary>
     public static PolynomialModel? Fit(FieldData data, Term[] terms) =>
-        LeastSquares.Solve([.. terms.Select(t => t.Over(data.U, data.V))], data.Z) is { } fit ? new(data, terms, fit) : null;
+        LeastSquares.Solve(Term.Over(terms, data.U, data.V), data.Z) is { } fit ? new(data, terms, fit) : null;
 
     /// <summary>The fit of the terms that <see cref="TermSelection"/> chooses.</summary>
-    public static PolynomialModel Choose(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV, int degree = TermSelection.HighestDegree) =>
-        Fit(data, TermSelection.Of(data, breaksU, breaksV, degree).Terms)!;
+    public static PolynomialModel Choose(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV, int degree = TermSelection.HighestDegree)
+    {
+        var model = Fit(data, TermSelection.Of(data, breaksU, breaksV, degree).Terms)!;
+        return breaksU.Count + breaksV.Count == 0 && degree == TermSelection.HighestDegree ? new(data, model._terms, model._fit, isFree: true) : model;
+    }
 
     public override double At(double u, double v)
     {
@@ -72,8 +83,21 @@ internal sealed class PolynomialModel : FieldModel
     }
 
     /// <inheritdoc/>
-    /// <remarks>The breaks move again: kept, they would tell of the values that are left out.</remarks>
-    public override FieldModel? Refit(FieldData other) => Fit(other, _terms) is { } model ? BreakRefinement.Run(model) : null;
+    /// <remarks>
+    /// Terms that were chosen among all without breaks are chosen anew: kept, they would tell of the values that are left out, and a polynomial would seem better than it is.
+    /// Breaks move for the same reason; some lines say where they lie, all of them the rest.
+    /// </remarks>
+    public override FieldModel? Refit(FieldData other)
+    {
+        if (_isFree)
+        {
+            return Choose(other, [], []);
+        }
+
+        var few = other.Thinned(FieldData.EnoughLines);
+        var moved = Fit(few, _terms) is { } start ? BreakRefinement.Run(start) : null;
+        return few == other || moved is null ? moved : Fit(other, moved._terms);
+    }
 
     private static double[] Breaks(IEnumerable<AxisFunction> functions) => [.. functions.Where(f => f.Break is not null).Select(f => f.Break!.Value).Distinct().Order()];
 }

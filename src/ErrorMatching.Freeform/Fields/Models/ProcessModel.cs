@@ -13,12 +13,11 @@ internal sealed class ProcessModel : FieldModel
     private readonly double[] _weights;
     private readonly double _variance;
 
-    private ProcessModel(FieldData data, Kernel kernel, Term[] trend, Covariance covariance, double[][] columns, double[][] solved, Cholesky factor)
+    private ProcessModel(FieldData data, Kernel kernel, Term[] trend, Covariance covariance, double[][] columns, LeastSquares ordinary, double[][] solved, Cholesky factor)
         : base(data)
     {
         (_kernel, _trend, _covariance, _columns, _solved, _factor) = (kernel, trend, covariance, columns, solved, factor);
         // The polynomial goes first by itself: the likelihood does not see it, and digits are kept where it is large.
-        var ordinary = LeastSquares.Solve(columns, data.Z)!;
         var rest = ordinary.Residuals;
         var correction = factor.Solve(Array.ConvertAll(solved, s => LeastSquares.Product(s, rest)));
         for (var k = 0; k < columns.Length; k++)
@@ -58,6 +57,8 @@ internal sealed class ProcessModel : FieldModel
 
     public Kernel Kernel => _kernel;
 
+    public Covariance Covariance => _covariance;
+
     public override double Noise => Math.Sqrt(_variance * _kernel.Noise);
 
     public override double Freedom
@@ -76,10 +77,14 @@ internal sealed class ProcessModel : FieldModel
     }
 
     /// <summary>The process with a given kernel; null if double precision does not carry it.</summary>
-    public static ProcessModel? Fit(FieldData data, Kernel kernel, Term[] trend)
+    public static ProcessModel? Fit(FieldData data, Kernel kernel, Term[] trend) =>
+        data.Count > trend.Length && Covariance.Of(data, kernel) is { } covariance ? Fit(data, kernel, trend, covariance) : null;
+
+    /// <summary>The same with the covariance of these values, which other trends share.</summary>
+    public static ProcessModel? Fit(FieldData data, Kernel kernel, Term[] trend, Covariance covariance)
     {
-        var columns = Array.ConvertAll(trend, t => t.Over(data.U, data.V));
-        if (data.Count <= trend.Length || Covariance.Of(data, kernel) is not { } covariance || LeastSquares.Solve(columns, data.Z) is null)
+        var columns = Term.Over(trend, data.U, data.V);
+        if (LeastSquares.Solve(columns, data.Z) is not { } ordinary)
         {
             return null;
         }
@@ -91,7 +96,7 @@ internal sealed class ProcessModel : FieldModel
             rows[i] = [.. Enumerable.Range(0, i + 1).Select(j => LeastSquares.Product(columns[i], solved[j]))];
         }
 
-        return Cholesky.Factor(rows, rows.Length) is { } factor ? new(data, kernel, trend, covariance, columns, solved, factor) : null;
+        return Cholesky.Factor(rows, rows.Length) is { } factor ? new(data, kernel, trend, covariance, columns, ordinary, solved, factor) : null;
     }
 
     public override double At(double u, double v)
@@ -136,5 +141,13 @@ internal sealed class ProcessModel : FieldModel
 
     /// <inheritdoc/>
     /// <remarks>A break moves again: kept, it would tell of the values that are left out.</remarks>
-    public override FieldModel? Refit(FieldData other) => BreaksU.Count + BreaksV.Count == 0 ? Fit(other, _kernel, _trend) : ProcessSearch.WithBreakMoved(this, other);
+    public override FieldModel? Refit(FieldData other)
+    {
+        if (other.Count <= _trend.Length || Covariance.Of(other, _kernel, _covariance) is not { } covariance)
+        {
+            return null;
+        }
+
+        return BreaksU.Count + BreaksV.Count == 0 ? Fit(other, _kernel, _trend, covariance) : ProcessSearch.WithBreakMoved(this, other, covariance);
+    }
 }

@@ -4,7 +4,11 @@ namespace ErrorMatching.Freeform;
 internal static class ProcessSearch
 {
     private const int MostEvaluations = 140;
-    private const int PlacesPerCell = 6;
+    private const int PlacesPerCell = 3;
+
+    // How near a break is brought to its place, on an axis of length 2: while the kernel still changes or a line is left out, and at last.
+    private const double Roughly = 1e-5;
+    private const double Closely = 1e-9;
 
     /// <summary>A break must lower the criterion by this much.</summary>
     private const double LeastGain = 10;
@@ -38,13 +42,13 @@ internal static class ProcessSearch
     {
         ProcessModel? best = null;
         var (linesU, linesV) = smooth.Data.LinePlaces();
-        foreach (var place in Scan(smooth, true, linesU).Concat(Scan(smooth, false, linesV)).OrderBy(p => p.Criterion).Take(2).ToArray())
+        foreach (var place in Places(smooth, linesU, linesV))
         {
-            var (model, lines) = (Moved(smooth.Data, smooth.Kernel, place.AlongU, place.At, place.Reach), place.AlongU ? linesU : linesV);
+            var (model, lines) = (Moved(smooth.Data, place.Kernel, Covariance.Of(smooth.Data, place.Kernel), place.AlongU, place.At, place.Reach, Roughly), place.AlongU ? linesU : linesV);
             for (var round = 0; round < 2 && model is not null; round++)
             {
                 var kernel = Improved(smooth.Data.Thinned(FieldData.EnoughLines), [Math.Log(model.Kernel.LengthU), Math.Log(model.Kernel.LengthV), Math.Log10(model.Kernel.Noise)], Broken(place.AlongU, At(model)));
-                model = Moved(smooth.Data, kernel, place.AlongU, At(model), place.Reach / 2);
+                model = Moved(smooth.Data, kernel, Covariance.Of(smooth.Data, kernel), place.AlongU, At(model), place.Reach / 2, round == 0 ? Roughly : Closely);
             }
 
             best = model is not null && At(model) > lines[1] && At(model) < lines[^2] && model.Criterion < (best?.Criterion ?? smooth.Criterion - LeastGain) ? model : best;
@@ -54,57 +58,65 @@ internal static class ProcessSearch
     }
 
     /// <summary>The same kernel over other values, the break moved within half a cell.</summary>
-    public static ProcessModel? WithBreakMoved(ProcessModel model, FieldData other)
+    public static ProcessModel? WithBreakMoved(ProcessModel model, FieldData other, Covariance covariance)
     {
         var alongU = model.BreaksU.Count > 0;
-        return Moved(other, model.Kernel, alongU, At(model), 1.0 / ((alongU ? model.Data.Crossings : model.Data.Curves).Length - 1), 1e-5);
+        return Moved(other, model.Kernel, covariance, alongU, At(model), 1.0 / ((alongU ? model.Data.Crossings : model.Data.Curves).Length - 1), Roughly);
     }
 
     private static double At(ProcessModel model) => model.BreaksU.Concat(model.BreaksV).Single();
 
-    /// <summary>Places in the cells along one direction at which a break is likelier than at their neighbors.</summary>
-    private static IEnumerable<(bool AlongU, double At, double Reach, double Criterion)> Scan(ProcessModel smooth, bool alongU, double[] lines)
+    /// <summary>The two likeliest places, each with the kernel that makes it so: that of the process without a break has to bend where the break is, so longer waves are tried as well.</summary>
+    private static (Kernel Kernel, bool AlongU, double At, double Reach)[] Places(ProcessModel smooth, double[] linesU, double[] linesV)
     {
-        var places = new List<(bool AlongU, double At, double Reach, double Criterion)>();
+        var kernels = new List<Kernel> { smooth.Kernel };
+        foreach (var length in (ReadOnlySpan<double>)[0.7, 1.5, 3])
+        {
+            kernels.AddRange([new(length, length, 1e-8), new(length, length, 1e-4)]);
+        }
+
+        var found = new List<(Kernel Kernel, bool AlongU, double At, double Reach, double Criterion)>();
+        foreach (var kernel in kernels)
+        {
+            if (Covariance.Of(smooth.Data, kernel) is { } covariance)
+            {
+                found.AddRange(Scan(smooth, kernel, covariance, true, linesU));
+                found.AddRange(Scan(smooth, kernel, covariance, false, linesV));
+            }
+        }
+
+        var likeliest = found.OrderBy(p => p.Criterion).ToArray();
+        return [.. likeliest.Where((p, k) => !likeliest.Take(k).Any(q => q.AlongU == p.AlongU && Math.Abs(q.At - p.At) < 2 * p.Reach)).Take(2).Select(p => (p.Kernel, p.AlongU, p.At, p.Reach))];
+    }
+
+    /// <summary>Places in the cells along one direction at which a break is likelier than at their neighbors.</summary>
+    private static IEnumerable<(Kernel Kernel, bool AlongU, double At, double Reach, double Criterion)> Scan(ProcessModel smooth, Kernel kernel, Covariance covariance, bool alongU, double[] lines)
+    {
+        var places = new List<(Kernel Kernel, bool AlongU, double At, double Reach, double Criterion)>();
         for (var cell = 1; cell + 2 < lines.Length; cell++)
         {
             for (var k = 0; k < PlacesPerCell; k++)
             {
                 var reach = (lines[cell + 1] - lines[cell]) / PlacesPerCell;
                 var at = lines[cell] + (reach * (k + 0.5));
-                places.Add((alongU, at, reach, ProcessModel.Fit(smooth.Data, smooth.Kernel, Broken(alongU, at))?.Criterion ?? double.PositiveInfinity));
+                places.Add((kernel, alongU, at, reach, ProcessModel.Fit(smooth.Data, kernel, Broken(alongU, at), covariance)?.Criterion ?? double.PositiveInfinity));
             }
         }
 
         return places.Where((p, k) => p.Criterion < smooth.Criterion - LeastGain && (k == 0 || p.Criterion <= places[k - 1].Criterion) && (k + 1 == places.Count || p.Criterion <= places[k + 1].Criterion));
     }
 
-    /// <summary>The process with its break moved by less than a reach, by golden sections.</summary>
-    private static ProcessModel? Moved(FieldData data, Kernel kernel, bool alongU, double at, double reach, double tolerance = 1e-9)
+    /// <summary>The process with its break moved by less than a reach to where the criterion is least.</summary>
+    private static ProcessModel? Moved(FieldData data, Kernel kernel, Covariance? covariance, bool alongU, double at, double reach, double tolerance)
     {
-        var share = (Math.Sqrt(5) - 1) / 2;
-        var (low, high) = (at - reach, at + reach);
-        var (left, right) = (high - (share * (high - low)), low + (share * (high - low)));
-        var (atLeft, atRight) = (Value(left), Value(right));
-        while (high - low > tolerance)
+        if (covariance is null)
         {
-            if (atLeft < atRight)
-            {
-                (high, right, atRight) = (right, left, atLeft);
-                left = high - (share * (high - low));
-                atLeft = Value(left);
-            }
-            else
-            {
-                (low, left, atLeft) = (left, right, atRight);
-                right = low + (share * (high - low));
-                atRight = Value(right);
-            }
+            return null;
         }
 
-        return ProcessModel.Fit(data, kernel, Broken(alongU, (low + high) / 2));
+        return Model(LineMinimum.Of(t => Model(t)?.Criterion ?? double.PositiveInfinity, at - reach, at + reach, tolerance));
 
-        double Value(double t) => ProcessModel.Fit(data, kernel, Broken(alongU, t))?.Criterion ?? double.PositiveInfinity;
+        ProcessModel? Model(double t) => ProcessModel.Fit(data, kernel, Broken(alongU, t), covariance);
     }
 
     /// <summary>A quadratic, and behind the break another one that meets it with its value and slope; how much it bends may change along the break.</summary>

@@ -14,15 +14,16 @@ internal sealed class SplineModel : FieldModel
     private readonly SplineAxis _u;
     private readonly SplineAxis _v;
     private readonly double _weight;
+    private readonly double[][] _bending;
     private readonly Cholesky _factor;
     private readonly double[] _poles;
     private double? _freedom;
     private double? _noise;
 
-    private SplineModel(FieldData data, SplineAxis u, SplineAxis v, double weight, Cholesky factor, double[] poles)
+    private SplineModel(FieldData data, SplineAxis u, SplineAxis v, double weight, double[][] bending, Cholesky factor, double[] poles)
         : base(data)
     {
-        (_u, _v, _weight, _factor, _poles) = (u, v, weight, factor, poles);
+        (_u, _v, _weight, _bending, _factor, _poles) = (u, v, weight, bending, factor, poles);
     }
 
     public override FieldModelKind Kind => FieldModelKind.CubicSpline;
@@ -50,8 +51,9 @@ internal sealed class SplineModel : FieldModel
 
         var (axisU, axisV) = (SplineAxis.Over(u, MostPieces), SplineAxis.Over(v, MostPieces));
         var few = data.Thinned(FieldData.EnoughLines);
-        var best = Weights.Select(weight => Fit(few, axisU, axisV, weight)).OfType<SplineModel>().MinBy(model => model.LineOut);
-        return best is null ? null : Fit(data, axisU, axisV, best._weight);
+        var bending = Bending(axisU, axisV);
+        var best = Weights.Select(weight => Fit(few, axisU, axisV, weight, bending)).OfType<SplineModel>().MinBy(model => model.LineOut);
+        return best is null || few == data ? best : Fit(data, axisU, axisV, best._weight, bending);
     }
 
     public override double At(double u, double v)
@@ -75,18 +77,12 @@ internal sealed class SplineModel : FieldModel
         return noise * noise * LeastSquares.Product(forward, forward);
     }
 
-    public override FieldModel? Refit(FieldData other) => Fit(other, _u, _v, _weight);
+    public override FieldModel? Refit(FieldData other) => Fit(other, _u, _v, _weight, _bending);
 
-    private static SplineModel? Fit(FieldData data, SplineAxis u, SplineAxis v, double weight)
+    private static SplineModel? Fit(FieldData data, SplineAxis u, SplineAxis v, double weight, double[][] bending)
     {
-        var width = (3 * v.Count) + 3;
-        var rows = new double[u.Count * v.Count][];
-        for (var i = 0; i < rows.Length; i++)
-        {
-            rows[i] = new double[Math.Min(i, width) + 1];
-        }
-
-        AddBending(rows, width, u, v, weight * data.Count);
+        var width = Width(v);
+        var rows = Array.ConvertAll(bending, row => Array.ConvertAll(row, x => weight * data.Count * x));
         var right = new double[rows.Length];
         for (var k = 0; k < data.Count; k++)
         {
@@ -96,24 +92,35 @@ internal sealed class SplineModel : FieldModel
                 var row = ((a.First + (i / 4)) * v.Count) + b.First + (i % 4);
                 var factor = a.Values[i / 4] * b.Values[i % 4];
                 right[row] += factor * data.Z[k];
-                for (var j = 0; j <= i; j++)
+                for (var p = 0; p <= i / 4; p++)
                 {
-                    var column = ((a.First + (j / 4)) * v.Count) + b.First + (j % 4);
-                    rows[row][column - Math.Max(0, row - width)] += factor * a.Values[j / 4] * b.Values[j % 4];
+                    var to = rows[row].AsSpan(((a.First + p) * v.Count) + b.First - Math.Max(0, row - width));
+                    var share = factor * a.Values[p];
+                    var last = p < i / 4 ? 3 : i % 4;
+                    for (var q = 0; q <= last; q++)
+                    {
+                        to[q] += share * b.Values[q];
+                    }
                 }
             }
         }
 
-        return Cholesky.Factor(rows, width) is { } cholesky ? new(data, u, v, weight, cholesky, cholesky.Solve(right)) : null;
+        return Cholesky.Factor(rows, width) is { } cholesky ? new(data, u, v, weight, bending, cholesky, cholesky.Solve(right)) : null;
     }
 
-    /// <summary>The integral of f_uu^2 + 2 f_uv^2 + f_vv^2 as a form of the poles.</summary>
-    private static void AddBending(double[][] rows, int width, SplineAxis u, SplineAxis v, double weight)
+    /// <summary>How far left of the diagonal the equations of the poles reach.</summary>
+    private static int Width(SplineAxis v) => (3 * v.Count) + 3;
+
+    /// <summary>The integral of f_uu^2 + 2 f_uv^2 + f_vv^2 as a form of the poles: row i holds columns from i less the width to i.</summary>
+    private static double[][] Bending(SplineAxis u, SplineAxis v)
     {
         var (u0, u1, u2) = (u.Products(0), u.Products(1), u.Products(2));
         var (v0, v1, v2) = (v.Products(0), v.Products(1), v.Products(2));
+        var width = Width(v);
+        var rows = new double[u.Count * v.Count][];
         for (var row = 0; row < rows.Length; row++)
         {
+            rows[row] = new double[Math.Min(row, width) + 1];
             var (i, j) = (row / v.Count, row % v.Count);
             for (var k = Math.Max(0, i - 3); k <= i; k++)
             {
@@ -123,12 +130,13 @@ internal sealed class SplineModel : FieldModel
                     if (column <= row)
                     {
                         // A trace of the values themselves keeps a plane determined where lines are missing.
-                        var energy = (u2[i][k] * v0[j][l]) + (2 * u1[i][k] * v1[j][l]) + (u0[i][k] * v2[j][l]) + (1e-9 * u0[i][k] * v0[j][l]);
-                        rows[row][column - Math.Max(0, row - width)] += weight * energy;
+                        rows[row][column - Math.Max(0, row - width)] = (u2[i][k] * v0[j][l]) + (2 * u1[i][k] * v1[j][l]) + (u0[i][k] * v2[j][l]) + (1e-9 * u0[i][k] * v0[j][l]);
                     }
                 }
             }
         }
+
+        return rows;
     }
 
     private double[] Row(double u, double v)

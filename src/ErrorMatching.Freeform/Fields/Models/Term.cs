@@ -5,6 +5,29 @@ internal sealed record Term(AxisFunction U, AxisFunction V)
 {
     public double At(double u, double v) => U.At(u) * V.At(v);
 
+    /// <summary>The values of several terms at places: each function of an axis is asked once.</summary>
+    public static double[][] Over(IReadOnlyList<Term> terms, double[] u, double[] v)
+    {
+        var (alongU, alongV) = (new Dictionary<AxisFunction, double[]>(), new Dictionary<AxisFunction, double[]>());
+        var result = new double[terms.Count][];
+        for (var k = 0; k < result.Length; k++)
+        {
+            result[k] = Vectors.Products(Values(alongU, terms[k].U, u), Values(alongV, terms[k].V, v));
+        }
+
+        return result;
+
+        static double[] Values(Dictionary<AxisFunction, double[]> known, AxisFunction function, double[] at)
+        {
+            if (!known.TryGetValue(function, out var values))
+            {
+                known[function] = values = Array.ConvertAll(at, function.At);
+            }
+
+            return values;
+        }
+    }
+
     public double[] Over(double[] u, double[] v)
     {
         var result = new double[u.Length];

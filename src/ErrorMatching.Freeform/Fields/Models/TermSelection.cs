@@ -33,14 +33,15 @@ internal sealed class TermSelection
         _rest = (double[])data.Z.Clone();
         var (betweenU, betweenV) = data.Between;
         _variance = new double[betweenU.Length];
-        _candidates =
+        Term[] terms =
         [
             .. from a in AxisFunction.Hierarchy(Math.Min(degree, data.Crossings.Length - 1), breaksU)
                from b in AxisFunction.Hierarchy(Math.Min(degree, data.Curves.Length - 1), breaksV)
                where a.Power <= degree && b.Power <= degree && a.Power + b.Power <= HighestDegree
-               let term = new Term(a, b)
-               select new Candidate(term, term.Over(data.U, data.V), term.Over(betweenU, betweenV)),
+               select new Term(a, b),
         ];
+        var (columns, between) = (Term.Over(terms, data.U, data.V), Term.Over(terms, betweenU, betweenV));
+        _candidates = [.. terms.Select((term, k) => new Candidate(term, columns[k], between[k]))];
     }
 
     public Term[] Terms { get; private set; } = [];

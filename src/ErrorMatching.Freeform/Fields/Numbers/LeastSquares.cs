@@ -1,12 +1,15 @@
 namespace ErrorMatching.Freeform;
 
 /// <summary>
-/// Linear least squares by orthogonalizing the columns twice (modified Gram-Schmidt with reorthogonalization; Bjorck, Numerical Methods for Least Squares Problems, section 2.4.5), never by the normal equations.
+/// Linear least squares by orthogonalizing the columns, twice where little is left (modified Gram-Schmidt with reorthogonalization; Bjorck, Numerical Methods for Least Squares Problems, section 2.4.5), never by the normal equations.
 /// </summary>
 internal sealed class LeastSquares
 {
     /// <summary>A column of which less than this share is left beside the others depends on them.</summary>
     public const double Dependent = 1e-11;
+
+    /// <summary>A column of which at least this share is left needs no second pass.</summary>
+    private const double Clear = 0.1;
 
     private readonly double[][] _r;
 
@@ -41,15 +44,16 @@ internal sealed class LeastSquares
             q[k] = (double[])columns[k].Clone();
             r[k] = new double[k + 1];
             var before = Math.Sqrt(Product(q[k], q[k]));
-            for (var pass = 0; pass < 2; pass++)
+            for (var pass = 0; pass < 2 && !(r[k][k] > Clear * before); pass++)
             {
                 for (var j = 0; j < k; j++)
                 {
                     r[k][j] += Remove(q[k], q[j]);
                 }
+
+                r[k][k] = Math.Sqrt(Product(q[k], q[k]));
             }
 
-            r[k][k] = Math.Sqrt(Product(q[k], q[k]));
             if (!(r[k][k] > Dependent * before))
             {
                 return null;

@@ -1,35 +1,23 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Eigenvalues and eigenvectors of a symmetric matrix by Jacobi's cyclic rotations (Golub and Van Loan, Matrix Computations, 4th edition, section 8.5): small eigenvalues to the rounding of the largest.</summary>
+/// <summary>
+/// Eigenvalues and eigenvectors of a symmetric matrix: Householder reflections make it tridiagonal, rotations with implicit shifts diagonal
+/// (Golub and Van Loan, Matrix Computations, 4th edition, sections 8.3.1 and 8.3.3). Small eigenvalues come out to the rounding of the largest.
+/// </summary>
 internal sealed class SymmetricEigen
 {
-    private const int MostSweeps = 40;
+    private const int MostSweeps = 60;
+
+    /// <summary>An element beside the diagonal counts as zero below this share of the largest element: far below the rounding of the reflections.</summary>
+    private const double Nothing = 1e-18;
 
     /// <summary>The decomposition of a symmetric matrix, which is used up.</summary>
     public SymmetricEigen(double[][] a)
     {
-        var n = a.Length;
-        Vectors = [.. Enumerable.Range(0, n).Select(i => Enumerable.Range(0, n).Select(j => i == j ? 1.0 : 0.0).ToArray())];
-        var scale = a.Sum(row => row.Sum(x => x * x));
-        for (var sweep = 0; sweep < MostSweeps; sweep++)
-        {
-            var off = 0.0;
-            for (var p = 0; p < n; p++)
-            {
-                for (var q = p + 1; q < n; q++)
-                {
-                    off += a[p][q] * a[p][q];
-                    Rotate(a, p, q);
-                }
-            }
-
-            if (off <= 1e-32 * scale)
-            {
-                break;
-            }
-        }
-
-        Values = [.. Enumerable.Range(0, n).Select(i => a[i][i])];
+        var beside = new double[a.Length];
+        Vectors = Tridiagonal(a, beside);
+        Values = [.. Enumerable.Range(0, a.Length).Select(i => a[i][i])];
+        Diagonalize(Values, beside, Vectors);
     }
 
     /// <summary>The eigenvalues, in no order.</summary>
@@ -38,31 +26,126 @@ internal sealed class SymmetricEigen
     /// <summary>Row k is the unit eigenvector of eigenvalue k.</summary>
     public double[][] Vectors { get; }
 
-    private void Rotate(double[][] a, int p, int q)
+    /// <summary>Leaves the tridiagonal matrix's diagonal in a and gives the columns, as rows, of the orthogonal matrix that took it there.</summary>
+    private static double[][] Tridiagonal(double[][] a, double[] beside)
     {
-        if (Math.Abs(a[p][q]) <= 1e-300)
+        var n = a.Length;
+        var mirrors = new double[n][];
+        for (var k = 0; k + 1 < n; k++)
         {
-            return;
+            var unit = a[k].AsSpan(k + 1).ToArray();
+            var length = Math.Sqrt(LeastSquares.Product(unit, unit));
+            beside[k] = -Math.CopySign(length, unit[0]);
+            unit[0] -= beside[k];
+            var left = Math.Sqrt(LeastSquares.Product(unit, unit));
+            if (!(left > 0))
+            {
+                beside[k] = 0;
+                mirrors[k] = [];
+                continue;
+            }
+
+            LeastSquares.Scale(unit, 1 / left);
+            mirrors[k] = unit;
+            Reflect(a, k + 1, unit);
         }
 
-        var half = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-        var tangent = Math.CopySign(1 / (Math.Abs(half) + Math.Sqrt((half * half) + 1)), half);
-        var cosine = 1 / Math.Sqrt((tangent * tangent) + 1);
-        var sine = tangent * cosine;
-        for (var k = 0; k < a.Length; k++)
+        var columns = new double[n][];
+        for (var i = 0; i < n; i++)
         {
-            (a[k][p], a[k][q]) = ((cosine * a[k][p]) - (sine * a[k][q]), (sine * a[k][p]) + (cosine * a[k][q]));
+            columns[i] = new double[n];
+            columns[i][i] = 1;
         }
 
-        Turn(a[p], a[q], cosine, sine);
-        Turn(Vectors[p], Vectors[q], cosine, sine);
+        for (var k = n - 2; k >= 0; k--)
+        {
+            for (var i = k + 1; i < n && mirrors[k].Length > 0; i++)
+            {
+                var row = columns[i].AsSpan(k + 1);
+                ErrorMatching.Freeform.Vectors.Subtract(row, 2 * ErrorMatching.Freeform.Vectors.Dot(mirrors[k], row), mirrors[k]);
+            }
+        }
+
+        return columns;
     }
 
-    private static void Turn(double[] p, double[] q, double cosine, double sine)
+    /// <summary>Reflects the lower right part of a symmetric matrix from both sides.</summary>
+    private static void Reflect(double[][] a, int first, double[] unit)
     {
-        for (var k = 0; k < p.Length; k++)
+        var count = unit.Length;
+        var image = new double[count];
+        for (var i = 0; i < count; i++)
         {
-            (p[k], q[k]) = ((cosine * p[k]) - (sine * q[k]), (sine * p[k]) + (cosine * q[k]));
+            image[i] = ErrorMatching.Freeform.Vectors.Dot(unit, a[first + i].AsSpan(first));
         }
+
+        ErrorMatching.Freeform.Vectors.Subtract(image, LeastSquares.Product(unit, image), unit);
+        for (var i = 0; i < count; i++)
+        {
+            var row = a[first + i].AsSpan(first);
+            ErrorMatching.Freeform.Vectors.Subtract(row, 2 * unit[i], image);
+            ErrorMatching.Freeform.Vectors.Subtract(row, 2 * image[i], unit);
+        }
+    }
+
+    private static void Diagonalize(double[] diagonal, double[] beside, double[][] columns)
+    {
+        var n = diagonal.Length;
+        var least = 0.0;
+        for (var i = 0; i < n; i++)
+        {
+            least = Math.Max(least, Nothing * (Math.Abs(diagonal[i]) + Math.Abs(beside[i])));
+        }
+
+        for (var from = 0; from < n; from++)
+        {
+            for (var sweep = 0; sweep < MostSweeps; sweep++)
+            {
+                var to = from;
+                while (to + 1 < n && Math.Abs(beside[to]) > Math.Max(least, 1e-16 * (Math.Abs(diagonal[to]) + Math.Abs(diagonal[to + 1]))))
+                {
+                    to++;
+                }
+
+                if (to == from)
+                {
+                    break;
+                }
+
+                Sweep(diagonal, beside, columns, from, to);
+            }
+        }
+    }
+
+    /// <summary>One step with the shift of Wilkinson, from the end of an unreduced block to its beginning.</summary>
+    private static void Sweep(double[] diagonal, double[] beside, double[][] columns, int from, int to)
+    {
+        var half = (diagonal[from + 1] - diagonal[from]) / (2 * beside[from]);
+        var bulge = diagonal[to] - diagonal[from] + (beside[from] / (half + Math.CopySign(Math.Sqrt((half * half) + 1), half)));
+        var (sine, cosine, shift) = (1.0, 1.0, 0.0);
+        for (var i = to - 1; i >= from; i--)
+        {
+            var (f, b) = (sine * beside[i], cosine * beside[i]);
+            var length = Math.Sqrt((f * f) + (bulge * bulge));
+            beside[i + 1] = length;
+            if (length == 0)
+            {
+                diagonal[i + 1] -= shift;
+                beside[to] = 0;
+                return;
+            }
+
+            (sine, cosine) = (f / length, bulge / length);
+            var rest = diagonal[i + 1] - shift;
+            var change = ((diagonal[i] - rest) * sine) + (2 * cosine * b);
+            shift = sine * change;
+            diagonal[i + 1] = rest + shift;
+            bulge = (cosine * change) - b;
+            ErrorMatching.Freeform.Vectors.Rotate(columns[i + 1], columns[i], cosine, sine);
+        }
+
+        diagonal[from] -= shift;
+        beside[from] = bulge;
+        beside[to] = 0;
     }
 }

@@ -29,6 +29,37 @@ internal static class Vectors
         return sum;
     }
 
+    /// <summary>The products of numbers of the same place.</summary>
+    public static double[] Products(ReadOnlySpan<double> a, ReadOnlySpan<double> b)
+    {
+        var result = new double[a.Length];
+        for (var k = 0; k < result.Length; k++)
+        {
+            result[k] = a[k] * b[k];
+        }
+
+        return result;
+    }
+
+    /// <summary>Turns two vectors in their plane: p becomes cosine p + sine q, q becomes cosine q - sine p.</summary>
+    public static void Rotate(Span<double> p, Span<double> q, double cosine, double sine)
+    {
+        ref var x = ref MemoryMarshal.GetReference(p);
+        ref var y = ref MemoryMarshal.GetReference(q[..p.Length]);
+        var k = 0;
+        for (; k + Width <= p.Length; k += Width)
+        {
+            var (a, b) = (Vector256.LoadUnsafe(ref x, (nuint)k), Vector256.LoadUnsafe(ref y, (nuint)k));
+            ((a * cosine) + (b * sine)).StoreUnsafe(ref x, (nuint)k);
+            ((b * cosine) - (a * sine)).StoreUnsafe(ref y, (nuint)k);
+        }
+
+        for (; k < p.Length; k++)
+        {
+            (p[k], q[k]) = ((cosine * p[k]) + (sine * q[k]), (cosine * q[k]) - (sine * p[k]));
+        }
+    }
+
     /// <summary>Takes a multiple of a vector from another.</summary>
     public static void Subtract(Span<double> from, double multiple, ReadOnlySpan<double> vector)
     {

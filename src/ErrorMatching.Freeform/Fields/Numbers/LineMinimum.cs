@@ -1,0 +1,69 @@
+namespace ErrorMatching.Freeform;
+
+/// <summary>The place of a local minimum of a function of one number: parabolas through three places, golden sections where they do not serve (Brent, Algorithms for Minimization without Derivatives, 1973, chapter 5).</summary>
+internal static class LineMinimum
+{
+    private const int MostEvaluations = 60;
+
+    /// <summary>A place between two others at which the function is least nearby.</summary>
+    /// <param name="function">What is minimized.</param>
+    /// <param name="low">Where the range begins.</param>
+    /// <param name="high">Where it ends.</param>
+    /// <param name="tolerance">How near the place is to be.</param>
+    public static double Of(Func<double, double> function, double low, double high, double tolerance)
+    {
+        var golden = (3 - Math.Sqrt(5)) / 2;
+        var best = low + (golden * (high - low));
+        var (second, third) = (best, best);
+        var least = function(best);
+        var (atSecond, atThird) = (least, least);
+        var (step, before) = (0.0, 0.0);
+        for (var used = 1; used < MostEvaluations && high - low > 2 * tolerance; used++)
+        {
+            var middle = (low + high) / 2;
+            var r = (best - second) * (least - atThird);
+            var q = (best - third) * (least - atSecond);
+            var p = ((best - third) * q) - ((best - second) * r);
+            q = 2 * (q - r);
+            (p, q) = q > 0 ? (-p, q) : (p, -q);
+            var isParabola = double.IsFinite(p) && Math.Abs(p) < Math.Abs(q * before / 2) && p > q * (low - best) && p < q * (high - best);
+            (before, step) = isParabola ? (step, p / q) : Golden();
+            if (isParabola && (best + step - low < tolerance || high - best - step < tolerance))
+            {
+                step = Math.CopySign(tolerance, middle - best);
+            }
+
+            if (Math.Abs(best - middle) <= (2 * tolerance) - ((high - low) / 2))
+            {
+                break;
+            }
+
+            var next = best + (Math.Abs(step) >= tolerance ? step : Math.CopySign(tolerance, step));
+            var value = function(next);
+            if (value <= least)
+            {
+                (low, high) = next >= best ? (best, high) : (low, best);
+                (third, atThird, second, atSecond, best, least) = (second, atSecond, best, least, next, value);
+                continue;
+            }
+
+            (low, high) = next < best ? (next, high) : (low, next);
+            if (value <= atSecond || second == best)
+            {
+                (third, atThird, second, atSecond) = (second, atSecond, next, value);
+            }
+            else if (value <= atThird || third == best || third == second)
+            {
+                (third, atThird) = (next, value);
+            }
+
+            (double, double) Golden()
+            {
+                var whole = best >= middle ? low - best : high - best;
+                return (whole, golden * whole);
+            }
+        }
+
+        return best;
+    }
+}
