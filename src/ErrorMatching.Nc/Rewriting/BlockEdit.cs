@@ -53,7 +53,7 @@ internal sealed class BlockEdit
         _patches.Clear();
         Array.Clear(_placeOf);
         (_wordCount, _isSorted, _spaced, _lowerCase) = (0, true, false, false);
-        foreach (var token in _program.Tokens(block))
+        foreach (ref readonly var token in _program.Tokens(block))
         {
             if (token.Kind is NcTokenKind.Word or NcTokenKind.ExpressionWord)
             {

@@ -98,7 +98,7 @@ internal sealed partial class WordEditor
         var isFixed = false;
         foreach (var motion in affected)
         {
-            foreach (var token in _path.Program.Tokens(_path.Program[_path.Motions.BlockOf(motion)]))
+            foreach (ref readonly var token in _path.Program.Tokens(_path.Program[_path.Motions.BlockOf(motion)]))
             {
                 if (token is { Kind: NcTokenKind.Word, Letter: >= (byte)'X' and <= (byte)'Z' or >= (byte)'I' and <= (byte)'K' })
                 {
