@@ -32,6 +32,25 @@ public sealed class LongProgramTests
             return same;
         }));
 
+    [Theory]
+    [InlineData("X5. Y0.50")]
+    [InlineData("X5. Y0.12345")]
+    [InlineData("X5. Y0.5 Z1.00")]
+    public void A_block_that_is_spelled_otherwise_far_behind_counts_for_all(string odd)
+    {
+        // As many blocks as are read before they are edited, and so many that the first stand for all.
+        string Displaced(int blocks)
+        {
+            var lines = Enumerable.Range(0, blocks).Select(i => i == 5000 ? "G1 " + odd : string.Create(CultureInfo.InvariantCulture, $"G1 X{i % 7}. Y0.{1 + (i % 2)}"));
+            var path = Bench.Read("G90 G17 G21 G54\nG0 X0 Y0 Z0\n" + string.Join('\n', lines) + "\n");
+            var wish = DisplacementWish.EndsBy(path, [.. Enumerable.Range(2, blocks)], new(0.1, 0.00012, 0));
+            return Encoding.UTF8.GetString(Rewriter.Apply(path, wish.Value!).Value!.Program.Bytes.Span);
+        }
+
+        var (few, many) = (Displaced(9_000), Displaced(12_000));
+        Assert.Equal(few.Split('\n')[..8_000], many.Split('\n')[..8_000]);
+    }
+
     [Fact]
     public void Places_beyond_any_machine_are_searched_as_well()
     {

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace ErrorMatching.Nc;
 
 /// <content>
@@ -22,7 +20,6 @@ internal sealed partial class BlockWords
     }
 
     /// <summary>Reads letters with numbers, and spaces between them. False at anything else.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private bool ReadPlain(ReadOnlySpan<byte> text, bool spacesInNumbers)
     {
         var at = 0;

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>A long list in pieces of one size: it grows without copying, and equal pieces can be shared with another list.</summary>
@@ -35,6 +37,7 @@ internal sealed class Chunks<T>
 
     public ref T this[int index]
     {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get
         {
             var place = PlaceOf(index);
@@ -42,6 +45,7 @@ internal sealed class Chunks<T>
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(in T item)
     {
         if (_used == _end)
@@ -99,6 +103,7 @@ internal sealed class Chunks<T>
 
     private int EndBehind(int index) => index < _seam ? Math.Min(_seam, Count) : Count;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private int PlaceOf(int index) => index < _seam ? index : index + _gap;
 
     private static int PiecesOf(int items) => (items + Size - 1) >> Shift;

@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>What a control remembers from block to block.</summary>
-internal record struct ModalState
+internal struct ModalState
 {
     public MotionKind Mode;
 
@@ -32,8 +32,11 @@ internal record struct ModalState
     public Unsure Unsure;
 
     /// <summary>True if everything is the same, to the last bit of where the tool is.</summary>
-    public readonly bool SameAs(in ModalState other) => this == other
-        && Bits(Position.X) == Bits(other.Position.X) && Bits(Position.Y) == Bits(other.Position.Y) && Bits(Position.Z) == Bits(other.Position.Z) && Bits(Feed) == Bits(other.Feed);
+    public readonly bool SameAs(in ModalState other) => Mode == other.Mode && Form == other.Form && Plane == other.Plane && Inch == other.Inch && InchFeed == other.InchFeed
+        && Incremental == other.Incremental && AbsoluteCenters == other.AbsoluteCenters && Compensation == other.Compensation && CompensationSwitched == other.CompensationSwitched
+        && Cycle == other.Cycle && RetractsToR == other.RetractsToR && InverseTime == other.InverseTime && LengthOffset == other.LengthOffset && Frame == other.Frame
+        && Unknown == other.Unknown && Unsure == other.Unsure && Bits(Feed) == Bits(other.Feed) && Bits(ModalRounding) == Bits(other.ModalRounding)
+        && Bits(Position.X) == Bits(other.Position.X) && Bits(Position.Y) == Bits(other.Position.Y) && Bits(Position.Z) == Bits(other.Position.Z);
 
     private static long Bits(double value) => BitConverter.DoubleToInt64Bits(value);
 

@@ -101,8 +101,9 @@ public sealed partial class NcInterpreter
             return;
         }
 
-        foreach (var border in ahead._borders.Skip(1))
+        for (var i = 1; i < ahead._borders.Count; i++)
         {
+            var border = ahead._borders[i];
             _borders.Add(border with { Motions = border.Motions - 1 + motions, Integers = border.Integers + _integers });
         }
 

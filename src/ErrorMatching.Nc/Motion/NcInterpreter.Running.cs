@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using System.Text;
 
 namespace ErrorMatching.Nc;
@@ -60,7 +59,6 @@ public sealed partial class NcInterpreter
         return new(_program, _dialect, _motions, _problems, _placeDependents, _frames, Notes(), _flow?.Refusal, _library) { Borders = _borders };
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void RunBlock(NcBlock block)
     {
         var bytes = _text.Bytes.Span;

@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
@@ -11,7 +10,6 @@ public sealed partial class NcInterpreter
     private const uint StraightLetters = LinearAxes | (1u << ('N' - 'A')) | (1u << ('F' - 'A'));
 
     // Runs the block whose plain words were just read; false where more than a straight move may be in it, and nothing has been done then.
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private bool TryRunStraight()
     {
         if ((_words.Present & ~_straightLetters) != 0 || _words.Repeated != 0 || _words.Functions.Length != 0 || !IsStraight())

@@ -191,6 +191,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         return from;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool PassesBy(int index, in StoredMotion model)
     {
         ref readonly var m = ref _motions[index];
@@ -259,7 +260,6 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     }
 
     /// <summary>Appends a straight move from where the tool is.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     internal void AddStraight(int block, in ModalState state, MotionFlags flags, in Point3 end, AxisSet unknownEnd)
     {
         if (Length == 0 || (state.Unknown | unknownEnd) != AxisSet.None || !StartsAtLast(state.Position))
@@ -275,6 +275,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         _motions.Add(new(block, state.Mode, state.Plane, flags, end, AxisSet.None));
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool StartsAtLast(in Point3 place)
     {
         ref readonly var last = ref _motions[Length - 1];
@@ -289,6 +290,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     }
 
     // What the next motion shares with others.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Share(double feed, int frame, bool isArc)
     {
         var isNew = _settingCount == 0 || _lastFeed != feed || _lastFrame != frame;

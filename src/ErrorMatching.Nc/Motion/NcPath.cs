@@ -123,6 +123,11 @@ public sealed class NcPath
     {
         var (low, high) = (0, Motions.Length);
         var hint = recent;
+        if (hint < high && BlockAt(order, hint) >= block && (hint == 0 || BlockAt(order, hint - 1) < block))
+        {
+            return hint;
+        }
+
         for (var reach = 1; hint < high && reach <= Far; reach *= 2)
         {
             if (BlockAt(order, hint) < block)

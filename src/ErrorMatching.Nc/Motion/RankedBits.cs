@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace ErrorMatching.Nc;
 
@@ -10,6 +11,7 @@ internal sealed class RankedBits
     private int _count;
 
     /// <summary>Appends a bit.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(bool bit)
     {
         var word = _count >> 6;
@@ -71,5 +73,6 @@ internal sealed class RankedBits
     private ReadOnlySpan<ulong> Words => _bits.AsSpan(0, (_count + 63) >> 6);
 
     /// <summary>How many bits are set up to a position, its own included.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int CountTo(int position) => _before[position >> 6] + BitOperations.PopCount(_bits[position >> 6] & (ulong.MaxValue >> (63 - (position & 63))));
 }

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
@@ -49,6 +50,7 @@ internal struct StoredMotion
     /// <summary>True if both end at the same place, to the last bit, and know as much of it.</summary>
     public readonly bool SameEnd(in StoredMotion other) => UnknownEnd == other.UnknownEnd && SamePlace(other);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private readonly bool SamePlace(in StoredMotion other) => Bits(X) == Bits(other.X) && Bits(Y) == Bits(other.Y) && Bits(Z) == Bits(other.Z);
 
     private static long Bits(double value) => BitConverter.DoubleToInt64Bits(value);

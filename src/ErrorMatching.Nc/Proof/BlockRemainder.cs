@@ -23,7 +23,7 @@ internal sealed class BlockRemainder(NcProgram program)
     {
         _block = program[block];
         (_count, Letters) = (0, 0);
-        foreach (var token in program.Tokens(_block))
+        foreach (ref readonly var token in program.Tokens(_block))
         {
             if (_count == _tokens.Length)
             {

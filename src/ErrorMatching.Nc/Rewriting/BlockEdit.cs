@@ -32,6 +32,9 @@ internal sealed class BlockEdit
     {
     }
 
+    /// <summary>Most decimals, up to six, of the coordinates and centers of all blocks that were opened, and whether any of them was padded with zeros.</summary>
+    public (int Decimals, bool IsFixed) Spelling { get; private set; }
+
     /// <summary>Patches of the block, in ascending order.</summary>
     public List<NcPatch> Patches
     {
@@ -53,11 +56,12 @@ internal sealed class BlockEdit
         _patches.Clear();
         Array.Clear(_placeOf);
         (_wordCount, _isSorted, _spaced, _lowerCase) = (0, true, false, false);
-        foreach (var token in _program.Tokens(block))
+        foreach (ref readonly var token in _program.Tokens(block))
         {
             if (token.Kind is NcTokenKind.Word or NcTokenKind.ExpressionWord)
             {
                 _lowerCase |= _wordCount == 0 && _program.Bytes.Span[token.Start] >= 'a';
+                Spelling = SpellingWith(Spelling, token);
                 Add(token);
             }
             else
@@ -69,6 +73,15 @@ internal sealed class BlockEdit
         // A block of a single word does not show how it separates words; a space is always read.
         _spaced |= _wordCount < 2;
     }
+
+    /// <summary>Counts the blocks that another edit opened as well.</summary>
+    public void Join(BlockEdit other) => Spelling = (Math.Max(Spelling.Decimals, other.Spelling.Decimals), Spelling.IsFixed | other.Spelling.IsFixed);
+
+    /// <summary>How coordinates and centers are spelled when a token is one more of them.</summary>
+    public static (int Decimals, bool IsFixed) SpellingWith((int Decimals, bool IsFixed) others, in NcToken token) =>
+        token is { Kind: NcTokenKind.Word, Letter: >= (byte)'X' and <= (byte)'Z' or >= (byte)'I' and <= (byte)'K' }
+            ? (Math.Max(others.Decimals, Math.Min(6, token.Number.Decimals)), others.IsFixed | (token.Number.Decimals > 1 && token.Number.Digits % 10 == 0))
+            : others;
 
     // The first word of a letter is found by its place, from 1.
     private void Add(in NcToken token)

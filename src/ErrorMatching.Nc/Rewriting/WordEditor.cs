@@ -11,6 +11,9 @@ internal sealed partial class WordEditor
     /// <summary>From so many blocks on, a second core is worth its start.</summary>
     private const int Many = 10_000;
 
+    /// <summary>So many blocks are taken to show how all are spelled.</summary>
+    private const int First = 100;
+
     private readonly PathChange _change;
     private readonly NcPath _path;
     private readonly bool _keepRadii;
@@ -19,9 +22,10 @@ internal sealed partial class WordEditor
     private readonly BlockEdit _edit;
     private readonly bool _inch;
     private readonly int _decimals;
+    private readonly bool _programIsFixed;
     private readonly double _increment;
 
-    private WordEditor(PathChange change, bool keepRadii, List<int> affected)
+    private WordEditor(PathChange change, bool keepRadii, List<int> affected, int spelledLike)
     {
         _change = change;
         _keepRadii = keepRadii;
@@ -34,15 +38,15 @@ internal sealed partial class WordEditor
         var dialect = _path.Dialect;
         _inch = _path.Motions[affected.Find(i => change.IsSet(i + 1))].Has(MotionFlags.Inch);
         var least = _inch ? dialect.InchDecimals : dialect.MetricDecimals;
-        (_decimals, var programIsFixed) = affected.Count < Many ? Spelling(affected, least) : SpellingOfMany(affected, least);
+        (_decimals, _programIsFixed) = Spelling(affected, spelledLike, least);
         _increment = Math.Pow(10, -_decimals) * Unit;
-        _edit = new(_path.Program, programIsFixed, dialect.IntegersAreIncrements ? least : -1);
+        _edit = new(_path.Program, _programIsFixed, dialect.IntegersAreIncrements ? least : -1);
     }
 
     // One that edits other blocks of the same change.
     private WordEditor(WordEditor other)
     {
-        (_change, _keepRadii, _path, _inch, _decimals, _increment) = (other._change, other._keepRadii, other._path, other._inch, other._decimals, other._increment);
+        (_change, _keepRadii, _path, _inch, _decimals, _programIsFixed, _increment) = (other._change, other._keepRadii, other._path, other._inch, other._decimals, other._programIsFixed, other._increment);
         (_patches, _changedBlocks, _edit) = (new(other._patches.Capacity / 2), new(other._changedBlocks.Capacity / 2), new(other._edit));
     }
 
@@ -54,7 +58,27 @@ internal sealed partial class WordEditor
     public static NcOutcome<Rewrite> Run(PathChange change, bool keepRadii)
     {
         var affected = change.Affected();
-        return affected.Count == 0 ? Rewrite.None(change.Path) : new WordEditor(change, keepRadii, affected).Run(affected);
+        if (affected.Count == 0)
+        {
+            return Rewrite.None(change.Path);
+        }
+
+        // Many blocks are mostly spelled like the first of them: then they need not be read once before to know that.
+        return affected.Count >= Many && new WordEditor(change, keepRadii, affected, spelledLike: First).RunIfSpelledAlike(affected) is { } rewrite
+            ? rewrite
+            : new WordEditor(change, keepRadii, affected, affected.Count).Run(affected);
+    }
+
+    // Null where a block is spelled otherwise than was taken for granted, or cannot be edited.
+    private Rewrite? RunIfSpelledAlike(List<int> affected)
+    {
+        if (!_path.Motions.FollowBlocks || RunAgain(affected) || EditMany(affected) is not null)
+        {
+            return null;
+        }
+
+        var (decimals, isFixed) = _edit.Spelling;
+        return decimals <= _decimals && isFixed == _programIsFixed ? Result() : null;
     }
 
     private NcOutcome<Rewrite> Run(List<int> affected)
@@ -64,6 +88,11 @@ internal sealed partial class WordEditor
             return refusal;
         }
 
+        return Result();
+    }
+
+    private Rewrite Result()
+    {
         var program = _patches.Count == 0 ? _path.Program : NcProgram.Read(NcPatch.ApplyInHalves(_path.Program.Bytes, _patches), _path.Program.Syntax);
         return new Rewrite(program, _patches, _changedBlocks, _patches.Count, _increment);
     }
@@ -83,32 +112,18 @@ internal sealed partial class WordEditor
         return false;
     }
 
-    // The same as for one half after the other.
-    private (int Decimals, bool IsFixed) SpellingOfMany(List<int> affected, int decimals)
+    private (int Decimals, bool IsFixed) Spelling(List<int> affected, int count, int leastDecimals)
     {
-        var half = affected.Count / 2;
-        var behind = Task.Run(() => Spelling(affected[half..], decimals));
-        var before = Spelling(affected[..half], decimals);
-        var (more, isFixed) = behind.GetAwaiter().GetResult();
-        return (Math.Max(before.Decimals, more), before.IsFixed || isFixed);
-    }
-
-    private (int Decimals, bool IsFixed) Spelling(List<int> affected, int decimals)
-    {
-        var isFixed = false;
-        foreach (var motion in affected)
+        var spelling = (leastDecimals, false);
+        for (var i = 0; i < count; i++)
         {
-            foreach (var token in _path.Program.Tokens(_path.Program[_path.Motions.BlockOf(motion)]))
+            foreach (ref readonly var token in _path.Program.Tokens(_path.Program[_path.Motions.BlockOf(affected[i])]))
             {
-                if (token is { Kind: NcTokenKind.Word, Letter: >= (byte)'X' and <= (byte)'Z' or >= (byte)'I' and <= (byte)'K' })
-                {
-                    decimals = Math.Max(decimals, Math.Min(6, token.Number.Decimals));
-                    isFixed |= token.Number.Decimals > 1 && token.Number.Digits % 10 == 0;
-                }
+                spelling = BlockEdit.SpellingWith(spelling, token);
             }
         }
 
-        return (decimals, isFixed);
+        return spelling;
     }
 
     // Blocks are edited each for itself, so that two halves beside each other give what one after the other would.
@@ -126,6 +141,7 @@ internal sealed partial class WordEditor
         refusal ??= behind.GetAwaiter().GetResult();
         _patches.AddRange(other._patches);
         _changedBlocks.AddRange(other._changedBlocks);
+        _edit.Join(other._edit);
         return refusal;
     }
 

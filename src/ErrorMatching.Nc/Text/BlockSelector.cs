@@ -53,9 +53,17 @@ public sealed class BlockSelector
     public static NcOutcome<int[]> Select(NcProgram program, IReadOnlyList<BlockSelector> selectors)
     {
         var wanted = new Dictionary<NcNumber, List<int>>();
-        foreach (var number in selectors.SelectMany(s => new[] { s._first, s._last }).OfType<NcNumber>())
+        foreach (var selector in selectors)
         {
-            wanted.TryAdd(number, []);
+            if (selector._first is { } first)
+            {
+                wanted.TryAdd(first, []);
+            }
+
+            if (selector._last is { } last)
+            {
+                wanted.TryAdd(last, []);
+            }
         }
 
         if (wanted.Count > 0)
@@ -94,22 +102,35 @@ public sealed class BlockSelector
         }
 
         // A long program is searched in two halves beside each other.
-        var half = program.BlockCount < Many ? program.BlockCount : program.BlockCount / 2;
-        var behind = half < program.BlockCount ? Task.Run(() => Find(program, half, program.BlockCount, wanted, bits)) : null;
-        foreach (var (number, block) in Find(program, 0, half, wanted, bits).Concat(behind?.GetAwaiter().GetResult() ?? []))
+        var (before, behind) = program.BlockCount < Many
+            ? (Find(program, 0, program.BlockCount, wanted, bits), [])
+            : Halves.Of(0, program.BlockCount, (from, end) => Find(program, from, end, wanted, bits));
+        foreach (var block in before)
         {
-            wanted[number].Add(block);
+            Note(block);
+        }
+
+        foreach (var block in behind)
+        {
+            Note(block);
+        }
+
+        void Note(int block)
+        {
+            program.TryNumberValue(block, out var number);
+            wanted[number.Trim()].Add(block);
         }
     }
 
-    private static List<(NcNumber Number, int Block)> Find(NcProgram program, int first, int behind, Dictionary<NcNumber, List<int>> wanted, ulong bits)
+    // The blocks between two places that have one of the wanted numbers.
+    private static List<int> Find(NcProgram program, int first, int behind, Dictionary<NcNumber, List<int>> wanted, ulong bits)
     {
-        var found = new List<(NcNumber Number, int Block)>();
+        var found = new List<int>();
         for (var i = first; i < behind; i++)
         {
             if (program.TryNumberValue(i, out var number) && number.Trim() is var trimmed && (bits >> (int)(trimmed.Digits & 63) & 1) != 0 && wanted.ContainsKey(trimmed))
             {
-                found.Add((trimmed, i));
+                found.Add(i);
             }
         }
 

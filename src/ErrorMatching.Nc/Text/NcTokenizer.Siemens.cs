@@ -104,19 +104,19 @@ public ref partial struct NcTokenizer
         }
         else if (ReadNumber(value, out var next, out var number) && next == end)
         {
-            Current = new(corner == 0 ? NcTokenKind.Word : NcTokenKind.CommaWord, corner == 0 ? letter : corner, _position, end - _position, value, end - value, number, WordDistance.Modal);
+            _current = new(corner == 0 ? NcTokenKind.Word : NcTokenKind.CommaWord, corner == 0 ? letter : corner, _position, end - _position, value, end - value, number, WordDistance.Modal);
             _position = end;
         }
         else if (corner == 0 && Distance(value, end, out var inside) is not WordDistance.Modal and var distance)
         {
             if (ReadNumber(inside, out next, out number) && SkipSpaces(next) == end - 1)
             {
-                Current = new(NcTokenKind.Word, letter, _position, end - _position, inside, next - inside, number, distance);
+                _current = new(NcTokenKind.Word, letter, _position, end - _position, inside, next - inside, number, distance);
                 _position = end;
             }
             else
             {
-                Current = new(NcTokenKind.ExpressionWord, letter, _position, end - _position, inside, end - 1 - inside, default, distance);
+                _current = new(NcTokenKind.ExpressionWord, letter, _position, end - _position, inside, end - 1 - inside, default, distance);
                 _position = end;
             }
         }
@@ -128,7 +128,7 @@ public ref partial struct NcTokenizer
 
     private void Computed(byte letter, int value, int end, WordDistance distance, NcTokenKind kind = NcTokenKind.ExpressionWord)
     {
-        Current = new(kind, letter, _position, end - _position, value, end - value, default, distance);
+        _current = new(kind, letter, _position, end - _position, value, end - value, default, distance);
         _position = end;
     }
 

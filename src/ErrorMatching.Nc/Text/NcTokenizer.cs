@@ -1,3 +1,5 @@
+using System.Diagnostics.CodeAnalysis;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>
@@ -12,6 +14,7 @@ public ref partial struct NcTokenizer
     private int _position;
     private bool _atStart;
     private bool _hasUnpaired;
+    private NcToken _current;
 
     internal NcTokenizer(ReadOnlySpan<byte> bytes, int start, int end, NcSyntax syntax)
     {
@@ -21,11 +24,12 @@ public ref partial struct NcTokenizer
         _position = start;
         _atStart = true;
         _hasUnpaired = false;
-        Current = default;
+        _current = default;
     }
 
-    /// <summary>The token last read.</summary>
-    public NcToken Current { get; private set; }
+    /// <summary>The token last read; another one as soon as the next is read.</summary>
+    [UnscopedRef]
+    public readonly ref readonly NcToken Current => ref _current;
 
     /// <summary>The tokenizer itself, so that <c>foreach</c> works.</summary>
     public readonly NcTokenizer GetEnumerator() => this;
@@ -120,13 +124,13 @@ public ref partial struct NcTokenizer
 
     private void Plain(NcTokenKind kind, int next, byte letter = 0)
     {
-        Current = new(kind, letter, _position, next - _position, _position, next - _position, default, WordDistance.Modal);
+        _current = new(kind, letter, _position, next - _position, _position, next - _position, default, WordDistance.Modal);
         _position = next;
     }
 
     private void Word(byte letter, int valueAt, int next, NcNumber number)
     {
-        Current = new(NcTokenKind.Word, letter, _position, next - _position, valueAt, next - valueAt, number, WordDistance.Modal);
+        _current = new(NcTokenKind.Word, letter, _position, next - _position, valueAt, next - valueAt, number, WordDistance.Modal);
         _position = next;
     }
 
@@ -168,14 +172,14 @@ public ref partial struct NcTokenizer
             var valueAt = SkipSpaces(letterAt + 1);
             if (ReadNumber(valueAt, out var next, out var number))
             {
-                Current = new(NcTokenKind.CommaWord, (byte)(_bytes[letterAt] & ~0x20), _position, next - _position, valueAt, next - valueAt, number, WordDistance.Modal);
+                _current = new(NcTokenKind.CommaWord, (byte)(_bytes[letterAt] & ~0x20), _position, next - _position, valueAt, next - valueAt, number, WordDistance.Modal);
                 _position = next;
                 return;
             }
 
             if (valueAt < _end && ComputedEnd(valueAt) is > 0 and var behind)
             {
-                Current = new(NcTokenKind.CommaWord, (byte)(_bytes[letterAt] & ~0x20), _position, behind - _position, valueAt, behind - valueAt, default, WordDistance.Modal);
+                _current = new(NcTokenKind.CommaWord, (byte)(_bytes[letterAt] & ~0x20), _position, behind - _position, valueAt, behind - valueAt, default, WordDistance.Modal);
                 _position = behind;
                 return;
             }
@@ -198,7 +202,7 @@ public ref partial struct NcTokenizer
             return;
         }
 
-        Current = new(NcTokenKind.PolarWord, sign, _position, behind - _position, valueAt, behind - valueAt, number, WordDistance.Modal);
+        _current = new(NcTokenKind.PolarWord, sign, _position, behind - _position, valueAt, behind - valueAt, number, WordDistance.Modal);
         _position = behind;
     }
 
@@ -215,7 +219,7 @@ public ref partial struct NcTokenizer
         }
         else if (valueAt < _end && ComputedEnd(valueAt) is > 0 and var behind)
         {
-            Current = new(NcTokenKind.ExpressionWord, letter, _position, behind - _position, valueAt, behind - valueAt, default, WordDistance.Modal);
+            _current = new(NcTokenKind.ExpressionWord, letter, _position, behind - _position, valueAt, behind - valueAt, default, WordDistance.Modal);
             _position = behind;
         }
         else if (_position + 1 < _end && SyntaxBytes.IsLetter(_bytes[_position + 1]))

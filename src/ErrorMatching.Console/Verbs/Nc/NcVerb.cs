@@ -33,8 +33,10 @@ internal abstract class NcVerb : Verb
     /// <exception cref="OperationCanceledException">Ctrl+C was pressed.</exception>
     public static NcPath Interpret(string file, string dialect, CancellationToken cancellation)
     {
+        // The dialect is read beside the program; if neither can be used, the dialect is what is said to be wrong.
+        var reading = Task.Run(() => NcProgram.Read(InputFile.Program(file)), CancellationToken.None);
         var known = InputFile.Dialect(dialect);
-        return NcInterpreter.Run(NcProgram.Read(InputFile.Program(file)), known, new ProgramFolder(file).Find, cancellation);
+        return NcInterpreter.Run(reading.GetAwaiter().GetResult(), known, new ProgramFolder(file).Find, cancellation);
     }
 
     /// <inheritdoc/>
