@@ -1,3 +1,4 @@
+using System.Data;
 using Dapper;
 using Npgsql;
 
@@ -62,6 +63,23 @@ internal sealed class PostgresLock : ISlotLock
     /// <inheritdoc/>
     public void Dispose()
     {
-        lock (_connection) _connection.Dispose();
+        lock (_connection)
+        {
+            if (_connection.State == ConnectionState.Open) GiveBack();
+            _connection.Dispose();
+        }
+    }
+
+    // The server does not say when it has seen the end of a connection: whoever asks next may be told that the lock is still taken.
+    private void GiveBack()
+    {
+        try
+        {
+            _connection.Execute("SELECT pg_advisory_unlock(hashtextextended(@Name, 0))", new { Name = _name }, commandTimeout: 5);
+        }
+        catch (NpgsqlException)
+        {
+            // It ends with the connection.
+        }
     }
 }
