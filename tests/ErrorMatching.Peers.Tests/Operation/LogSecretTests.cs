@@ -72,6 +72,6 @@ public sealed partial class LogSecretTests
     private static Task<ConsoleRun> Type(FireCell cell, IReadOnlyList<string> words, params string[] lines) => ConsoleRun.Typed(cell.Folder, [.. words, "--password-stdin"], lines);
 
     // Long runs of the digits of Base64 and hexadecimal numbers: keys, but no words.
-    [GeneratedRegex("(?=[A-Za-z+/]*[0-9])[A-Za-z0-9+/]{40,}")]
+    [GeneratedRegex("(?=[A-Za-z+/]*[0-9])[A-Za-z0-9+/]{40,}", RegexOptions.None, 1000)]
     private static partial Regex Material();
 }
