@@ -40,7 +40,7 @@ public sealed partial class LogSecretTests
         var keys = Directory.EnumerateFiles(cell["keys"]).Select(File.ReadAllText).ToArray();
         var key = Directory.EnumerateFiles(cell["keys"], "*.xml").Single();
         await File.WriteAllTextAsync(key, (await File.ReadAllTextAsync(key, TestContext.Current.CancellationToken))[..^20], TestContext.Current.CancellationToken);
-        using var broken = cell.Start();
+        var broken = cell.Start();
         await broken.WaitForExitAsync(TestContext.Current.CancellationToken);
         Assert.Equal(3, broken.ExitCode);
 
