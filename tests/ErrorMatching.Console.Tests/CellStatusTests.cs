@@ -169,8 +169,15 @@ public sealed class CellStatusTests : IDisposable
         {
             correction = store.Step(correction, next, "cell", "for the test", c => c with
             {
-                Job = "housing", Serial = "S1", Identity = "1", Machine = "vmc1", Slot = "A", Program = "O2001.NC", ProgramSha256 = c.MeasurementSha256,
-                Code = next == CorrectionState.Failed ? "machine-login" : null, Reason = next == CorrectionState.Failed ? "vmc1 refused the login." : null,
+                Job = "housing",
+                Serial = "S1",
+                Identity = "1",
+                Machine = "vmc1",
+                Slot = "A",
+                Program = "O2001.NC",
+                ProgramSha256 = c.MeasurementSha256,
+                Code = next == CorrectionState.Failed ? "machine-login" : null,
+                Reason = next == CorrectionState.Failed ? "vmc1 refused the login." : null,
             });
         }
     }

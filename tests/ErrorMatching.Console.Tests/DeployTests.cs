@@ -120,31 +120,31 @@ public sealed partial class DeployTests
 
     private static (int Exit, string Said) Run(string program, params string[] words)
     {
-        using var process = Process.Start(new ProcessStartInfo(program, words) { RedirectStandardOutput = true, RedirectStandardError = true })!;
+        using var process = Process.Start(new ProcessStartInfo(program, words) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true })!;
         var error = process.StandardError.ReadToEndAsync();
         var output = process.StandardOutput.ReadToEnd();
         process.WaitForExit();
         return (process.ExitCode, output + error.GetAwaiter().GetResult());
     }
 
-    [GeneratedRegex("^& \\$Program (?<words>[^\\r\\n]+)", RegexOptions.Multiline | RegexOptions.ExplicitCapture)]
+    [GeneratedRegex("^& \\$Program (?<words>[^\\r\\n]+)", RegexOptions.Multiline | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Called();
 
-    [GeneratedRegex("-Argument \"(?<words>[^\"]+\"[^\"]+\")\"", RegexOptions.ExplicitCapture)]
+    [GeneratedRegex("-Argument \"(?<words>[^\"]+\"[^\"]+\")\"", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Argument();
 
-    [GeneratedRegex("\\[string\\] \\$(?<name>[A-Za-z]+)", RegexOptions.ExplicitCapture)]
+    [GeneratedRegex("\\[string\\] \\$(?<name>[A-Za-z]+)", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Parameter();
 
-    [GeneratedRegex(" -(?<name>[A-Z][a-z]+)", RegexOptions.ExplicitCapture)]
+    [GeneratedRegex(" -(?<name>[A-Z][a-z]+)", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Given();
 
-    [GeneratedRegex("\\$Name = '(?<name>[^']+)'", RegexOptions.ExplicitCapture)]
+    [GeneratedRegex("\\$Name = '(?<name>[^']+)'", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex TaskName();
 
-    [GeneratedRegex("(`|^|/|\\$ )errormatch (?<line>[a-z][^`\\r\\n]*)", RegexOptions.Multiline | RegexOptions.ExplicitCapture)]
+    [GeneratedRegex("(`|^|/|\\$ )errormatch (?<line>[a-z][^`\\r\\n]*)", RegexOptions.Multiline | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Command();
 
-    [GeneratedRegex("\"[^\"]*\"|[^ ]+")]
+    [GeneratedRegex("\"[^\"]*\"|[^ ]+", RegexOptions.None, 1000)]
     private static partial Regex Word();
 }

@@ -12,9 +12,12 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
     private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash"];
 
     /// <summary>Looks at every entry, as the trail is at one moment. What was found whole is remembered beside the keys, if they are there.</summary>
+    public AuditFinding Verify() => Verify(null, CancellationToken.None);
+
+    /// <summary>The same, for somebody who waits for it.</summary>
     /// <param name="progress">Told how far it is; null if nobody asks.</param>
     /// <param name="cancellation">Gives it up.</param>
-    public AuditFinding Verify(IProgress<CellProgress>? progress = null, CancellationToken cancellation = default)
+    public AuditFinding Verify(IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         var (key, witness) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder));
         var finding = store.Database.Snapshot((connection, transaction) =>
@@ -63,10 +66,15 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
 
     /// <summary>Writes all entries as CSV by RFC 4180 that no spreadsheet executes: times in UTC, texts as they are but for an apostrophe in front of what looks like a formula.</summary>
     /// <param name="writer">Where to.</param>
+    /// <returns>How many entries.</returns>
+    public long Export(TextWriter writer) => Export(writer, null, CancellationToken.None);
+
+    /// <summary>The same, for somebody who waits for it.</summary>
+    /// <param name="writer">Where to.</param>
     /// <param name="progress">Told how far it is; null if nobody asks.</param>
     /// <param name="cancellation">Gives it up.</param>
     /// <returns>How many entries.</returns>
-    public long Export(TextWriter writer, IProgress<CellProgress>? progress = null, CancellationToken cancellation = default) => store.Database.Snapshot((connection, transaction) =>
+    public long Export(TextWriter writer, IProgress<CellProgress>? progress, CancellationToken cancellation) => store.Database.Snapshot((connection, transaction) =>
     {
         SpreadsheetCsv.Write(writer, Columns);
         var count = 0L;

@@ -173,12 +173,28 @@ public sealed partial class CellStore : IDisposable
 
     /// <summary>Writes a copy of the whole store, as it is at one moment, while others go on working.</summary>
     /// <param name="file">The copy, which appears whole or not at all.</param>
+    /// <exception cref="StoreException">With <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
+    public void Backup(string file) => Backup(file, null, CancellationToken.None);
+
+    /// <summary>The same, for somebody who waits for it.</summary>
+    /// <param name="file">The copy, which appears whole or not at all.</param>
     /// <param name="progress">Told how far it is; null if nobody asks.</param>
     /// <param name="cancellation">Gives it up; nothing of the copy is left then.</param>
     /// <exception cref="StoreException">With <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
-    public void Backup(string file, IProgress<CellProgress>? progress = null, CancellationToken cancellation = default) => Database.Backup(file, progress, cancellation);
+    public void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation) => Database.Backup(file, progress, cancellation);
 
     /// <summary>Brings a backup into the store's place. The backup stays as it is; what stood in its place is kept beside it.</summary>
+    /// <param name="settings">Where the store is, whether one is there or not.</param>
+    /// <param name="backup">The backup's file.</param>
+    /// <param name="clock">Says the time of the audit entry.</param>
+    /// <param name="by">The user's name.</param>
+    /// <param name="auditKey">The key that the store is opened with.</param>
+    /// <returns>The file that holds what stood in its place; null if nothing did.</returns>
+    /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> while a cell runs with the store; with <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
+    public static string? Restore(StoreSettings settings, string backup, TimeProvider clock, string by, byte[]? auditKey = null) =>
+        Restore(settings, backup, clock, by, auditKey, null, CancellationToken.None);
+
+    /// <summary>The same, for somebody who waits for it.</summary>
     /// <param name="settings">Where the store is, whether one is there or not.</param>
     /// <param name="backup">The backup's file.</param>
     /// <param name="clock">Says the time of the audit entry.</param>
@@ -188,7 +204,8 @@ public sealed partial class CellStore : IDisposable
     /// <param name="cancellation">Gives it up, as long as the store is the one that was there.</param>
     /// <returns>The file that holds what stood in its place; null if nothing did.</returns>
     /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> while a cell runs with the store; with <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
-    public static string? Restore(StoreSettings settings, string backup, TimeProvider clock, string by, byte[]? auditKey = null, IProgress<CellProgress>? progress = null, CancellationToken cancellation = default)
+    public static string? Restore(
+        StoreSettings settings, string backup, TimeProvider clock, string by, byte[]? auditKey, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         if (settings is not SqliteSettings sqlite)
         {

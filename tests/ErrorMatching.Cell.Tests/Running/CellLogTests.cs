@@ -106,6 +106,6 @@ public sealed partial class CellLogTests : IDisposable
         return document.RootElement.GetProperty("Properties").GetProperty("Number").GetInt32();
     }
 
-    [GeneratedRegex(@"\Acell-[0-9]{8}(_[0-9]{3})?\.jsonl\z")]
+    [GeneratedRegex(@"\Acell-[0-9]{8}(_[0-9]{3})?\.jsonl\z", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Name();
 }

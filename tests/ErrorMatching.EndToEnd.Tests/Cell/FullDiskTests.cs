@@ -106,7 +106,7 @@ public sealed class FullDiskTests
 
         private static int Run(string program, params string[] words)
         {
-            var start = new ProcessStartInfo(program, words) { RedirectStandardError = true, RedirectStandardOutput = true };
+            var start = new ProcessStartInfo(program, words) { UseShellExecute = false, RedirectStandardError = true, RedirectStandardOutput = true };
             using var process = Process.Start(start)!;
             process.StandardError.ReadToEnd();
             process.WaitForExit();

@@ -22,12 +22,15 @@ public sealed class HangingShareTests
             Assert.Equal(0, make.ExitCode);
         }
 
-        cell.Start();
+        // And telemetry goes to somebody who never answers.
+        using var receiver = new OtlpReceiver(hangs: true);
+        cell.Start(("OTEL_EXPORTER_OTLP_ENDPOINT", receiver.Endpoint), ("OTEL_BSP_SCHEDULE_DELAY", "100"));
         cell.Drop(hanging.Name, hanging.Bytes);
         await cell.Until(async () => await cell.StateOf(hanging.Name) == "approved", Patience, "the first waits for the share");
         cell.Drop(other.Name, other.Bytes);
         await cell.Until(async () => await cell.StateOf(other.Name) is "approved" or "verified", Patience, "the second is worked on");
 
+        await cell.Until(() => Task.FromResult(receiver.Connections > 0), Patience, "telemetry is sent");
         await cell.Stop();
         Assert.Equal("approved", await cell.StateOf(hanging.Name));
 
