@@ -66,7 +66,7 @@ internal static class SurfaceFitTimes
         var whole = Enumerable.Range(0, runs).Select(_ =>
         {
             var watch = Stopwatch.StartNew();
-            _ = Output(console, "surface", "fit", file);
+            Output(console, "surface", "fit", file);
             return watch.Elapsed.TotalMilliseconds;
         });
         Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {points} | {name} | {noise} | {Median(inside.Select(t => t[0])):0} | {Median(inside.Select(t => t[1])):0} | {Median(whole):0} |"));
