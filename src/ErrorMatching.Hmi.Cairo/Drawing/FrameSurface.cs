@@ -1,0 +1,16 @@
+using System.Runtime.InteropServices;
+using Avalonia;
+using Avalonia.Media;
+using Avalonia.Media.Imaging;
+using Avalonia.Media.TextFormatting;
+using Avalonia.Platform;
+using Avalonia.Platform.Surfaces;
+
+namespace ErrorMatching.Hmi.Cairo;
+
+/// <summary>Where a window's frames go: the last frame stays here for screenshots (and is what an X11 window would show).</summary>
+internal sealed class FrameSurface : IPlatformRenderSurface
+{
+    public CairoBitmap? Frame { get; set; }
+    public Action? Drawn { get; set; }
+}
