@@ -1,10 +1,5 @@
-using System.Runtime.InteropServices;
 using Avalonia;
 using Avalonia.Media;
-using Avalonia.Media.Imaging;
-using Avalonia.Media.TextFormatting;
-using Avalonia.Platform;
-using Avalonia.Platform.Surfaces;
 
 namespace ErrorMatching.Hmi.Cairo;
 

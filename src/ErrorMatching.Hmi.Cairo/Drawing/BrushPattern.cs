@@ -1,10 +1,6 @@
-using System.Runtime.InteropServices;
 using Avalonia;
 using Avalonia.Media;
-using Avalonia.Media.Imaging;
-using Avalonia.Media.TextFormatting;
 using Avalonia.Platform;
-using Avalonia.Platform.Surfaces;
 
 namespace ErrorMatching.Hmi.Cairo;
 
@@ -29,39 +25,39 @@ internal static unsafe class BrushPattern
                 if (solid.Color.A == 0) return 0;
                 return LibCairo.cairo_pattern_create_rgba(Unit(solid.Color.R), Unit(solid.Color.G), Unit(solid.Color.B), Unit(solid.Color.A) * solid.Opacity);
             case ILinearGradientBrush linear:
-            {
-                Point a = linear.StartPoint.ToPixels(target), b = linear.EndPoint.ToPixels(target);
-                pattern = LibCairo.cairo_pattern_create_linear(a.X, a.Y, b.X, b.Y);
-                AddStops(pattern, linear);
-                break;
-            }
+                {
+                    Point a = linear.StartPoint.ToPixels(target), b = linear.EndPoint.ToPixels(target);
+                    pattern = LibCairo.cairo_pattern_create_linear(a.X, a.Y, b.X, b.Y);
+                    AddStops(pattern, linear);
+                    break;
+                }
             case IRadialGradientBrush radial:
-            {
-                Point c = radial.Center.ToPixels(target), o = radial.GradientOrigin.ToPixels(target);
-                double rx = Math.Max(1e-6, radial.RadiusX.ToValue(target.Width)), ry = Math.Max(1e-6, radial.RadiusY.ToValue(target.Height));
-                pattern = LibCairo.cairo_pattern_create_radial((o.X - c.X) / rx, (o.Y - c.Y) / ry, 0, 0, 0, 1);
-                AddStops(pattern, radial);
-                toPattern = Matrix.CreateTranslation(-c.X, -c.Y) * Matrix.CreateScale(1 / rx, 1 / ry);
-                break;
-            }
+                {
+                    Point c = radial.Center.ToPixels(target), o = radial.GradientOrigin.ToPixels(target);
+                    double rx = Math.Max(1e-6, radial.RadiusX.ToValue(target.Width)), ry = Math.Max(1e-6, radial.RadiusY.ToValue(target.Height));
+                    pattern = LibCairo.cairo_pattern_create_radial((o.X - c.X) / rx, (o.Y - c.Y) / ry, 0, 0, 0, 1);
+                    AddStops(pattern, radial);
+                    toPattern = Matrix.CreateTranslation(-c.X, -c.Y) * Matrix.CreateScale(1 / rx, 1 / ry);
+                    break;
+                }
             case IConicGradientBrush conic:
                 return Conic(conic, target);
             case ISceneBrush scene:
-            {
-                using var content = scene.CreateContent();
-                return content is null ? 0 : Tile(content.Brush, content.Rect, target, (context, m) => content.Render(context, m));
-            }
+                {
+                    using var content = scene.CreateContent();
+                    return content is null ? 0 : Tile(content.Brush, content.Rect, target, (context, m) => content.Render(context, m));
+                }
             case ISceneBrushContent content:
                 return Tile(content.Brush, content.Rect, target, (context, m) => content.Render(context, m));
             case IImageBrush { Source: { } source } image:
-            {
-                // The one thing that is internal to Avalonia: the bitmap behind an image brush (IRef<IBitmapImpl>).
-                var reference = typeof(IImageBrushSource).GetProperty("Bitmap", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic)?.GetValue(source);
-                if (reference?.GetType().GetProperty("Item")?.GetValue(reference) is not CairoBitmap bitmap) return 0;
-                var whole = new Rect(bitmap.PixelSize.ToSize(1));
-                var area = new Rect(bitmap.PixelSize.ToSizeWithDpi(bitmap.Dpi));
-                return Tile(image, area, target, (context, m) => { context.Transform = m; context.DrawBitmap(bitmap, 1, whole, area); });
-            }
+                {
+                    // The one thing that is internal to Avalonia: the bitmap behind an image brush (IRef<IBitmapImpl>).
+                    var reference = typeof(IImageBrushSource).GetProperty("Bitmap", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic)?.GetValue(source);
+                    if (reference?.GetType().GetProperty("Item")?.GetValue(reference) is not CairoBitmap bitmap) return 0;
+                    var whole = new Rect(bitmap.PixelSize.ToSize(1));
+                    var area = new Rect(bitmap.PixelSize.ToSizeWithDpi(bitmap.Dpi));
+                    return Tile(image, area, target, (context, m) => { context.Transform = m; context.DrawBitmap(bitmap, 1, whole, area); });
+                }
             default:
                 return 0;
         }
@@ -81,7 +77,9 @@ internal static unsafe class BrushPattern
             LibCairo.cairo_pattern_add_color_stop_rgba(pattern, stop.Offset, Unit(stop.Color.R), Unit(stop.Color.G), Unit(stop.Color.B), Unit(stop.Color.A) * brush.Opacity);
         LibCairo.cairo_pattern_set_extend(pattern, brush.SpreadMethod switch
         {
-            GradientSpreadMethod.Reflect => LibCairo.ExtendReflect, GradientSpreadMethod.Repeat => LibCairo.ExtendRepeat, _ => LibCairo.ExtendPad,
+            GradientSpreadMethod.Reflect => LibCairo.ExtendReflect,
+            GradientSpreadMethod.Repeat => LibCairo.ExtendRepeat,
+            _ => LibCairo.ExtendPad,
         });
     }
 

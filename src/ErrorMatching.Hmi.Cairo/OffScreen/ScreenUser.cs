@@ -121,10 +121,10 @@ public sealed class ScreenUser(Window window)
         return Settle();
     }
 
-    /// <summary>Writes what is seen to a PNG file, behind the transitions of the theme.</summary>
+    /// <summary>Writes what is seen to a PNG file.</summary>
     public void Screenshot(string path)
     {
-        Wait(TimeSpan.FromMilliseconds(300));
+        Settle();
         Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path))!);
         using var file = File.Create(path);
         Platform.Frame!.Save(file, PngBitmapEncoderOptions.Default);

@@ -1,11 +1,7 @@
 using System.Diagnostics.CodeAnalysis;
-using System.Globalization;
 using System.Runtime.InteropServices;
-using Avalonia;
 using Avalonia.Media;
 using Avalonia.Media.Fonts;
-using Avalonia.Media.TextFormatting;
-using Avalonia.Platform;
 
 namespace ErrorMatching.Hmi.Cairo;
 

@@ -82,7 +82,7 @@ internal abstract partial class PlatformWindow : IWindowImpl
         : null;
 
     /// <inheritdoc/>
-    public virtual void Resize(Size clientSize, WindowResizeReason reason) => Dispatcher.UIThread.Post(() => OnResized(clientSize, reason), DispatcherPriority.Send);
+    public virtual void Resize(Size clientSize, WindowResizeReason reason = WindowResizeReason.Application) => Dispatcher.UIThread.Post(() => OnResized(clientSize, reason), DispatcherPriority.Send);
 
     /// <inheritdoc/>
     public virtual void Show(bool activate, bool isDialog)

@@ -51,8 +51,12 @@ public sealed class DemoCell : IAsyncDisposable
         users.AddFirst(Administrator, Password);
         users.Add(users.SignIn(Administrator, Password), Setter, Role.Setter, Password);
         users.Add(users.SignIn(Administrator, Password), Operator, Role.Operator, Password);
-        return new(settings, clock, File.ReadAllText(Path.Combine(folder, "complex-mating", "part.csv")));
+        return At(folder, clock);
     }
+
+    /// <summary>The cell that was put into a folder before.</summary>
+    internal static DemoCell At(string folder, TimeProvider clock) =>
+        new(CellSettingsReader.Read(Path.Combine(folder, "cell", "cell.json")), clock, File.ReadAllText(Path.Combine(folder, "complex-mating", "part.csv")));
 
     /// <summary>Runs the cell until it is disposed.</summary>
     public void Run() => _running = Task.Run(async () =>

@@ -3,7 +3,6 @@ namespace ErrorMatching.Hmi;
 /// <summary>What a screen shows and does. It is made anew each time the screen is opened, and let go when it is left.</summary>
 public abstract class ScreenViewModel : Observable, IDisposable
 {
-    private readonly SynchronizationContext? _screen = SynchronizationContext.Current;
     private string? _message;
 
     /// <summary>A screen of a station, which follows what happens in the cell and the language.</summary>
@@ -11,7 +10,7 @@ public abstract class ScreenViewModel : Observable, IDisposable
     {
         Station = station ?? throw new ArgumentNullException(nameof(station));
         Station.Changed += Follow;
-        Texts.Current.LanguageChanged += Follow;
+        Texts.Current.LanguageChanged += Translate;
     }
 
     /// <summary>The station.</summary>
@@ -35,11 +34,14 @@ public abstract class ScreenViewModel : Observable, IDisposable
     protected virtual void Dispose(bool isDisposing)
     {
         Station.Changed -= Follow;
-        Texts.Current.LanguageChanged -= Follow;
+        Texts.Current.LanguageChanged -= Translate;
     }
 
-    /// <summary>Called when the cell or the language has changed.</summary>
+    /// <summary>Called when something has changed in the cell, on the screen's thread.</summary>
     protected virtual void Follow() => Say();
+
+    /// <summary>Called when the language has changed.</summary>
+    protected virtual void Translate() => Follow();
 
     /// <summary>Does something beside the screen: the store and passwords take their time. What does not work becomes the <see cref="Message"/>.</summary>
     /// <returns>True if it worked.</returns>
@@ -55,19 +57,6 @@ public abstract class ScreenViewModel : Observable, IDisposable
         {
             Message = Failures.Of(e, Station.Clock);
             return false;
-        }
-    }
-
-    /// <summary>Does something on the screen's thread, wherever it is called.</summary>
-    protected void OnScreen(Action act)
-    {
-        if (_screen is null || SynchronizationContext.Current == _screen)
-        {
-            act();
-        }
-        else
-        {
-            _screen.Post(_ => act(), null);
         }
     }
 }

@@ -19,5 +19,8 @@ public static class Screens
     public static IReadOnlyList<Screen> All { get; } =
     [
         new(Overview, shell => new OverviewViewModel(shell.Station, shell.Look)),
+        new(Compensation, shell => new CompensationViewModel(shell)),
+        new(History, shell => new HistoryViewModel(shell.Station)),
+        new(Messages, shell => new MessagesViewModel(shell.Station, shell.Look)),
     ];
 }

@@ -10,6 +10,10 @@ public sealed class Views : IDataTemplate
     {
         [typeof(LoginViewModel)] = () => new LoginView(),
         [typeof(OverviewViewModel)] = () => new OverviewView(),
+        [typeof(CompensationViewModel)] = () => new CompensationView(),
+        [typeof(CorrectionDetail)] = () => new CorrectionDetailView(),
+        [typeof(HistoryViewModel)] = () => new HistoryView(),
+        [typeof(MessagesViewModel)] = () => new MessagesView(),
         [typeof(SigningViewModel)] = () => new SigningView(),
     };
 

@@ -14,12 +14,26 @@ internal sealed class Seat : IAsyncDisposable
     /// <summary>Generous: a test waits for the event and not for the clock.</summary>
     public static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
 
+    // Hashing passwords is slow on purpose: once is enough for all tests.
+    private static readonly Lazy<string> Template = new(() =>
+    {
+        var folder = Path.Combine(AppContext.BaseDirectory, "template");
+        if (Directory.Exists(folder))
+        {
+            Directory.Delete(folder, recursive: true);
+        }
+
+        DemoCell.Make(folder, TimeProvider.System);
+        return folder;
+    });
+
     private readonly TemporaryFolder _folder = new();
 
     private Seat(SeatClock clock, TimeSpan idle, Size size)
     {
         Clock = clock;
-        Cell = DemoCell.Make(_folder.Path, TimeProvider.System);
+        Copy(Template.Value, _folder.Path);
+        Cell = DemoCell.At(_folder.Path, TimeProvider.System);
         Station = new(Cell.Settings, clock, idle);
         Shell = new(Station);
         Window = new() { DataContext = Shell, Width = size.Width, Height = size.Height };
@@ -125,5 +139,30 @@ internal sealed class Seat : IAsyncDisposable
         Station.Dispose();
         await Cell.DisposeAsync();
         _folder.Dispose();
+    }
+
+    private static void Copy(string from, string to)
+    {
+        Directory.CreateDirectory(to);
+        foreach (var file in Directory.EnumerateFiles(from))
+        {
+            var copy = Path.Combine(to, Path.GetFileName(file));
+            File.Copy(file, copy);
+            if (!OperatingSystem.IsWindows())
+            {
+                // A key that others can read is refused.
+                File.SetUnixFileMode(copy, File.GetUnixFileMode(file));
+            }
+        }
+
+        foreach (var folder in Directory.EnumerateDirectories(from))
+        {
+            var copy = Path.Combine(to, Path.GetFileName(folder));
+            Copy(folder, copy);
+            if (!OperatingSystem.IsWindows())
+            {
+                File.SetUnixFileMode(copy, File.GetUnixFileMode(folder));
+            }
+        }
     }
 }

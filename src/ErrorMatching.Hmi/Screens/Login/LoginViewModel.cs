@@ -101,7 +101,12 @@ public sealed class LoginViewModel : ScreenViewModel
     /// <inheritdoc/>
     protected override void Follow()
     {
-        // Names of roles follow the language.
+        // What follows the cell is in Live.
+    }
+
+    /// <inheritdoc/>
+    protected override void Translate()
+    {
         Users = [.. Users.Select(u => u with { RoleName = Texts.Current.Word(u.Role) })];
         Say(nameof(Chosen));
     }
