@@ -14,7 +14,7 @@ public sealed class CompensationTests
         var detail = Arrive(seat, DemoCell.Setter);
         using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
         var points = report.RootElement.GetProperty("keyPoints").EnumerateArray().ToArray();
-        Assert.Equal(17, points.Length);
+        Assert.Equal(16, points.Length);
         Assert.Equal(points.Length, detail.Points.Count);
         foreach (var (json, row) in points.Zip(detail.Points))
         {

@@ -52,7 +52,7 @@ public sealed partial class TextTests
     [InlineData(0.12344, "+0.1234")]
     [InlineData(-0.12346, "−0.1235")]
     [InlineData(-0.00001, "0.0000")]
-    [InlineData(0, "0.0000")]
+    [InlineData(0.0, "0.0000")]
     [InlineData(null, "–")]
     public void A_deviation_has_its_sign_and_four_decimals(double? mm, string shown) => Assert.Equal(shown, Shown.SignedMm(mm));
 

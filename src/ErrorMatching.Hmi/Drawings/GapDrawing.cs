@@ -12,7 +12,7 @@ public sealed record GapDrawing(
     IReadOnlyList<IReadOnlyList<Point2>> Part, IReadOnlyList<IReadOnlyList<Point2>> Counterpart, IReadOnlyList<(string Label, Point2 At)> Points, double Factor, double LargestMm)
 {
     // The largest deviation takes this much of the drawing.
-    private const double Share = 0.04;
+    private const double Share = 0.08;
 
     /// <summary>The assembly before compensation, where the counterpart is cut as designed.</summary>
     public static GapDrawing Before(KeptReport report) => Of(report, p => p.DecidedMm);

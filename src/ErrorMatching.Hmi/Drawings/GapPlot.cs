@@ -20,10 +20,13 @@ public sealed class GapPlot : Control
     /// <summary>The labels.</summary>
     public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(Ink));
 
+    /// <summary>What lies between the two lines.</summary>
+    public static readonly StyledProperty<IBrush?> GapBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(GapBrush));
+
     private const double Around = 28, Thick = 2, Dot = 3.5, LabelSize = 13, LabelAway = 8;
     private static readonly DashStyle Dashes = new([4, 2], 0);
 
-    static GapPlot() => AffectsRender<GapPlot>(DrawingProperty, PartBrushProperty, CounterpartBrushProperty, InkProperty);
+    static GapPlot() => AffectsRender<GapPlot>(DrawingProperty, PartBrushProperty, CounterpartBrushProperty, GapBrushProperty, InkProperty);
 
     /// <summary>What is drawn.</summary>
     public GapDrawing? Drawing
@@ -44,6 +47,13 @@ public sealed class GapPlot : Control
     {
         get => GetValue(CounterpartBrushProperty);
         set => SetValue(CounterpartBrushProperty, value);
+    }
+
+    /// <summary>What lies between the two lines.</summary>
+    public IBrush? GapBrush
+    {
+        get => GetValue(GapBrushProperty);
+        set => SetValue(GapBrushProperty, value);
     }
 
     /// <summary>The labels.</summary>
@@ -69,14 +79,27 @@ public sealed class GapPlot : Control
         Point To(Point2 p) => new(x + (scale * (p.X - left)), y + (scale * (high - p.Y)));
 
         using var clip = context.PushClip(new Rect(Bounds.Size));
+        foreach (var (part, counterpart) in drawing.Part.Zip(drawing.Counterpart))
+        {
+            context.DrawGeometry(GapBrush, null, Path([.. part, .. counterpart.Reverse()], To, isClosed: true));
+        }
+
         Lines(context, drawing.Counterpart, To, new Pen(CounterpartBrush, Thick, Dashes));
         Lines(context, drawing.Part, To, new Pen(PartBrush, Thick));
+        var labels = new List<Rect>();
         foreach (var (label, at) in drawing.Points)
         {
             var place = To(at);
             context.DrawEllipse(PartBrush, null, place, Dot, Dot);
             var text = new FormattedText(label, System.Globalization.CultureInfo.InvariantCulture, FlowDirection.LeftToRight, Typeface.Default, LabelSize, Ink);
-            context.DrawText(text, new Point(place.X + LabelAway, place.Y - (text.Height / 2)));
+            Rect[] sides = [new(place.X + LabelAway, place.Y - (text.Height / 2), text.Width, text.Height), new(place.X - LabelAway - text.Width, place.Y - (text.Height / 2), text.Width, text.Height)];
+
+            // To the right or to the left, where no other label is; a label that finds no room is one that the table has.
+            if (sides.FirstOrDefault(s => !labels.Exists(l => l.Intersects(s))) is { Width: > 0 } free)
+            {
+                labels.Add(free);
+                context.DrawText(text, free.TopLeft);
+            }
         }
     }
 
@@ -84,19 +107,22 @@ public sealed class GapPlot : Control
     {
         foreach (var line in lines)
         {
-            var geometry = new StreamGeometry();
-            using (var figure = geometry.Open())
-            {
-                figure.BeginFigure(to(line[0]), isFilled: false);
-                foreach (var point in line.Skip(1))
-                {
-                    figure.LineTo(to(point));
-                }
-
-                figure.EndFigure(isClosed: false);
-            }
-
-            context.DrawGeometry(null, pen, geometry);
+            context.DrawGeometry(null, pen, Path(line, to, isClosed: false));
         }
+    }
+
+    private static StreamGeometry Path(IReadOnlyList<Point2> points, Func<Point2, Point> to, bool isClosed)
+    {
+        var geometry = new StreamGeometry();
+        using var figure = geometry.Open();
+        figure.SetFillRule(FillRule.NonZero);
+        figure.BeginFigure(to(points[0]), isFilled: isClosed);
+        foreach (var point in points.Skip(1))
+        {
+            figure.LineTo(to(point));
+        }
+
+        figure.EndFigure(isClosed);
+        return geometry;
     }
 }

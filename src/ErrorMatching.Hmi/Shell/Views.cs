@@ -4,17 +4,17 @@ using Avalonia.Controls.Templates;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Which view shows which view model. A new screen takes one line.</summary>
-public sealed class Views : IDataTemplate
+public sealed class Views : IRecyclingDataTemplate
 {
-    private static readonly Dictionary<Type, Func<Control>> All = new()
+    private static readonly Dictionary<Type, (Type View, Func<Control> Make)> All = new()
     {
-        [typeof(LoginViewModel)] = () => new LoginView(),
-        [typeof(OverviewViewModel)] = () => new OverviewView(),
-        [typeof(CompensationViewModel)] = () => new CompensationView(),
-        [typeof(CorrectionDetail)] = () => new CorrectionDetailView(),
-        [typeof(HistoryViewModel)] = () => new HistoryView(),
-        [typeof(MessagesViewModel)] = () => new MessagesView(),
-        [typeof(SigningViewModel)] = () => new SigningView(),
+        [typeof(LoginViewModel)] = (typeof(LoginView), () => new LoginView()),
+        [typeof(OverviewViewModel)] = (typeof(OverviewView), () => new OverviewView()),
+        [typeof(CompensationViewModel)] = (typeof(CompensationView), () => new CompensationView()),
+        [typeof(CorrectionDetail)] = (typeof(CorrectionDetailView), () => new CorrectionDetailView()),
+        [typeof(HistoryViewModel)] = (typeof(HistoryView), () => new HistoryView()),
+        [typeof(MessagesViewModel)] = (typeof(MessagesView), () => new MessagesView()),
+        [typeof(SigningViewModel)] = (typeof(SigningView), () => new SigningView()),
     };
 
     /// <summary>The view models that have a view.</summary>
@@ -24,5 +24,17 @@ public sealed class Views : IDataTemplate
     public bool Match(object? data) => data is not null && All.ContainsKey(data.GetType());
 
     /// <inheritdoc/>
-    public Control? Build(object? param) => param is null ? null : All[param.GetType()]();
+    public Control? Build(object? param) => Build(param, null);
+
+    /// <summary>A view model of the same kind is shown in the view that is there, which stays as it was opened.</summary>
+    public Control? Build(object? data, Control? existing)
+    {
+        if (data is null)
+        {
+            return null;
+        }
+
+        var (view, make) = All[data.GetType()];
+        return existing?.GetType() == view ? existing : make();
+    }
 }

@@ -3,7 +3,7 @@ using Avalonia.Markup.Xaml;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A text by its key in a view: <c>Text="{l:Text Overview.Title}"</c>. It follows the language.</summary>
+/// <summary>A text by its key in a view: <c>Text="{l:Text Overview.Waiting}"</c>. It follows the language.</summary>
 /// <param name="key">The key.</param>
 public sealed class TextExtension(string key) : MarkupExtension
 {

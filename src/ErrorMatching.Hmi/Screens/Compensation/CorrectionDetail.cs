@@ -88,6 +88,12 @@ public sealed class CorrectionDetail
     /// <summary>What a person should know before using the program.</summary>
     public IReadOnlyList<string> Warnings => Kept.Report?.Warnings ?? [];
 
+    /// <summary>True if there are warnings.</summary>
+    public bool HasWarnings => Warnings.Count > 0;
+
+    /// <summary>How many there are, and where.</summary>
+    public string WarningCount => Texts.Current.With("Detail.Warnings", Warnings.Count);
+
     private static PointRow Row(KeptPoint p) => new(
         p.Point, p.Feature, Shown.Mm(p.Theoretical.X), Shown.Mm(p.Theoretical.Y), Shown.Mm(p.Actual.X), Shown.Mm(p.Actual.Y), Shown.SignedMm(p.Correction.X), Shown.SignedMm(p.Correction.Y), Shown.SignedMm(p.NormalMm), Shown.SignedMm(p.PredictedMm));
 

@@ -1,11 +1,13 @@
+using System.Text.RegularExpressions;
 using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
 /// <summary>Messages and audit: what happened, what to do next, and whether the record of it is whole.</summary>
-public sealed class MessagesViewModel : ScreenViewModel
+public sealed partial class MessagesViewModel : ScreenViewModel
 {
     private const int Page = 200;
+    private const int Digits = 8;
     private readonly Action<long> _look;
     private IReadOnlyList<AuditEntry> _entries = [];
     private long _newest = -1;
@@ -153,5 +155,11 @@ public sealed class MessagesViewModel : ScreenViewModel
     }
 
     private AuditRow Row(AuditEntry entry) => new(
-        Shown.Id(entry.Seq), Shown.Time(entry.At, Station.Clock), entry.Who, Texts.Current.Or("Audited." + entry.What, entry.What), entry.Subject ?? "", entry.Basis);
+        Shown.Id(entry.Seq), Shown.Time(entry.At, Station.Clock), entry.Who, Texts.Current.Or("Audited." + entry.What, entry.What), Short(entry.Subject ?? ""), Short(entry.Basis));
+
+    // Of a hash the first digits tell it from others; the whole one is in the export.
+    private static string Short(string text) => Hash().Replace(text, m => m.Value[..Digits] + "…");
+
+    [GeneratedRegex("[0-9a-f]{64}", RegexOptions.None, 1000)]
+    private static partial Regex Hash();
 }
