@@ -1,6 +1,9 @@
 using System.CommandLine;
 using System.Globalization;
+using System.Runtime.InteropServices;
 using Avalonia;
+using Avalonia.Controls.ApplicationLifetimes;
+using Avalonia.Threading;
 using ErrorMatching.Cell;
 using ErrorMatching.Hmi.Cairo;
 using ErrorMatching.Json;
@@ -49,6 +52,8 @@ internal static class StationCommand
         {
             using var demo = isDemo ? Demonstration.Start(TimeProvider.System) : null;
             var settings = demo?.Settings ?? CellSettingsReader.Read(config!);
+            using var stop = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Leave);
+            using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Leave);
             return AppBuilder.Configure(() => new App { Open = () => new Station(settings, TimeProvider.System, Station.DefaultIdle), Look = look })
                 .UseX11(scaling)
                 .StartWithClassicDesktopLifetime([]);
@@ -58,5 +63,12 @@ internal static class StationCommand
             Console.Error.WriteLine(e.Message);
             return Outside;
         }
+    }
+
+    // As if the window were closed: the seat is left in order, and the demonstration takes its folder away.
+    private static void Leave(PosixSignalContext signal)
+    {
+        signal.Cancel = true;
+        Dispatcher.UIThread.Post(() => (Application.Current?.ApplicationLifetime as IClassicDesktopStyleApplicationLifetime)?.Shutdown());
     }
 }

@@ -73,6 +73,6 @@ public sealed partial class HouseOfScreensTests
             .Append(type.BaseType!);
     }
 
-    [GeneratedRegex("""(Margin|Padding|Width|Height|FontSize|Spacing|CornerRadius|BorderThickness|StrokeThickness)="[0-9.,\- ]+"|"#[0-9A-Fa-f]{3,8}"|(Background|Foreground|Fill|Stroke|BorderBrush)="[A-Z][a-z]+"|(Column|Row)Definitions="[^"]*[0-9](?![0-9*.])[^"]*" """, RegexOptions.None, 1000)]
+    [GeneratedRegex("""(Margin|Padding|Width|Height|FontSize|Spacing|CornerRadius|BorderThickness|StrokeThickness)="[0-9.,\- ]+"|"#[0-9A-Fa-f]{3,8}"|(Background|Foreground|Fill|Stroke|BorderBrush)="[A-Z][a-z]+"|(Column|Row)Definitions="[^"]*[0-9](?![0-9*.])[^"]*" """, RegexOptions.None | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Inline();
 }

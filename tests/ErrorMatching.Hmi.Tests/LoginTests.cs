@@ -1,6 +1,5 @@
 using Avalonia.Controls;
 using Avalonia.Input;
-using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
 

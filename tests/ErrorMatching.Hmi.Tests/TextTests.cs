@@ -64,6 +64,6 @@ public sealed partial class TextTests
     [GeneratedRegex(@"\{\d\}", RegexOptions.None, 1000)]
     private static partial Regex Place();
 
-    [GeneratedRegex("""(\{l:Text |[Tt]exts(\.Current)?\[|(\.With|texts\.With|Texts\.Current\.With)\()"?(?<key>[A-Za-z]+\.[A-Za-z.\-]*[A-Za-z])["}]""", RegexOptions.None, 1000)]
+    [GeneratedRegex("""(\{l:Text |[Tt]exts(\.Current)?\[|(\.With|texts\.With|Texts\.Current\.With)\()"?(?<key>[A-Za-z]+\.[A-Za-z.\-]*[A-Za-z])["}]""", RegexOptions.None | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Key();
 }

@@ -72,7 +72,7 @@ internal sealed unsafe class X11Window : PlatformWindow
     }
 
     /// <inheritdoc/>
-    public override void Resize(Size clientSize, WindowResizeReason reason)
+    public override void Resize(Size clientSize, WindowResizeReason reason = WindowResizeReason.Application)
     {
         var size = PixelSize.FromSize(clientSize, RenderScaling);
         _ = Xlib.XResizeWindow(X11Connection.Display, _window, (uint)Math.Max(1, size.Width), (uint)Math.Max(1, size.Height));

@@ -3,6 +3,7 @@ using System.Windows.Input;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Something a person can do that takes its time: it runs beside the screen, once at a time, and can be cancelled.</summary>
+[System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "A run disposes what it made when it ends.")]
 public sealed class LongCommand : Observable, ICommand
 {
     private readonly Func<CancellationToken, Task> _run;

@@ -25,7 +25,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         Items = [.. Screens.All.Select(s => new NavigationItem(s))];
         SignOut = new(async _ =>
         {
-            await Task.Run(Station.Session.SignOut);
+            await Task.Run(Station.Session.SignOut, CancellationToken.None);
             Lock();
         });
         SwitchLanguage = new(() => Texts.Current.Language = Texts.Current.Language == Language.English ? Language.TraditionalChinese : Language.English);
