@@ -39,7 +39,7 @@ public sealed class LongCommand : Observable, ICommand
     {
         if (CanExecute(parameter))
         {
-            Running = RunAsync();
+            Running = RunAsync().Watched();
         }
     }
 

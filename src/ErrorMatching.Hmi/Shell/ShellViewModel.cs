@@ -25,7 +25,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         Items = [.. Screens.All.Select(s => new NavigationItem(s))];
         SignOut = new(async _ =>
         {
-            await Task.Run(Station.Session.SignOut, CancellationToken.None);
+            await Task.Run(LeaveSeat, CancellationToken.None);
             Lock();
         });
         SwitchLanguage = new(() => Texts.Current.Language = Texts.Current.Language == Language.English ? Language.TraditionalChinese : Language.English);
@@ -134,7 +134,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         if (!IsLocked && Station.Clock.GetElapsedTime(_touched) >= SeatLook)
         {
             _touched = Station.Clock.GetTimestamp();
-            _ = Task.Run(Station.Session.Touch);
+            _ = Task.Run(TouchSeat).Watched();
         }
     }
 
@@ -182,6 +182,30 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
 
         Say();
+    }
+
+    private void TouchSeat()
+    {
+        try
+        {
+            Station.Session.Touch();
+        }
+        catch (StoreException)
+        {
+            // The seat was left just before, and that could not be written down: the banner says that the store is away.
+        }
+    }
+
+    private void LeaveSeat()
+    {
+        try
+        {
+            Station.Session.SignOut();
+        }
+        catch (StoreException)
+        {
+            // The seat is left all the same.
+        }
     }
 
     private void LookForSeat()

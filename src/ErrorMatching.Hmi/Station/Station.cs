@@ -27,7 +27,7 @@ public sealed class Station : IDisposable
         Store = CellStore.Open(settings.Store, clock, AuditKey.Open(settings.KeysFolder));
         Users = new(Store, clock);
         Session = new(Users, clock, idle);
-        _watching = Task.Run(() => new StationWatch(this).RunAsync(Show, _end.Token));
+        _watching = Task.Run(() => new StationWatch(this).RunAsync(Show, _end.Token)).Watched();
     }
 
     /// <summary>Said on the screen's thread when <see cref="State"/> is another one.</summary>

@@ -146,7 +146,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Say(nameof(Chosen));
         if ((row?.Id ?? _looked) is { } id)
         {
-            Loading = LoadAsync(id);
+            Loading = LoadAsync(id).Watched();
         }
     }
 

@@ -149,7 +149,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt
     internal Task Loading { get; private set; } = Task.CompletedTask;
 
     /// <inheritdoc/>
-    public void LookAt(long correction) => Loading = OpenAsync(correction);
+    public void LookAt(long correction) => Loading = OpenAsync(correction).Watched();
 
     /// <inheritdoc/>
     protected override void Follow()

@@ -89,7 +89,7 @@ public sealed partial class MessagesViewModel : ScreenViewModel
 
         if (!_isReading)
         {
-            Reading = ReadAsync(Math.Max(Page, _entries.Count));
+            Reading = ReadAsync(Math.Max(Page, _entries.Count)).Watched();
         }
     }
 
