@@ -29,7 +29,9 @@ public sealed class Demonstration : IDisposable
     {
         _end.Cancel();
         _day.GetAwaiter().GetResult();
-        _cell.DisposeAsync().AsTask().GetAwaiter().GetResult();
+
+        // Away from the screen's thread, which stands still here: what the cell awaits must not wait for it.
+        Task.Run(async () => await _cell.DisposeAsync()).GetAwaiter().GetResult();
         _end.Dispose();
         Directory.Delete(_folder, recursive: true);
     }
