@@ -22,9 +22,14 @@ public sealed class HouseTests
         ["Jobs"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform"],
         ["Cell"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs"],
         ["Console"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs", "Cell"],
+
+        // The station: what it shows is apart from what draws it, and neither knows the console.
+        ["Hmi.Cairo"] = [],
+        ["Hmi"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs", "Cell"],
+        ["Hmi.Desktop"] = ["Hmi", "Hmi.Cairo"],
     };
 
-    private static readonly string[] TextEndings = [".cs", ".csproj", ".props", ".json", ".md", ".html", ".nc", ".csv", ".yml", ".txt", ".sln", ".sh"];
+    private static readonly string[] TextEndings = [".cs", ".csproj", ".props", ".json", ".md", ".html", ".axaml", ".nc", ".csv", ".yml", ".txt", ".sln", ".sh"];
 
     [Fact]
     public void References_point_one_way()

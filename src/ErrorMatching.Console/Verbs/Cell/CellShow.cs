@@ -26,7 +26,7 @@ internal sealed class CellShow : CellVerb
     {
         var correction = new CorrectionDecisions(store).Demand(arguments.GetRequiredValue(_id));
         var folder = arguments.GetValue(_out);
-        var files = folder is null ? [] : Files(correction, folder).ToArray();
+        var files = folder is null ? [] : CorrectionFiles.Of(correction).Select(f => (Path: Path.Combine(folder, f.Name), f.Sha256)).ToArray();
         if (files.Length > 0)
         {
             OutputFile.WriteAll([.. files.Select(f => (f.Path, (ReadOnlyMemory<byte>)store.Content(f.Sha256)))], [settings.File], () => true, cancellation);
@@ -34,23 +34,4 @@ internal sealed class CellShow : CellVerb
 
         return new CellShowAnswer(correction, store.StepsOf(correction.Id), [.. files.Select(f => f.Path)]);
     }
-
-    // Names that come from a gauge or a machine lead nowhere else; the number in front keeps two corrections apart.
-    private static IEnumerable<(string Path, string Sha256)> Files(Correction correction, string folder)
-    {
-        var number = correction.Id.ToString(CultureInfo.InvariantCulture);
-        var program = correction.Program ?? "program.nc";
-        return new (string Name, string? Sha256)[]
-        {
-            ($"{number}-measurement-{Plain(correction.FileName)}", correction.Code == FileSource.TooLarge ? null : correction.MeasurementSha256),
-            ($"{number}-job.json", correction.JobSha256),
-            ($"{number}-base-{program}", correction.BaseSha256),
-            ($"{number}-previous-{program}", correction.PreviousSha256),
-            ($"{number}-report.json", correction.ReportSha256),
-            ($"{number}-report.html", correction.PageSha256),
-            ($"{number}-{program}", correction.ProgramSha256),
-        }.Where(f => f.Sha256 is not null).Select(f => (Path.Combine(folder, f.Name), f.Sha256!));
-    }
-
-    private static string Plain(string name) => string.Concat(name.Select(c => char.IsAsciiLetterOrDigit(c) || c is '.' or '-' or '_' ? c : '_'));
 }

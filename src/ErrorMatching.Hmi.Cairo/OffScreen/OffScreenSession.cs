@@ -1,0 +1,79 @@
+using Avalonia;
+using Avalonia.Threading;
+
+namespace ErrorMatching.Hmi.Cairo;
+
+/// <summary>The one application of a process without a screen, on a UI thread of its own (Avalonia allows one a process). Work on it comes one after another.</summary>
+[System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "It lives as long as the process.")]
+public sealed class OffScreenSession
+{
+    private static readonly Lock Starting = new();
+    private static OffScreenSession? _current;
+    private readonly Dispatcher _dispatcher;
+    private readonly SemaphoreSlim _turn = new(1, 1);
+
+    private OffScreenSession(Dispatcher dispatcher) => _dispatcher = dispatcher;
+
+    /// <summary>Pixels a device-independent unit of windows that are opened from now on.</summary>
+    public static double Scaling
+    {
+        get => OffScreenWindow.NextScaling;
+        set => OffScreenWindow.NextScaling = value;
+    }
+
+    /// <summary>Starts the application, or gives the one that runs.</summary>
+    /// <param name="configure">Makes the application's builder; it is given the platform here.</param>
+    /// <exception cref="PlatformNotSupportedException">A native library is missing.</exception>
+    public static OffScreenSession Start(Func<AppBuilder> configure)
+    {
+        ArgumentNullException.ThrowIfNull(configure);
+        lock (Starting)
+        {
+            if (_current is not null)
+            {
+                return _current;
+            }
+
+            var ready = new TaskCompletionSource<Dispatcher>(TaskCreationOptions.RunContinuationsAsynchronously);
+            new Thread(() => Live(configure, ready)) { IsBackground = true, Name = "UI" }.Start();
+            return _current = new OffScreenSession(ready.Task.GetAwaiter().GetResult());
+        }
+    }
+
+    /// <summary>Does something on the UI thread, behind whatever was asked for before: what pumps the dispatcher must not start the next one inside itself.</summary>
+    public async Task RunAsync(Func<Task> work)
+    {
+        await _turn.WaitAsync();
+        try
+        {
+            await _dispatcher.InvokeAsync(work);
+        }
+        finally
+        {
+            _turn.Release();
+        }
+    }
+
+    /// <summary>Does something on the UI thread, behind whatever was asked for before.</summary>
+    public Task RunAsync(Action work) => RunAsync(() =>
+    {
+        work();
+        return Task.CompletedTask;
+    });
+
+    private static void Live(Func<AppBuilder> configure, TaskCompletionSource<Dispatcher> ready)
+    {
+        try
+        {
+            configure().UseOffScreen().SetupWithoutStarting();
+            ready.SetResult(Dispatcher.UIThread);
+        }
+        catch (Exception e)
+        {
+            ready.SetException(e);
+            return;
+        }
+
+        Dispatcher.UIThread.MainLoop(CancellationToken.None);
+    }
+}

@@ -1,0 +1,145 @@
+using System.Diagnostics;
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Input.Raw;
+using Avalonia.Media;
+using Avalonia.Media.Imaging;
+using Avalonia.Threading;
+
+namespace ErrorMatching.Hmi.Cairo;
+
+/// <summary>A user at a window without a screen: moves, taps, types, presses keys, looks. Behind each act layout, bindings and one frame are done before it returns.</summary>
+/// <param name="window">The window. It must have been opened under <see cref="CairoPlatform.UseOffScreen"/>.</param>
+public sealed class ScreenUser(Window window)
+{
+    private OffScreenWindow Platform => (OffScreenWindow)window.PlatformImpl!;
+
+    /// <summary>Lets everything that is pending be done, and drawn.</summary>
+    public ScreenUser Settle(int frames = 2)
+    {
+        OffScreenClock.Current.Advance(frames);
+        return this;
+    }
+
+    /// <summary>Lets real time pass: transitions and timers follow the real clock, not the frames.</summary>
+    public ScreenUser Wait(TimeSpan time)
+    {
+        var watch = Stopwatch.StartNew();
+        return WaitFor(() => watch.Elapsed >= time, TimeSpan.MaxValue);
+    }
+
+    /// <summary>Lets time pass until something is so.</summary>
+    /// <exception cref="TimeoutException">It did not become so in time.</exception>
+    public ScreenUser WaitFor(Func<bool> condition, TimeSpan most)
+    {
+        ArgumentNullException.ThrowIfNull(condition);
+        var watch = Stopwatch.StartNew();
+        var frame = new DispatcherFrame();
+        var isSo = false;
+        var timer = new DispatcherTimer(TimeSpan.FromMilliseconds(16), DispatcherPriority.Background, (_, _) =>
+        {
+            OffScreenClock.Current.Frame();
+            frame.Continue = !(isSo = condition()) && watch.Elapsed < most;
+        });
+        timer.Start();
+        Dispatcher.UIThread.PushFrame(frame);
+        timer.Stop();
+        return isSo ? Settle() : throw new TimeoutException($"What was waited for did not come within {most}.");
+    }
+
+    /// <summary>Moves the pointer to the middle of a control.</summary>
+    public ScreenUser MoveTo(Visual target) => MoveTo(target, Middle(target));
+
+    /// <summary>Moves the pointer to a place in a control, from its left upper corner.</summary>
+    public ScreenUser MoveTo(Visual target, Point place)
+    {
+        Settle();
+        Platform.Mouse(RawPointerEventType.Move, InWindow(target, place), RawInputModifiers.None);
+        return Settle();
+    }
+
+    /// <summary>Presses and releases the left button in the middle of a control.</summary>
+    public ScreenUser Click(Visual target) => Click(target, Middle(target));
+
+    /// <summary>Presses and releases the left button at a place in a control, from its left upper corner.</summary>
+    public ScreenUser Click(Visual target, Point place) => Drag(target, place, place);
+
+    /// <summary>Presses the left button at one place in a control and releases it at another one.</summary>
+    public ScreenUser Drag(Visual target, Point from, Point to)
+    {
+        MoveTo(target, from);
+        Platform.Mouse(RawPointerEventType.LeftButtonDown, InWindow(target, from), RawInputModifiers.LeftMouseButton);
+        Settle();
+        if (from != to)
+        {
+            Platform.Mouse(RawPointerEventType.Move, InWindow(target, (from + to) / 2), RawInputModifiers.LeftMouseButton);
+            Platform.Mouse(RawPointerEventType.Move, InWindow(target, to), RawInputModifiers.LeftMouseButton);
+            Settle();
+        }
+
+        Platform.Mouse(RawPointerEventType.LeftButtonUp, InWindow(target, to), RawInputModifiers.None);
+        return Settle();
+    }
+
+    /// <summary>Touches the middle of a control with a finger, and takes it away.</summary>
+    public ScreenUser Tap(Visual target)
+    {
+        Settle();
+        var at = InWindow(target, Middle(target));
+        Platform.Touch(RawPointerEventType.TouchBegin, at);
+        Settle();
+        Platform.Touch(RawPointerEventType.TouchEnd, at);
+        return Settle();
+    }
+
+    /// <summary>Turns the wheel over a control; a positive number of notches scrolls up.</summary>
+    public ScreenUser Wheel(Visual target, double notches)
+    {
+        MoveTo(target);
+        Platform.Wheel(InWindow(target, Middle(target)), new Vector(0, notches), RawInputModifiers.None);
+        return Settle();
+    }
+
+    /// <summary>Types text into what has the focus.</summary>
+    public ScreenUser Type(string text)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        foreach (var rune in text.EnumerateRunes())
+        {
+            Platform.Text(rune.ToString());
+        }
+
+        return Settle();
+    }
+
+    /// <summary>Presses and releases a key.</summary>
+    public ScreenUser Press(Key key, RawInputModifiers modifiers = RawInputModifiers.None)
+    {
+        Platform.Key(RawKeyEventType.KeyDown, key, modifiers);
+        Platform.Key(RawKeyEventType.KeyUp, key, modifiers);
+        return Settle();
+    }
+
+    /// <summary>Writes what is seen to a PNG file.</summary>
+    public void Screenshot(string path)
+    {
+        Settle();
+        Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path))!);
+        using var file = File.Create(path);
+        Platform.Frame!.Save(file, PngBitmapEncoderOptions.Default);
+    }
+
+    /// <summary>The color of a pixel, counted from the left upper corner of the window.</summary>
+    public unsafe Color PixelAt(PixelPoint pixel)
+    {
+        Settle();
+        using var frame = Platform.Frame!.Lock();
+        var p = (byte*)frame.Address + (pixel.Y * frame.RowBytes) + (pixel.X * 4);
+        return Color.FromArgb(p[3], p[2], p[1], p[0]);
+    }
+
+    private static Point Middle(Visual target) => new Rect(target.Bounds.Size).Center;
+
+    private Point InWindow(Visual target, Point place) => target.TranslatePoint(place, window) ?? throw new InvalidOperationException($"{target} is not in the window.");
+}

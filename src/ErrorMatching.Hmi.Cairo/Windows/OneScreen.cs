@@ -1,0 +1,25 @@
+using Avalonia;
+using Avalonia.Platform;
+
+namespace ErrorMatching.Hmi.Cairo;
+
+/// <summary>The only screen of a station.</summary>
+internal sealed class OneScreen(PixelSize size, double scaling) : ScreensBase<int, PlatformScreen>
+{
+    /// <inheritdoc/>
+    protected override IReadOnlyList<int> GetAllScreenKeys() => [1];
+
+    /// <inheritdoc/>
+    protected override PlatformScreen CreateScreenFromKey(int key) => new Only(size, scaling);
+
+    private sealed class Only : PlatformScreen
+    {
+        public Only(PixelSize size, double scaling)
+            : base(new PlatformHandle(1, "screen"))
+        {
+            Scaling = scaling;
+            Bounds = WorkingArea = new PixelRect(size);
+            IsPrimary = true;
+        }
+    }
+}

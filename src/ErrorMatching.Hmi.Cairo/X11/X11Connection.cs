@@ -1,0 +1,87 @@
+using Avalonia.Threading;
+
+namespace ErrorMatching.Hmi.Cairo;
+
+/// <summary>The one connection to the X server, used on the UI thread only.</summary>
+/// <remarks>A second thread just waits for the socket: one that is blocked in XNextEvent, with XInitThreads, delays the round trips of the drawing thread until the next event.</remarks>
+internal static class X11Connection
+{
+    private static readonly Dictionary<nint, X11Window> Windows = [];
+    private static readonly AutoResetEvent Drained = new(false);
+
+    /// <summary>The display; 0 before <see cref="Open"/>.</summary>
+    public static nint Display { get; private set; }
+
+    /// <summary>The message by which a window manager asks a window to close.</summary>
+    public static nint DeleteWindow { get; private set; }
+
+    /// <summary>Sends a window what happens to it.</summary>
+    public static void Add(nint window, X11Window owner) => Windows[window] = owner;
+
+    /// <summary>Ends that.</summary>
+    public static void Remove(nint window) => Windows.Remove(window);
+
+    /// <summary>Connects, once.</summary>
+    /// <exception cref="PlatformNotSupportedException">There is no X server.</exception>
+    public static void Open()
+    {
+        if (Display != 0)
+        {
+            return;
+        }
+
+        Display = Xlib.XOpenDisplay(null);
+        if (Display == 0)
+        {
+            throw new PlatformNotSupportedException("No X server answers: DISPLAY is not set, or names one that is not there. The operator station needs a screen.");
+        }
+
+        DeleteWindow = Xlib.XInternAtom(Display, "WM_DELETE_WINDOW", 0);
+        var (ui, socket) = (Dispatcher.UIThread, Xlib.XConnectionNumber(Display));
+        new Thread(() => Watch(ui, socket)) { IsBackground = true, Name = "X11 socket" }.Start();
+    }
+
+    /// <summary>To be called behind requests with replies: events may have been read along with a reply, and the socket is silent about those.</summary>
+    public static void DrainLater()
+    {
+        _ = Xlib.XFlush(Display);
+        if (Xlib.XEventsQueued(Display, 0) > 0)
+        {
+            Dispatcher.UIThread.Post(Drain, DispatcherPriority.Input);
+        }
+    }
+
+    private static void Watch(Dispatcher ui, int socket)
+    {
+        while (true)
+        {
+            var wait = new PollFd { Fd = socket, Events = 1 };
+            if (Xlib.poll(ref wait, 1, -1) < 0)
+            {
+                // Interrupted.
+                continue;
+            }
+
+            ui.Post(
+                () =>
+                {
+                    Drain();
+                    Drained.Set();
+                },
+                DispatcherPriority.Input);
+            Drained.WaitOne();
+        }
+    }
+
+    private static void Drain()
+    {
+        while (Xlib.XPending(Display) > 0)
+        {
+            _ = Xlib.XNextEvent(Display, out var e);
+            if (Windows.TryGetValue(e.Window, out var window))
+            {
+                window.OnEvent(e);
+            }
+        }
+    }
+}

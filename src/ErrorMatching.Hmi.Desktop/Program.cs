@@ -1,0 +1,3 @@
+using ErrorMatching.Hmi.Desktop;
+
+return StationCommand.Make().Parse(args).Invoke();

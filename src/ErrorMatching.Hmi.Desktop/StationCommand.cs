@@ -1,0 +1,74 @@
+using System.CommandLine;
+using System.Globalization;
+using System.Runtime.InteropServices;
+using Avalonia;
+using Avalonia.Controls.ApplicationLifetimes;
+using Avalonia.Threading;
+using ErrorMatching.Cell;
+using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Hmi.Desktop;
+
+/// <summary>The station's command line: the cell to sit at, or the demonstration.</summary>
+internal static class StationCommand
+{
+    private const int Usage = 2, Outside = 3, Least = 100, Most = 200;
+
+    /// <summary>The command.</summary>
+    public static RootCommand Make()
+    {
+        var config = new Argument<string?>("CONFIG") { Description = "The cell's configuration.", Arity = ArgumentArity.ZeroOrOne };
+        var demo = new Option<bool>("--demo") { Description = "A cell to play with: the samples in a folder of their own, with a gauge that delivers and a machine that cuts by themselves." };
+        var chinese = new Option<bool>("--chinese") { Description = "Begin in Traditional Chinese." };
+        var dark = new Option<bool>("--dark") { Description = "Begin light on dark." };
+        var full = new Option<bool>("--full-screen") { Description = "Fill the screen." };
+        var scale = new Option<int>("--scale") { Description = "Size of everything in percent, 100 to 200.", HelpName = "PERCENT", DefaultValueFactory = _ => Least };
+        scale.Validators.Add(result =>
+        {
+            if (result.GetValueOrDefault<int>() is < Least or > Most)
+            {
+                result.AddError(string.Create(CultureInfo.InvariantCulture, $"--scale is out of range; expected {Least} to {Most}."));
+            }
+        });
+        var command = new RootCommand("The operator station of ErrorMatching.") { config, demo, chinese, dark, full, scale };
+        command.SetAction(result => Run(
+            result.GetValue(config),
+            result.GetValue(demo),
+            new StationLook(result.GetValue(chinese) ? Language.TraditionalChinese : Language.English, result.GetValue(dark), result.GetValue(full)),
+            result.GetValue(scale) / 100.0));
+        return command;
+    }
+
+    private static int Run(string? config, bool isDemo, StationLook look, double scaling)
+    {
+        if (isDemo == config is not null)
+        {
+            Console.Error.WriteLine("Name the cell's configuration, or --demo.");
+            return Usage;
+        }
+
+        try
+        {
+            using var demo = isDemo ? Demonstration.Start(TimeProvider.System) : null;
+            var settings = demo?.Settings ?? CellSettingsReader.Read(config!);
+            using var stop = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Leave);
+            using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Leave);
+            return AppBuilder.Configure(() => new App { Open = () => new Station(settings, TimeProvider.System, Station.DefaultIdle), Look = look })
+                .UseX11(scaling)
+                .StartWithClassicDesktopLifetime([]);
+        }
+        catch (Exception e) when (e is PlatformNotSupportedException or JsonDocumentException or StoreException or PeopleException or IOException or UnauthorizedAccessException)
+        {
+            Console.Error.WriteLine(e.Message);
+            return Outside;
+        }
+    }
+
+    // As if the window were closed: the seat is left in order, and the demonstration takes its folder away.
+    private static void Leave(PosixSignalContext signal)
+    {
+        signal.Cancel = true;
+        Dispatcher.UIThread.Post(() => (Application.Current?.ApplicationLifetime as IClassicDesktopStyleApplicationLifetime)?.Shutdown());
+    }
+}

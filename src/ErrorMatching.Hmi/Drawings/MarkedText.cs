@@ -1,0 +1,77 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Controls.Documents;
+using Avalonia.Media;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>A line of a program with the changed words marked: by a ground and by weight, not by the color alone.</summary>
+public sealed class MarkedText : TextBlock
+{
+    /// <summary>The line.</summary>
+    public static readonly StyledProperty<string?> LineProperty = AvaloniaProperty.Register<MarkedText, string?>(nameof(Line));
+
+    /// <summary>What is marked: start and length.</summary>
+    public static readonly StyledProperty<IReadOnlyList<(int Start, int Length)>?> SpansProperty =
+        AvaloniaProperty.Register<MarkedText, IReadOnlyList<(int Start, int Length)>?>(nameof(Spans));
+
+    /// <summary>The ground of what is marked.</summary>
+    public static readonly StyledProperty<IBrush?> MarkProperty = AvaloniaProperty.Register<MarkedText, IBrush?>(nameof(Mark));
+
+    /// <summary>The line.</summary>
+    public string? Line
+    {
+        get => GetValue(LineProperty);
+        set => SetValue(LineProperty, value);
+    }
+
+    /// <summary>What is marked: start and length.</summary>
+    public IReadOnlyList<(int Start, int Length)>? Spans
+    {
+        get => GetValue(SpansProperty);
+        set => SetValue(SpansProperty, value);
+    }
+
+    /// <summary>The ground of what is marked.</summary>
+    public IBrush? Mark
+    {
+        get => GetValue(MarkProperty);
+        set => SetValue(MarkProperty, value);
+    }
+
+    /// <inheritdoc/>
+    protected override Type StyleKeyOverride => typeof(TextBlock);
+
+    /// <inheritdoc/>
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        base.OnPropertyChanged(change);
+        if (change.Property == LineProperty || change.Property == SpansProperty || change.Property == MarkProperty)
+        {
+            Show();
+        }
+    }
+
+    private void Show()
+    {
+        var (line, at) = (Line ?? "", 0);
+        if (Spans is not { Count: > 0 } spans)
+        {
+            Inlines = null;
+            Text = line;
+            return;
+        }
+
+        var inlines = new InlineCollection();
+        foreach (var (start, length) in spans.Where(s => s.Start >= at && s.Start + s.Length <= line.Length))
+        {
+            inlines.Add(new Run(line[at..start]));
+            inlines.Add(new Run(line.Substring(start, length)) { Background = Mark, FontWeight = FontWeight.Bold });
+            at = start + length;
+        }
+
+        inlines.Add(new Run(line[at..]));
+        Inlines = inlines;
+    }
+}

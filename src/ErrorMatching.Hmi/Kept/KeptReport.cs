@@ -1,0 +1,55 @@
+using System.Text.Json;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>The report of a match as the store keeps it (<c>errormatch/match/1</c>): the same figures as the console's <c>report.json</c>, read and not computed.</summary>
+/// <param name="JobName">Name of the job.</param>
+/// <param name="WorkOrder">The job's work order; null if it states none.</param>
+/// <param name="Features">The features in the order of cutting.</param>
+/// <param name="Points">The key points in the order of cutting.</param>
+/// <param name="Blocks">The blocks that differ.</param>
+/// <param name="ChangedBlocks">How many blocks differ.</param>
+/// <param name="ChangedWords">How many words differ.</param>
+/// <param name="Proof">What was proved about the program.</param>
+/// <param name="FollowsWhole">True if the counterpart follows the whole deviation, false if only what lies beyond the limit.</param>
+/// <param name="Warnings">What a person should know before using the program.</param>
+public sealed record KeptReport(
+    string JobName,
+    string? WorkOrder,
+    IReadOnlyList<KeptFeature> Features,
+    IReadOnlyList<KeptPoint> Points,
+    IReadOnlyList<KeptBlock> Blocks,
+    int ChangedBlocks,
+    int ChangedWords,
+    KeptProof Proof,
+    bool FollowsWhole,
+    IReadOnlyList<string> Warnings)
+{
+    /// <summary>Name of the schema that is read.</summary>
+    public const string Schema = "errormatch/match/1";
+
+    /// <summary>Reads a report.</summary>
+    /// <returns>The report; null if it is one of another kind, such as of a surface.</returns>
+    public static KeptReport? Read(ReadOnlyMemory<byte> json)
+    {
+        using var document = JsonDocument.Parse(json);
+        var root = document.RootElement;
+        if (root.GetProperty("schema").GetString() != Schema)
+        {
+            return null;
+        }
+
+        var (job, program) = (root.GetProperty("job"), root.GetProperty("program"));
+        return new(
+            job.GetProperty("name").GetString()!,
+            job.TryGetProperty("workOrder", out var order) ? order.GetString() : null,
+            [.. root.GetProperty("features").EnumerateArray().Select(KeptFeature.Read)],
+            [.. root.GetProperty("keyPoints").EnumerateArray().Select(KeptPoint.Read)],
+            [.. program.GetProperty("blocks").EnumerateArray().Select(KeptBlock.Read)],
+            program.GetProperty("changedBlocks").GetInt32(),
+            program.GetProperty("changedWords").GetInt32(),
+            KeptProof.Read(root.GetProperty("proof")),
+            root.GetProperty("compensation").GetProperty("amount").GetString() == "whole",
+            [.. root.GetProperty("warnings").EnumerateArray().Select(w => w.GetString()!)]);
+    }
+}

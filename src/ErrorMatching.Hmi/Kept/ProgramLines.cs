@@ -1,0 +1,124 @@
+using System.Collections;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Two programs side by side, line by line. A line becomes text when it is looked at: a program of a million blocks costs what its bytes cost.</summary>
+/// <remarks>A list that a virtualizing view reads by number. Only what a rewriting can do is aligned: changed blocks and inserted ones.</remarks>
+public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
+{
+    private readonly NcProgram _original;
+    private readonly NcProgram _modified;
+    private readonly Dictionary<int, KeptBlock> _changed;
+    private readonly int[] _inserted;
+
+    /// <summary>Aligns two programs.</summary>
+    /// <param name="original">The bytes of the original program.</param>
+    /// <param name="modified">The bytes of the new one.</param>
+    /// <param name="blocks">The blocks that differ, of the report.</param>
+    public ProgramLines(ReadOnlyMemory<byte> original, ReadOnlyMemory<byte> modified, IReadOnlyList<KeptBlock> blocks)
+    {
+        (_original, _modified) = (NcProgram.Read(original), NcProgram.Read(modified));
+        _changed = blocks.Where(b => b.Original.Length > 0).ToDictionary(b => b.Line - 1);
+        _inserted = [.. Inserted()];
+        Changes = [.. _changed.Keys.Select(RowOf).Concat(_inserted).Order()];
+    }
+
+    /// <summary>Numbers of the lines that differ.</summary>
+    public IReadOnlyList<int> Changes { get; }
+
+    /// <inheritdoc cref="ICollection.Count"/>
+    public int Count => _original.BlockCount + _inserted.Length;
+
+    /// <inheritdoc/>
+    public bool IsFixedSize => true;
+
+    /// <inheritdoc/>
+    public bool IsReadOnly => true;
+
+    /// <inheritdoc/>
+    public bool IsSynchronized => false;
+
+    /// <inheritdoc/>
+    public object SyncRoot => this;
+
+    /// <summary>A line by its number.</summary>
+    public ProgramLine this[int index]
+    {
+        get
+        {
+            ArgumentOutOfRangeException.ThrowIfNegative(index);
+            ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(index, Count);
+            var place = Array.BinarySearch(_inserted, index);
+            if (place >= 0)
+            {
+                var text = Text(_modified, index);
+                return new(index, "", text, [], [(0, text.Length)]);
+            }
+
+            var block = index - ~place;
+            return _changed.TryGetValue(block, out var change)
+                ? new(index, Text(_original, block), Text(_modified, index), change.OriginalSpans, change.ModifiedSpans)
+                : new(index, Text(_original, block), Text(_modified, index), [], []);
+        }
+    }
+
+    object? IList.this[int index]
+    {
+        get => this[index];
+        set => throw new NotSupportedException();
+    }
+
+    /// <inheritdoc/>
+    public IEnumerator<ProgramLine> GetEnumerator()
+    {
+        for (var i = 0; i < Count; i++)
+        {
+            yield return this[i];
+        }
+    }
+
+    /// <inheritdoc/>
+    public int IndexOf(object? value) => value is ProgramLine line ? line.Index : -1;
+
+    /// <inheritdoc/>
+    public bool Contains(object? value) => IndexOf(value) >= 0;
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+
+    int IList.Add(object? value) => throw new NotSupportedException();
+
+    void IList.Clear() => throw new NotSupportedException();
+
+    void IList.Insert(int index, object? value) => throw new NotSupportedException();
+
+    void IList.Remove(object? value) => throw new NotSupportedException();
+
+    void IList.RemoveAt(int index) => throw new NotSupportedException();
+
+    void ICollection.CopyTo(Array array, int index) => throw new NotSupportedException();
+
+    // One character a byte, so that the report's spans count the same.
+    private static string Text(NcProgram program, int block) => System.Text.Encoding.Latin1.GetString(program.BytesOf(program[block]));
+
+    // Where the new program has a block that the original lacks: as many as it has more.
+    private IEnumerable<int> Inserted()
+    {
+        var more = _modified.BlockCount - _original.BlockCount;
+        for (var (was, now) = (0, 0); more > 0 && now < _modified.BlockCount; now++)
+        {
+            var isSame = was < _original.BlockCount && (_changed.ContainsKey(was) || _original.BytesOf(_original[was]).SequenceEqual(_modified.BytesOf(_modified[now])));
+            if (isSame)
+            {
+                was++;
+            }
+            else
+            {
+                more--;
+                yield return now;
+            }
+        }
+    }
+
+    private int RowOf(int block) => block + _inserted.TakeWhile((row, i) => row <= block + i).Count();
+}

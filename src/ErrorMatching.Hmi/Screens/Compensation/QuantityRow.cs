@@ -1,0 +1,10 @@
+namespace ErrorMatching.Hmi;
+
+/// <summary>A length or an angle of a feature in a table, as it is shown.</summary>
+/// <param name="Feature">The feature.</param>
+/// <param name="Quantity">What it is, in words.</param>
+/// <param name="Ideal">As designed.</param>
+/// <param name="Actual">As measured.</param>
+/// <param name="Corrected">As the corrected counterpart is predicted to have it.</param>
+/// <param name="Unit">mm or degrees.</param>
+public sealed record QuantityRow(string Feature, string Quantity, string Ideal, string Actual, string Corrected, string Unit);

@@ -1,0 +1,232 @@
+using System.Globalization;
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>History: every file that ever arrived, found again and reopened exactly as it was.</summary>
+public sealed class HistoryViewModel : ScreenViewModel, ILooksAt
+{
+    private const int Most = 1000;
+    private string _serial = "";
+    private string _workOrder = "";
+    private string _from = "";
+    private string _to = "";
+    private string _program = "";
+    private string _userName = "";
+    private StateChoice _state;
+    private CorrectionDetail? _detail;
+    private string _folder;
+    private string? _exported;
+    private IReadOnlyList<Correction> _found = [];
+
+    /// <summary>The screen, with the latest.</summary>
+    public HistoryViewModel(Station station)
+        : base(station)
+    {
+        States = Choices();
+        _state = States[0];
+        _folder = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(Station.Settings.File))!, "exports");
+        Search = new(_ => SearchAsync());
+        Back = new(() => Detail = null);
+        Export = new(ExportAsync, () => Detail is not null && !string.IsNullOrWhiteSpace(Folder));
+        Search.Execute(null);
+    }
+
+    /// <summary>Serial number of the piece; empty for any.</summary>
+    public string Serial
+    {
+        get => _serial;
+        set => Set(ref _serial, value ?? "");
+    }
+
+    /// <summary>The work order; empty for any.</summary>
+    public string WorkOrder
+    {
+        get => _workOrder;
+        set => Set(ref _workOrder, value ?? "");
+    }
+
+    /// <summary>The first day, as year-month-day; empty for any.</summary>
+    public string From
+    {
+        get => _from;
+        set => Set(ref _from, value ?? "");
+    }
+
+    /// <summary>The last day, as year-month-day; empty for any.</summary>
+    public string To
+    {
+        get => _to;
+        set => Set(ref _to, value ?? "");
+    }
+
+    /// <summary>The program's name at the machine, or the first digits of its SHA-256; empty for any.</summary>
+    public string Program
+    {
+        get => _program;
+        set => Set(ref _program, value ?? "");
+    }
+
+    /// <summary>Who took any of its steps; empty for any.</summary>
+    public string UserName
+    {
+        get => _userName;
+        set => Set(ref _userName, value ?? "");
+    }
+
+    /// <summary>How far it has come.</summary>
+    public StateChoice State
+    {
+        get => _state;
+        set
+        {
+            // A list that is made anew in another language has nothing chosen for a moment.
+            if (value is not null)
+            {
+                Set(ref _state, value);
+            }
+        }
+    }
+
+    /// <summary>The states to choose from.</summary>
+    public IReadOnlyList<StateChoice> States { get; private set; }
+
+    /// <summary>What was found, the latest first.</summary>
+    public RowList<HistoryRow> Rows { get; } = [];
+
+    /// <summary>How much was found, in words.</summary>
+    public string Found => _found.Count >= Most ? Texts.Current.With("History.FoundMost", Shown.Count(Most)) : Texts.Current.With("History.Found", Shown.Count(_found.Count));
+
+    /// <summary>The one that is opened; null while the list is shown.</summary>
+    public CorrectionDetail? Detail
+    {
+        get => _detail;
+        private set
+        {
+            if (Set(ref _detail, value))
+            {
+                Exported = null;
+                Export.Refresh();
+                Say(nameof(IsList));
+            }
+        }
+    }
+
+    /// <summary>True while the list is shown.</summary>
+    public bool IsList => Detail is null;
+
+    /// <summary>The folder that an export goes to.</summary>
+    public string Folder
+    {
+        get => _folder;
+        set
+        {
+            if (Set(ref _folder, value ?? ""))
+            {
+                Export.Refresh();
+            }
+        }
+    }
+
+    /// <summary>Where the export went; null if there was none.</summary>
+    public string? Exported
+    {
+        get => _exported;
+        private set => Set(ref _exported, value);
+    }
+
+    /// <summary>Looks for what the fields say.</summary>
+    public LongCommand Search { get; }
+
+    /// <summary>Back to the list.</summary>
+    public Command Back { get; }
+
+    /// <summary>Writes measurement, job, programs and report to <see cref="Folder"/>.</summary>
+    public LongCommand Export { get; }
+
+    /// <summary>Done when what was tapped is opened.</summary>
+    internal Task Loading { get; private set; } = Task.CompletedTask;
+
+    /// <inheritdoc/>
+    public void LookAt(long correction) => Loading = OpenAsync(correction).Watched();
+
+    /// <inheritdoc/>
+    protected override void Follow()
+    {
+        // What was found stays as it was found, until somebody searches again.
+    }
+
+    /// <inheritdoc/>
+    protected override void Translate()
+    {
+        States = Choices();
+        _state = States.First(s => s.State == _state.State);
+        Rows.Show([.. _found.Select(Row)]);
+        _detail = _detail is null ? null : new(_detail.Kept, Station.Clock);
+        Say();
+    }
+
+    private static StateChoice[] Choices() => [new(null, Texts.Current["History.AnyState"]), .. Enum.GetValues<CorrectionState>().Select(s => new StateChoice(s, Texts.Current.Word(s)))];
+
+    private static string? Given(string text) => string.IsNullOrWhiteSpace(text) ? null : text.Trim();
+
+    private HistoryRow Row(Correction c) => new(
+        c.Id, Shown.Time(c.ArrivedAt, Station.Clock), c.Serial ?? c.FileName, c.WorkOrder ?? Shown.Nothing, c.Job ?? Shown.Nothing, Texts.Current.Word(c.State), c.LargestMm is { } mm ? Shown.Mm(mm) : Shown.Nothing);
+
+    private async Task SearchAsync()
+    {
+        if (!TryDay(From, 0, out var from) || !TryDay(To, 1, out var to))
+        {
+            Message = Texts.Current["History.BadDay"];
+            return;
+        }
+
+        var query = new HistoryQuery { Serial = Given(Serial), WorkOrder = Given(WorkOrder), From = from, To = to, Program = Given(Program), User = Given(UserName), State = State.State, Most = Most };
+        IReadOnlyList<Correction> found = [];
+        if (await TryAsync(() => found = Station.Store.Search(query)))
+        {
+            _found = [.. found.OrderByDescending(c => c.Id)];
+            Rows.Show([.. _found.Select(Row)]);
+            Say(nameof(Found));
+        }
+    }
+
+    // The day begins where the computer stands; the last one is meant with all its hours.
+    private bool TryDay(string text, int more, out DateTimeOffset? time)
+    {
+        time = null;
+        if (Given(text) is not { } given)
+        {
+            return true;
+        }
+
+        if (!DateTime.TryParseExact(given, ["yyyy-MM-dd", "yyyy/MM/dd"], CultureInfo.InvariantCulture, DateTimeStyles.None, out var day))
+        {
+            return false;
+        }
+
+        day = day.AddDays(more);
+        time = new DateTimeOffset(day, Station.Clock.LocalTimeZone.GetUtcOffset(day));
+        return true;
+    }
+
+    private async Task OpenAsync(long id)
+    {
+        KeptCorrection? kept = null;
+        if (await TryAsync(() => kept = KeptCorrection.Read(Station.Store, new CorrectionDecisions(Station.Store).Demand(id))))
+        {
+            Detail = new(kept!, Station.Clock);
+        }
+    }
+
+    private async Task ExportAsync(CancellationToken cancellation)
+    {
+        var (correction, folder) = (Detail!.Kept.Correction, Folder.Trim());
+        if (await TryAsync(() => OutputFile.WriteAll(
+            [.. CorrectionFiles.Of(correction).Select(f => (Path.Combine(folder, f.Name), (ReadOnlyMemory<byte>)Station.Store.Content(f.Sha256)))], [Station.Settings.File], cancellation)))
+        {
+            Exported = Texts.Current.With("History.Exported", folder);
+        }
+    }
+}

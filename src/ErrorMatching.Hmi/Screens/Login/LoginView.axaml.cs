@@ -1,0 +1,43 @@
+using System.ComponentModel;
+using Avalonia.Controls;
+using Avalonia.Interactivity;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Where somebody takes the seat.</summary>
+public sealed partial class LoginView : UserControl
+{
+    /// <summary>The view.</summary>
+    public LoginView() => InitializeComponent();
+
+    /// <inheritdoc/>
+    protected override void OnLoaded(RoutedEventArgs e)
+    {
+        base.OnLoaded(e);
+        if (DataContext is LoginViewModel login)
+        {
+            (login.Name.Length == 0 ? NameBox : PasswordBox).Focus();
+            login.PropertyChanged += OnLogin;
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnUnloaded(RoutedEventArgs e)
+    {
+        if (DataContext is LoginViewModel login)
+        {
+            login.PropertyChanged -= OnLogin;
+        }
+
+        base.OnUnloaded(e);
+    }
+
+    // Whoever was tapped in the list goes on with the password; whoever types the name stays there.
+    private void OnLogin(object? sender, PropertyChangedEventArgs e)
+    {
+        if (e.PropertyName is nameof(LoginViewModel.Chosen) && !NameBox.IsFocused && (sender as LoginViewModel)?.Chosen is not null)
+        {
+            PasswordBox.Focus();
+        }
+    }
+}

@@ -1,0 +1,137 @@
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Login: somebody takes the seat by name and password, while everybody can see how the cell is.</summary>
+public sealed class LoginViewModel : ScreenViewModel
+{
+    private readonly Action<SignedIn> _unlock;
+    private IReadOnlyList<UserTile> _users = [];
+    private string _name;
+    private string _password = "";
+
+    /// <summary>A locked station.</summary>
+    /// <param name="station">The station.</param>
+    /// <param name="lastName">Who sat there last; empty if nobody did.</param>
+    /// <param name="unlock">Called with who signed in.</param>
+    public LoginViewModel(Station station, string lastName, Action<SignedIn> unlock)
+        : base(station)
+    {
+        (_unlock, LastName, _name) = (unlock, lastName, lastName);
+        SignIn = new(_ => SignInAsync(), () => Name.Trim().Length > 0 && Password.Length > 0);
+        Live = new OverviewViewModel(station, null);
+        Loading = LoadAsync().Watched();
+    }
+
+    /// <summary>Who sat there last; empty if nobody did.</summary>
+    public string LastName { get; }
+
+    /// <summary>How the cell is.</summary>
+    public OverviewViewModel Live { get; }
+
+    /// <summary>Takes the seat.</summary>
+    public LongCommand SignIn { get; }
+
+    /// <summary>Who may sign in.</summary>
+    public IReadOnlyList<UserTile> Users
+    {
+        get => _users;
+        private set => Set(ref _users, value);
+    }
+
+    /// <summary>The user in the list; null if the name is typed.</summary>
+    public UserTile? Chosen
+    {
+        get => Users.FirstOrDefault(u => u.Name == Name);
+        set
+        {
+            if (value is not null)
+            {
+                Name = value.Name;
+            }
+        }
+    }
+
+    /// <summary>The name.</summary>
+    public string Name
+    {
+        get => _name;
+        set
+        {
+            if (Set(ref _name, value ?? ""))
+            {
+                Say(nameof(Chosen));
+                SignIn.Refresh();
+            }
+        }
+    }
+
+    /// <summary>The password.</summary>
+    public string Password
+    {
+        get => _password;
+        set
+        {
+            if (Set(ref _password, value ?? ""))
+            {
+                SignIn.Refresh();
+            }
+        }
+    }
+
+    /// <summary>The name of the cell.</summary>
+    public string CellName => Station.Settings.Name;
+
+    /// <summary>True if nobody can sign in, for the cell has no users yet.</summary>
+    public bool HasNoUsers { get; private set; }
+
+    /// <summary>The command that makes the first user.</summary>
+    public string FirstUserCommand => $"errormatch user add {Path.GetFileName(Station.Settings.File)} NAME --role administrator";
+
+    /// <summary>Done when the users are listed.</summary>
+    internal Task Loading { get; }
+
+    /// <inheritdoc/>
+    protected override void Dispose(bool isDisposing)
+    {
+        Live.Dispose();
+        base.Dispose(isDisposing);
+    }
+
+    /// <inheritdoc/>
+    protected override void Follow()
+    {
+        // What follows the cell is in Live.
+    }
+
+    /// <inheritdoc/>
+    protected override void Translate()
+    {
+        Users = [.. Users.Select(u => u with { RoleName = Texts.Current.Word(u.Role) })];
+        Say(nameof(Chosen));
+    }
+
+    private async Task LoadAsync()
+    {
+        IReadOnlyList<User> users = [];
+        if (await TryAsync(() => users = Station.Users.List()))
+        {
+            Users = [.. users.Where(u => !u.IsDisabled).Select(u => new UserTile(u.Name, u.Role, Texts.Current.Word(u.Role)))];
+            HasNoUsers = users.Count == 0;
+            Say(nameof(HasNoUsers));
+            Say(nameof(Chosen));
+        }
+    }
+
+    private async Task SignInAsync()
+    {
+        SignedIn? who = null;
+        var (name, password) = (Name.Trim(), Password);
+        if (await TryAsync(() => who = Station.Session.SignIn(name, password)))
+        {
+            _unlock(who!);
+        }
+
+        Password = "";
+    }
+}

@@ -1,0 +1,10 @@
+namespace ErrorMatching.Hmi;
+
+/// <summary>An entry of the audit trail, as it is shown.</summary>
+/// <param name="Number">Its number.</param>
+/// <param name="Time">When.</param>
+/// <param name="Who">Who.</param>
+/// <param name="What">What was done.</param>
+/// <param name="Subject">To what.</param>
+/// <param name="Basis">On what basis.</param>
+public sealed record AuditRow(string Number, string Time, string Who, string What, string Subject, string Basis);

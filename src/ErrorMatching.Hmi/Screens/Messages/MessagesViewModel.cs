@@ -1,0 +1,165 @@
+using System.Text.RegularExpressions;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Messages and audit: what happened, what to do next, and whether the record of it is whole.</summary>
+public sealed partial class MessagesViewModel : ScreenViewModel
+{
+    private const int Page = 200;
+    private const int Digits = 8;
+    private readonly Action<long> _look;
+    private IReadOnlyList<AuditEntry> _entries = [];
+    private long _newest = -1;
+    private bool _isReading;
+    private AuditFinding? _finding;
+
+    /// <summary>The screen.</summary>
+    /// <param name="station">The station.</param>
+    /// <param name="look">Goes to a correction.</param>
+    public MessagesViewModel(Station station, Action<long> look)
+        : base(station)
+    {
+        _look = look;
+        Verify = new(async _ =>
+        {
+            AuditFinding? finding = null;
+            if (await TryAsync(() => finding = new AuditTrail(Station.Store, Station.Settings.KeysFolder).Verify()))
+            {
+                _finding = finding;
+                Say(nameof(Finding));
+                Say(nameof(FindingSeverity));
+            }
+        });
+        More = new(_ => ReadAsync(_entries.Count + Page), () => _entries.Count > 0 && _entries[^1].Seq > 1);
+        Refresh();
+    }
+
+    /// <summary>What a person should know, the worst first.</summary>
+    public RowList<MessageRow> Messages { get; } = [];
+
+    /// <summary>True if there is nothing to say.</summary>
+    public bool IsQuiet => Messages.Count == 0;
+
+    /// <summary>The audit trail, the latest first.</summary>
+    public RowList<AuditRow> Entries { get; } = [];
+
+    /// <summary>Looks at every entry of the trail.</summary>
+    public LongCommand Verify { get; }
+
+    /// <summary>Shows older entries as well.</summary>
+    public LongCommand More { get; }
+
+    /// <summary>What verifying found; null before.</summary>
+    public string? Finding => _finding switch
+    {
+        null => null,
+        { Fault: { } fault } => Texts.Current.With("Audit.Fault", Shown.Id(fault.Seq), Texts.Current.Word(fault.Kind)),
+        { IsSealChecked: false } => Texts.Current.With("Audit.HoldsUnsealed", Shown.Count(_finding.Entries)),
+        _ => Texts.Current.With("Audit.Holds", Shown.Count(_finding.Entries)),
+    };
+
+    /// <summary>A trail that is not whole is an alarm.</summary>
+    public Severity FindingSeverity => _finding switch { { Fault: not null } => Severity.Alarm, { IsSealChecked: false } => Severity.Attention, _ => Severity.Quiet };
+
+    /// <summary>Done when the trail is read.</summary>
+    internal Task Reading { get; private set; } = Task.CompletedTask;
+
+    /// <summary>Goes to a correction.</summary>
+    public void Look(long correction) => _look(correction);
+
+    /// <inheritdoc/>
+    protected override void Follow() => Refresh();
+
+    /// <inheritdoc/>
+    protected override void Translate()
+    {
+        Refresh();
+        Entries.Show([.. _entries.Select(Row)]);
+        Say();
+    }
+
+    private void Refresh()
+    {
+        if (Station.State.Status is { } status)
+        {
+            Messages.Show([.. Of(status)]);
+            Say(nameof(IsQuiet));
+        }
+
+        if (!_isReading)
+        {
+            Reading = ReadAsync(Math.Max(Page, _entries.Count)).Watched();
+        }
+    }
+
+    private IEnumerable<MessageRow> Of(CellStatus status)
+    {
+        var texts = Texts.Current;
+        if (!status.IsRunning)
+        {
+            yield return new(Severity.Alarm, status.Heartbeat is { } last ? texts.With("Message.NotRunningSince", Shown.Time(last.At, Station.Clock)) : texts["Message.NotRunning"], texts["Message.NotRunning.Next"], null);
+        }
+
+        foreach (var trouble in status.IsRunning ? status.Heartbeat!.Troubles : [])
+        {
+            yield return new(Severity.Alarm, $"{trouble.Where} · {Shown.Time(trouble.Since, Station.Clock)} · {CodeText.Of(trouble.Code, trouble.Message)}", texts["Message.Trouble.Next"], null);
+        }
+
+        foreach (var failed in status.Failed)
+        {
+            yield return new(
+                Severity.Alarm,
+                $"{CorrectionLabel.Of(failed)} · {(failed.Code is { } code ? CodeText.Of(code, failed.Reason) : failed.Reason)}",
+                texts[failed.ProgramSha256 is null ? "Message.FailedUncomputed.Next" : "Message.Failed.Next"],
+                failed.Id);
+        }
+
+        foreach (var proposed in status.Proposed)
+        {
+            yield return new(Severity.Attention, texts.With("Message.Proposed", CorrectionLabel.Of(proposed), Shown.Mm(proposed.LargestMm)), texts["Message.Proposed.Next"], proposed.Id);
+        }
+
+        foreach (var slot in status.Slots.Where(s => s.Held is { State: CorrectionState.Reverted } || (s.Held is { State: CorrectionState.Verified } && s.Slot.ReadyFile is null)))
+        {
+            yield return new(Severity.Attention, texts.With("Message.Taken", $"{slot.Machine.Name}/{slot.Slot.Name}", CorrectionLabel.Of(slot.Held!)), texts["Message.Taken.Next"], slot.Held!.Id);
+        }
+    }
+
+    private async Task ReadAsync(int most)
+    {
+        _isReading = true;
+        try
+        {
+            IReadOnlyList<AuditEntry>? entries = null;
+            var (newest, known) = (_newest, _entries.Count);
+            if (await TryAsync(() =>
+            {
+                var head = Station.Store.ChangeCount();
+                if (head != newest || most > known)
+                {
+                    entries = Station.Store.AuditEntries(Math.Max(0, head - most), most);
+                }
+            }) && entries is not null)
+            {
+                _entries = [.. entries.OrderByDescending(e => e.Seq)];
+                _newest = _entries is [var first, ..] ? first.Seq : 0;
+                Entries.Show([.. _entries.Select(Row)]);
+                More.Refresh();
+            }
+        }
+        finally
+        {
+            _isReading = false;
+        }
+    }
+
+    private AuditRow Row(AuditEntry entry) => new(
+        Shown.Id(entry.Seq), Shown.Time(entry.At, Station.Clock), entry.Who, Texts.Current.Or("Audited." + entry.What, entry.What), Short(entry.Subject ?? ""), Short(entry.Basis));
+
+    // Of a hash the first digits tell it from others; the whole one is in the export.
+    private static string Short(string text) => Hash().Replace(text, m => m.Value[..Digits] + "…");
+
+    [GeneratedRegex("[0-9a-f]{64}", RegexOptions.None, 1000)]
+    private static partial Regex Hash();
+}

@@ -1,0 +1,20 @@
+using Avalonia.Controls;
+using Avalonia.Interactivity;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>The cell at a glance.</summary>
+public sealed partial class OverviewView : UserControl
+{
+    /// <summary>The view.</summary>
+    public OverviewView() => InitializeComponent();
+
+    private void OnTile(object? sender, RoutedEventArgs e)
+    {
+        if (DataContext is OverviewViewModel overview && (sender as Control)?.DataContext is { } tile
+            && (tile is WaitingTile waiting ? waiting.Id : (tile as SlotTile)?.Correction) is { } correction)
+        {
+            overview.Look(correction);
+        }
+    }
+}

@@ -1,0 +1,105 @@
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Overview: whether all is well, and one tap from what is not.</summary>
+public sealed class OverviewViewModel : ScreenViewModel
+{
+    private readonly Action<long>? _look;
+
+    /// <summary>The overview of a cell.</summary>
+    /// <param name="station">The station.</param>
+    /// <param name="look">Goes to a correction; null where nobody may, for nobody is signed in.</param>
+    public OverviewViewModel(Station station, Action<long>? look)
+        : base(station)
+    {
+        _look = look;
+        Refresh();
+    }
+
+    /// <summary>All slots.</summary>
+    public RowList<SlotTile> Slots { get; } = [];
+
+    /// <summary>All gauges.</summary>
+    public RowList<GaugeTile> Gauges { get; } = [];
+
+    /// <summary>What waits for a person, has failed, or is on its way, the worst first.</summary>
+    public RowList<WaitingTile> Waiting { get; } = [];
+
+    /// <summary>How it is, in a sentence.</summary>
+    public string Summary { get; private set; } = "";
+
+    /// <summary>How much the cell asks for attention.</summary>
+    public Severity Severity { get; private set; }
+
+    /// <summary>True if there is nothing in <see cref="Waiting"/>.</summary>
+    public bool IsNothingWaiting => Waiting.Count == 0;
+
+    /// <summary>True if a tap leads on.</summary>
+    public bool CanLook => _look is not null;
+
+    /// <summary>Goes to a correction.</summary>
+    public void Look(long correction) => _look?.Invoke(correction);
+
+    /// <inheritdoc/>
+    protected override void Follow() => Refresh();
+
+    private void Refresh()
+    {
+        if (Station.State.Status is not { } status)
+        {
+            Summary = Texts.Current["Overview.Looking"];
+            Say();
+            return;
+        }
+
+        var texts = Texts.Current;
+        Slots.Show([.. status.Slots.Select(s => Tile(status, s))]);
+        Gauges.Show([.. Station.Settings.Gauges.Select(g => Tile(status, g))]);
+        Waiting.Show([.. status.Failed.Select(c => Tile(c, Severity.Alarm)), .. status.Proposed.Select(c => Tile(c, Severity.Attention)), .. status.InWork.Select(c => Tile(c, Severity.Quiet))]);
+        var (failed, proposed) = (status.CountOf(CorrectionState.Failed), status.CountOf(CorrectionState.Proposed));
+        (Summary, Severity) =
+            !status.IsRunning ? (texts["Overview.NotRunning"], Severity.Alarm)
+            : failed > 0 ? (texts.With("Overview.Failed", Shown.Count(failed)), Severity.Alarm)
+            : Troubles(status) is { Count: > 0 } troubles ? (texts.With("Overview.Troubles", Shown.Count(troubles.Count)), Severity.Alarm)
+            : proposed > 0 ? (texts.With("Overview.Proposed", Shown.Count(proposed)), Severity.Attention)
+            : (texts["Overview.Well"], Severity.Quiet);
+        Say();
+    }
+
+    private static IReadOnlyList<CellTrouble> Troubles(CellStatus status) => status.IsRunning ? status.Heartbeat!.Troubles : [];
+
+    private SlotTile Tile(CellStatus status, SlotStatus slot)
+    {
+        var texts = Texts.Current;
+        var name = $"{slot.Machine.Name}/{slot.Slot.Name}";
+        var trouble = Troubles(status).FirstOrDefault(t => t.Where == "slot " + name);
+        var waiting = slot.Waiting == 0 ? texts["Overview.NoneWaiting"] : texts.With("Overview.InLine", Shown.Count(slot.Waiting));
+        return (trouble, slot.Held) switch
+        {
+            ({ } t, var held) => new(name, slot.Slot.Program, texts["Overview.SlotTrouble"], CodeText.Of(t.Code, t.Message), waiting, Severity.Alarm, held?.Id),
+            (_, { } held) => new(name, slot.Slot.Program, texts.Word(held.State), $"{Label(held)} · {Shown.Time(held.ChangedAt, Station.Clock)}", waiting, Severity.Quiet, held.Id),
+            _ => new(name, slot.Slot.Program, texts["Overview.Free"], texts[slot.Holding.ProgramSha256 is null ? "Overview.NothingSent" : "Overview.LastReleased"], waiting, Severity.Quiet, null),
+        };
+    }
+
+    private static GaugeTile Tile(CellStatus status, GaugeSettings gauge)
+    {
+        var texts = Texts.Current;
+        var source = gauge.Machine is { } machine ? texts.With("Overview.AtMachine", machine) : Path.GetFileName(Path.TrimEndingDirectorySeparator(gauge.Incoming ?? ""));
+        var trouble = Troubles(status).FirstOrDefault(t => t.Where == "gauge " + gauge.Name);
+        return trouble is null
+            ? new(gauge.Name, source, texts[status.IsRunning ? "Overview.GaugeWatched" : "Overview.GaugeNotWatched"], Severity.Quiet)
+            : new(gauge.Name, source, CodeText.Of(trouble.Code, trouble.Message), Severity.Alarm);
+    }
+
+    private WaitingTile Tile(Correction correction, Severity severity) => new(
+        correction.Id,
+        Label(correction),
+        severity == Severity.Alarm && correction.Code is { } code ? CodeText.Of(code, correction.Reason) : Texts.Current["Waiting." + correction.State],
+        correction.LargestMm is { } mm ? Shown.Mm(mm) + " mm" : "",
+        Shown.Time(correction.ChangedAt, Station.Clock),
+        severity);
+
+    private static string Label(Correction correction) => CorrectionLabel.Of(correction);
+}

@@ -1,0 +1,58 @@
+using System.ComponentModel;
+using Avalonia.Controls;
+using Avalonia.Interactivity;
+using Avalonia.Styling;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>The station's window.</summary>
+public sealed partial class MainWindow : Window
+{
+    private ShellViewModel? _shell;
+
+    /// <summary>A window of 1280 by 800, which is the smallest that everything fits into.</summary>
+    public MainWindow()
+    {
+        InitializeComponent();
+        AddHandler(PointerPressedEvent, (_, _) => _shell?.Touch(), RoutingStrategies.Tunnel, handledEventsToo: true);
+        AddHandler(KeyDownEvent, (_, _) => _shell?.Touch(), RoutingStrategies.Tunnel, handledEventsToo: true);
+    }
+
+    /// <inheritdoc/>
+    protected override void OnDataContextChanged(EventArgs e)
+    {
+        base.OnDataContextChanged(e);
+        if (_shell is not null)
+        {
+            _shell.PropertyChanged -= OnShell;
+        }
+
+        _shell = DataContext as ShellViewModel;
+        if (_shell is not null)
+        {
+            _shell.PropertyChanged += OnShell;
+            ShowTheme();
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnClosed(EventArgs e)
+    {
+        if (_shell is not null)
+        {
+            _shell.PropertyChanged -= OnShell;
+        }
+
+        base.OnClosed(e);
+    }
+
+    private void OnShell(object? sender, PropertyChangedEventArgs e)
+    {
+        if (e.PropertyName is nameof(ShellViewModel.IsDark))
+        {
+            ShowTheme();
+        }
+    }
+
+    private void ShowTheme() => RequestedThemeVariant = _shell!.IsDark ? ThemeVariant.Dark : ThemeVariant.Light;
+}

@@ -1,0 +1,62 @@
+namespace ErrorMatching.Hmi;
+
+/// <summary>What a screen shows and does. It is made anew each time the screen is opened, and let go when it is left.</summary>
+public abstract class ScreenViewModel : Observable, IDisposable
+{
+    private string? _message;
+
+    /// <summary>A screen of a station, which follows what happens in the cell and the language.</summary>
+    protected ScreenViewModel(Station station)
+    {
+        Station = station ?? throw new ArgumentNullException(nameof(station));
+        Station.Changed += Follow;
+        Texts.Current.LanguageChanged += Translate;
+    }
+
+    /// <summary>The station.</summary>
+    public Station Station { get; }
+
+    /// <summary>What did not work, in words; null if nothing is to be said.</summary>
+    public string? Message
+    {
+        get => _message;
+        protected set => Set(ref _message, value);
+    }
+
+    /// <inheritdoc/>
+    public void Dispose()
+    {
+        Dispose(isDisposing: true);
+        GC.SuppressFinalize(this);
+    }
+
+    /// <summary>Lets go of the station.</summary>
+    protected virtual void Dispose(bool isDisposing)
+    {
+        Station.Changed -= Follow;
+        Texts.Current.LanguageChanged -= Translate;
+    }
+
+    /// <summary>Called when something has changed in the cell, on the screen's thread.</summary>
+    protected virtual void Follow() => Say();
+
+    /// <summary>Called when the language has changed.</summary>
+    protected virtual void Translate() => Follow();
+
+    /// <summary>Does something beside the screen: the store and passwords take their time. What does not work becomes the <see cref="Message"/>.</summary>
+    /// <returns>True if it worked.</returns>
+    protected async Task<bool> TryAsync(Action work)
+    {
+        Message = null;
+        try
+        {
+            await Task.Run(work);
+            return true;
+        }
+        catch (Exception e) when (Failures.IsKnown(e))
+        {
+            Message = Failures.Of(e, Station.Clock);
+            return false;
+        }
+    }
+}

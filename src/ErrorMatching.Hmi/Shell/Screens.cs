@@ -1,0 +1,26 @@
+namespace ErrorMatching.Hmi;
+
+/// <summary>All screens behind the login, in the order of the navigation. A new one takes a line here, a line in <c>Views</c>, its texts and an icon.</summary>
+public static class Screens
+{
+    /// <summary>Key of the overview.</summary>
+    public const string Overview = "overview";
+
+    /// <summary>Key of the on-line compensation.</summary>
+    public const string Compensation = "compensation";
+
+    /// <summary>Key of the history.</summary>
+    public const string History = "history";
+
+    /// <summary>Key of messages and audit trail.</summary>
+    public const string Messages = "messages";
+
+    /// <summary>The screens.</summary>
+    public static IReadOnlyList<Screen> All { get; } =
+    [
+        new(Overview, shell => new OverviewViewModel(shell.Station, shell.Look)),
+        new(Compensation, shell => new CompensationViewModel(shell)),
+        new(History, shell => new HistoryViewModel(shell.Station)),
+        new(Messages, shell => new MessagesViewModel(shell.Station, shell.Look)),
+    ];
+}

@@ -1,0 +1,247 @@
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>The frame around all screens: where one is and can go, who sits there, what the cell cannot do just now, and the lock.</summary>
+public sealed class ShellViewModel : Observable, IDisposable
+{
+    private static readonly TimeSpan SeatLook = TimeSpan.FromSeconds(1);
+    private readonly SynchronizationContext _screen;
+    private readonly ITimer _seat;
+    private NavigationItem? _chosen;
+    private ScreenViewModel? _current;
+    private LoginViewModel? _login;
+    private SigningViewModel? _signing;
+    private SignedIn? _who;
+    private bool _isDark;
+    private long _touched;
+    private bool _isOver;
+
+    /// <summary>The frame of a station, locked until somebody signs in.</summary>
+    public ShellViewModel(Station station)
+    {
+        Station = station ?? throw new ArgumentNullException(nameof(station));
+        _screen = SynchronizationContext.Current ?? throw new InvalidOperationException("The frame is made on the screen's thread.");
+        Items = [.. Screens.All.Select(s => new NavigationItem(s))];
+        SignOut = new(async _ =>
+        {
+            await Task.Run(LeaveSeat, CancellationToken.None);
+            Lock();
+        });
+        SwitchLanguage = new(() => Texts.Current.Language = Texts.Current.Language == Language.English ? Language.TraditionalChinese : Language.English);
+        SwitchTheme = new(() => IsDark = !IsDark);
+        Station.Changed += Follow;
+        Texts.Current.LanguageChanged += Translate;
+        Lock();
+
+        // Looked for beside the screen: whoever left is written down in the store.
+        _seat = Station.Clock.CreateTimer(_ => LookForSeat(), null, SeatLook, SeatLook);
+    }
+
+    /// <summary>The station.</summary>
+    public Station Station { get; }
+
+    /// <summary>The screens that can be gone to.</summary>
+    public IReadOnlyList<NavigationItem> Items { get; }
+
+    /// <summary>Signs out, which locks the station.</summary>
+    public LongCommand SignOut { get; }
+
+    /// <summary>The other language.</summary>
+    public Command SwitchLanguage { get; }
+
+    /// <summary>Light or dark.</summary>
+    public Command SwitchTheme { get; }
+
+    /// <summary>The screen that is open, in the navigation; null while nobody was ever signed in.</summary>
+    public NavigationItem? Chosen
+    {
+        get => _chosen;
+        set
+        {
+            if (value is not null && value != _chosen)
+            {
+                Show(value, value.Screen.Open(this));
+            }
+        }
+    }
+
+    /// <summary>What is shown in the middle: the login while the station is locked.</summary>
+    public ScreenViewModel? Current => _login ?? _current;
+
+    /// <summary>What is being signed, in front of everything; null if nothing is.</summary>
+    public SigningViewModel? Signing
+    {
+        get => _signing;
+        private set => Set(ref _signing, value);
+    }
+
+    /// <summary>True while nobody is signed in.</summary>
+    public bool IsLocked => _login is not null;
+
+    /// <summary>True for light on dark.</summary>
+    public bool IsDark
+    {
+        get => _isDark;
+        set => Set(ref _isDark, value);
+    }
+
+    /// <summary>The cell's name.</summary>
+    public string CellName => Station.Settings.Name;
+
+    /// <summary>Who is signed in; empty if nobody is.</summary>
+    public string UserName => _who?.Name ?? "";
+
+    /// <summary>What that user may do, in a word.</summary>
+    public string UserRole => _who is null ? "" : Texts.Current.Word(_who.Role);
+
+    /// <summary>What the cell cannot do just now, and what still works; null if all is well.</summary>
+    public string? Banner => Station.State switch
+    {
+        { StoreTrouble: { } trouble } => Texts.Current.With("Banner.Store", Texts.Current.Word(trouble.Error)),
+        { Status: { IsRunning: false } } => Texts.Current["Banner.NotRunning"],
+        { Status.Heartbeat.Troubles: [var only] } => Texts.Current.With("Banner.Trouble", only.Where, CodeText.Of(only.Code, only.Message)),
+        { Status.Heartbeat.Troubles: [_, ..] and var troubles } => Texts.Current.With("Banner.Troubles", troubles.Count),
+        _ => null,
+    };
+
+    /// <summary>Who is signed in; null if nobody is.</summary>
+    internal SignedIn? Who => _who;
+
+    /// <summary>Goes to where a correction is looked at.</summary>
+    public void Look(long correction)
+    {
+        if (!IsLocked && Items.FirstOrDefault(i => i.Screen.Key == Screens.Compensation) is { } item && item.Screen.Open(this) is { } screen)
+        {
+            (screen as ILooksAt)?.LookAt(correction);
+            Show(item, screen);
+        }
+    }
+
+    /// <summary>Goes to a screen.</summary>
+    public void Go(string key) => Chosen = Items.First(i => i.Screen.Key == key);
+
+    /// <summary>Lets somebody sign, in front of everything else.</summary>
+    internal void Sign(SigningViewModel signing)
+    {
+        Signing = signing;
+        signing.Done += () => Signing = null;
+    }
+
+    /// <summary>Says that a key or button was pressed. Costs nothing more than once a second.</summary>
+    public void Touch()
+    {
+        if (!IsLocked && Station.Clock.GetElapsedTime(_touched) >= SeatLook)
+        {
+            _touched = Station.Clock.GetTimestamp();
+            _ = Task.Run(TouchSeat).Watched();
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Dispose()
+    {
+        _isOver = true;
+        _seat.Dispose();
+        Station.Changed -= Follow;
+        Texts.Current.LanguageChanged -= Translate;
+        _login?.Dispose();
+        _current?.Dispose();
+    }
+
+    private void Show(NavigationItem item, ScreenViewModel screen)
+    {
+        _current?.Dispose();
+        (_chosen, _current) = (item, screen);
+        Say(nameof(Chosen));
+        Say(nameof(Current));
+    }
+
+    private void Lock()
+    {
+        if (_login is not null)
+        {
+            return;
+        }
+
+        Signing = null;
+        _login = new LoginViewModel(Station, UserName, Unlock);
+        _who = null;
+        Say();
+    }
+
+    private void Unlock(SignedIn who)
+    {
+        // Whoever left finds the screen as it was; somebody else begins at the overview.
+        var isOther = _login!.LastName != who.Name;
+        _login.Dispose();
+        (_login, _who) = (null, who);
+        if (isOther || _current is null)
+        {
+            Show(Items[0], Items[0].Screen.Open(this));
+        }
+
+        Say();
+    }
+
+    private void TouchSeat()
+    {
+        try
+        {
+            Station.Session.Touch();
+        }
+        catch (StoreException)
+        {
+            // The seat was left just before, and that could not be written down: the banner says that the store is away.
+        }
+    }
+
+    private void LeaveSeat()
+    {
+        try
+        {
+            Station.Session.SignOut();
+        }
+        catch (StoreException)
+        {
+            // The seat is left all the same.
+        }
+    }
+
+    private void LookForSeat()
+    {
+        try
+        {
+            if (Station.Session.Who is null)
+            {
+                _screen.Post(_ => LockIfLeft(), null);
+            }
+        }
+        catch (StoreException)
+        {
+            // The seat counts as left, though that could not be written down: the store is away, which the banner says.
+            _screen.Post(_ => LockIfLeft(), null);
+        }
+    }
+
+    private void LockIfLeft()
+    {
+        if (!_isOver)
+        {
+            Lock();
+        }
+    }
+
+    private void Follow() => Say(nameof(Banner));
+
+    private void Translate()
+    {
+        foreach (var item in Items)
+        {
+            item.Rename();
+        }
+
+        Say(nameof(Banner));
+        Say(nameof(UserRole));
+    }
+}

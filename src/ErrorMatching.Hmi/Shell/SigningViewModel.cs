@@ -1,0 +1,124 @@
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>A person puts the name under one act: says why where that is asked, gives the password again where the act takes one.</summary>
+public sealed class SigningViewModel : Observable
+{
+    private readonly Station _station;
+    private readonly Func<SignedIn, string?, CancellationToken, Task> _carryOut;
+    private string _reason = "";
+    private string _password = "";
+    private string? _message;
+
+    /// <summary>Asks for a signature.</summary>
+    /// <param name="station">The station.</param>
+    /// <param name="who">Who is signed in.</param>
+    /// <param name="act">What is to be done.</param>
+    /// <param name="subject">What it is done to, in words.</param>
+    /// <param name="needsReason">True if it takes a reason.</param>
+    /// <param name="carryOut">Does it, beside the screen: who signs, and why.</param>
+    public SigningViewModel(Station station, SignedIn who, Act act, string subject, bool needsReason, Func<SignedIn, string?, CancellationToken, Task> carryOut)
+    {
+        ArgumentNullException.ThrowIfNull(who);
+        (_station, _carryOut) = (station, carryOut);
+        (Act, Subject, UserName, NeedsReason, NeedsPassword) = (act, subject, who.Name, needsReason, Rights.IsSigned(act));
+        Who = who;
+        Confirm = new(RunAsync, () => (!NeedsReason || !string.IsNullOrWhiteSpace(Reason)) && (!NeedsPassword || Password.Length > 0));
+        Leave = new(() => Done?.Invoke());
+    }
+
+    /// <summary>Said when it is signed and done, or left.</summary>
+    public event Action? Done;
+
+    /// <summary>What is to be done.</summary>
+    public Act Act { get; }
+
+    /// <summary>What it is done to.</summary>
+    public string Subject { get; }
+
+    /// <summary>Who signs.</summary>
+    public string UserName { get; }
+
+    /// <summary>True if a reason is asked for.</summary>
+    public bool NeedsReason { get; }
+
+    /// <summary>True if the password is asked for.</summary>
+    public bool NeedsPassword { get; }
+
+    /// <summary>What is to be done, in words.</summary>
+    public string Title => Texts.Current["Act." + Act];
+
+    /// <summary>Whose password is asked for.</summary>
+    public string PasswordLabel => Texts.Current.With("Signing.Password", UserName);
+
+    /// <summary>What follows, in words.</summary>
+    public string Consequence => Texts.Current["Act." + Act + ".Consequence"];
+
+    /// <summary>Does it.</summary>
+    public LongCommand Confirm { get; }
+
+    /// <summary>Leaves everything as it is.</summary>
+    public Command Leave { get; }
+
+    /// <summary>Why.</summary>
+    public string Reason
+    {
+        get => _reason;
+        set
+        {
+            if (Set(ref _reason, value ?? ""))
+            {
+                Confirm.Refresh();
+            }
+        }
+    }
+
+    /// <summary>The password.</summary>
+    public string Password
+    {
+        get => _password;
+        set
+        {
+            if (Set(ref _password, value ?? ""))
+            {
+                Confirm.Refresh();
+            }
+        }
+    }
+
+    /// <summary>What did not work; null if nothing.</summary>
+    public string? Message
+    {
+        get => _message;
+        private set => Set(ref _message, value);
+    }
+
+    private SignedIn Who { get; }
+
+    private async Task RunAsync(CancellationToken cancellation)
+    {
+        var (password, reason) = (Password, string.IsNullOrWhiteSpace(Reason) ? null : Reason.Trim());
+        Message = null;
+        try
+        {
+            await Task.Run(
+                async () =>
+                {
+                    var by = NeedsPassword ? _station.Session.SignAgain(password) : Who;
+                    _station.Users.Demand(by, Act);
+                    await _carryOut(by, reason, cancellation);
+                },
+                cancellation);
+            Done?.Invoke();
+        }
+        catch (Exception e) when (Failures.IsKnown(e))
+        {
+            Message = Failures.Of(e, _station.Clock);
+        }
+        finally
+        {
+            Password = "";
+        }
+    }
+}

@@ -1,0 +1,40 @@
+using Avalonia.Controls;
+using Avalonia.Controls.Templates;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Which view shows which view model. A new screen takes one line.</summary>
+public sealed class Views : IRecyclingDataTemplate
+{
+    private static readonly Dictionary<Type, (Type View, Func<Control> Make)> All = new()
+    {
+        [typeof(LoginViewModel)] = (typeof(LoginView), () => new LoginView()),
+        [typeof(OverviewViewModel)] = (typeof(OverviewView), () => new OverviewView()),
+        [typeof(CompensationViewModel)] = (typeof(CompensationView), () => new CompensationView()),
+        [typeof(CorrectionDetail)] = (typeof(CorrectionDetailView), () => new CorrectionDetailView()),
+        [typeof(HistoryViewModel)] = (typeof(HistoryView), () => new HistoryView()),
+        [typeof(MessagesViewModel)] = (typeof(MessagesView), () => new MessagesView()),
+        [typeof(SigningViewModel)] = (typeof(SigningView), () => new SigningView()),
+    };
+
+    /// <summary>The view models that have a view.</summary>
+    internal static IEnumerable<Type> ViewModels => All.Keys;
+
+    /// <inheritdoc/>
+    public bool Match(object? data) => data is not null && All.ContainsKey(data.GetType());
+
+    /// <inheritdoc/>
+    public Control? Build(object? param) => Build(param, null);
+
+    /// <summary>A view model of the same kind is shown in the view that is there, which stays as it was opened.</summary>
+    public Control? Build(object? data, Control? existing)
+    {
+        if (data is null)
+        {
+            return null;
+        }
+
+        var (view, make) = All[data.GetType()];
+        return existing?.GetType() == view ? existing : make();
+    }
+}

@@ -1,0 +1,28 @@
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>What a person is told when something that was asked for does not work: the station's words for what is known by code, and the library's sentence where it says more.</summary>
+public static class Failures
+{
+    /// <summary>True for what happens outside of the program, and is told and not a defect.</summary>
+    public static bool IsKnown(Exception failure) =>
+        failure is PeopleException or DecisionException or StoreException or TransportException or DuplicateCorrectionException or SlotTakenException or InputException or OutputException or IOException or UnauthorizedAccessException;
+
+    /// <summary>What to say.</summary>
+    public static string Of(Exception failure, TimeProvider clock)
+    {
+        ArgumentNullException.ThrowIfNull(failure);
+        var texts = Texts.Current;
+        return failure switch
+        {
+            PeopleException { LockedUntil: { } until } => texts.With("PeopleError.LockedUntil", Shown.Time(until, clock)),
+            PeopleException e => texts.Word(e.Error),
+            DecisionException e => texts["Decision." + e.Code],
+            StoreException e => texts.Word(e.Error),
+            TransportException e => texts.Word(e.Error),
+            _ => failure.Message,
+        };
+    }
+}

@@ -1,0 +1,46 @@
+using System.Globalization;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Numbers and times as the screen shows them: decimals of one length, so that they stand under each other; deviations with their sign.</summary>
+public static class Shown
+{
+    // A real minus sign is as wide as the plus sign; a hyphen is not.
+    private const string MillimetersFormat = "0.0000;−0.0000";
+    private const string SignedFormat = "+0.0000;−0.0000;0.0000";
+    private const string DegreesFormat = "0.000;−0.000";
+    private const string SignedDegreesFormat = "+0.000;−0.000;0.000";
+
+    /// <summary>What stands where there is no value.</summary>
+    public const string Nothing = "–";
+
+    /// <summary>A length or coordinate in mm, four decimals.</summary>
+    public static string Mm(double? mm) => Number(mm, MillimetersFormat);
+
+    /// <summary>A deviation in mm with its sign, four decimals.</summary>
+    public static string SignedMm(double? mm) => Number(mm, SignedFormat);
+
+    /// <summary>An angle in degrees, three decimals.</summary>
+    public static string Degrees(double? degrees) => Number(degrees, DegreesFormat);
+
+    /// <summary>A difference of angles in degrees with its sign, three decimals.</summary>
+    public static string SignedDegrees(double? degrees) => Number(degrees, SignedDegreesFormat);
+
+    /// <summary>A count.</summary>
+    public static string Count(long count) => count.ToString("#,##0", CultureInfo.InvariantCulture);
+
+    /// <summary>A number of a correction or of an entry.</summary>
+    public static string Id(long id) => id.ToString(CultureInfo.InvariantCulture);
+
+    /// <summary>A time in the computer's zone, by the language's custom, to the second.</summary>
+    public static string Time(DateTimeOffset time, TimeProvider clock)
+    {
+        ArgumentNullException.ThrowIfNull(clock);
+        return TimeZoneInfo.ConvertTime(time, clock.LocalTimeZone).ToString(Texts.Current["Format.Time"], CultureInfo.InvariantCulture);
+    }
+
+    // What rounds to nothing has no sign.
+    private static string Number(double? value, string format) => value is { } v
+        ? (Math.Round(v, format.Contains("0.0000", StringComparison.Ordinal) ? 4 : 3) + 0.0).ToString(format, CultureInfo.InvariantCulture)
+        : Nothing;
+}

@@ -1,0 +1,61 @@
+using System.Globalization;
+using System.Text.Json;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>What the screen says, in the language that is chosen. The words are in the files beside this one, by the same keys in each language.</summary>
+public sealed class Texts : Observable
+{
+    private static readonly Dictionary<Language, IReadOnlyDictionary<string, string>> All = Enum.GetValues<Language>().ToDictionary(l => l, l => (IReadOnlyDictionary<string, string>)Read(l));
+    private Language _language;
+
+    private Texts()
+    {
+    }
+
+    /// <summary>Said when another language was chosen.</summary>
+    public event Action? LanguageChanged;
+
+    /// <summary>The texts of this process.</summary>
+    public static Texts Current { get; } = new();
+
+    /// <summary>The language of the screen.</summary>
+    public Language Language
+    {
+        get => _language;
+        set
+        {
+            if (Set(ref _language, value))
+            {
+                // Both names: which one stands for the indexer depends on who listens.
+                Say("Item");
+                Say("Item[]");
+                LanguageChanged?.Invoke();
+            }
+        }
+    }
+
+    /// <summary>The text of a key.</summary>
+    /// <exception cref="KeyNotFoundException">There is no such key.</exception>
+    public string this[string key] => All[_language].TryGetValue(key, out var text) ? text : throw new KeyNotFoundException($"There is no text {key}.");
+
+    /// <summary>All keys of a language with their texts.</summary>
+    public static IReadOnlyDictionary<string, string> Of(Language language) => All[language];
+
+    /// <summary>The text of a key, with values in the places of <c>{0}</c> and so on.</summary>
+    /// <exception cref="KeyNotFoundException">There is no such key.</exception>
+    public string With(string key, params object[] values) => string.Format(CultureInfo.InvariantCulture, this[key], values);
+
+    /// <summary>The text of a value of an enumeration, by the key TYPE.VALUE.</summary>
+    public string Word<T>(T value)
+        where T : struct, Enum => this[$"{typeof(T).Name}.{value}"];
+
+    /// <summary>The text of a key, or something else where there is none.</summary>
+    public string Or(string key, string otherwise) => All[_language].GetValueOrDefault(key, otherwise);
+
+    private static Dictionary<string, string> Read(Language language)
+    {
+        using var stream = typeof(Texts).Assembly.GetManifestResourceStream("texts." + (language == Language.English ? "en" : "zh-Hant"))!;
+        return JsonSerializer.Deserialize<Dictionary<string, string>>(stream)!;
+    }
+}

@@ -1,0 +1,160 @@
+using System.Globalization;
+using System.Text.Json;
+using Avalonia.Controls;
+using Avalonia.Input;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi.Tests;
+
+public sealed class CompensationTests
+{
+    [Fact]
+    public Task Every_figure_is_that_of_the_report() => Seat.AtAsync(seat =>
+    {
+        var detail = Arrive(seat, DemoCell.Setter);
+        using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
+        var points = report.RootElement.GetProperty("keyPoints").EnumerateArray().ToArray();
+        Assert.Equal(16, points.Length);
+        Assert.Equal(points.Length, detail.Points.Count);
+        foreach (var (json, row) in points.Zip(detail.Points))
+        {
+            Assert.Equal(json.GetProperty("point").GetString(), row.Point);
+            Same(json.GetProperty("theoretical").GetProperty("x"), row.TheoreticalX);
+            Same(json.GetProperty("theoretical").GetProperty("y"), row.TheoreticalY);
+            Same(json.GetProperty("actual").GetProperty("x"), row.ActualX);
+            Same(json.GetProperty("actual").GetProperty("y"), row.ActualY);
+            Same(json.GetProperty("correction").GetProperty("x"), row.CompensationX);
+            Same(json.GetProperty("correction").GetProperty("y"), row.CompensationY);
+            Same(json.GetProperty("normalMm"), row.Deviation);
+            Same(json.GetProperty("predictedMm"), row.Predicted);
+        }
+
+        var quantities = report.RootElement.GetProperty("features").EnumerateArray().SelectMany(f => f.GetProperty("theoretical").EnumerateObject().Select(q => (Feature: f, q.Name))).ToArray();
+        Assert.Equal(quantities.Length, detail.Quantities.Count);
+        foreach (var ((feature, name), row) in quantities.Zip(detail.Quantities))
+        {
+            Assert.Equal(feature.GetProperty("name").GetString(), row.Feature);
+            Same(feature.GetProperty("theoretical").GetProperty(name), row.Ideal);
+            Same(feature.GetProperty("actual").GetProperty(name), row.Actual);
+            Same(feature.GetProperty("corrected").GetProperty(name), row.Corrected);
+        }
+
+        Assert.Contains("Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
+        Assert.Equal(report.RootElement.GetProperty("program").GetProperty("changedBlocks").GetInt32(), detail.Kept.Report!.ChangedBlocks);
+    });
+
+    [Fact]
+    public Task The_paper_s_deviations_are_on_the_screen() => Seat.AtAsync(seat =>
+    {
+        // Table 5 of Wang, Tu and Gunawan (2021): point 1 is designed at (-31.950, 76.008) and measured at (-32.067, 76.005).
+        var first = Arrive(seat, DemoCell.Operator).Points[0];
+        Assert.Equal(("1", "−31.9500", "76.0080", "−32.0670", "76.0050"), (first.Point, first.TheoreticalX, first.TheoreticalY, first.ActualX, first.ActualY));
+    });
+
+    [Fact]
+    public Task Programs_stand_side_by_side_line_by_line() => Seat.AtAsync(seat =>
+    {
+        var detail = Arrive(seat, DemoCell.Setter);
+        var correction = seat.Station.Store.Find(1)!;
+        Assert.Equal(Lines(correction.BaseSha256!), detail.Lines!.Where(l => l.Original.Length > 0 || l.ModifiedSpans.Count == 0).Select(l => l.Original));
+        Assert.Equal(Lines(correction.ProgramSha256!), detail.Lines!.Select(l => l.Modified));
+        Assert.Equal(detail.Kept.Report!.ChangedBlocks, detail.Lines!.Count(l => l.IsChanged && l.Original.Length > 0));
+        Assert.All(detail.Lines!.Where(l => !l.IsChanged), l => Assert.Equal(l.Original, l.Modified));
+        seat.Tap("tab-program").Tap("change-next");
+        var list = (ListBox)seat.See("program");
+        Assert.True(((ProgramLine)list.SelectedItem!).IsChanged);
+
+        string[] Lines(string sha) => System.Text.Encoding.Latin1.GetString(seat.Station.Store.Content(sha)).TrimEnd('\n').Split('\n').Select(l => l.TrimEnd('\r')).ToArray();
+    });
+
+    [Fact]
+    public Task A_setter_approves_by_signing_again_and_the_machine_has_the_program() => Seat.AtAsync(seat =>
+    {
+        Arrive(seat, DemoCell.Setter);
+        seat.Tap("approve");
+        Assert.False(seat.See("signing-confirm").IsEffectivelyEnabled);
+        seat.Type("signing-password", "not the password").Tap("signing-confirm");
+        seat.WaitFor(() => seat.Find("signing-message") is not null, "A wrong password is not said.");
+        Assert.Equal(CorrectionState.Proposed, seat.Station.Store.Find(1)!.State);
+        seat.Type("signing-password", DemoCell.Password).Tap("signing-confirm");
+        var sent = seat.WaitFor(1, CorrectionState.Verified);
+        Assert.Equal(seat.Station.Store.Content(sent.ProgramSha256!), File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
+        Assert.Contains(seat.Station.Store.StepsOf(1), s => s is { To: CorrectionState.Approved, By: DemoCell.Setter });
+        seat.WaitFor(() => seat.TextOf("detail-state") == "At the machine", "The screen does not follow.");
+        Assert.NotNull(seat.Find("release"));
+        Assert.Null(seat.Find("approve"));
+    });
+
+    [Fact]
+    public Task An_operator_cannot_approve_and_is_told_who_can() => Seat.AtAsync(seat =>
+    {
+        Arrive(seat, DemoCell.Operator);
+        Assert.False(seat.See("approve").IsEffectivelyEnabled);
+        Assert.Equal("A setter has to approve this. You may reject it.", seat.TextOf("forbidden"));
+    });
+
+    [Fact]
+    public Task An_operator_rejects_with_a_reason() => Seat.AtAsync(seat =>
+    {
+        Arrive(seat, DemoCell.Operator);
+        seat.Tap("reject");
+        Assert.False(seat.See("signing-confirm").IsEffectivelyEnabled);
+        Assert.Null(seat.Find("signing-password"));
+        seat.Type("signing-reason", "chip under the probe").Tap("signing-confirm");
+        var rejected = seat.WaitFor(1, CorrectionState.Rejected);
+        Assert.Equal("chip under the probe", rejected.Reason);
+        Assert.Contains(seat.Station.Store.StepsOf(1), s => s is { To: CorrectionState.Rejected, By: DemoCell.Operator, Basis: "chip under the probe" });
+    });
+
+    [Fact]
+    public Task What_is_not_signed_stays_as_it_is() => Seat.AtAsync(seat =>
+    {
+        Arrive(seat, DemoCell.Setter);
+        seat.Tap("approve");
+        seat.User.Press(Key.Escape);
+        Assert.Null(seat.Find("signing-confirm"));
+        Assert.Equal(CorrectionState.Proposed, seat.Station.Store.Find(1)!.State);
+    });
+
+    [Fact]
+    public Task The_program_before_is_brought_back() => Seat.AtAsync(seat =>
+    {
+        var machine = Path.Combine(seat.Cell.MachineFolder, "counterpart.nc");
+        var before = File.ReadAllBytes(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating", "counterpart.nc"));
+        File.WriteAllBytes(machine, before);
+        Arrive(seat, DemoCell.Setter);
+        seat.Tap("approve").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
+        seat.WaitFor(1, CorrectionState.Verified);
+        Assert.NotEqual(before, File.ReadAllBytes(machine));
+        seat.Tap("revert").Type("signing-reason", "chatter").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
+        seat.WaitFor(1, CorrectionState.Reverted);
+        Assert.Equal(before, File.ReadAllBytes(machine));
+        seat.WaitFor(() => seat.Find("signing-confirm") is null, "The signature stays open.").Tap("release").Tap("signing-confirm");
+        seat.WaitFor(() => seat.Station.Store.Slot("vmc1", "A").Correction is null, "The slot stays taken.");
+    });
+
+    /// <summary>The sample's part arrives, somebody signs in and looks at it.</summary>
+    private static CorrectionDetail Arrive(Seat seat, string name)
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(name).Tap("nav-compensation").See("points");
+        var screen = (CompensationViewModel)seat.Shell.Current!;
+        seat.WaitFor(() => screen.Detail is not null, "The correction is not shown.");
+        return screen.Detail!;
+    }
+
+    // Half of the last decimal that is shown, and nothing more.
+    private static void Same(JsonElement json, string shown)
+    {
+        if (json.ValueKind == JsonValueKind.Null)
+        {
+            Assert.Equal(Shown.Nothing, shown);
+            return;
+        }
+
+        var decimals = shown.Length - shown.IndexOf('.', StringComparison.Ordinal) - 1;
+        Assert.Equal(json.GetDouble(), double.Parse(shown.Replace('−', '-'), CultureInfo.InvariantCulture), 0.5000001 * Math.Pow(10, -decimals));
+    }
+}

@@ -1,0 +1,28 @@
+using System.Text;
+
+namespace ErrorMatching.Hmi.Tests;
+
+public sealed class ProgramLinesTests
+{
+    [Fact]
+    public void Changed_and_inserted_blocks_stand_beside_the_original_ones()
+    {
+        var lines = Of("%\nN10 G0\nN20 X1.\nM30\n", "%\n(MARK)\nN10 G0\nN20 X1.5\nM30\n", new KeptBlock(3, "N20 X1.", [(4, 3)], [(4, 4)]));
+        Assert.Equal(["%|%", "|(MARK)", "N10 G0|N10 G0", "N20 X1.|N20 X1.5", "M30|M30"], lines.Select(l => $"{l.Original}|{l.Modified}"));
+        Assert.Equal([1, 3], lines.Changes);
+    }
+
+    [Fact]
+    public void A_million_blocks_are_counted_and_read_by_number_without_being_made_into_text()
+    {
+        var program = Encoding.ASCII.GetBytes(string.Concat(Enumerable.Repeat("G1 X1. Y2.\n", 1_000_000)));
+        var lines = new ProgramLines(program, program, []);
+        Assert.Equal(1_000_000, lines.Count);
+        Assert.Equal("G1 X1. Y2.", lines[999_999].Modified);
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        _ = lines[500_000];
+        Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 2_000);
+    }
+
+    private static ProgramLines Of(string original, string modified, params KeptBlock[] blocks) => new(Encoding.ASCII.GetBytes(original), Encoding.ASCII.GetBytes(modified), blocks);
+}

@@ -1,0 +1,168 @@
+using Avalonia;
+using Avalonia.Automation;
+using Avalonia.Controls;
+using Avalonia.VisualTree;
+using ErrorMatching.Cell;
+using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>A person in front of a station at a cell of their own: finds what is on the screen by its AutomationId, taps, types, waits.</summary>
+internal sealed class Seat : IAsyncDisposable
+{
+    /// <summary>Generous: a test waits for the event and not for the clock.</summary>
+    public static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
+
+    // Hashing passwords is slow on purpose: once is enough for all tests.
+    private static readonly Lazy<string> Template = new(() =>
+    {
+        var folder = Path.Combine(AppContext.BaseDirectory, "template");
+        if (Directory.Exists(folder))
+        {
+            Directory.Delete(folder, recursive: true);
+        }
+
+        DemoCell.Make(folder, TimeProvider.System);
+        return folder;
+    });
+
+    private readonly TemporaryFolder _folder = new();
+
+    private Seat(SeatClock clock, TimeSpan idle, Size size)
+    {
+        Clock = clock;
+        Copy(Template.Value, _folder.Path);
+        Cell = DemoCell.At(_folder.Path, TimeProvider.System);
+        Station = new(Cell.Settings, clock, idle);
+        Shell = new(Station);
+        Window = new() { DataContext = Shell, Width = size.Width, Height = size.Height };
+        Window.Show();
+        User = new ScreenUser(Window).Settle();
+    }
+
+    public SeatClock Clock { get; }
+
+    public DemoCell Cell { get; }
+
+    public Station Station { get; }
+
+    public ShellViewModel Shell { get; }
+
+    public MainWindow Window { get; }
+
+    public ScreenUser User { get; }
+
+    /// <summary>Does a test at a seat, on the screen's thread.</summary>
+    public static Task AtAsync(Func<Seat, Task> test, Size? size = null, TimeSpan? idle = null) => Drawing.Needed().RunAsync(async () =>
+    {
+        Texts.Current.Language = Language.English;
+        await using var seat = new Seat(new SeatClock(), idle ?? Station.DefaultIdle, size ?? new(1280, 800));
+        await test(seat);
+    });
+
+    /// <summary>Does a test at a seat, on the screen's thread.</summary>
+    public static Task AtAsync(Action<Seat> test, Size? size = null, TimeSpan? idle = null) => AtAsync(
+        seat =>
+        {
+            test(seat);
+            return Task.CompletedTask;
+        },
+        size,
+        idle);
+
+    /// <summary>What is on the screen by that AutomationId; null if nothing is, or it is hidden.</summary>
+    public Control? Find(string id) => Window.GetVisualDescendants().OfType<Control>().FirstOrDefault(c => c.IsEffectivelyVisible && AutomationProperties.GetAutomationId(c) == id);
+
+    /// <summary>What is on the screen by that AutomationId, waited for.</summary>
+    public Control See(string id)
+    {
+        WaitFor(() => Find(id) is not null, $"{id} does not appear.");
+        return Find(id)!;
+    }
+
+    /// <summary>The text that stands under an AutomationId.</summary>
+    public string? TextOf(string id) => (See(id) as TextBlock)?.Text;
+
+    /// <summary>Taps with the pointer.</summary>
+    public Seat Tap(string id)
+    {
+        var control = See(id);
+        WaitFor(() => control.IsEffectivelyEnabled, $"{id} stays disabled.");
+        control.BringIntoView();
+        User.Click(control);
+        return this;
+    }
+
+    /// <summary>Taps into a field and types, in place of what is there.</summary>
+    public Seat Type(string id, string text)
+    {
+        User.Click(See(id)).Press(Avalonia.Input.Key.A, Avalonia.Input.RawInputModifiers.Control).Press(Avalonia.Input.Key.Delete).Type(text);
+        return this;
+    }
+
+    /// <summary>Signs in.</summary>
+    public Seat SignIn(string name)
+    {
+        Tap("login-user-" + name).Type("login-password", DemoCell.Password).Tap("login-sign-in");
+        WaitFor(() => !Shell.IsLocked, "The station stays locked.");
+        return this;
+    }
+
+    /// <summary>Waits until something is so.</summary>
+    public Seat WaitFor(Func<bool> condition, string complaint)
+    {
+        try
+        {
+            User.WaitFor(condition, Patience);
+        }
+        catch (TimeoutException e)
+        {
+            throw new TimeoutException($"{complaint} Shown: {string.Join(" | ", Window.GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible).Select(t => t.Text))}", e);
+        }
+
+        return this;
+    }
+
+    /// <summary>Waits until a correction has come so far.</summary>
+    public Correction WaitFor(long id, CorrectionState state)
+    {
+        WaitFor(() => Station.Store.Find(id)?.State == state, $"Correction {id} does not become {state}.");
+        return Station.Store.Find(id)!;
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        Window.Close();
+        User.Settle();
+        Shell.Dispose();
+        Station.Dispose();
+        await Cell.DisposeAsync();
+        _folder.Dispose();
+    }
+
+    private static void Copy(string from, string to)
+    {
+        Directory.CreateDirectory(to);
+        foreach (var file in Directory.EnumerateFiles(from))
+        {
+            var copy = Path.Combine(to, Path.GetFileName(file));
+            File.Copy(file, copy);
+            if (!OperatingSystem.IsWindows())
+            {
+                // A key that others can read is refused.
+                File.SetUnixFileMode(copy, File.GetUnixFileMode(file));
+            }
+        }
+
+        foreach (var folder in Directory.EnumerateDirectories(from))
+        {
+            var copy = Path.Combine(to, Path.GetFileName(folder));
+            Copy(folder, copy);
+            if (!OperatingSystem.IsWindows())
+            {
+                File.SetUnixFileMode(copy, File.GetUnixFileMode(folder));
+            }
+        }
+    }
+}

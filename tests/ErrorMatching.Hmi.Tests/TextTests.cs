@@ -1,0 +1,69 @@
+using System.Text.RegularExpressions;
+using ErrorMatching.Cell;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Hmi.Tests;
+
+public sealed partial class TextTests
+{
+    [Fact]
+    public void Both_languages_have_the_same_keys() =>
+        Assert.Equal(Texts.Of(Language.English).Keys.Order(StringComparer.Ordinal), Texts.Of(Language.TraditionalChinese).Keys.Order(StringComparer.Ordinal));
+
+    [Fact]
+    public void No_text_is_empty() => Assert.All(Enum.GetValues<Language>().SelectMany(l => Texts.Of(l)), t => Assert.False(string.IsNullOrWhiteSpace(t.Value), t.Key));
+
+    [Fact]
+    public void Both_languages_have_the_same_places_for_values() => Assert.All(
+        Texts.Of(Language.English),
+        t => Assert.Equal(Places(t.Value), Places(Texts.Of(Language.TraditionalChinese)[t.Key])));
+
+    [Fact]
+    public void What_is_not_a_name_or_a_format_is_translated() => Assert.All(
+        Texts.Of(Language.TraditionalChinese).Where(t => t.Key is not ("Format.Time" or "Shell.OtherLanguage" or "Banner.Trouble")),
+        t => Assert.True(t.Value.Any(c => c is >= '\u4e00' and <= '\u9fff'), t.Key));
+
+    [Fact]
+    public void Every_value_that_is_shown_by_name_has_a_text()
+    {
+        string[] keys =
+        [
+            .. Names<Role>(), .. Names<CorrectionState>(), .. Names<PeopleError>(), .. Names<StoreError>(), .. Names<TransportError>(), .. Names<AuditFaultKind>(),
+            .. Screens.All.Select(s => "Screen." + s.Key),
+            .. new[] { Act.Approve, Act.Reject, Act.Release, Act.Revert }.SelectMany(a => new[] { "Act." + a, $"Act.{a}.Consequence" }),
+            .. typeof(DecisionException).GetFields().Where(f => f.IsLiteral).Select(f => "Decision." + f.GetRawConstantValue()),
+            .. Enum.GetNames<CorrectionState>().Select(s => "Audited." + s.ToLowerInvariant()),
+        ];
+        Assert.All(keys, k => Assert.True(Texts.Of(Language.English).ContainsKey(k), k));
+    }
+
+    [Fact]
+    public void Every_key_that_the_sources_name_has_a_text()
+    {
+        var named = Directory.EnumerateFiles(Repository.PathTo("src", "ErrorMatching.Hmi"), "*", SearchOption.AllDirectories)
+            .Where(f => f.EndsWith(".axaml", StringComparison.Ordinal) || f.EndsWith(".cs", StringComparison.Ordinal))
+            .SelectMany(f => Key().Matches(File.ReadAllText(f)).Select(m => m.Groups["key"].Value))
+            .ToHashSet(StringComparer.Ordinal);
+        Assert.True(named.Count > 80, "Keys are not found any more.");
+        Assert.All(named, k => Assert.True(Texts.Of(Language.English).ContainsKey(k), k));
+    }
+
+    [Theory]
+    [InlineData(0.12344, "+0.1234")]
+    [InlineData(-0.12346, "−0.1235")]
+    [InlineData(-0.00001, "0.0000")]
+    [InlineData(0.0, "0.0000")]
+    [InlineData(null, "–")]
+    public void A_deviation_has_its_sign_and_four_decimals(double? mm, string shown) => Assert.Equal(shown, Shown.SignedMm(mm));
+
+    private static IEnumerable<string> Names<T>()
+        where T : struct, Enum => Enum.GetNames<T>().Select(n => $"{typeof(T).Name}.{n}");
+
+    private static IEnumerable<string> Places(string text) => Place().Matches(text).Select(m => m.Value).Order(StringComparer.Ordinal);
+
+    [GeneratedRegex(@"\{\d\}", RegexOptions.None, 1000)]
+    private static partial Regex Place();
+
+    [GeneratedRegex("""(\{l:Text |[Tt]exts(\.Current)?\[|(\.With|texts\.With|Texts\.Current\.With)\()"?(?<key>[A-Za-z]+\.[A-Za-z.\-]*[A-Za-z])["}]""", RegexOptions.None | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Key();
+}
