@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.Globalization;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 
