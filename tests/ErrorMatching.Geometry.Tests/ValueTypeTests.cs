@@ -1,4 +1,5 @@
 using System.Reflection;
+using System.Runtime.Intrinsics;
 
 namespace ErrorMatching.Geometry.Tests;
 
@@ -46,6 +47,11 @@ public class ValueTypeTests
         if (type == typeof(double))
         {
             return seed + 0.5;
+        }
+
+        if (type == typeof(Vector256<double>))
+        {
+            return Vector256.Create(seed + 0.5, seed + 1.5, seed + 2.5, seed + 3.5);
         }
 
         if (type == typeof(int))

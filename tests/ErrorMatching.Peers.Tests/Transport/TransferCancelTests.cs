@@ -85,6 +85,6 @@ public sealed partial class TransferCancelTests
     private static IEnumerable<string> FoldersOf(int process) =>
         PrivateFolders().Matches(string.Join('\0', [ProcessTable.Read(process, "cmdline"), .. ProcessTable.Open(process)])).Select(m => m.Groups["folder"].Value);
 
-    [GeneratedRegex(@"(?<folder>/[^\0=""]*/errormatch-\w{6})/", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(@"(?<folder>/[^\0=""]*/errormatch-transfers-\w{6}/[0-9a-f]{32})/", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex PrivateFolders();
 }
