@@ -39,7 +39,12 @@ internal static class ProcessTable
     }
 
     /// <summary>True if a process listens at a loopback port, and nobody in its place.</summary>
-    public static bool Listens(int id, int port) => Holds(id, Sockets(Listening, port, isRemote: false));
+    /// <remarks>What another user's process has open is shown to the privileged alone. To others a server that goes on while somebody listens at its port is the one that listens.</remarks>
+    public static bool Listens(int id, int port)
+    {
+        var sockets = Sockets(Listening, port, isRemote: false);
+        return sockets.Count > 0 && (Open(id) is not { Count: > 0 } open || open.Any(sockets.Contains));
+    }
 
     /// <summary>True unless the process has ended.</summary>
     public static bool IsAlive(int id)
