@@ -1,0 +1,46 @@
+using Avalonia;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>What a seat shows in both themes, both languages and two sizes: what measure finds wrong with it, and pictures for people in artifacts/screenshots.</summary>
+internal sealed class Pictures(Seat seat)
+{
+    private readonly List<string> _problems = [];
+
+    /// <summary>What is wrong, with screen, size and language, each once.</summary>
+    public IReadOnlyList<string> Problems => [.. _problems.Distinct()];
+
+    /// <summary>Looks at what is shown now.</summary>
+    /// <param name="name">Name of the screen, with which its pictures begin.</param>
+    /// <param name="isPictured">False for what differs in content only: then two pictures are made instead of eight. All sizes and languages are measured all the same.</param>
+    public void Take(string name, bool isPictured = true)
+    {
+        foreach (var size in new Size[] { new(1280, 800), new(1920, 1080) })
+        {
+            (seat.Window.Width, seat.Window.Height) = (size.Width, size.Height);
+            foreach (var (language, code) in new[] { (Language.English, "en"), (Language.TraditionalChinese, "zh") })
+            {
+                Texts.Current.Language = language;
+                seat.User.Settle();
+                _problems.AddRange(Layout.Problems(seat.Window).Select(p => $"{name} {size.Width}x{size.Height} {code}: {p}"));
+                foreach (var isDark in new[] { false, true })
+                {
+                    if (isPictured || (size.Width < 1500 && isDark == (language == Language.TraditionalChinese)))
+                    {
+                        seat.Shell.IsDark = isDark;
+                        seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", $"{name}-{(isDark ? "dark" : "light")}-{code}-{size.Width}x{size.Height}.png"));
+                    }
+                }
+            }
+        }
+
+        seat.Shell.IsDark = false;
+        Texts.Current.Language = Language.English;
+        (seat.Window.Width, seat.Window.Height) = (1280, 800);
+        seat.User.Settle();
+    }
+
+    /// <summary>Fails with everything that was found.</summary>
+    public void MustBeClean() => Assert.True(_problems.Count == 0, string.Join('\n', Problems));
+}
