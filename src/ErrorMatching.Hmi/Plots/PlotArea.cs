@@ -135,8 +135,8 @@ public abstract partial class PlotArea : Control
     /// <summary>Nearer or further; the place under a point of the screen stays there.</summary>
     public void Zoom(double factor, Point about)
     {
-        // Not further than to a quarter of all, and not nearer than numbers can tell apart.
-        var (least, most) = (_whole.ScaleX / 4, _whole.ScaleX * 1e6);
+        // Not further than to a quarter of all, and not nearer than a micrometer of a meter takes.
+        var (least, most) = (_whole.ScaleX / 4, _whole.ScaleX * 1000);
         View = Kept(View.Zoom(Math.Clamp(View.ScaleX * factor, least, most) / View.ScaleX, new(about.X, about.Y)));
     }
 
