@@ -110,11 +110,18 @@ public sealed class ProgramPictureTests
 
         // All of it on a screen of 1000 by 800: not much more strokes than pixels, and what is not seen is not looked at.
         var strokes = new List<MoveStroke>();
-        Assert.True(program.Moves.Strokes(PlotView.Fit(program.Moves.Extent, 100, 80, 0, isTrue: true), 1, strokes, int.MaxValue));
+        Assert.True(program.Moves.Strokes(PlotView.Fit(program.Moves.Extent, 100, 80, 0, isTrue: true), 1, Keep));
         Assert.InRange(strokes.Count, 1_000, 200_000);
         strokes.Clear();
-        Assert.True(program.Moves.Strokes(new(100, 100, new(500.5, 500.5), 100, 80), 1, strokes, int.MaxValue));
+        Assert.True(program.Moves.Strokes(new(100, 100, new(500.5, 500.5), 100, 80), 1, Keep));
         Assert.InRange(strokes.Count, 1, 40);
+        Assert.False(program.Moves.Strokes(new(100, 100, new(500.5, 500.5), 100, 80), 1, _ => false));
+
+        bool Keep(MoveStroke stroke)
+        {
+            strokes.Add(stroke);
+            return true;
+        }
     }
 
     [Fact]
@@ -168,7 +175,7 @@ public sealed class ProgramPictureTests
             picture.Light(3);
             picture.Extend(0);
             _ = (picture.Chosen, picture.Message, picture.Program.Moves.Nearest(new(0, 0), 1));
-            Assert.True(picture.Program.Moves.Strokes(PlotView.Fit(picture.Program.Moves.Extent, 100, 100, 10, isTrue: true), 1, new List<MoveStroke>(), 1000));
+            Assert.True(picture.Program.Moves.Strokes(PlotView.Fit(picture.Program.Moves.Extent, 100, 100, 10, isTrue: true), 1, _ => true));
         }
     }
 

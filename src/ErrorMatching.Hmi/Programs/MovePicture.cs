@@ -73,16 +73,15 @@ public sealed class MovePicture
     /// <summary>Number of motions, those included that are not drawn since only the machine knows where they lead.</summary>
     public int Count => _ends.Length;
 
-    /// <summary>The pieces of the path that are seen, in the order of the program.</summary>
+    /// <summary>Passes over the pieces of the path that are seen, in the order of the program.</summary>
     /// <param name="view">What is seen.</param>
     /// <param name="pixel">Size of a pixel in units of the screen.</param>
-    /// <param name="strokes">Where they are put.</param>
-    /// <param name="most">So many, and no more.</param>
-    /// <returns>False if there are more.</returns>
-    public bool Strokes(PlotView view, double pixel, ICollection<MoveStroke> strokes, int most)
+    /// <param name="draw">What becomes of each; false ends it.</param>
+    /// <returns>False if it was ended.</returns>
+    public bool Strokes(PlotView view, double pixel, Func<MoveStroke, bool> draw)
     {
-        ArgumentNullException.ThrowIfNull(strokes);
-        return Count == 0 || Visit(_boxes.Length - 1, 0, new(view, Around(view), pixel, strokes, most));
+        ArgumentNullException.ThrowIfNull(draw);
+        return Count == 0 || Visit(_boxes.Length - 1, 0, new(view, Around(view), pixel, draw));
     }
 
     /// <summary>The strokes of one motion.</summary>
@@ -91,10 +90,16 @@ public sealed class MovePicture
         var strokes = new List<MoveStroke>();
         if (!Is(motion, Kind.Unknown))
         {
-            Add(motion, new(view, Around(view), 1, strokes, int.MaxValue));
+            Add(motion, new(view, Around(view), 1, Keep));
         }
 
         return strokes;
+
+        bool Keep(MoveStroke stroke)
+        {
+            strokes.Add(stroke);
+            return true;
+        }
     }
 
     /// <summary>Where a motion begins and ends; null where only the machine knows.</summary>
@@ -257,7 +262,7 @@ public sealed class MovePicture
         return (index * size, (int)Math.Min((index + 1L) * size, Count));
     }
 
-    private bool Is(int motion, Kind kind) => (_kinds[motion] & kind) != 0;
+    private bool Is(int motion, Kind kind) => (_kinds[motion] & kind) != Kind.Straight;
 
     private Point2 StartOf(int motion) => Is(motion, Kind.StartsElsewhere) ? StartOf(_motions[motion]) : motion == 0 ? _ends[0] : _ends[motion - 1];
 
@@ -267,9 +272,9 @@ public sealed class MovePicture
     private Kind KindOf(NcMotion motion, Point2? before)
     {
         var kind = motion.Kind is MotionKind.Rapid or MotionKind.Reference ? Kind.Rapid : Kind.Straight;
-        kind |= (motion.UnknownEnd & _axes) != AxisSet.None || !_plane.Project(motion.End).IsFinite ? Kind.Unknown : 0;
-        kind |= motion is { IsArc: true, IsKnownInPlane: true } && (motion.Flags & MotionFlags.BadArc) == MotionFlags.None && motion.PlaneStart != motion.Center ? Kind.Arc : 0;
-        return kind | (StartOf(motion) != (before ?? _plane.Project(motion.End)) ? Kind.StartsElsewhere : 0);
+        kind |= (motion.UnknownEnd & _axes) != AxisSet.None || !_plane.Project(motion.End).IsFinite ? Kind.Unknown : Kind.Straight;
+        kind |= motion is { IsArc: true, IsKnownInPlane: true } && (motion.Flags & MotionFlags.BadArc) == MotionFlags.None && motion.PlaneStart != motion.Center ? Kind.Arc : Kind.Straight;
+        return kind | (StartOf(motion) != (before ?? _plane.Project(motion.End)) ? Kind.StartsElsewhere : Kind.Straight);
     }
 
     private PlotBox BoxOf(int index, NcMotion motion)
@@ -310,24 +315,19 @@ public sealed class MovePicture
         }
     }
 
-    private sealed record Seeing(PlotView View, PlotBox Seen, double Pixel, ICollection<MoveStroke> Strokes, int Most)
+    private sealed record Seeing(PlotView View, PlotBox Seen, double Pixel, Func<MoveStroke, bool> Draw)
     {
         public bool IsNear(Point2 a, Point2 b) => Math.Abs(a.X - b.X) * View.ScaleX < Pixel / 2 && Math.Abs(a.Y - b.Y) * View.ScaleY < Pixel / 2;
 
         public bool Add(Point2 from, Point2 to, int block, bool isRapid)
         {
-            if (Strokes.Count >= Most)
+            if (Seen.PartOf(from, to) is not var (seenFrom, seenTo))
             {
-                return false;
+                return true;
             }
 
-            if (Seen.PartOf(from, to) is var (seenFrom, seenTo))
-            {
-                var (a, b) = (View.ToScreen(seenFrom), View.ToScreen(seenTo));
-                Strokes.Add(new((float)a.X, (float)a.Y, (float)b.X, (float)b.Y, block, isRapid));
-            }
-
-            return true;
+            var (a, b) = (View.ToScreen(seenFrom), View.ToScreen(seenTo));
+            return Draw(new((float)a.X, (float)a.Y, (float)b.X, (float)b.Y, block, isRapid));
         }
     }
 }

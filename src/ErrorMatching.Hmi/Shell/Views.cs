@@ -12,6 +12,7 @@ public sealed class Views : IRecyclingDataTemplate
         [typeof(OverviewViewModel)] = (typeof(OverviewView), () => new OverviewView()),
         [typeof(CompensationViewModel)] = (typeof(CompensationView), () => new CompensationView()),
         [typeof(CorrectionDetail)] = (typeof(CorrectionDetailView), () => new CorrectionDetailView()),
+        [typeof(ProgramPicture)] = (typeof(ProgramPictureView), () => new ProgramPictureView()),
         [typeof(HistoryViewModel)] = (typeof(HistoryView), () => new HistoryView()),
         [typeof(MessagesViewModel)] = (typeof(MessagesView), () => new MessagesView()),
         [typeof(SigningViewModel)] = (typeof(SigningView), () => new SigningView()),
