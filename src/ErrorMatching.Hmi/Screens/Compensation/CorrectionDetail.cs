@@ -17,7 +17,8 @@ public sealed class CorrectionDetail
         Steps = [.. kept.Steps.Select(s => new StepRow(Shown.Time(s.At, clock), Texts.Current.Word(s.To), s.By, s.Basis))];
         if (report is not null)
         {
-            (Before, After) = (GapDrawing.Before(report), GapDrawing.After(report));
+            var piece = KeptPiece.Predicted(kept.Correction, report);
+            (Before, After) = (GapDrawing.Before(piece), GapDrawing.After(piece));
         }
     }
 
