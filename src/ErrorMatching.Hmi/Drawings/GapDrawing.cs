@@ -5,11 +5,11 @@ namespace ErrorMatching.Hmi;
 /// <summary>The two boundaries of a mating as lines in the part's frame, deviations exaggerated: the measured part, and the counterpart that a program cuts.</summary>
 /// <param name="Part">The part's boundary, a line a feature, mm.</param>
 /// <param name="Counterpart">The counterpart's boundary, a line a feature, mm.</param>
-/// <param name="Points">The key points on the part's boundary, mm, with their labels.</param>
+/// <param name="Points">The key points on the part's boundary, mm, with their labels, the gap and the part's deviation there.</param>
 /// <param name="Factor">How many times deviations are drawn larger than they are.</param>
 /// <param name="LargestMm">The largest gap or overlap at a key point, without sign.</param>
 public sealed record GapDrawing(
-    IReadOnlyList<IReadOnlyList<Point2>> Part, IReadOnlyList<IReadOnlyList<Point2>> Counterpart, IReadOnlyList<(string Label, Point2 At)> Points, double Factor, double LargestMm)
+    IReadOnlyList<IReadOnlyList<Point2>> Part, IReadOnlyList<IReadOnlyList<Point2>> Counterpart, IReadOnlyList<(string Label, Point2 At, double GapMm, double PartMm)> Points, double Factor, double LargestMm)
 {
     // The largest deviation takes this much of the drawing.
     private const double Share = 0.08;
@@ -33,7 +33,7 @@ public sealed record GapDrawing(
             counterpart.Add(boundary.By([.. points.Select(p => factor * (p.NormalMm - gap(p)))]));
         }
 
-        return new(part, counterpart, [.. report.Points.Select(p => (p.Point, p.Theoretical + (factor * p.NormalMm * p.Normal)))], factor, report.Points.Select(p => Math.Abs(gap(p))).DefaultIfEmpty().Max());
+        return new(part, counterpart, [.. report.Points.Select(p => (p.Point, p.Theoretical + (factor * p.NormalMm * p.Normal), gap(p), p.NormalMm))], factor, report.Points.Select(p => Math.Abs(gap(p))).DefaultIfEmpty().Max());
     }
 
     private static double FactorOf(KeptReport report)
