@@ -21,8 +21,8 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt
     private IReadOnlyList<Correction> _found = [];
 
     /// <summary>The screen, with the latest.</summary>
-    public HistoryViewModel(Station station)
-        : base(station)
+    public HistoryViewModel(ShellViewModel shell)
+        : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
         States = Choices();
         _state = States[0];
@@ -30,6 +30,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt
         Search = new(_ => SearchAsync());
         Back = new(() => Detail = null);
         Export = new(ExportAsync, () => Detail is not null && !string.IsNullOrWhiteSpace(Folder));
+        ChooseFolder = new(async _ => Folder = await shell.ChooseAsync(new(FileChoiceKind.Folder, "History.Folder", []) { Start = Folder }) ?? Folder);
         Search.Execute(null);
     }
 
@@ -144,6 +145,9 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt
 
     /// <summary>Writes measurement, job, programs and report to <see cref="Folder"/>.</summary>
     public LongCommand Export { get; }
+
+    /// <summary>Lets somebody choose <see cref="Folder"/> by tapping.</summary>
+    public LongCommand ChooseFolder { get; }
 
     /// <summary>Done when what was tapped is opened.</summary>
     internal Task Loading { get; private set; } = Task.CompletedTask;
