@@ -15,6 +15,7 @@ public sealed class Views : IRecyclingDataTemplate
         [typeof(ProgramPicture)] = (typeof(ProgramPictureView), () => new ProgramPictureView()),
         [typeof(HistoryViewModel)] = (typeof(HistoryView), () => new HistoryView()),
         [typeof(MessagesViewModel)] = (typeof(MessagesView), () => new MessagesView()),
+        [typeof(FileChooserViewModel)] = (typeof(FileChooserView), () => new FileChooserView()),
         [typeof(SigningViewModel)] = (typeof(SigningView), () => new SigningView()),
     };
 
