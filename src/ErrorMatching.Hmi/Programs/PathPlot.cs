@@ -52,7 +52,7 @@ public sealed class PathPlot : PlotArea
     internal bool IsByPixel { get; private set; }
 
     /// <summary>The painting that is under way beside the screen, or the last one.</summary>
-    internal Task Painting { get; private set; } = Task.CompletedTask;
+    public Task Painting { get; private set; } = Task.CompletedTask;
 
     /// <inheritdoc/>
     protected override PlotBox Extent => Picture?.Program.Moves.Extent ?? PlotBox.Empty;

@@ -209,7 +209,7 @@ public sealed partial class ProgramText : Control
             context.FillRectangle(Ink!, new Rect(left, top, Bar / 2, RowHeight));
             if ((isFirst || picture.FeatureOf(block - 1) != name) && _names.TryGetValue(name, out var shown))
             {
-                context.DrawText(shown, new Point(left + Bar, top + ((RowHeight - shown.Height) / 2)));
+                context.DrawText(shown, new Point(left + (1.5 * Bar), top + ((RowHeight - shown.Height) / 2)));
             }
         }
 
@@ -254,7 +254,7 @@ public sealed partial class ProgramText : Control
             foreach (var mark in picture.Marks.Where(m => m.Ranges.Count > 0))
             {
                 _names[mark.Name] = new(mark.Name, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(FontFamily.Default, FontStyle.Normal, FontWeight.SemiBold), TextSize, Ink) { MaxTextWidth = MostName * TextSize, MaxLineCount = 1, Trimming = TextTrimming.CharacterEllipsis };
-                _nameWidth = Math.Max(_nameWidth, Bar + _names[mark.Name].Width);
+                _nameWidth = Math.Max(_nameWidth, (1.5 * Bar) + _names[mark.Name].Width);
             }
         }
 
