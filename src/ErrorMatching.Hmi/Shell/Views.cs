@@ -14,6 +14,11 @@ public sealed class Views : IRecyclingDataTemplate
         [typeof(CorrectionDetail)] = (typeof(CorrectionDetailView), () => new CorrectionDetailView()),
         [typeof(HistoryViewModel)] = (typeof(HistoryView), () => new HistoryView()),
         [typeof(MessagesViewModel)] = (typeof(MessagesView), () => new MessagesView()),
+        [typeof(SettingsViewModel)] = (typeof(SettingsView), () => new SettingsView()),
+        [typeof(UsersViewModel)] = (typeof(UsersView), () => new UsersView()),
+        [typeof(ConnectionsViewModel)] = (typeof(ConnectionsView), () => new ConnectionsView()),
+        [typeof(LookViewModel)] = (typeof(LookView), () => new LookView()),
+        [typeof(AboutViewModel)] = (typeof(AboutView), () => new AboutView()),
         [typeof(FileChooserViewModel)] = (typeof(FileChooserView), () => new FileChooserView()),
         [typeof(SigningViewModel)] = (typeof(SigningView), () => new SigningView()),
     };
