@@ -15,6 +15,9 @@ public static class Screens
     /// <summary>Key of messages and audit trail.</summary>
     public const string Messages = "messages";
 
+    /// <summary>Key of the settings.</summary>
+    public const string Settings = "settings";
+
     /// <summary>The screens.</summary>
     public static IReadOnlyList<Screen> All { get; } =
     [
@@ -22,5 +25,6 @@ public static class Screens
         new(Compensation, shell => new CompensationViewModel(shell)),
         new(History, shell => new HistoryViewModel(shell)),
         new(Messages, shell => new MessagesViewModel(shell.Station, shell.Look)),
+        new(Settings, shell => new SettingsViewModel(shell)),
     ];
 }

@@ -15,6 +15,11 @@ public sealed class Views : IRecyclingDataTemplate
         [typeof(ProgramPicture)] = (typeof(ProgramPictureView), () => new ProgramPictureView()),
         [typeof(HistoryViewModel)] = (typeof(HistoryView), () => new HistoryView()),
         [typeof(MessagesViewModel)] = (typeof(MessagesView), () => new MessagesView()),
+        [typeof(SettingsViewModel)] = (typeof(SettingsView), () => new SettingsView()),
+        [typeof(UsersViewModel)] = (typeof(UsersView), () => new UsersView()),
+        [typeof(ConnectionsViewModel)] = (typeof(ConnectionsView), () => new ConnectionsView()),
+        [typeof(LookViewModel)] = (typeof(LookView), () => new LookView()),
+        [typeof(AboutViewModel)] = (typeof(AboutView), () => new AboutView()),
         [typeof(FileChooserViewModel)] = (typeof(FileChooserView), () => new FileChooserView()),
         [typeof(SigningViewModel)] = (typeof(SigningView), () => new SigningView()),
     };
