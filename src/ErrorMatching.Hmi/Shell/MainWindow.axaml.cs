@@ -1,7 +1,9 @@
 using System.ComponentModel;
 using Avalonia.Controls;
+using Avalonia.Input;
 using Avalonia.Interactivity;
 using Avalonia.Styling;
+using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
@@ -9,6 +11,7 @@ namespace ErrorMatching.Hmi;
 public sealed partial class MainWindow : Window
 {
     private ShellViewModel? _shell;
+    private InputElement? _focused;
 
     /// <summary>A window of 1280 by 800, which is the smallest that everything fits into.</summary>
     public MainWindow()
@@ -51,6 +54,24 @@ public sealed partial class MainWindow : Window
         if (e.PropertyName is nameof(ShellViewModel.IsDark))
         {
             ShowTheme();
+        }
+        else if (e.PropertyName is nameof(ShellViewModel.IsFree))
+        {
+            KeepFocus();
+        }
+    }
+
+    // What lies in front takes the focus; behind it, whoever goes by keyboard goes on where it was.
+    private void KeepFocus()
+    {
+        if (!_shell!.IsFree)
+        {
+            _focused = FocusManager?.GetFocusedElement() as InputElement ?? _focused;
+        }
+        else if (_focused is { } before)
+        {
+            _focused = null;
+            Dispatcher.UIThread.Post(() => before.Focus(), DispatcherPriority.Loaded);
         }
     }
 

@@ -5,6 +5,7 @@ namespace ErrorMatching.Hmi;
 /// <summary>The frame around all screens: where one is and can go, who sits there, what the cell cannot do just now, and the lock.</summary>
 public sealed class ShellViewModel : Observable, IDisposable
 {
+    private const int MostRecent = 5;
     private static readonly TimeSpan SeatLook = TimeSpan.FromSeconds(1);
     private readonly SynchronizationContext _screen;
     private readonly ITimer _seat;
@@ -12,6 +13,8 @@ public sealed class ShellViewModel : Observable, IDisposable
     private ScreenViewModel? _current;
     private LoginViewModel? _login;
     private SigningViewModel? _signing;
+    private FileChooserViewModel? _choosing;
+    private IReadOnlyList<string> _recent = [];
     private SignedIn? _who;
     private bool _isDark;
     private long _touched;
@@ -73,8 +76,30 @@ public sealed class ShellViewModel : Observable, IDisposable
     public SigningViewModel? Signing
     {
         get => _signing;
-        private set => Set(ref _signing, value);
+        private set
+        {
+            if (Set(ref _signing, value))
+            {
+                Say(nameof(IsFree));
+            }
+        }
     }
+
+    /// <summary>Where a file is being chosen, in front of everything; null if none is.</summary>
+    public FileChooserViewModel? Choosing
+    {
+        get => _choosing;
+        private set
+        {
+            if (Set(ref _choosing, value))
+            {
+                Say(nameof(IsFree));
+            }
+        }
+    }
+
+    /// <summary>True if nothing is in front of the screen.</summary>
+    public bool IsFree => Signing is null && Choosing is null;
 
     /// <summary>True while nobody is signed in.</summary>
     public bool IsLocked => _login is not null;
@@ -121,6 +146,36 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// <summary>Goes to a screen.</summary>
     public void Go(string key) => Chosen = Items.First(i => i.Screen.Key == key);
 
+    /// <summary>Lets somebody choose a file or folder, in front of everything else.</summary>
+    /// <returns>Its full path; null if nothing was chosen, or the station was locked meanwhile.</returns>
+    public async Task<string?> ChooseAsync(FileChoice choice)
+    {
+        ArgumentNullException.ThrowIfNull(choice);
+        Choosing?.Leave.Execute(null);
+        if (IsLocked)
+        {
+            return null;
+        }
+
+        var cellFolder = Path.GetDirectoryName(Path.GetFullPath(Station.Settings.File))!;
+        var begin = string.IsNullOrWhiteSpace(choice.Start) ? _recent is [var last, ..] ? last : cellFolder : choice.Start;
+        var chooser = new FileChooserViewModel(choice, begin, cellFolder, _recent, Station.Clock);
+        var chosen = new TaskCompletionSource<string?>();
+        chooser.Done += path =>
+        {
+            Choosing = Choosing == chooser ? null : Choosing;
+            chosen.TrySetResult(path);
+        };
+        Choosing = chooser;
+        var path = await chosen.Task;
+        if (path is not null && (choice.Kind == FileChoiceKind.Folder ? path : Path.GetDirectoryName(path)) is { } folder)
+        {
+            _recent = [.. _recent.Where(r => r != folder).Prepend(folder).Take(MostRecent)];
+        }
+
+        return path;
+    }
+
     /// <summary>Lets somebody sign, in front of everything else.</summary>
     internal void Sign(SigningViewModel signing)
     {
@@ -165,6 +220,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
 
         Signing = null;
+        Choosing?.Leave.Execute(null);
         _login = new LoginViewModel(Station, UserName, Unlock);
         _who = null;
         Say();
@@ -241,6 +297,7 @@ public sealed class ShellViewModel : Observable, IDisposable
             item.Rename();
         }
 
+        Choosing?.Translate();
         Say(nameof(Banner));
         Say(nameof(UserRole));
     }

@@ -14,6 +14,7 @@ public sealed class Views : IRecyclingDataTemplate
         [typeof(CorrectionDetail)] = (typeof(CorrectionDetailView), () => new CorrectionDetailView()),
         [typeof(HistoryViewModel)] = (typeof(HistoryView), () => new HistoryView()),
         [typeof(MessagesViewModel)] = (typeof(MessagesView), () => new MessagesView()),
+        [typeof(FileChooserViewModel)] = (typeof(FileChooserView), () => new FileChooserView()),
         [typeof(SigningViewModel)] = (typeof(SigningView), () => new SigningView()),
     };
 

@@ -17,7 +17,8 @@ public sealed class CorrectionDetail
         Steps = [.. kept.Steps.Select(s => new StepRow(Shown.Time(s.At, clock), Texts.Current.Word(s.To), s.By, s.Basis))];
         if (report is not null)
         {
-            (Before, After) = (GapDrawing.Before(report), GapDrawing.After(report));
+            var piece = KeptPiece.Predicted(kept.Correction, report);
+            (Before, After) = (GapDrawing.Before(piece), GapDrawing.After(piece));
         }
     }
 
@@ -86,7 +87,7 @@ public sealed class CorrectionDetail
     public string Changed => Kept.Report is not { } report ? "" : Texts.Current.With("Detail.Changed", Shown.Count(report.ChangedBlocks), Shown.Count(report.ChangedWords));
 
     /// <summary>What a person should know before using the program.</summary>
-    public IReadOnlyList<string> Warnings => Kept.Report?.Warnings ?? [];
+    public IReadOnlyList<string> Warnings => [.. Kept.Report?.Warnings.Select(w => w.Text) ?? []];
 
     /// <summary>True if there are warnings.</summary>
     public bool HasWarnings => Warnings.Count > 0;
