@@ -29,10 +29,9 @@ public static class Screens
     [
         new(Overview, shell => new OverviewViewModel(shell.Station, shell.Look)),
         new(Compensation, shell => new CompensationViewModel(shell)),
-        new(History, shell => new HistoryViewModel(shell)),
         new(Verification, shell => new VerificationViewModel(shell.Station)),
         new(Freeform, shell => new FreeformViewModel(shell.Station)),
-        new(History, shell => new HistoryViewModel(shell.Station)),
+        new(History, shell => new HistoryViewModel(shell)),
         new(Messages, shell => new MessagesViewModel(shell.Station, shell.Look)),
         new(Settings, shell => new SettingsViewModel(shell)),
     ];
