@@ -127,7 +127,7 @@ internal sealed class MatingCorrection
             SumMm = sum.Mm,
             ChangedBlocks = matched.Report.Program.ChangedBlocks,
             ChangedWords = matched.Report.Program.ChangedWords,
-            Warnings = matched.Report.Warnings,
+            Warnings = [.. matched.Report.Warnings.Select(w => w.Message)],
         };
     }
 

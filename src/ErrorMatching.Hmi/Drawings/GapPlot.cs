@@ -87,15 +87,18 @@ public sealed class GapPlot : PlotArea
         ArgumentNullException.ThrowIfNull(context);
         foreach (var (part, counterpart) in Drawing!.Part.Zip(Drawing.Counterpart))
         {
-            context.DrawGeometry(GapBrush, null, Path([.. part, .. counterpart.Reverse()], view, isClosed: true));
+            context.DrawGeometry(GapBrush, null, Area(part.Concat(counterpart.Reverse()), view));
         }
 
-        Lines(context, Drawing.Counterpart, view, new Pen(CounterpartBrush, Thick, Dashes));
-        Lines(context, Drawing.Part, view, new Pen(PartBrush, Thick));
+        foreach (var (line, pen) in Drawing.Counterpart.Select(l => (l, new Pen(CounterpartBrush, Thick, Dashes))).Concat(Drawing.Part.Select(l => (l, new Pen(PartBrush, Thick)))))
+        {
+            context.DrawLine(pen, line, view);
+        }
+
         var labels = new List<Rect>();
         foreach (var (name, at, _, _) in Drawing.Points)
         {
-            var place = To(view, at);
+            var place = view.At(at);
             context.DrawEllipse(PartBrush, null, place, Dot, Dot);
             var text = Label(name);
             Rect[] sides = [new(place.X + LabelAway, place.Y - (text.Height / 2), text.Width, text.Height), new(place.X - LabelAway - text.Width, place.Y - (text.Height / 2), text.Width, text.Height)];
@@ -109,32 +112,18 @@ public sealed class GapPlot : PlotArea
         }
     }
 
-    private static void Lines(DrawingContext context, IReadOnlyList<IReadOnlyList<Point2>> lines, PlotView view, Pen pen)
-    {
-        foreach (var line in lines)
-        {
-            context.DrawGeometry(null, pen, Path(line, view, isClosed: false));
-        }
-    }
-
-    private static StreamGeometry Path(IReadOnlyList<Point2> points, PlotView view, bool isClosed)
+    private static StreamGeometry Area(IEnumerable<Point2> points, PlotView view)
     {
         var geometry = new StreamGeometry();
         using var figure = geometry.Open();
         figure.SetFillRule(FillRule.NonZero);
-        figure.BeginFigure(To(view, points[0]), isFilled: isClosed);
+        figure.BeginFigure(view.At(points.First()), isFilled: true);
         foreach (var point in points.Skip(1))
         {
-            figure.LineTo(To(view, point));
+            figure.LineTo(view.At(point));
         }
 
-        figure.EndFigure(isClosed);
+        figure.EndFigure(isClosed: true);
         return geometry;
-    }
-
-    private static Point To(PlotView view, Point2 place)
-    {
-        var (x, y) = view.ToScreen(place);
-        return new(x, y);
     }
 }

@@ -1,7 +1,10 @@
 using System.ComponentModel;
+using Avalonia;
 using Avalonia.Controls;
+using Avalonia.Input;
 using Avalonia.Interactivity;
 using Avalonia.Styling;
+using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
@@ -9,6 +12,7 @@ namespace ErrorMatching.Hmi;
 public sealed partial class MainWindow : Window
 {
     private ShellViewModel? _shell;
+    private InputElement? _focused;
 
     /// <summary>A window of 1280 by 800, which is the smallest that everything fits into.</summary>
     public MainWindow()
@@ -32,6 +36,7 @@ public sealed partial class MainWindow : Window
         {
             _shell.PropertyChanged += OnShell;
             ShowTheme();
+            ShowTargets();
         }
     }
 
@@ -52,7 +57,32 @@ public sealed partial class MainWindow : Window
         {
             ShowTheme();
         }
+        else if (e.PropertyName is nameof(ShellViewModel.TouchSize))
+        {
+            ShowTargets();
+        }
+        else if (e.PropertyName is nameof(ShellViewModel.IsFree))
+        {
+            KeepFocus();
+        }
     }
+
+    // What lies in front takes the focus; behind it, whoever goes by keyboard goes on where it was.
+    private void KeepFocus()
+    {
+        if (!_shell!.IsFree)
+        {
+            _focused = FocusManager?.GetFocusedElement() as InputElement ?? _focused;
+        }
+        else if (_focused is { } before)
+        {
+            _focused = null;
+            Dispatcher.UIThread.Post(() => before.Focus(), DispatcherPriority.Loaded);
+        }
+    }
+
+    // The styles look the height up from where a control is: the window's own goes before the application's.
+    private void ShowTargets() => Resources["Target"] = Resources["RowHeight"] = Application.Current!.FindResource("Target" + _shell!.TouchSize);
 
     private void ShowTheme() => RequestedThemeVariant = _shell!.IsDark ? ThemeVariant.Dark : ThemeVariant.Light;
 }

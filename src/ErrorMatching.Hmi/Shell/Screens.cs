@@ -21,14 +21,19 @@ public static class Screens
     /// <summary>Key of messages and audit trail.</summary>
     public const string Messages = "messages";
 
+    /// <summary>Key of the settings.</summary>
+    public const string Settings = "settings";
+
     /// <summary>The screens.</summary>
     public static IReadOnlyList<Screen> All { get; } =
     [
         new(Overview, shell => new OverviewViewModel(shell.Station, shell.Look)),
         new(Compensation, shell => new CompensationViewModel(shell)),
+        new(History, shell => new HistoryViewModel(shell)),
         new(Verification, shell => new VerificationViewModel(shell.Station)),
         new(Freeform, shell => new FreeformViewModel(shell.Station)),
         new(History, shell => new HistoryViewModel(shell.Station)),
         new(Messages, shell => new MessagesViewModel(shell.Station, shell.Look)),
+        new(Settings, shell => new SettingsViewModel(shell)),
     ];
 }

@@ -12,8 +12,8 @@ public sealed class ShellViewModel : Observable, IDisposable
     private ScreenViewModel? _current;
     private LoginViewModel? _login;
     private SigningViewModel? _signing;
+    private FileChooserViewModel? _choosing;
     private SignedIn? _who;
-    private bool _isDark;
     private long _touched;
     private bool _isOver;
 
@@ -22,6 +22,9 @@ public sealed class ShellViewModel : Observable, IDisposable
     {
         Station = station ?? throw new ArgumentNullException(nameof(station));
         _screen = SynchronizationContext.Current ?? throw new InvalidOperationException("The frame is made on the screen's thread.");
+        Preferences = new(station);
+        Preferences.PropertyChanged += (_, e) => Say(e.PropertyName);
+        CloseNotice = new(() => Preferences.Notice = null);
         Items = [.. Screens.All.Select(s => new NavigationItem(s))];
         SignOut = new(async _ =>
         {
@@ -73,8 +76,30 @@ public sealed class ShellViewModel : Observable, IDisposable
     public SigningViewModel? Signing
     {
         get => _signing;
-        private set => Set(ref _signing, value);
+        private set
+        {
+            if (Set(ref _signing, value))
+            {
+                Say(nameof(IsFree));
+            }
+        }
     }
+
+    /// <summary>Where a file is being chosen, in front of everything; null if none is.</summary>
+    public FileChooserViewModel? Choosing
+    {
+        get => _choosing;
+        private set
+        {
+            if (Set(ref _choosing, value))
+            {
+                Say(nameof(IsFree));
+            }
+        }
+    }
+
+    /// <summary>True if nothing is in front of the screen.</summary>
+    public bool IsFree => Signing is null && Choosing is null;
 
     /// <summary>True while nobody is signed in.</summary>
     public bool IsLocked => _login is not null;
@@ -82,9 +107,21 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// <summary>True for light on dark.</summary>
     public bool IsDark
     {
-        get => _isDark;
-        set => Set(ref _isDark, value);
+        get => Preferences.IsDark;
+        set => Preferences.IsDark = value;
     }
+
+    /// <summary>How high what is touched is.</summary>
+    public TouchSize TouchSize => Preferences.TouchSize;
+
+    /// <summary>What somebody should know of their preferences; null if nothing.</summary>
+    public string? Notice => Preferences.Notice;
+
+    /// <summary>Takes the notice away.</summary>
+    public Command CloseNotice { get; }
+
+    /// <summary>How who sits here likes the station.</summary>
+    public KeptPreferences Preferences { get; }
 
     /// <summary>The cell's name.</summary>
     public string CellName => Station.Settings.Name;
@@ -121,6 +158,36 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// <summary>Goes to a screen.</summary>
     public void Go(string key) => Chosen = Items.First(i => i.Screen.Key == key);
 
+    /// <summary>Lets somebody choose a file or folder, in front of everything else.</summary>
+    /// <returns>Its full path; null if nothing was chosen, or the station was locked meanwhile.</returns>
+    public async Task<string?> ChooseAsync(FileChoice choice)
+    {
+        ArgumentNullException.ThrowIfNull(choice);
+        Choosing?.Leave.Execute(null);
+        if (IsLocked)
+        {
+            return null;
+        }
+
+        var cellFolder = Path.GetDirectoryName(Path.GetFullPath(Station.Settings.File))!;
+        var begin = string.IsNullOrWhiteSpace(choice.Start) ? Preferences.Folders is [var last, ..] ? last : cellFolder : choice.Start;
+        var chooser = new FileChooserViewModel(choice, begin, cellFolder, Preferences.Folders, Station.Clock);
+        var chosen = new TaskCompletionSource<string?>();
+        chooser.Done += path =>
+        {
+            Choosing = Choosing == chooser ? null : Choosing;
+            chosen.TrySetResult(path);
+        };
+        Choosing = chooser;
+        var path = await chosen.Task;
+        if (path is not null && (choice.Kind == FileChoiceKind.Folder ? path : Path.GetDirectoryName(path)) is { } folder)
+        {
+            Preferences.Remember(folder);
+        }
+
+        return path;
+    }
+
     /// <summary>Lets somebody sign, in front of everything else.</summary>
     internal void Sign(SigningViewModel signing)
     {
@@ -145,6 +212,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         _seat.Dispose();
         Station.Changed -= Follow;
         Texts.Current.LanguageChanged -= Translate;
+        Preferences.Dispose();
         _login?.Dispose();
         _current?.Dispose();
     }
@@ -165,8 +233,10 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
 
         Signing = null;
+        Choosing?.Leave.Execute(null);
         _login = new LoginViewModel(Station, UserName, Unlock);
         _who = null;
+        Preferences.Take(null);
         Say();
     }
 
@@ -176,6 +246,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         var isOther = _login!.LastName != who.Name;
         _login.Dispose();
         (_login, _who) = (null, who);
+        Preferences.Take(who.Name);
         if (isOther || _current is null)
         {
             Show(Items[0], Items[0].Screen.Open(this));
@@ -241,6 +312,7 @@ public sealed class ShellViewModel : Observable, IDisposable
             item.Rename();
         }
 
+        Choosing?.Translate();
         Say(nameof(Banner));
         Say(nameof(UserRole));
     }

@@ -85,7 +85,7 @@ internal static class Layout
     }
 
     // A dialog lies over everything, on purpose.
-    private static bool IsInFront(Control control) => control.FindAncestorOfType<SigningView>() is not null;
+    private static bool IsInFront(Control control) => control.GetVisualAncestors().OfType<Panel>().Any(p => p.Classes.Contains("veil"));
 
     private static Rect Seen(Control control, Window window) =>
         control.GetVisualAncestors().OfType<Control>().Where(a => a.ClipToBounds || a is ScrollContentPresenter).Aggregate(In(control, window), (place, above) => place.Intersect(In(above, window)));

@@ -53,7 +53,7 @@ public sealed class MatchReportTests
         Proof = new(true, 12, 3, [new("N8950", 3, NeighborRole.Slides, 0.0151)], null, 0.0004, true),
         Time = new(8, 0.0012),
         RadiusWearMm = 0.02,
-        Warnings = ["w"],
+        Warnings = [new("sparse-points", "w", "C1", "3")],
         Notes = ["n"],
     };
 
@@ -70,6 +70,7 @@ public sealed class MatchReportTests
         Assert.Equal("O|0.005|0.01|true", Text(json, "originCheck.point", "originCheck.distanceMm", "originCheck.limitMm", "originCheck.holds"));
         Assert.Equal("counterpart|0.5|excess|vector|0.4", Text(json, "compensation.from", "compensation.gain", "compensation.amount", "compensation.along", "compensation.limitMm"));
         Assert.Equal("0.005|clamping|0.004", Text(json, "uncertainty.combinedMm", "uncertainty.contributions.1.name", "uncertainty.contributions.1.valueMm"));
+        Assert.Equal("w|sparse-points|C1|3", Text(json, "warnings.0", "warningCodes.0.code", "warningCodes.0.values.0", "warningCodes.0.values.1"));
         Assert.Equal("10|9.97|10.03|9.97", Text(json, "toleranceChain.nominalMm", "toleranceChain.worstCase.smallestMm", "toleranceChain.worstCase.largestMm", "toleranceChain.rootSumOfSquares.smallestMm"));
         Assert.Equal("out/counterpart.nc|dd|1|2", Text(json, "program.file", "program.sha256", "program.changedBlocks", "program.changedWords"));
         Assert.Equal("N8960|7|N8960 X-34.995|N8960 X-34.965|6|8|8", Text(json, "program.blocks.0.number", "program.blocks.0.line", "program.blocks.0.original", "program.blocks.0.modified", "program.blocks.0.originalSpans.0.start", "program.blocks.0.originalSpans.0.length", "program.blocks.0.modifiedSpans.0.length"));

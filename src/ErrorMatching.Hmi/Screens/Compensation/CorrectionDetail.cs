@@ -101,7 +101,7 @@ public sealed class CorrectionDetail
     public string Changed => Kept.Report is not { } report ? "" : Texts.Current.With("Detail.Changed", Shown.Count(report.ChangedBlocks), Shown.Count(report.ChangedWords));
 
     /// <summary>What a person should know before using the program.</summary>
-    public IReadOnlyList<string> Warnings => Kept.Report?.Warnings ?? [];
+    public IReadOnlyList<string> Warnings => [.. Kept.Report?.Warnings.Select(w => w.Text) ?? []];
 
     /// <summary>True if there are warnings.</summary>
     public bool HasWarnings => Warnings.Count > 0;

@@ -1,0 +1,103 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Interactivity;
+using Avalonia.Threading;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Where a file or folder is chosen.</summary>
+public sealed partial class FileChooserView : UserControl
+{
+    /// <summary>The view.</summary>
+    public FileChooserView()
+    {
+        InitializeComponent();
+
+        // Before the lists themselves: they take Enter for choosing a row.
+        PlaceList.AddHandler(KeyDownEvent, OnPlaceKey, RoutingStrategies.Tunnel);
+        Entries.AddHandler(KeyDownEvent, OnRowKey, RoutingStrategies.Tunnel);
+    }
+
+    /// <inheritdoc/>
+    protected override void OnLoaded(RoutedEventArgs e)
+    {
+        base.OnLoaded(e);
+        if (DataContext is FileChooserViewModel chooser)
+        {
+            FocusFirst(chooser);
+        }
+    }
+
+    private static T? Of<T>(RoutedEventArgs e)
+        where T : class => (e.Source as StyledElement)?.DataContext as T;
+
+    private void OnPlaceTapped(object? sender, TappedEventArgs e) => Go(Of<Place>(e));
+
+    private void OnPlaceKey(object? sender, KeyEventArgs e)
+    {
+        if (e.Key is Key.Enter or Key.Space && (sender as ListBox)?.SelectedItem is Place place)
+        {
+            Go(place);
+            e.Handled = true;
+        }
+    }
+
+    private void OnRowTapped(object? sender, TappedEventArgs e)
+    {
+        if (Of<FolderEntry>(e) is { } entry)
+        {
+            (DataContext as FileChooserViewModel)?.Take(entry);
+        }
+    }
+
+    // Behind a folder that was tapped twice out of habit another row lies under the finger, which was not meant.
+    private void OnRowDoubleTapped(object? sender, TappedEventArgs e)
+    {
+        if (Of<FolderEntry>(e) is { IsFolder: false })
+        {
+            OnRowTapped(sender, e);
+        }
+    }
+
+    private void OnRowKey(object? sender, KeyEventArgs e)
+    {
+        if (DataContext is not FileChooserViewModel chooser)
+        {
+            return;
+        }
+
+        if (e.Key is Key.Back && chooser.Up.CanExecute(null))
+        {
+            chooser.Up.Execute(null);
+            FocusFirst(chooser);
+            e.Handled = true;
+        }
+        else if (e.Key is Key.Enter or Key.Space && Entries.SelectedItem is FolderEntry entry)
+        {
+            chooser.Take(entry);
+            FocusFirst(chooser);
+            e.Handled = true;
+        }
+    }
+
+    private void Go(Place? place)
+    {
+        if (place is not null)
+        {
+            (DataContext as FileChooserViewModel)?.Enter(place.Path);
+        }
+    }
+
+    // Whoever goes by keyboard goes on at the first row of the next folder.
+    private async void FocusFirst(FileChooserViewModel chooser)
+    {
+        var before = chooser.Folder;
+        await chooser.Loading;
+        if (chooser.Folder != before)
+        {
+            Entries.SelectedIndex = 0;
+            Dispatcher.UIThread.Post(() => (Entries.ContainerFromIndex(0) ?? Entries).Focus(NavigationMethod.Directional), DispatcherPriority.Loaded);
+        }
+    }
+}

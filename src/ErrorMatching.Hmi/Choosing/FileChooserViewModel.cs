@@ -1,0 +1,290 @@
+using System.Security;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>File chooser: somebody finds a file or folder by tapping, or types its path, inside the station's own window.</summary>
+[System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "Each look disposes what it made when it ends.")]
+public sealed class FileChooserViewModel : Observable
+{
+    private readonly FileChoice _choice;
+    private readonly TimeProvider _clock;
+    private CancellationTokenSource? _looking;
+    private FolderListing? _listing;
+    private IReadOnlyList<Place> _places = [];
+    private string _path = "";
+    private string? _message;
+    private string? _replaced;
+    private bool _isAll;
+
+    /// <summary>Opens it at a folder.</summary>
+    /// <param name="choice">What is to be chosen.</param>
+    /// <param name="folder">The folder, or a file in it; where it is not there, the next one above it that is.</param>
+    /// <param name="cellFolder">The folder of the cell's configuration.</param>
+    /// <param name="recent">Folders in which something was chosen, the latest first.</param>
+    /// <param name="clock">For the zone of times.</param>
+    public FileChooserViewModel(FileChoice choice, string folder, string cellFolder, IReadOnlyList<string> recent, TimeProvider clock)
+    {
+        (_choice, _clock) = (choice ?? throw new ArgumentNullException(nameof(choice)), clock);
+        Up = new(() => Enter(Path.GetDirectoryName(Folder)!), () => Path.GetDirectoryName(Folder) is not null);
+        Leave = new(() => End(null));
+        Confirm = new(_ => ConfirmAsync(), () => Typed.Trim().Length > 0);
+        ShowAll = new(() =>
+        {
+            _isAll = !_isAll;
+            Say(nameof(Filter));
+            Enter(Folder);
+        });
+        Loading = BeginAsync(folder, cellFolder, recent).Watched();
+    }
+
+    /// <summary>Said once: with the full path that was chosen, or null if it was left.</summary>
+    public event Action<string?>? Done;
+
+    /// <summary>What for.</summary>
+    public string Title => Texts.Current[_choice.TitleKey];
+
+    /// <summary>Folders to begin at.</summary>
+    public IReadOnlyList<Place> Places
+    {
+        get => _places;
+        private set => Set(ref _places, value);
+    }
+
+    /// <summary>What is in the folder.</summary>
+    public RowList<FolderEntry> Rows { get; } = [];
+
+    /// <summary>The folder that is shown; empty before the first one is.</summary>
+    public string Folder => _listing?.Folder ?? "";
+
+    /// <summary>The path in the field, which is what is chosen: by tapping a file, or typed.</summary>
+    public string Typed
+    {
+        get => _path;
+        set
+        {
+            if (Set(ref _path, value ?? ""))
+            {
+                Ask(null);
+                Confirm.Refresh();
+            }
+        }
+    }
+
+    /// <summary>What is shown and what is not, in words.</summary>
+    public string Summary => _listing is not { } l ? "" : string.Join(' ', Sentences(l));
+
+    /// <summary>Why it does not work; null if it does.</summary>
+    public string? Message
+    {
+        get => _message;
+        private set => Set(ref _message, value);
+    }
+
+    /// <summary>True if files are shown by their endings.</summary>
+    public bool IsFiltered => _choice.Kind != FileChoiceKind.Folder && _choice.Extensions.Count > 0;
+
+    /// <summary>What a tap on the filter does, in words.</summary>
+    public string Filter => _isAll ? Texts.Current.With("Chooser.Only", string.Join(", ", _choice.Extensions)) : Texts.Current["Chooser.All"];
+
+    /// <summary>What choosing does, in words.</summary>
+    public string ConfirmLabel => Texts.Current[_replaced is not null ? "Chooser.Replace" : "Chooser." + _choice.Kind];
+
+    /// <summary>To the folder above.</summary>
+    public Command Up { get; }
+
+    /// <summary>Chooses nothing.</summary>
+    public Command Leave { get; }
+
+    /// <summary>All files, or those of the endings alone.</summary>
+    public Command ShowAll { get; }
+
+    /// <summary>Takes what the field says: goes into a folder, chooses a file.</summary>
+    public LongCommand Confirm { get; }
+
+    /// <summary>Done when the folder that was gone to is shown.</summary>
+    internal Task Loading { get; private set; }
+
+    /// <summary>A tap on a row: goes into a folder, puts a file into the field, and one that is there already is opened. What is to be written takes the button.</summary>
+    public void Take(FolderEntry entry)
+    {
+        ArgumentNullException.ThrowIfNull(entry);
+        if (entry.IsFolder)
+        {
+            Enter(entry.Path);
+        }
+        else if (_choice.Kind == FileChoiceKind.Open && Typed == entry.Path)
+        {
+            Confirm.Execute(null);
+        }
+        else
+        {
+            Typed = entry.Path;
+        }
+    }
+
+    /// <summary>Shows a folder; one that cannot be shown is told, and the one before stays.</summary>
+    public void Enter(string folder) => Loading = EnterAsync(folder).Watched();
+
+    /// <summary>Says everything in another language.</summary>
+    internal void Translate()
+    {
+        Message = null;
+        Places = [.. Places];
+        Say();
+    }
+
+    private async Task BeginAsync(string folder, string cellFolder, IReadOnlyList<string> recent)
+    {
+        var (there, name) = await Task.Run(() => Begin(folder));
+        Places = await Task.Run(() => Hmi.Places.Of(cellFolder, recent));
+        await EnterAsync(there);
+        if (name is not null && Folder == there)
+        {
+            Typed = Path.Combine(there, name);
+        }
+    }
+
+    // What is proposed need not be there yet: a folder to write to, the name of a new file.
+    private static (string Folder, string? Name) Begin(string path)
+    {
+        var full = Path.GetFullPath(path);
+        var folder = full;
+        while (!Directory.Exists(folder) && Path.GetDirectoryName(folder) is { } above)
+        {
+            folder = above;
+        }
+
+        return (folder, full == folder ? null : Path.GetRelativePath(folder, full));
+    }
+
+    private async Task EnterAsync(string folder)
+    {
+        _looking?.Cancel();
+        using var looking = _looking = new();
+        Message = null;
+        try
+        {
+            IReadOnlyList<string>? endings = _choice.Kind == FileChoiceKind.Folder ? null : _isAll ? [] : _choice.Extensions;
+            var listing = await Task.Run(() => FolderListing.Read(folder, endings, _clock, looking.Token), looking.Token);
+            if (_looking == looking)
+            {
+                _listing = listing;
+                Rows.Show(listing.Entries);
+                Typed = _choice.Kind == FileChoiceKind.Save && Typed.Length > 0 && Path.GetFileName(Typed) is { Length: > 0 } name && !Directory.Exists(Typed)
+                    ? Path.Combine(listing.Folder, name)
+                    : listing.Folder;
+                Up.Refresh();
+                Say();
+            }
+        }
+        catch (OperationCanceledException) when (looking.IsCancellationRequested)
+        {
+            // Another folder was gone to meanwhile.
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or SecurityException)
+        {
+            Message = Why(e, folder);
+        }
+        finally
+        {
+            _looking = _looking == looking ? null : _looking;
+        }
+    }
+
+    private async Task ConfirmAsync()
+    {
+        Message = null;
+        if (Typed.Contains('\0', StringComparison.Ordinal) || Folder.Length == 0)
+        {
+            Message = Texts.Current.With("Chooser.Missing", FolderEntry.Visible(Typed));
+            return;
+        }
+
+        var path = Path.GetFullPath(Typed.Trim(), Folder);
+        var (isFolder, isFile, isPlaced) = await Task.Run(() => (Directory.Exists(path), File.Exists(path), Directory.Exists(Path.GetDirectoryName(path))));
+        switch (_choice.Kind)
+        {
+            case FileChoiceKind.Folder when !isFile:
+                End(path);
+                break;
+            case FileChoiceKind.Folder:
+                Message = Texts.Current.With("Chooser.NoFolder", FolderEntry.Visible(path));
+                break;
+            case var _ when isFolder:
+                Enter(path);
+                await Loading;
+                break;
+            case FileChoiceKind.Open when isFile:
+                End(path);
+                break;
+            case FileChoiceKind.Save when isPlaced:
+                Save(path, isFile);
+                break;
+            default:
+                Message = Texts.Current.With("Chooser.Missing", FolderEntry.Visible(path));
+                break;
+        }
+    }
+
+    private void Save(string path, bool isThere)
+    {
+        if (!Path.HasExtension(path) && _choice.Extensions is [var ending, ..])
+        {
+            (path, isThere) = (path + ending, File.Exists(path + ending));
+        }
+
+        if (!isThere || _replaced == path)
+        {
+            End(path);
+            return;
+        }
+
+        Ask(path);
+        Message = Texts.Current.With("Chooser.Exists", FolderEntry.Visible(Path.GetFileName(path)));
+    }
+
+    // To replace a file takes a second tap, on a button that says so.
+    private void Ask(string? replaced)
+    {
+        _replaced = replaced;
+        Say(nameof(ConfirmLabel));
+    }
+
+    private void End(string? path)
+    {
+        _looking?.Cancel();
+        Done?.Invoke(path);
+    }
+
+    internal static string Why(Exception failure, string folder)
+    {
+        var shown = FolderEntry.Visible(folder);
+        return failure switch
+        {
+            UnauthorizedAccessException or SecurityException => Texts.Current.With("Chooser.Denied", shown),
+            DirectoryNotFoundException or FileNotFoundException => Texts.Current.With("Chooser.Missing", shown),
+            _ => Texts.Current.With("Chooser.Unreadable", shown, failure.Message),
+        };
+    }
+
+    private IEnumerable<string> Sentences(FolderListing listing)
+    {
+        var texts = Texts.Current;
+        var folders = listing.Entries.Count(e => e.IsFolder);
+        yield return _choice.Kind == FileChoiceKind.Folder ? texts.With("Chooser.Folders", Shown.Count(folders)) : texts.With("Chooser.Both", Shown.Count(folders), Shown.Count(listing.Entries.Count - folders));
+        if (listing.Others > 0 && _choice.Kind != FileChoiceKind.Folder)
+        {
+            yield return texts.With("Chooser.Others", Shown.Count(listing.Others));
+        }
+
+        if (listing.Hidden > 0)
+        {
+            yield return texts.With("Chooser.Hidden", Shown.Count(listing.Hidden));
+        }
+
+        if (!listing.IsWhole)
+        {
+            yield return texts.With("Chooser.Most", Shown.Count(FolderListing.Most));
+        }
+    }
+}

@@ -1,0 +1,23 @@
+using System.Globalization;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>A folder or file in a folder, as it is shown.</summary>
+/// <param name="Path">Its full path.</param>
+/// <param name="IsFolder">True for a folder.</param>
+/// <param name="Changed">When it was last changed.</param>
+/// <param name="Size">Its length; empty for a folder and for what cannot be asked.</param>
+public sealed record FolderEntry(string Path, bool IsFolder, string Changed, string Size)
+{
+    /// <summary>Its name, with a sign in place of each character that cannot be seen and could make it look like another one.</summary>
+    public string Name { get; } = Visible(System.IO.Path.GetFileName(Path));
+
+    /// <summary>Key of its icon.</summary>
+    public string Icon => IsFolder ? "Icon.folder" : "Icon.file";
+
+    /// <summary>Identifies the row.</summary>
+    public string AutomationId => "entry-" + Name;
+
+    internal static string Visible(string name) =>
+        string.Concat(name.Select(c => char.IsControl(c) || CharUnicodeInfo.GetUnicodeCategory(c) is UnicodeCategory.Format or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator ? '\u25A1' : c));
+}
