@@ -21,7 +21,7 @@ public sealed class SeriesPlot : PlotArea
     /// <summary>What lies between limits.</summary>
     public static readonly StyledProperty<IBrush?> BandBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(BandBrush));
 
-    private const double Thick = 2, Thin = 1, Mark = 5, LeftStrip = 62, BottomStrip = 30, TicksApart = 44, LabelsApart = 14, LegendMark = 34, LegendApart = 24;
+    private const double Thick = 2, Thin = 1, Mark = 5, SmallMark = 1.5, LeftStrip = 62, BottomStrip = 30, TicksApart = 44, LabelsApart = 14, LegendMark = 34, LegendApart = 24;
     private static readonly DashStyle Dashes = new([4, 3], 0);
     private PlotBox _extent = PlotBox.Empty;
 
@@ -172,7 +172,7 @@ public sealed class SeriesPlot : PlotArea
         {
             if (line.Values[i] is { } value)
             {
-                MarkAt(context, line.Kind, To(view, i, value), Drawing!.IsHollow.ElementAtOrDefault(i));
+                MarkAt(context, line.Kind, To(view, i, value), Math.Clamp(view.ScaleX / 4, SmallMark, Mark), Drawing!.IsHollow.ElementAtOrDefault(i));
             }
         }
     }
@@ -181,22 +181,22 @@ public sealed class SeriesPlot : PlotArea
 
     private IBrush? BrushOf(SeriesKind kind) => kind is SeriesKind.Before or SeriesKind.BeforeMean ? BeforeBrush : AfterBrush;
 
-    private void MarkAt(DrawingContext context, SeriesKind kind, Point at, bool isHollow)
+    private void MarkAt(DrawingContext context, SeriesKind kind, Point at, double size, bool isHollow)
     {
         var (fill, pen) = (isHollow ? Ground : BrushOf(kind), new Pen(BrushOf(kind), Thick));
         switch (kind)
         {
             case SeriesKind.Before:
-                context.DrawEllipse(fill, pen, at, Mark, Mark);
+                context.DrawEllipse(fill, pen, at, size, size);
                 break;
             case SeriesKind.After:
                 var diamond = new StreamGeometry();
                 using (var figure = diamond.Open())
                 {
-                    figure.BeginFigure(new(at.X, at.Y - Mark - 1), isFilled: true);
-                    figure.LineTo(new(at.X + Mark + 1, at.Y));
-                    figure.LineTo(new(at.X, at.Y + Mark + 1));
-                    figure.LineTo(new(at.X - Mark - 1, at.Y));
+                    figure.BeginFigure(new(at.X, at.Y - size - 1), isFilled: true);
+                    figure.LineTo(new(at.X + size + 1, at.Y));
+                    figure.LineTo(new(at.X, at.Y + size + 1));
+                    figure.LineTo(new(at.X - size - 1, at.Y));
                     figure.EndFigure(isClosed: true);
                 }
 
@@ -234,7 +234,7 @@ public sealed class SeriesPlot : PlotArea
         {
             var middle = at.Y + (name.Height / 2);
             context.DrawLine(PenOf(line.Kind), new(at.X, middle), new(at.X + LegendMark, middle));
-            MarkAt(context, line.Kind, new(at.X + (LegendMark / 2), middle), isHollow: false);
+            MarkAt(context, line.Kind, new(at.X + (LegendMark / 2), middle), Mark, isHollow: false);
             context.DrawText(name, new(at.X + LegendMark + 8, at.Y));
         }
 

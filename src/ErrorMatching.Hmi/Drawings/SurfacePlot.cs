@@ -24,6 +24,7 @@ public sealed class SurfacePlot : PlotArea
     private static readonly ImmutableSolidColorBrush[] Colors = [.. Enumerable.Range(0, DivergingColors.Count).Select(i => new ImmutableSolidColorBrush(Color.Parse(DivergingColors.Hex(i))))];
     private PlotBox _extent = PlotBox.Empty;
     private PlotIndex _index = new([]);
+    private IReadOnlyList<(int Color, StreamGeometry Geometry)> _cells = [];
 
     static SurfacePlot() => AffectsRender<SurfacePlot>(AreaBrushProperty, WayBrushProperty);
 
@@ -63,6 +64,7 @@ public sealed class SurfacePlot : PlotArea
         {
             _extent = Drawing?.Extent ?? PlotBox.Empty;
             _index = new([.. Drawing?.Points.Select(p => p.At) ?? []]);
+            _cells = Drawing is null ? [] : CellsOf(Drawing);
             Renew();
         }
     }
@@ -78,37 +80,15 @@ public sealed class SurfacePlot : PlotArea
     {
         ArgumentNullException.ThrowIfNull(context);
         var drawing = Drawing!;
-        var places = Array.ConvertAll([.. drawing.Net.Places], p => To(view, new(p.X, p.Y)));
-        var colored = new Dictionary<int, StreamGeometryContext>();
-        var geometries = new List<(int Color, StreamGeometry Geometry)>();
-        try
+        var origin = To(view, Point2.Origin);
+        using (context.PushTransform(new Matrix(view.ScaleX, 0, 0, -view.ScaleY, origin.X, origin.Y)))
         {
-            Cells(drawing, places, color =>
+            foreach (var (color, geometry) in _cells)
             {
-                if (!colored.TryGetValue(color, out var figures))
-                {
-                    var geometry = new StreamGeometry();
-                    geometries.Add((color, geometry));
-                    colored[color] = figures = geometry.Open();
-                    figures.SetFillRule(FillRule.NonZero);
-                }
-
-                return figures;
-            });
-        }
-        finally
-        {
-            foreach (var figures in colored.Values)
-            {
-                figures.Dispose();
+                // The stroke closes the hairlines between neighbors.
+                var brush = color < 0 ? AreaBrush : Colors[color];
+                context.DrawGeometry(brush, new Pen(brush, Hairline / view.ScaleX), geometry);
             }
-        }
-
-        foreach (var (color, geometry) in geometries)
-        {
-            // The stroke closes the hairlines between neighbors.
-            var brush = color < 0 ? AreaBrush : Colors[color];
-            context.DrawGeometry(brush, new Pen(brush, Hairline), geometry);
         }
 
         Way(context, view, drawing);
@@ -121,9 +101,33 @@ public sealed class SurfacePlot : PlotArea
         return new(x, y);
     }
 
-    private static void Cells(SurfaceDrawing drawing, Point[] places, Func<int, StreamGeometryContext> figuresOf)
+    // Made once, in the plot's units, one geometry a color: whoever moves the map or goes nearer draws the same again.
+    private static List<(int Color, StreamGeometry Geometry)> CellsOf(SurfaceDrawing drawing)
     {
+        var geometries = new List<(int Color, StreamGeometry Geometry)>();
+        foreach (var color in Quadrangles(drawing).GroupBy(q => q.Color))
+        {
+            var geometry = new StreamGeometry();
+            using (var figures = geometry.Open())
+            {
+                figures.SetFillRule(FillRule.NonZero);
+                foreach (var (_, corners) in color)
+                {
+                    Quadrangle(figures, corners);
+                }
+            }
+
+            geometries.Add((color.Key, geometry));
+        }
+
+        return geometries;
+    }
+
+    private static IEnumerable<(int Color, Point[] Corners)> Quadrangles(SurfaceDrawing drawing)
+    {
+        const double Side = 1.0 / Parts;
         var (net, outside) = (drawing.Net, drawing.Net.Outside.ToHashSet());
+        Point[] places = [.. net.Places.Select(p => new Point(p.X, p.Y))];
         for (var cell = 0; cell < (net.CountU - 1) * (net.CountV - 1); cell++)
         {
             if (outside.Contains(cell))
@@ -135,17 +139,16 @@ public sealed class SurfacePlot : PlotArea
             int[] corners = [a, a + net.CountV, a + net.CountV + 1, a + 1];
             if (drawing.ValuesMm is not { } values)
             {
-                Quadrangle(figuresOf(-1), [.. corners.Select(c => places[c])]);
+                yield return (-1, [.. corners.Select(c => places[c])]);
                 continue;
             }
 
             for (var part = 0; part < Parts * Parts; part++)
             {
                 var (s, t) = ((double)(part / Parts) / Parts, (double)(part % Parts) / Parts);
-                const double Side = 1.0 / Parts;
                 Point At(double u, double v) => Between(corners, c => places[c], u, v);
                 var value = Between(corners, c => new Point(values[c], 0), s + (Side / 2), t + (Side / 2)).X;
-                Quadrangle(figuresOf(DivergingColors.IndexOf(value, drawing.LimitMm)), [At(s, t), At(s + Side, t), At(s + Side, t + Side), At(s, t + Side)]);
+                yield return (DivergingColors.IndexOf(value, drawing.LimitMm), [At(s, t), At(s + Side, t), At(s + Side, t + Side), At(s, t + Side)]);
             }
         }
     }
@@ -186,19 +189,21 @@ public sealed class SurfacePlot : PlotArea
         // Colors of the map are the same in both themes, and so is what is written on them.
         var isMap = drawing.ValuesMm is not null;
         var ink = isMap ? Brushes.Black : Ink;
-        var labels = new List<Rect>();
+        var labels = new List<(FormattedText Text, Rect Room)>();
         foreach (var (label, at, _) in drawing.Points)
         {
             var place = To(view, at);
             context.DrawEllipse(isMap ? ink : WayBrush, null, place, Dot, Dot);
             var text = Label(label);
             text.SetForegroundBrush(ink ?? Brushes.Gray);
-            var room = new Rect(place.X - (text.Width / 2), place.Y - text.Height - Away, text.Width, text.Height);
+            labels.Add((text, new Rect(place.X - (text.Width / 2), place.Y - text.Height - Away, text.Width, text.Height)));
+        }
 
-            // A label that finds no room appears when one goes nearer.
-            if (label.Length > 0 && room.Left >= 0 && !labels.Exists(l => l.Intersects(room)))
+        // All or none: labels that find no room appear when one goes nearer.
+        if (HaveRoom(labels, new Rect(Bounds.Size)))
+        {
+            foreach (var (text, room) in labels)
             {
-                labels.Add(room);
                 if (isMap)
                 {
                     using (context.PushOpacity(0.65))
@@ -210,5 +215,22 @@ public sealed class SurfacePlot : PlotArea
                 context.DrawText(text, room.TopLeft);
             }
         }
+    }
+
+    private static bool HaveRoom(List<(FormattedText Text, Rect Room)> labels, Rect seen)
+    {
+        var rooms = labels.Select(l => l.Room).Where(r => r.Intersects(seen)).OrderBy(r => r.Left).ToArray();
+        for (var i = 0; i < rooms.Length; i++)
+        {
+            for (var j = i + 1; j < rooms.Length && rooms[j].Left < rooms[i].Right; j++)
+            {
+                if (rooms[i].Intersects(rooms[j]))
+                {
+                    return false;
+                }
+            }
+        }
+
+        return true;
     }
 }

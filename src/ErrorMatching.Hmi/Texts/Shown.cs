@@ -34,8 +34,8 @@ public static class Shown
     /// <summary>A deviation in mm as micrometers with its sign, two decimals.</summary>
     public static string SignedMicrometers(double? mm) => Number(1000 * mm, SignedMicrometersFormat);
 
-    /// <summary>A deviation in mm as micrometers with its sign, one decimal: where there is little room.</summary>
-    public static string ShortMicrometers(double? mm) => Number(1000 * mm, "+0.0;−0.0;0.0");
+    /// <summary>A deviation in mm as micrometers with its sign, two digits: where there is little room.</summary>
+    public static string ShortMicrometers(double mm) => Math.Abs(mm) < 0.00995 ? Number(1000 * mm, "+0.0;−0.0;0.0") : (1000 * mm).ToString("+0;−0", CultureInfo.InvariantCulture);
 
     /// <summary>A number without a unit, as many decimals as it has, three at most.</summary>
     public static string Number(double value) => value.ToString("0.###;−0.###", CultureInfo.InvariantCulture);

@@ -57,6 +57,9 @@ public sealed class CorrectionDetail
     /// <summary>The two programs; null where there are none, or one was made anew.</summary>
     public ProgramLines? Lines => Kept.Correction.BaseSha256 is null ? null : Kept.Lines;
 
+    /// <summary>True where two programs are shown, once they are there.</summary>
+    public bool ShowsProgram => !IsSurface || Lines is not null;
+
     /// <summary>True if there is a report of a mating to show.</summary>
     public bool HasReport => Kept.Report is not null;
 

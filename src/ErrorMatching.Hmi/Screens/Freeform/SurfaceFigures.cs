@@ -71,6 +71,9 @@ public sealed class SurfaceFigures
     /// <summary>What is above the map of a modified tool radius.</summary>
     public string ToolRadiusCaption => Caption("Freeform.ExpectedToolRadius", _kept.ToolRadius, !_kept.IsMirror);
 
+    /// <summary>What the way of compensating that was chosen is called.</summary>
+    public string ExpectedName => Texts.Current[_kept.IsMirror ? "Freeform.ExpectedMirror" : "Freeform.ExpectedToolRadius"];
+
     /// <summary>What is above the map as measured.</summary>
     public string MeasuredCaption => Caption("Freeform.Measured", _kept.Before, isChosen: false);
 
