@@ -37,4 +37,22 @@ public abstract partial class StoreTests
         Assert.Equal([two.Id], store.First(CorrectionState.Recognized, 10, jobs: ["job", "other"]).Select(c => c.Id));
         Assert.Empty(store.First(CorrectionState.Recognized, 10, ["gauge"], ["other"]));
     }
+
+    [Fact]
+    public void Reported_are_the_latest_of_some_jobs_that_have_a_report()
+    {
+        var store = Open();
+        var ids = new List<long>();
+        foreach (var name in new[] { "one", "two", "three" })
+        {
+            var known = Recognize(store, store.Archive(Arrival(name, name)).Correction, name);
+            ids.Add(store.Step(known, CorrectionState.Computed, "cell", "computed", c => c with { ReportSha256 = Hash("report " + name) }, [Bytes("report " + name)]).Id);
+        }
+
+        Recognize(store, store.Archive(Arrival("four", "4")).Correction, "A-4");
+        Assert.Equal(ids.AsEnumerable().Reverse(), store.Reported(["job", "other"], 10).Select(c => c.Id));
+        Assert.Equal([ids[2], ids[1]], store.Reported(["job"], 2).Select(c => c.Id));
+        Assert.Empty(store.Reported(["other"], 10));
+        Assert.Empty(store.Reported([], 10));
+    }
 }

@@ -1,0 +1,68 @@
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>What a kept report says of a piece, without a station.</summary>
+public sealed class KeptPieceTests
+{
+    private static readonly Correction Part = new(1, CorrectionState.Proposed, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1) { Piece = "part" };
+
+    [Fact]
+    public void What_is_not_compensated_is_expected_to_stay_as_it_is()
+    {
+        // Wide limits: nothing is compensated, so both assemblies are the same.
+        var report = Report(j => j.Replace("[-0.05, 0.05]", "[-0.5, 0.5]", StringComparison.Ordinal));
+        var piece = KeptPiece.Predicted(Part, report);
+        Assert.All(report.Features, f => Assert.Equal("within-tolerance", f.Decision));
+        Assert.All(piece.Result.Points, p => Assert.Equal(p.BeforeError.NormalMm, p.AfterError.NormalMm, 9));
+        Assert.All(piece.Result.Features, f => Assert.Equal(0, f.ImprovementPercent!.Value, 6));
+        Assert.True(piece.IsWithin);
+
+        var (before, after) = (GapDrawing.Before(piece), GapDrawing.After(piece));
+        Assert.All(before.Counterpart.Zip(after.Counterpart), lines => Assert.All(lines.First.Zip(lines.Second), p => Assert.True(p.First.DistanceTo(p.Second) < 1e-6)));
+
+        // And the counterpart is the outline that the program cuts.
+        Assert.All(report.Features.Zip(after.Counterpart), f => Assert.All(f.First.Outline.Zip(f.Second), p => Assert.True(p.First.DistanceTo(p.Second) < 1e-6)));
+    }
+
+    [Fact]
+    public void Where_the_part_lies_further_out_a_gap_is_drawn_and_it_closes()
+    {
+        var piece = KeptPiece.Predicted(Part, Report(j => j));
+        var (before, after) = (GapDrawing.Before(piece), GapDrawing.After(piece));
+
+        // Point 1 of the part lies 0.117 mm further out along the normal, which the counterpart follows.
+        var point = piece.Result.Points.Single(p => p.Label == "1");
+        Assert.Equal(-0.117, point.BeforeError.NormalMm, 0.0005);
+        Assert.Equal(0.117, before.Points.Single(p => p.Label == "1").GapMm, 0.0005);
+        Assert.Equal(0, after.Points.Single(p => p.Label == "1").GapMm, 0.001);
+        Assert.True(after.LargestMm < before.LargestMm);
+        Assert.Equal(before.Factor, after.Factor);
+    }
+
+    [Fact]
+    public void A_mating_error_is_held_against_the_limits_the_other_way_round()
+    {
+        // The part may lie far in and not out: an overlap may be large, a gap not.
+        var piece = KeptPiece.Predicted(Part, Report(j => j.Replace("[-0.05, 0.05]", "[-0.5, 0.001]", StringComparison.Ordinal)));
+        var band = piece.BandOf("9")!.Value;
+        Assert.Equal((-0.001, 0.5), (band.LowerMm, band.UpperMm));
+        Assert.Equal("C1", piece.BoundaryOf("9")!.Name);
+        Assert.Null(piece.BandOf("nobody"));
+    }
+
+    private static KeptReport Report(Func<string, string> change)
+    {
+        using var folder = new TemporaryFolder();
+        foreach (var file in Directory.GetFiles(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating")))
+        {
+            File.Copy(file, folder[Path.GetFileName(file)]);
+        }
+
+        var job = folder["job.json"];
+        File.WriteAllText(job, change(File.ReadAllText(job)));
+        return KeptReport.Read(MatingRun.Of(new(job), new(), CancellationToken.None).Result!.ReportJson())!;
+    }
+}
