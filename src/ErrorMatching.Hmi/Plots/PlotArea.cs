@@ -93,6 +93,9 @@ public abstract partial class PlotArea : Control
     /// <summary>The exact values under the finger; null while none are asked for.</summary>
     public string? Values => _datum?.Text;
 
+    /// <summary>The datum that was asked for; null while none is.</summary>
+    protected PlotDatum? Asked => _datum;
+
     /// <summary>What is seen.</summary>
     public PlotView View
     {
@@ -109,9 +112,6 @@ public abstract partial class PlotArea : Control
 
     /// <summary>True while all is seen.</summary>
     public bool ShowsAll => _view == _whole;
-
-    /// <inheritdoc/>
-    protected override Type StyleKeyOverride => typeof(PlotArea);
 
     /// <summary>How much there is to be seen; an empty box if there is nothing.</summary>
     protected abstract PlotBox Extent { get; }
@@ -188,10 +188,19 @@ public abstract partial class PlotArea : Control
     /// <summary>A datum by its number, from 0.</summary>
     protected virtual PlotDatum? DatumAt(int index) => null;
 
-    /// <summary>Called when a person has tapped, beside what <see cref="DatumNear"/> found there.</summary>
-    protected virtual void OnTapped(Point2 screen, double reach)
+    /// <summary>Called when a person has asked for a datum.</summary>
+    protected virtual void OnAsked(PlotDatum datum)
     {
         // Who wants to know says so.
+    }
+
+    /// <summary>Moves what is seen to a box, if nothing of it is seen.</summary>
+    protected void Reveal(PlotBox box)
+    {
+        if (!box.IsEmpty && !box.Touches(View.Seen))
+        {
+            View = View with { Middle = box.Middle };
+        }
     }
 
     /// <summary>Says that the data are others. Whoever sees all goes on seeing all; whoever looks closely goes on looking there, as long as there is something.</summary>

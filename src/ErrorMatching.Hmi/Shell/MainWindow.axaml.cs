@@ -1,4 +1,5 @@
 using System.ComponentModel;
+using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Interactivity;
@@ -35,6 +36,7 @@ public sealed partial class MainWindow : Window
         {
             _shell.PropertyChanged += OnShell;
             ShowTheme();
+            ShowTargets();
         }
     }
 
@@ -55,6 +57,10 @@ public sealed partial class MainWindow : Window
         {
             ShowTheme();
         }
+        else if (e.PropertyName is nameof(ShellViewModel.TouchSize))
+        {
+            ShowTargets();
+        }
         else if (e.PropertyName is nameof(ShellViewModel.IsFree))
         {
             KeepFocus();
@@ -74,6 +80,9 @@ public sealed partial class MainWindow : Window
             Dispatcher.UIThread.Post(() => before.Focus(), DispatcherPriority.Loaded);
         }
     }
+
+    // The styles look the height up from where a control is: the window's own goes before the application's.
+    private void ShowTargets() => Resources["Target"] = Resources["RowHeight"] = Application.Current!.FindResource("Target" + _shell!.TouchSize);
 
     private void ShowTheme() => RequestedThemeVariant = _shell!.IsDark ? ThemeVariant.Dark : ThemeVariant.Light;
 }

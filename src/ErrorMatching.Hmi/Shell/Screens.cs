@@ -15,11 +15,20 @@ public static class Screens
     /// <summary>Key of the on-line compensation.</summary>
     public const string Compensation = "compensation";
 
+    /// <summary>Key of the verification.</summary>
+    public const string Verification = "verification";
+
+    /// <summary>Key of free-form surfaces.</summary>
+    public const string Freeform = "freeform";
+
     /// <summary>Key of the history.</summary>
     public const string History = "history";
 
     /// <summary>Key of messages and audit trail.</summary>
     public const string Messages = "messages";
+
+    /// <summary>Key of the settings.</summary>
+    public const string Settings = "settings";
 
     /// <summary>The screens.</summary>
     public static IReadOnlyList<Screen> All { get; } =
@@ -28,7 +37,10 @@ public static class Screens
         new(Points, shell => new PointsViewModel(shell)),
         new(System, shell => new SystemViewModel(shell)),
         new(Compensation, shell => new CompensationViewModel(shell)),
+        new(Verification, shell => new VerificationViewModel(shell.Station)),
+        new(Freeform, shell => new FreeformViewModel(shell.Station)),
         new(History, shell => new HistoryViewModel(shell)),
         new(Messages, shell => new MessagesViewModel(shell.Station, shell.Look)),
+        new(Settings, shell => new SettingsViewModel(shell)),
     ];
 }

@@ -1,5 +1,4 @@
 using Avalonia.Input;
-using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 

@@ -1,7 +1,6 @@
 using Avalonia.Input;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
-using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
