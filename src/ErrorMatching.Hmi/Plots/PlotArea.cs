@@ -169,6 +169,7 @@ public abstract partial class PlotArea : Control
         }
 
         Draw(context, View);
+        ShowPixels(context);
         if (_datum is { } datum)
         {
             Crosshair(context, datum);
@@ -246,5 +247,12 @@ public abstract partial class PlotArea : Control
         {
             AutomationProperties.SetAutomationId(button, $"{AutomationProperties.GetAutomationId(this)}-{part}");
         }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
+    {
+        base.OnDetachedFromVisualTree(e);
+        _layer.Dispose();
     }
 }
