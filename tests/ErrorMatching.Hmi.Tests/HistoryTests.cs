@@ -38,4 +38,15 @@ public sealed class HistoryTests
         seat.SignIn(DemoCell.Operator).Tap("nav-history").Type("history-from", "yesterday").Tap("history-search");
         Assert.StartsWith("A day is written as year-month-day", seat.TextOf("history-message"), StringComparison.Ordinal);
     });
+
+    [Fact]
+    public Task What_is_chosen_stays_chosen_in_the_other_language() => Seat.AtAsync(seat =>
+    {
+        seat.SignIn(DemoCell.Setter).Tap("nav-history");
+        var states = (Avalonia.Controls.ComboBox)seat.See("history-state");
+        Assert.Equal("Any state", (states.SelectedItem as StateChoice)?.Name);
+        seat.Tap("language");
+        seat.User.Settle();
+        Assert.Equal("任何狀態", (states.SelectedItem as StateChoice)?.Name);
+    });
 }

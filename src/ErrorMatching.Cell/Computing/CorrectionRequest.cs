@@ -12,7 +12,7 @@ public sealed record CorrectionRequest
     /// <summary>The measurement.</summary>
     public required KeptFile Measurement { get; init; }
 
-    /// <summary>The part's measurement, for a counterpart that is compared with it (feedback); null while there is none.</summary>
+    /// <summary>The part's measurement, for a counterpart that is compared with it; null while there is none.</summary>
     public KeptFile? Part { get; init; }
 
     /// <summary>Where the job accumulates: the program that cut the measured counterpart; null for the original one.</summary>

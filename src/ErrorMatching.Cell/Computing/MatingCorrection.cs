@@ -7,6 +7,8 @@ namespace ErrorMatching.Cell;
 /// <summary>A correction of a mating: the part's measurement makes the counterpart's program, or in feedback the counterpart's own does.</summary>
 internal sealed class MatingCorrection
 {
+    private const string FirstArticle = "A counterpart is measured: this verifies what was sent, and sends nothing.";
+
     private readonly CorrectionRequest _request;
     private readonly PolicySettings _policy;
     private readonly byte[] _job;
@@ -67,11 +69,16 @@ internal sealed class MatingCorrection
     private NothingToSend Record()
     {
         var given = new GivenFile(_request.Measurement.Name, _request.Measurement.Bytes);
-        (IsOfPart ? _files.Part(given) : _files.Counterpart(given)).Require(_files.Job.NeededPoints);
+        var measured = IsOfPart ? _files.Part(given) : _files.Counterpart(given);
+        measured.Require(_files.Job.NeededPoints);
         var basis = ((Identified)Identify()).Basis;
         return IsOfPart
             ? new NothingToSend(basis, CorrectionCodes.PartRecorded, "The part is measured; its counterparts are compared with it.")
-            : new NothingToSend(basis, CorrectionCodes.FirstArticle, "A counterpart is measured: this verifies what was sent, and sends nothing.");
+            : CounterpartVerification.Of(_files, _request.Part, measured) switch
+            {
+                { Report: { } report } => new(basis, CorrectionCodes.FirstArticle, FirstArticle) { Report = VerifyReportJson.Write(report), Page = VerifyReportHtml.Write(report) },
+                var none => new(basis, CorrectionCodes.FirstArticle, $"{FirstArticle} {none.Otherwise}"),
+            };
     }
 
     private Computation Match(CancellationToken cancellation)
@@ -120,7 +127,7 @@ internal sealed class MatingCorrection
             SumMm = sum.Mm,
             ChangedBlocks = matched.Report.Program.ChangedBlocks,
             ChangedWords = matched.Report.Program.ChangedWords,
-            Warnings = matched.Report.Warnings,
+            Warnings = [.. matched.Report.Warnings.Select(w => w.Message)],
         };
     }
 

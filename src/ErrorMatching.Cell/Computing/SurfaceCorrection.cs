@@ -120,7 +120,7 @@ internal sealed class SurfaceCorrection
 
     private static PointCorrection[] Steps(CompensationResult result) => [.. result.Samples.Select(s =>
     {
-        var by = result.PointOf(s) - s.Nominal;
+        var by = result.MoveAt(s);
         return new PointCorrection(s.Point.ToString(CultureInfo.InvariantCulture), by.X, by.Y, by.Z);
     })];
 }

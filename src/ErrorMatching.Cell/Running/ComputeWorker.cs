@@ -56,7 +56,7 @@ internal sealed class ComputeWorker(CellFlow flow)
                 Keep(recognized, job, computed);
                 break;
             case NothingToSend nothing:
-                flow.Step(recognized, CorrectionState.Recorded, nothing.Reason, c => c with { Code = nothing.Code, Reason = nothing.Reason });
+                Record(recognized, nothing);
                 break;
             case RefusedComputation { MayPass: true } refused:
                 flow.Step(recognized, CorrectionState.Failed, refused.Reason, c => c with { Code = refused.Code, Reason = refused.Reason, Identity = null });
@@ -68,6 +68,19 @@ internal sealed class ComputeWorker(CellFlow flow)
                 throw new InvalidOperationException($"A computation came to {other.GetType().Name}.");
         }
     }
+
+    private void Record(Correction recognized, NothingToSend nothing) => flow.Step(
+        recognized,
+        CorrectionState.Recorded,
+        nothing.Reason,
+        c => c with
+        {
+            Code = nothing.Code,
+            Reason = nothing.Reason,
+            ReportSha256 = nothing.Report is { } report ? HashOf(report) : null,
+            PageSha256 = nothing.Page is { } page ? HashOf(page) : null,
+        },
+        [.. new[] { nothing.Report, nothing.Page }.OfType<ReadOnlyMemory<byte>>()]);
 
     private void Keep(Correction recognized, CellJobSettings job, Computed computed)
     {

@@ -40,7 +40,7 @@ internal sealed class RecognizeWorker(CellFlow flow)
         var known = archived with { Job = job.Name, Piece = found.Piece, Serial = found.Serial, WorkOrder = found.WorkOrder, Machine = job.Machine, Slot = job.Slot, Program = slot.Program };
         var cut = job.Accumulates && known.Piece == "counterpart" ? CutProgram.Of(flow.Store, known) : new(null, null);
         var cutBy = cut.By;
-        var part = known.Piece == "counterpart" ? LastPart(known, job) : null;
+        var part = known.Piece == "counterpart" ? LastCut(known, job) ?? LastPart(known, job) : null;
         known = known with { BaseSha256 = cutBy?.ProgramSha256, SumsSha256 = cutBy?.SumsSha256, PartSha256 = part?.MeasurementSha256 };
         if (Earlier(known, job) is { } earlier)
         {
@@ -99,6 +99,10 @@ internal sealed class RecognizeWorker(CellFlow flow)
     // Where corrections add up, each starts from another program, so that its identity is another one: the same file again is the same measurement all the same, and must not be added twice.
     private Correction? Earlier(Correction known, CellJobSettings job) => !job.Accumulates ? null : flow.Store.OfMeasurement(known.MeasurementSha256)
         .FirstOrDefault(c => c.Id != known.Id && c.Job == known.Job && c.Piece == known.Piece && c.Identity is not null);
+
+    // The part whose program cut it, where parts make programs. What one of the two does not say itself may be anything.
+    private Correction? LastCut(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)
+        .Select(j => flow.Store.LastSent(j.Name, counterpart.Serial)).OfType<Correction>().Where(c => c.Piece == "part" && (counterpart.WorkOrder is null || c.WorkOrder is null || c.WorkOrder == counterpart.WorkOrder)).MaxBy(c => c.Id);
 
     // A configuration may name one job's file twice, once for each piece.
     private Correction? LastPart(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)

@@ -45,13 +45,13 @@ public sealed record Correction(
     /// <summary>Name of the program at the machine; null before it is recognized.</summary>
     public string? Program { get; init; }
 
-    /// <summary>The part's measurement that a counterpart is compared with; null where the job is no feedback.</summary>
+    /// <summary>The part's measurement that a counterpart is compared with; null for other pieces, and where no part is known.</summary>
     public string? PartSha256 { get; init; }
 
     /// <summary>The compensated program; null before it is computed.</summary>
     public string? ProgramSha256 { get; init; }
 
-    /// <summary>The report as JSON.</summary>
+    /// <summary>The report as JSON: of the match or the compensation, or where a counterpart only verifies, of the verification.</summary>
     public string? ReportSha256 { get; init; }
 
     /// <summary>The report as a page.</summary>

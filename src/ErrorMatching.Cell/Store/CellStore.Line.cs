@@ -25,6 +25,16 @@ public sealed partial class CellStore
         return Read(CorrectionRow.Select + where + " ORDER BY id LIMIT @most", CorrectionRow.Read, parameters);
     }
 
+    /// <summary>The latest corrections of some jobs that have a report, the last to arrive first: what a series of pieces is shown from.</summary>
+    /// <param name="jobs">The cell's jobs.</param>
+    /// <param name="most">How many at most.</param>
+    public IReadOnlyList<Correction> Reported(IReadOnlyList<string> jobs, int most)
+    {
+        var parameters = new DynamicParameters(new { most });
+        var where = " WHERE report_sha256 IS NOT NULL" + IsOneOf("job", jobs, parameters);
+        return Read(CorrectionRow.Select + where + " ORDER BY id DESC LIMIT @most", CorrectionRow.Read, parameters);
+    }
+
     /// <summary>How many corrections there are in each state; states without any are left out.</summary>
     public IReadOnlyDictionary<CorrectionState, long> Counts() =>
         Read("SELECT state, count(*) FROM correction GROUP BY state", r => (State: Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true), Count: r.GetInt64(1))).ToDictionary(c => c.State, c => c.Count);

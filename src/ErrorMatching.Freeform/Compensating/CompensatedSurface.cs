@@ -6,7 +6,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="Surface">The surface.</param>
 /// <param name="ThroughPoints">The fit through the compensation points; null where the error was fitted.</param>
 /// <param name="ApproximationMm">How far the surface may be from the exact nominal one moved by the field.</param>
-/// <param name="LargestMoveMm">Largest distance from the nominal surface.</param>
+/// <param name="LargestMoveMm">Largest distance from the nominal surface, over a dense grid and the measured points.</param>
 internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? ThroughPoints, double ApproximationMm, double LargestMoveMm)
 {
     /// <summary>How far the surface that is written may be from what it stands for: a hundredth of what any probe tells.</summary>
@@ -22,7 +22,12 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
             return ThroughCompensationPoints(nominal, job, samples, gain);
         }
 
-        var largest = Places(nominal.Spline).Max(p => Math.Abs(gain * field.At(p.U, p.V)));
+        var largest = Largest(nominal.Spline, (u, v) => Math.Abs(gain * field.At(u, v)));
+        foreach (var sample in samples)
+        {
+            largest = Math.Max(largest, Math.Abs(gain * field.At(sample.U, sample.V)));
+        }
+
         if (largest == 0)
         {
             return new(nominal, null, 0, 0);
@@ -48,14 +53,28 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
         var fit = SurfaceFitter.Fit(grid, job.Fit.Method, job.Fit.CurveToleranceMm);
         var middle = fit.Surface.At((fit.Surface.KnotsU.Start + fit.Surface.KnotsU.End) / 2, (fit.Surface.KnotsV.Start + fit.Surface.KnotsV.End) / 2);
         var outside = middle.Normal.Dot(samples[samples.Count / 2].Normal) > 0 ? 1 : -1;
-        var largest = Places(fit.Surface).Max(p => nominal.Spline.ClosestPoint(fit.Surface.PointAt(p.U, p.V)).Distance);
+        var largest = Largest(fit.Surface, (u, v) => nominal.Spline.ClosestPoint(fit.Surface.PointAt(u, v)).Distance);
+        foreach (var sample in samples)
+        {
+            largest = Math.Max(largest, fit.Surface.ClosestPoint(sample.Nominal).Distance);
+        }
+
         return new(new(nominal.Name, fit.Surface, SurfaceRegion.Whole, outside), fit, 0, largest);
     }
 
-    private static IEnumerable<(double U, double V)> Places(SplineSurface surface) =>
-        from i in Enumerable.Range(0, Dense + 1)
-        from j in Enumerable.Range(0, Dense + 1)
-        select (At(surface.KnotsU, i), At(surface.KnotsV, j));
+    private static double Largest(SplineSurface surface, Func<double, double, double> move)
+    {
+        var largest = 0.0;
+        for (var i = 0; i <= Dense; i++)
+        {
+            for (var j = 0; j <= Dense; j++)
+            {
+                largest = Math.Max(largest, move(At(surface.KnotsU, i), At(surface.KnotsV, j)));
+            }
+        }
+
+        return largest;
+    }
 
     private static double At(KnotVector knots, int i) => knots.Start + ((knots.End - knots.Start) * i / Dense);
 

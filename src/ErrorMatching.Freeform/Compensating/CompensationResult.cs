@@ -37,7 +37,7 @@ public sealed record CompensationResult
     /// <summary>Largest distance between <see cref="Surface"/> as written and the exact nominal surface moved by the field, measured densely; zero where a surface was fitted to points.</summary>
     public required double ApproximationMm { get; init; }
 
-    /// <summary>Largest distance of the surface from the nominal one, measured densely.</summary>
+    /// <summary>Largest distance of the surface from the nominal one, measured densely and at the measured points.</summary>
     public required double LargestMoveMm { get; init; }
 
     /// <summary>What mirroring is expected to leave.</summary>
@@ -58,6 +58,16 @@ public sealed record CompensationResult
         ArgumentNullException.ThrowIfNull(sample);
         var error = Input.Job.Compensation.Mirror && Systematic is not ConstantField ? sample.ErrorMm : Compensated.At(sample.U, sample.V);
         return MirrorEquations.Compensated(sample.Nominal, sample.Normal, error, Input.Job.Compensation.Gain);
+    }
+
+    /// <summary>By how much the surface that is cut lies away from the nominal one at a measured point, in millimetres: what the field says there, or the way to the surface that was fitted to the compensation points.</summary>
+    /// <remarks>That is not the way to <see cref="PointOf"/>: a point's own error has its noise, which no fit follows.</remarks>
+    public Geometry.Vector3 MoveAt(ErrorSample sample)
+    {
+        ArgumentNullException.ThrowIfNull(sample);
+        return ThroughPoints is null
+            ? sample.Normal * (-Input.Job.Compensation.Gain * Compensated.At(sample.U, sample.V))
+            : -Surface.Spline.ClosestPoint(sample.Nominal).Offset;
     }
 
     /// <summary>The prediction for the compensation that was made.</summary>

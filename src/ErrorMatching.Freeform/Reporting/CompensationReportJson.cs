@@ -1,4 +1,3 @@
-using ErrorMatching.Geometry;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
@@ -10,41 +9,52 @@ public static class CompensationReportJson
     public static byte[] Write(CompensationReport report)
     {
         ArgumentNullException.ThrowIfNull(report);
-        var (result, job) = (report.Result, report.Result.Input.Job);
+        var result = report.Result;
         return ReportWriter.Document("errormatch/surface-compensate/1", json =>
         {
             json.Job("freeform", report.Job);
             json.Inputs(report.Inputs);
-            EvaluationReportJson.Alignment(json, result.Alignment);
-            json.Object("before", () => EvaluationReportJson.Statistics(json, result.Before));
-            json.Object("structure", () => Structure(json, result.Structure));
-            json.Object("compensation", () =>
-            {
-                json.Text("method", result.Predicted.Method);
-                json.Number("gain", job.Compensation.Gain);
-                json.Number("limitMm", job.Compensation.LimitMm);
-                json.Text("of", job.Fit.OfError ? "error" : "points");
-                json.Text("fit", FitMethods.NameOf(job.Fit.Method));
-                json.Number("largestMoveUm", result.LargestMoveMm * 1000);
-                Field(json, result.Systematic);
-            });
-            json.Object("surface", () => Surface(json, result));
-            json.Object("predicted", () =>
-            {
-                json.Object("mirror", () => Prediction(json, result.Mirror));
-                json.Object("toolRadius", () => Prediction(json, result.ToolRadius));
-            });
+            WriteResult(json, result);
             json.Object("toolpath", () => Path(json, report.ToolPath));
             json.Object("program", () =>
             {
                 json.Text("file", report.Program.File);
                 json.Text("sha256", report.Program.Sha256);
             });
-            json.List("points", result.Samples.Zip(result.Predicted.Errors), p => Point(json, p.First, p.Second, result.PointOf(p.First)));
             json.Texts("warnings", result.Warnings);
             json.Texts("notes", result.Notes);
             json.Object("time", () => json.Number("calculatingS", report.CalculatingS));
         });
+    }
+
+    /// <summary>Members of what came of a compensation, in the object that is open: the same for a program that is made and for one that follows.</summary>
+    public static void WriteResult(ReportWriter json, CompensationResult result)
+    {
+        ArgumentNullException.ThrowIfNull(json);
+        ArgumentNullException.ThrowIfNull(result);
+        var job = result.Input.Job;
+        EvaluationReportJson.Alignment(json, result.Alignment);
+        json.Text("stage", job.Measuring.After == CuttingStage.Finishing ? "finishing" : "semi-finishing");
+        json.Object("before", () => EvaluationReportJson.Statistics(json, result.Before));
+        json.Object("structure", () => Structure(json, result.Structure));
+        json.Object("compensation", () =>
+        {
+            json.Text("method", result.Predicted.Method);
+            json.Number("gain", job.Compensation.Gain);
+            json.Number("limitMm", job.Compensation.LimitMm);
+            json.Text("of", job.Fit.OfError ? "error" : "points");
+            json.Text("fit", FitMethods.NameOf(job.Fit.Method));
+            json.Number("largestMoveUm", result.LargestMoveMm * 1000);
+            Field(json, result.Systematic);
+        });
+        json.Object("surface", () => Surface(json, result));
+        json.Object("predicted", () =>
+        {
+            json.Object("mirror", () => Prediction(json, result.Mirror));
+            json.Object("toolRadius", () => Prediction(json, result.ToolRadius));
+        });
+        json.List("points", Enumerable.Range(0, result.Samples.Count), i => Point(json, result, i));
+        json.Object("map", () => Map(json, ErrorMap.Of(result)));
     }
 
     private static void Structure(ReportWriter json, SpatialStructure structure)
@@ -105,8 +115,10 @@ public static class CompensationReportJson
         json.Number("raisedUm", path.Certificate.RaisedMm * 1000);
     }
 
-    private static void Point(ReportWriter json, ErrorSample sample, double predictedMm, Point3 compensated)
+    private static void Point(ReportWriter json, CompensationResult result, int index)
     {
+        var sample = result.Samples[index];
+        var compensated = result.PointOf(sample);
         json.Count("point", sample.Point);
         json.Count("i", sample.I);
         json.Count("j", sample.J);
@@ -115,7 +127,21 @@ public static class CompensationReportJson
         json.Numbers("nominal", [sample.Nominal.X, sample.Nominal.Y, sample.Nominal.Z]);
         json.Numbers("normal", [sample.Normal.X, sample.Normal.Y, sample.Normal.Z]);
         json.Number("errorUm", sample.ErrorMm * 1000);
-        json.Number("predictedUm", predictedMm * 1000);
+        json.Number("predictedUm", result.Predicted.Errors[index] * 1000);
+        json.Number("mirrorUm", result.Mirror.Errors[index] * 1000);
+        json.Number("toolRadiusUm", result.ToolRadius.Errors[index] * 1000);
         json.Numbers("compensated", [compensated.X, compensated.Y, compensated.Z]);
+    }
+
+    private static void Map(ReportWriter json, ErrorMap map)
+    {
+        json.Count("countU", map.Net.CountU);
+        json.Count("countV", map.Net.CountV);
+        json.Numbers("x", map.Net.Places.Select(p => p.X));
+        json.Numbers("y", map.Net.Places.Select(p => p.Y));
+        json.Numbers("outside", map.Net.Outside.Select(c => (double)c));
+        json.Numbers("errorUm", map.BeforeMm.Select(e => e * 1000));
+        json.Numbers("mirrorUm", map.MirrorMm.Select(e => e * 1000));
+        json.Numbers("toolRadiusUm", map.ToolRadiusMm.Select(e => e * 1000));
     }
 }

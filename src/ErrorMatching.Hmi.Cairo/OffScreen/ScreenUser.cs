@@ -93,6 +93,34 @@ public sealed class ScreenUser(Window window)
         return Settle();
     }
 
+    /// <summary>Lays two fingers on a control, moves both, and takes them away.</summary>
+    public ScreenUser Pinch(Visual target, (Point From, Point To) first, (Point From, Point To) second)
+    {
+        Settle();
+        Platform.Touch(RawPointerEventType.TouchBegin, InWindow(target, first.From), 1);
+        Platform.Touch(RawPointerEventType.TouchBegin, InWindow(target, second.From), 2);
+        Settle();
+        Platform.Touch(RawPointerEventType.TouchUpdate, InWindow(target, first.To), 1);
+        Platform.Touch(RawPointerEventType.TouchUpdate, InWindow(target, second.To), 2);
+        Settle();
+        Platform.Touch(RawPointerEventType.TouchEnd, InWindow(target, first.To), 1);
+        Platform.Touch(RawPointerEventType.TouchEnd, InWindow(target, second.To), 2);
+        return Settle();
+    }
+
+    /// <summary>Lays a finger on a control, moves it, and takes it away.</summary>
+    public ScreenUser Swipe(Visual target, Point from, Point to)
+    {
+        Settle();
+        Platform.Touch(RawPointerEventType.TouchBegin, InWindow(target, from));
+        Settle();
+        Platform.Touch(RawPointerEventType.TouchUpdate, InWindow(target, (from + to) / 2));
+        Platform.Touch(RawPointerEventType.TouchUpdate, InWindow(target, to));
+        Settle();
+        Platform.Touch(RawPointerEventType.TouchEnd, InWindow(target, to));
+        return Settle();
+    }
+
     /// <summary>Turns the wheel over a control; a positive number of notches scrolls up.</summary>
     public ScreenUser Wheel(Visual target, double notches)
     {

@@ -54,7 +54,7 @@ internal abstract partial class PlatformWindow : IWindowImpl
     public void Mouse(RawPointerEventType type, Point at, RawInputModifiers modifiers) => Input?.Invoke(new RawPointerEventArgs(_mouse, Now, _root!, type, at, modifiers));
 
     /// <summary>Passes on what a finger did.</summary>
-    public void Touch(RawPointerEventType type, Point at) => Input?.Invoke(new RawTouchEventArgs(_touch, Now, _root!, type, at, RawInputModifiers.None, 1));
+    public void Touch(RawPointerEventType type, Point at, long finger = 1) => Input?.Invoke(new RawTouchEventArgs(_touch, Now, _root!, type, at, RawInputModifiers.None, finger));
 
     /// <summary>Passes on what a wheel did.</summary>
     public void Wheel(Point at, Vector delta, RawInputModifiers modifiers) => Input?.Invoke(new RawMouseWheelEventArgs(_mouse, Now, _root!, at, delta, modifiers));

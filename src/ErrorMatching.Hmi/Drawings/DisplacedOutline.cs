@@ -11,7 +11,7 @@ internal sealed class DisplacedOutline
     private readonly double _side;
 
     /// <summary>A boundary of two points or more, and its key points in the order of cutting.</summary>
-    public DisplacedOutline(IReadOnlyList<Point2> outline, IReadOnlyList<KeptPoint> points)
+    public DisplacedOutline(IReadOnlyList<Point2> outline, IReadOnlyList<(Point2 At, Vector2 Normal)> points)
     {
         _outline = outline;
         _at = new double[outline.Count];
@@ -20,8 +20,8 @@ internal sealed class DisplacedOutline
             _at[i] = _at[i - 1] + outline[i].DistanceTo(outline[i - 1]);
         }
 
-        _feet = [.. points.Select(p => _at[Nearest(p.Theoretical)])];
-        _side = points.Count > 0 && NormalAt(Nearest(points[0].Theoretical)).Dot(points[0].Normal) < 0 ? -1 : 1;
+        _feet = [.. points.Select(p => _at[Nearest(p.At)])];
+        _side = points.Count > 0 && NormalAt(Nearest(points[0].At)).Dot(points[0].Normal) < 0 ? -1 : 1;
     }
 
     /// <summary>The boundary, moved.</summary>

@@ -1,53 +1,56 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Mating;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
 /// <summary>The two boundaries of a mating as lines in the part's frame, deviations exaggerated: the measured part, and the counterpart that a program cuts.</summary>
 /// <param name="Part">The part's boundary, a line a feature, mm.</param>
 /// <param name="Counterpart">The counterpart's boundary, a line a feature, mm.</param>
-/// <param name="Points">The key points on the part's boundary, mm, with their labels.</param>
+/// <param name="Points">The key points on the part's boundary, mm, with their labels, the gap and the part's deviation there.</param>
 /// <param name="Factor">How many times deviations are drawn larger than they are.</param>
 /// <param name="LargestMm">The largest gap or overlap at a key point, without sign.</param>
 public sealed record GapDrawing(
-    IReadOnlyList<IReadOnlyList<Point2>> Part, IReadOnlyList<IReadOnlyList<Point2>> Counterpart, IReadOnlyList<(string Label, Point2 At)> Points, double Factor, double LargestMm)
+    IReadOnlyList<IReadOnlyList<Point2>> Part, IReadOnlyList<IReadOnlyList<Point2>> Counterpart, IReadOnlyList<(string Label, Point2 At, double GapMm, double PartMm)> Points, double Factor, double LargestMm)
 {
     // The largest deviation takes this much of the drawing.
     private const double Share = 0.08;
 
-    /// <summary>The assembly before compensation, where the counterpart is cut as designed.</summary>
-    public static GapDrawing Before(KeptReport report) => Of(report, p => p.DecidedMm);
+    /// <summary>The assembly without compensation.</summary>
+    public static GapDrawing Before(KeptPiece piece) => Of(piece, p => p.BeforeError);
 
-    /// <summary>The assembly behind it, as predicted.</summary>
-    public static GapDrawing After(KeptReport report) => Of(report, p => p.PredictedMm);
+    /// <summary>The assembly with it.</summary>
+    public static GapDrawing After(KeptPiece piece) => Of(piece, p => p.AfterError);
 
-    // The gap is what the part lies further out than the counterpart, along the normal.
-    private static GapDrawing Of(KeptReport report, Func<KeptPoint, double> gap)
+    // A mating error is counterpart - part along the normal: the gap is the other way round, what the part lies further out than the counterpart.
+    private static GapDrawing Of(KeptPiece piece, Func<VerifiedPoint, MatingError> error)
     {
-        var factor = FactorOf(report);
-        var (part, counterpart) = (new List<IReadOnlyList<Point2>>(), new List<IReadOnlyList<Point2>>());
-        foreach (var feature in report.Features.Where(f => f.Outline.Count > 1))
+        var factor = FactorOf(piece);
+        var (part, counterpart, labels) = (new List<IReadOnlyList<Point2>>(), new List<IReadOnlyList<Point2>>(), new List<(string, Point2, double, double)>());
+        var byLabel = piece.Result.Points.ToDictionary(p => p.Label, StringComparer.Ordinal);
+        foreach (var boundary in piece.Boundaries)
         {
-            var points = report.Points.Where(p => p.Feature == feature.Name).ToArray();
-            var boundary = new DisplacedOutline(feature.Outline, points);
-            part.Add(boundary.By([.. points.Select(p => factor * p.NormalMm)]));
-            counterpart.Add(boundary.By([.. points.Select(p => factor * (p.NormalMm - gap(p)))]));
+            var points = boundary.Points.Select(p => (Point: byLabel[p.Label], p.Theoretical, PartMm: (byLabel[p.Label].Part - p.Theoretical).Dot(byLabel[p.Label].Normal))).ToArray();
+            labels.AddRange(points.Select(p => (p.Point.Label, p.Theoretical + (factor * p.PartMm * p.Point.Normal), -error(p.Point).NormalMm, p.PartMm)));
+            if (boundary.Outline.Count > 1)
+            {
+                var outline = new DisplacedOutline(boundary.Outline, [.. points.Select(p => (p.Theoretical, p.Point.Normal))]);
+                part.Add(outline.By([.. points.Select(p => factor * p.PartMm)]));
+                counterpart.Add(outline.By([.. points.Select(p => factor * (p.PartMm + error(p.Point).NormalMm))]));
+            }
         }
 
-        return new(part, counterpart, [.. report.Points.Select(p => (p.Point, p.Theoretical + (factor * p.NormalMm * p.Normal)))], factor, report.Points.Select(p => Math.Abs(gap(p))).DefaultIfEmpty().Max());
+        return new(part, counterpart, labels, factor, piece.Result.Points.Select(p => Math.Abs(error(p).NormalMm)).DefaultIfEmpty().Max());
     }
 
-    private static double FactorOf(KeptReport report)
+    // The same before and after, so that the two can be compared.
+    private static double FactorOf(KeptPiece piece)
     {
-        var (x, y) = (report.Points.Select(p => p.Theoretical.X).ToArray(), report.Points.Select(p => p.Theoretical.Y).ToArray());
-        var largest = report.Points.Select(p => Math.Max(Math.Abs(p.NormalMm), Math.Abs(p.DecidedMm))).DefaultIfEmpty().Max();
-        if (largest == 0 || x.Length == 0)
-        {
-            return 1;
-        }
+        var places = PlotBox.Of(piece.Boundaries.SelectMany(b => b.Points).Select(p => p.Theoretical));
+        var byLabel = piece.Result.Points.ToDictionary(p => p.Label, StringComparer.Ordinal);
+        var largest = piece.Boundaries.SelectMany(b => b.Points).Select(p => Math.Max(Math.Abs((byLabel[p.Label].Part - p.Theoretical).Dot(byLabel[p.Label].Normal)), Math.Abs(byLabel[p.Label].BeforeError.NormalMm))).DefaultIfEmpty().Max();
 
-        // Round numbers, so that the factor can be stated: 1, 2 or 5 times a power of ten.
-        var wanted = Share * Math.Max(x.Max() - x.Min(), y.Max() - y.Min()) / largest;
-        var power = Math.Pow(10, Math.Floor(Math.Log10(wanted)));
-        return Math.Max(1, power * (wanted / power >= 5 ? 5 : wanted / power >= 2 ? 2 : 1));
+        // A round number, so that the factor can be stated.
+        return largest == 0 || places.IsEmpty ? 1 : Math.Max(1, RoundNumber.AtMost(Share * Math.Max(places.Right - places.Left, places.High - places.Low) / largest));
     }
 }

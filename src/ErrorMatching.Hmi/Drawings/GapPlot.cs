@@ -1,12 +1,11 @@
 using Avalonia;
-using Avalonia.Controls;
 using Avalonia.Media;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Draws the two boundaries of a mating, the same scale in both directions.</summary>
-public sealed class GapPlot : Control
+/// <summary>Draws the two boundaries of a mating, the same scale in both directions; under the finger the gap at a key point.</summary>
+public sealed class GapPlot : PlotArea
 {
     /// <summary>What is drawn.</summary>
     public static readonly StyledProperty<GapDrawing?> DrawingProperty = AvaloniaProperty.Register<GapPlot, GapDrawing?>(nameof(Drawing));
@@ -17,16 +16,15 @@ public sealed class GapPlot : Control
     /// <summary>The counterpart's line.</summary>
     public static readonly StyledProperty<IBrush?> CounterpartBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(CounterpartBrush));
 
-    /// <summary>The labels.</summary>
-    public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(Ink));
-
     /// <summary>What lies between the two lines.</summary>
     public static readonly StyledProperty<IBrush?> GapBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(GapBrush));
 
-    private const double Around = 28, Thick = 2, Dot = 3.5, LabelSize = 13, LabelAway = 8;
+    private const double Thick = 2, Dot = 3.5, LabelAway = 8;
     private static readonly DashStyle Dashes = new([4, 2], 0);
+    private PlotBox _extent = PlotBox.Empty;
+    private PlotIndex _index = new([]);
 
-    static GapPlot() => AffectsRender<GapPlot>(DrawingProperty, PartBrushProperty, CounterpartBrushProperty, GapBrushProperty, InkProperty);
+    static GapPlot() => AffectsRender<GapPlot>(PartBrushProperty, CounterpartBrushProperty, GapBrushProperty);
 
     /// <summary>What is drawn.</summary>
     public GapDrawing? Drawing
@@ -56,45 +54,56 @@ public sealed class GapPlot : Control
         set => SetValue(GapBrushProperty, value);
     }
 
-    /// <summary>The labels.</summary>
-    public IBrush? Ink
+    /// <inheritdoc/>
+    protected override PlotBox Extent => _extent;
+
+    /// <inheritdoc/>
+    protected override int DatumCount => Drawing?.Points.Count ?? 0;
+
+    /// <inheritdoc/>
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
     {
-        get => GetValue(InkProperty);
-        set => SetValue(InkProperty, value);
+        ArgumentNullException.ThrowIfNull(change);
+        base.OnPropertyChanged(change);
+        if (change.Property == DrawingProperty)
+        {
+            _extent = PlotBox.Of(Drawing?.Part.Concat(Drawing.Counterpart).SelectMany(l => l) ?? []);
+            _index = new([.. Drawing?.Points.Select(p => p.At) ?? []]);
+            Renew();
+        }
     }
 
     /// <inheritdoc/>
-    public override void Render(DrawingContext context)
+    protected override PlotDatum? DatumNear(Point2 screen, double reach) => DatumAt(_index.Nearest(View.ToPlot(screen), View.ScaleX, View.ScaleY, reach));
+
+    /// <inheritdoc/>
+    protected override PlotDatum? DatumAt(int index) => index >= 0 && Drawing?.Points[index] is var (label, at, gap, part)
+        ? new(at, Texts.Current.With("Detail.GapAt", label, Shown.SignedMm(gap), Shown.SignedMm(part)), index)
+        : null;
+
+    /// <inheritdoc/>
+    protected override void Draw(DrawingContext context, PlotView view)
     {
         ArgumentNullException.ThrowIfNull(context);
-        if (Drawing is not { Part.Count: > 0 } drawing || Bounds.Width < 3 * Around || Bounds.Height < 3 * Around)
+        foreach (var (part, counterpart) in Drawing!.Part.Zip(Drawing.Counterpart))
         {
-            return;
+            context.DrawGeometry(GapBrush, null, Area(part.Concat(counterpart.Reverse()), view));
         }
 
-        var all = drawing.Part.Concat(drawing.Counterpart).SelectMany(l => l).ToArray();
-        var (left, right, low, high) = (all.Min(p => p.X), all.Max(p => p.X), all.Min(p => p.Y), all.Max(p => p.Y));
-        var scale = Math.Min((Bounds.Width - (2 * Around)) / Math.Max(right - left, 1e-9), (Bounds.Height - (2 * Around)) / Math.Max(high - low, 1e-9));
-        var (x, y) = ((Bounds.Width - (scale * (right - left))) / 2, (Bounds.Height - (scale * (high - low))) / 2);
-        Point To(Point2 p) => new(x + (scale * (p.X - left)), y + (scale * (high - p.Y)));
-
-        using var clip = context.PushClip(new Rect(Bounds.Size));
-        foreach (var (part, counterpart) in drawing.Part.Zip(drawing.Counterpart))
+        foreach (var (line, pen) in Drawing.Counterpart.Select(l => (l, new Pen(CounterpartBrush, Thick, Dashes))).Concat(Drawing.Part.Select(l => (l, new Pen(PartBrush, Thick)))))
         {
-            context.DrawGeometry(GapBrush, null, Path([.. part, .. counterpart.Reverse()], To, isClosed: true));
+            context.DrawLine(pen, line, view);
         }
 
-        Lines(context, drawing.Counterpart, To, new Pen(CounterpartBrush, Thick, Dashes));
-        Lines(context, drawing.Part, To, new Pen(PartBrush, Thick));
         var labels = new List<Rect>();
-        foreach (var (label, at) in drawing.Points)
+        foreach (var (name, at, _, _) in Drawing.Points)
         {
-            var place = To(at);
+            var place = view.At(at);
             context.DrawEllipse(PartBrush, null, place, Dot, Dot);
-            var text = new FormattedText(label, System.Globalization.CultureInfo.InvariantCulture, FlowDirection.LeftToRight, Typeface.Default, LabelSize, Ink);
+            var text = Label(name);
             Rect[] sides = [new(place.X + LabelAway, place.Y - (text.Height / 2), text.Width, text.Height), new(place.X - LabelAway - text.Width, place.Y - (text.Height / 2), text.Width, text.Height)];
 
-            // To the right or to the left, where no other label is; a label that finds no room is one that the table has.
+            // To the right or to the left, where no other label is; a label that finds no room appears when one goes nearer.
             if (sides.FirstOrDefault(s => !labels.Exists(l => l.Intersects(s))) is { Width: > 0 } free)
             {
                 labels.Add(free);
@@ -103,26 +112,18 @@ public sealed class GapPlot : Control
         }
     }
 
-    private static void Lines(DrawingContext context, IReadOnlyList<IReadOnlyList<Point2>> lines, Func<Point2, Point> to, Pen pen)
-    {
-        foreach (var line in lines)
-        {
-            context.DrawGeometry(null, pen, Path(line, to, isClosed: false));
-        }
-    }
-
-    private static StreamGeometry Path(IReadOnlyList<Point2> points, Func<Point2, Point> to, bool isClosed)
+    private static StreamGeometry Area(IEnumerable<Point2> points, PlotView view)
     {
         var geometry = new StreamGeometry();
         using var figure = geometry.Open();
         figure.SetFillRule(FillRule.NonZero);
-        figure.BeginFigure(to(points[0]), isFilled: isClosed);
+        figure.BeginFigure(view.At(points.First()), isFilled: true);
         foreach (var point in points.Skip(1))
         {
-            figure.LineTo(to(point));
+            figure.LineTo(view.At(point));
         }
 
-        figure.EndFigure(isClosed);
+        figure.EndFigure(isClosed: true);
         return geometry;
     }
 }

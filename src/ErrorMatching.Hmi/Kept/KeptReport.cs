@@ -23,7 +23,7 @@ public sealed record KeptReport(
     int ChangedWords,
     KeptProof Proof,
     bool FollowsWhole,
-    IReadOnlyList<string> Warnings)
+    IReadOnlyList<KeptWarning> Warnings)
 {
     /// <summary>Name of the schema that is read.</summary>
     public const string Schema = "errormatch/match/1";
@@ -50,6 +50,6 @@ public sealed record KeptReport(
             program.GetProperty("changedWords").GetInt32(),
             KeptProof.Read(root.GetProperty("proof")),
             root.GetProperty("compensation").GetProperty("amount").GetString() == "whole",
-            [.. root.GetProperty("warnings").EnumerateArray().Select(w => w.GetString()!)]);
+            KeptWarning.Read(root));
     }
 }

@@ -9,6 +9,12 @@ public static class Screens
     /// <summary>Key of the on-line compensation.</summary>
     public const string Compensation = "compensation";
 
+    /// <summary>Key of the verification.</summary>
+    public const string Verification = "verification";
+
+    /// <summary>Key of free-form surfaces.</summary>
+    public const string Freeform = "freeform";
+
     /// <summary>Key of the history.</summary>
     public const string History = "history";
 
@@ -23,6 +29,8 @@ public static class Screens
     [
         new(Overview, shell => new OverviewViewModel(shell.Station, shell.Look)),
         new(Compensation, shell => new CompensationViewModel(shell)),
+        new(Verification, shell => new VerificationViewModel(shell.Station)),
+        new(Freeform, shell => new FreeformViewModel(shell.Station)),
         new(History, shell => new HistoryViewModel(shell)),
         new(Messages, shell => new MessagesViewModel(shell.Station, shell.Look)),
         new(Settings, shell => new SettingsViewModel(shell)),

@@ -1,5 +1,7 @@
 using System.Text.Encodings.Web;
 using System.Text.Json;
+using ErrorMatching.Freeform;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Jobs;
 
@@ -44,6 +46,7 @@ internal static class DisplacementReportJson
         json.WriteNumber("maxDeviationFromWantedMm", displaced.Proof.MaxDeviationFromWantedMm);
         json.WriteBoolean("untouchedBytesIdentical", displaced.Proof.UntouchedBytesIdentical);
         json.WriteEndObject();
+        CompensationReportJson.WriteResult(new ReportWriter(json), report.Compensation);
         Texts(json, "warnings", report.Compensation.Warnings);
         Texts(json, "notes", report.Compensation.Notes);
     }

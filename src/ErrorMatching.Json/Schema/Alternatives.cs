@@ -60,7 +60,8 @@ internal static class Alternatives
         {
             var (place, first) = (ruledOut[0].Item, ruledOut[0].Problem);
             var all = JsonProblem.At(place, first.Code, first.Found, ValueText.Or(ruledOut.Select(f => f.Problem.Expected)));
-            findings.Add(new(place, all, ruledOut.All(f => f.ByType), ruledOut.All(f => f.ByConst)));
+            // A value that is one of some words or something else, such as "auto" or a number, does not tell which kind of object it stands in.
+            findings.Add(new(place, all, ruledOut.All(f => f.ByType), ruledOut.All(f => f.ByConst) && !ReferenceEquals(place, item)));
             return;
         }
 

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
@@ -12,7 +13,7 @@ namespace ErrorMatching.Mating;
 /// <param name="ResidualsMm">What the fit to the measured points leaves, in their order; empty where there is no fit.</param>
 /// <param name="TheoreticalCurve">The fit to a curve's theoretical points; null for straight features and for curves that turn back over their chord.</param>
 /// <param name="ActualCurve">The fit to a curve's measured points; null for straight features and for curves that turn back over their chord.</param>
-/// <param name="Warnings">What a person should know, in sentences.</param>
+/// <param name="Warnings">What a person should know.</param>
 internal sealed record FeatureEvaluation(
     string Feature,
     FeatureKind Kind,
@@ -20,4 +21,4 @@ internal sealed record FeatureEvaluation(
     IReadOnlyList<double> ResidualsMm,
     CurveFit? TheoreticalCurve,
     CurveFit? ActualCurve,
-    IReadOnlyList<string> Warnings);
+    IReadOnlyList<ReportWarning> Warnings);

@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
 using MathNet.Numerics.Integration;
 
 namespace ErrorMatching.Mating;
@@ -86,7 +87,7 @@ internal static class FeatureEvaluator
         var (wanted, found) = (Fit(curve, theoretical, options), Fit(curve, actual, options));
         if (wanted is null || found is null)
         {
-            return new(curve.Name, curve.Kind, [chord], [], null, null, [.. Sparse(curve, Polyline(theoretical)), $"{curve.Name} turns back over its chord, so no polynomial describes it; its compensation does not need one."]);
+            return new(curve.Name, curve.Kind, [chord], [], null, null, [.. Sparse(curve, Polyline(theoretical)), new("folded-curve", $"{curve.Name} turns back over its chord, so no polynomial describes it; its compensation does not need one.", curve.Name)]);
         }
 
         var length = ArcLength(wanted);
@@ -119,7 +120,14 @@ internal static class FeatureEvaluator
 
     private static double Polyline(IReadOnlyList<Point2> points) => points.Zip(points.Skip(1), (a, b) => a.DistanceTo(b)).Sum();
 
-    private static List<string> Sparse(CurveFeature curve, double lengthMm) => curve.Points.Count >= lengthMm / RecommendedSpacingMm
-        ? []
-        : [string.Create(CultureInfo.InvariantCulture, $"{curve.Name} has {curve.Points.Count} key points on {lengthMm:0.#} mm; one per {RecommendedSpacingMm} mm is recommended.")];
+    private static List<ReportWarning> Sparse(CurveFeature curve, double lengthMm)
+    {
+        if (curve.Points.Count >= lengthMm / RecommendedSpacingMm)
+        {
+            return [];
+        }
+
+        var (count, length, spacing) = (curve.Points.Count.ToString(CultureInfo.InvariantCulture), lengthMm.ToString("0.#", CultureInfo.InvariantCulture), RecommendedSpacingMm.ToString(CultureInfo.InvariantCulture));
+        return [new("sparse-points", $"{curve.Name} has {count} key points on {length} mm; one per {spacing} mm is recommended.", curve.Name, count, length, spacing)];
+    }
 }

@@ -45,7 +45,7 @@ public sealed record MatchReport
     public double? RadiusWearMm { get; init; }
 
     /// <summary>What a person should know before using the program, in sentences.</summary>
-    public IReadOnlyList<string> Warnings { get; init; } = [];
+    public IReadOnlyList<ReportWarning> Warnings { get; init; } = [];
 
     /// <summary>What a person may want to know besides.</summary>
     public IReadOnlyList<string> Notes { get; init; } = [];

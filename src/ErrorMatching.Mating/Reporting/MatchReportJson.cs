@@ -32,7 +32,12 @@ public static class MatchReportJson
                 w.Number("calculatingS", report.Time.CalculatingS);
             });
             w.Number("radiusWearMm", report.RadiusWearMm);
-            w.Texts("warnings", report.Warnings);
+            w.Texts("warnings", report.Warnings.Select(n => n.Message));
+            w.List("warningCodes", report.Warnings, n =>
+            {
+                w.Text("code", n.Code);
+                w.Texts("values", n.Values);
+            });
             w.Texts("notes", report.Notes);
         });
     }

@@ -139,23 +139,25 @@ public static class MatchReporter
     private static ReportProof Proof(NcProof proof) => new(
         proof.Holds, proof.Motions, proof.MovedMotions, proof.Neighbors, proof.Marker, proof.MaxDeviationFromWantedMm, proof.UntouchedBytesIdentical);
 
-    private static IEnumerable<string> Warnings(MatchResult result)
+    private static IEnumerable<ReportWarning> Warnings(MatchResult result)
     {
         foreach (var problem in result.Before.Problems)
         {
-            yield return $"{result.Before.Program.NameOf(result.Before.Program[problem.Block])}: {problem.Message}";
+            var block = result.Before.Program.NameOf(result.Before.Program[problem.Block]);
+            yield return new("nc-" + problem.Code, $"{block}: {problem.Message}", block, problem.Message);
         }
 
         foreach (var foot in result.Maps.SelectMany(m => m.Passes[0].Feet).Where(f => f.OnCorner && result.Decision.Compensates))
         {
             var block = result.Before.Program.NameOf(result.Before.Program[result.Before.Motions[foot.Motion].Block]);
-            yield return $"Point {foot.Label} lies on a rounded corner at an end of {block}: there the boundary follows both elements, so its own deviation cannot be met exactly. Probe it further from the corner.";
+            yield return new("point-on-corner", $"Point {foot.Label} lies on a rounded corner at an end of {block}: there the boundary follows both elements, so its own deviation cannot be met exactly. Probe it further from the corner.", foot.Label, block);
         }
 
         var rms = result.Part.Alignment.Rms;
         if (result.Input.Job.Alignment.Kind != JobAlignmentKind.None && result.Decision.Compensates)
         {
-            yield return string.Create(CultureInfo.InvariantCulture, $"The part was aligned ({ReportWords.Of(result.Input.Job.Alignment.Kind)}) before it was compared: what the alignment took away is not compensated. {rms:0.000} mm (root mean square) are left.");
+            var (kind, left) = (ReportWords.Of(result.Input.Job.Alignment.Kind), rms.ToString("0.000", CultureInfo.InvariantCulture));
+            yield return new("aligned", $"The part was aligned ({kind}) before it was compared: what the alignment took away is not compensated. {left} mm (root mean square) are left.", kind, left);
         }
     }
 

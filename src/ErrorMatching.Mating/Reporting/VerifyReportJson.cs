@@ -20,6 +20,8 @@ public static class VerifyReportJson
             w.List("points", report.Result.Points, p =>
             {
                 w.Text("point", p.Label);
+                w.Point("part", p.Part);
+                w.Vector("normal", p.Normal);
                 w.Object("before", () => WriteError(w, p.BeforeError));
                 w.Object("after", () => WriteError(w, p.AfterError));
             });
@@ -32,8 +34,22 @@ public static class VerifyReportJson
                 w.Number("after", f.After);
                 w.Number("improvementPercent", f.ImprovementPercent);
             });
+            w.Flag("beforeMeasured", report.IsBeforeMeasured);
             w.Number("maxBeforeMm", report.Result.MaxBeforeMm);
             w.Number("maxAfterMm", report.Result.MaxAfterMm);
+            w.Number("rmsBeforeMm", report.Result.RmsBeforeMm);
+            w.Number("rmsAfterMm", report.Result.RmsAfterMm);
+            w.List("boundaries", report.Boundaries, b =>
+            {
+                w.Text("name", b.Name);
+                w.Numbers("toleranceMm", [b.Band.LowerMm, b.Band.UpperMm]);
+                w.List("points", b.Points, p =>
+                {
+                    w.Text("point", p.Label);
+                    w.Point("theoretical", p.Theoretical);
+                });
+                w.Points("outline", b.Outline);
+            });
             w.Texts("warnings", report.Warnings);
         });
     }

@@ -10,4 +10,12 @@ public sealed record VerificationResult(IReadOnlyList<VerifiedPoint> Points, IRe
 
     /// <summary>The largest mating error along a normal after, without sign.</summary>
     public double MaxAfterMm => Points.Max(p => Math.Abs(p.AfterError.NormalMm));
+
+    /// <summary>The root mean square of the mating errors along the normals before.</summary>
+    public double RmsBeforeMm => Rms(p => p.BeforeError);
+
+    /// <summary>The root mean square of the mating errors along the normals after.</summary>
+    public double RmsAfterMm => Rms(p => p.AfterError);
+
+    private double Rms(Func<VerifiedPoint, MatingError> error) => Math.Sqrt(Points.Average(p => error(p).NormalMm * error(p).NormalMm));
 }

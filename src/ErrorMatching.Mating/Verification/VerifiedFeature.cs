@@ -17,4 +17,10 @@ public sealed record VerifiedFeature(string Name, VerifiedQuantity Quantity, dou
             return before > 0 ? 100 * (before - Math.Abs(After - Wanted)) / before : null;
         }
     }
+
+    /// <summary>The largest deviations of some points along their normals, without sign.</summary>
+    /// <param name="name">Name of the feature.</param>
+    /// <param name="points">Its points, at least one.</param>
+    public static VerifiedFeature DeviationOf(string name, IReadOnlyList<VerifiedPoint> points) =>
+        new(name, VerifiedQuantity.Deviation, 0, points.Max(p => Math.Abs(p.BeforeError.NormalMm)), points.Max(p => Math.Abs(p.AfterError.NormalMm)));
 }

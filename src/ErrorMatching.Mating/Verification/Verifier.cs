@@ -67,12 +67,9 @@ internal static class Verifier
         return FeatureFits.Line(feature.Name, method, [.. Select(labels, byLabel).Select(at)], 0);
     }
 
-    private static VerifiedFeature Deviation(string name, bool alongX, IReadOnlyList<VerifiedPoint> points)
-    {
-        return new(name, alongX ? VerifiedQuantity.DeviationX : VerifiedQuantity.Deviation, 0, points.Max(p => Size(p.BeforeError)), points.Max(p => Size(p.AfterError)));
-
-        double Size(MatingError error) => Math.Abs(alongX ? error.Vector.X : error.NormalMm);
-    }
+    private static VerifiedFeature Deviation(string name, bool alongX, IReadOnlyList<VerifiedPoint> points) => alongX
+        ? new(name, VerifiedQuantity.DeviationX, 0, points.Max(p => Math.Abs(p.BeforeError.Vector.X)), points.Max(p => Math.Abs(p.AfterError.Vector.X)))
+        : VerifiedFeature.DeviationOf(name, points);
 
     private static VerifiedFeature Of(string name, VerifiedQuantity quantity, Func<Func<VerifiedPoint, Point2>, double> value) =>
         new(name, quantity, value(p => p.Part), value(p => p.Before), value(p => p.After));

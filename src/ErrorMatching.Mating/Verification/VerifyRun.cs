@@ -9,6 +9,8 @@ namespace ErrorMatching.Mating;
 /// <summary>Compares two measured counterparts with the part: normals from the program, points aligned as the job says, then <see cref="Verifier"/>.</summary>
 public static class VerifyRun
 {
+    private const string BeforeAsDesigned = "No counterpart that was cut without compensation is measured: before is the counterpart as designed, which no machine cuts exactly.";
+
     /// <summary>Makes the report of a verification.</summary>
     /// <param name="input">What it is computed from.</param>
     /// <param name="refusals">Why nothing can be compared: an origin that is off, or features that are not on the program; empty where there is a report.</param>
@@ -29,18 +31,34 @@ public static class VerifyRun
 
         refusals = [];
         var part = AlignedMeasurement.Of(job, maps, input.Theoretical, input.Part, MeasuredPiece.Part);
-        var before = AlignedMeasurement.Of(job, maps, input.Theoretical, input.Before, MeasuredPiece.Counterpart);
+        var before = input.Before is null ? null : AlignedMeasurement.Of(job, maps, input.Theoretical, input.Before, MeasuredPiece.Counterpart);
         var after = AlignedMeasurement.Of(job, maps, input.Theoretical, input.After, MeasuredPiece.Counterpart);
-        var points = maps.Select(m => (IReadOnlyList<VerifiedPoint>)[.. m.Feature.Points.Select((l, i) => new VerifiedPoint(l, part.Points[l], before.Points[l], after.Points[l], m.Normals[i]))]);
+        var boundaries = maps.Select(m => Boundary(input, path, m)).ToArray();
+        var points = maps.Zip(boundaries).Select(m => (IReadOnlyList<VerifiedPoint>)
+            [.. m.Second.Points.Select((p, i) => new VerifiedPoint(p.Label, part.Points[p.Label], before?.Points[p.Label] ?? p.Theoretical, after.Points[p.Label], m.First.Normals[i]))]);
         ReportInput[] inputs =
         [
             new("theoretical", input.Theoretical.File, input.Theoretical.Sha256),
             new("part", input.Part.File, input.Part.Sha256),
-            new("counterpart", input.Before.File, input.Before.Sha256),
+            .. input.Before is { } measured ? [new ReportInput("counterpart", measured.File, measured.Sha256)] : Array.Empty<ReportInput>(),
             new("counterpart-after", input.After.File, input.After.Sha256),
             new("program", input.ProgramFile, Convert.ToHexStringLower(SHA256.HashData(input.Program.Span))),
             .. path.Dialect.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)),
         ];
-        return new(new ReportJob(job.Name, job.WorkOrder, job.File, job.Sha256), inputs, Verifier.Verify(job, [.. points]), []);
+        return new(new ReportJob(job.Name, job.WorkOrder, job.File, job.Sha256), inputs, Verifier.Verify(job, [.. points]), input.Before is null ? [BeforeAsDesigned] : [])
+        {
+            IsBeforeMeasured = input.Before is not null,
+            Boundaries = boundaries,
+        };
+    }
+
+    private static VerifiedBoundary Boundary(VerifyInput input, NcPath path, FeatureMap map)
+    {
+        var feature = map.Feature;
+        return new(
+            feature.Name,
+            feature.Tolerance.Band,
+            [.. feature.Points.Select(l => (l, ProjectedPoint.Of(input.Theoretical[l], feature.Plane, input.Theoretical.File).Position))],
+            Outlines.Boundary(input.Job, path, map.Passes[0]));
     }
 }

@@ -92,7 +92,8 @@ public sealed class BlockSelector
         return blocks.ToArray();
     }
 
-    private static void Find(NcProgram program, Dictionary<NcNumber, List<int>> wanted)
+    /// <summary>Finds all blocks that have one of some numbers.</summary>
+    internal static void Find(NcProgram program, Dictionary<NcNumber, List<int>> wanted)
     {
         // Most numbers are told from the wanted ones by their last bits alone.
         var bits = 0UL;

@@ -57,4 +57,34 @@ public sealed class MeasuredPartTests
         cell.Drop("cp.csv", PairedCell.Counterpart);
         Assert.Equal(cell.Store.Find(1)!.MeasurementSha256, (await cell.Until(2, CorrectionState.Verified)).PartSha256);
     }
+
+    [Theory]
+    [InlineData("SN7_cp.csv", true)]
+    [InlineData("SN8_cp.csv", false)]
+    public async Task A_counterpart_of_a_feed_forward_job_verifies_the_program_of_its_part(string counterpart, bool isKnown)
+    {
+        await using var cell = new ConfiguredCell("""
+            "gauges": [{ "name": "cmm", "incoming": "incoming", "files": "*.csv", "finished": "rename", "everyMs": 20 }],
+            "machines": [{ "name": "m1", "dialect": "delta-nc300", "transport": { "kind": "folder", "folder": "m1" }, "slots": [{ "name": "A", "program": "P1.NC" }] }],
+            "jobs": [
+              { "name": "parts", "job": "job/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^SN(?<serial>[0-9]+)_part" }, "machine": "m1", "slot": "A" },
+              { "name": "counterparts", "job": "job/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^SN(?<serial>[0-9]+)_cp" }, "piece": "counterpart", "machine": "m1", "slot": "A" }
+            ],
+            "policy": { "approve": "automatic" }
+            """) { Opens = _ => new MemoryMachine("m1") };
+        cell.Copy("complex-mating", "job");
+        cell.Start();
+        cell.Drop("SN7_part.csv", PairedCell.Part);
+        var sent = await cell.Until(1, CorrectionState.Verified);
+        cell.Drop(counterpart, PairedCell.Counterpart);
+        var recorded = await cell.Until(2, CorrectionState.Recorded);
+        Assert.Equal(isKnown ? sent.MeasurementSha256 : null, recorded.PartSha256);
+        Assert.Equal(isKnown, recorded.ReportSha256 is not null);
+        if (isKnown)
+        {
+            using var report = System.Text.Json.JsonDocument.Parse(cell.Store.Content(recorded.ReportSha256!));
+            Assert.Equal("errormatch/verify/1", report.RootElement.GetProperty("schema").GetString());
+            Assert.NotEmpty(cell.Store.Content(recorded.PageSha256!));
+        }
+    }
 }

@@ -94,9 +94,7 @@ public sealed class CorrectionComputerTests
     {
         var computed = Samples.Program(Request(name));
         Assert.StartsWith("point ", computed.LargestAt, StringComparison.Ordinal);
-
-        // The surface moves by the systematic part of the error, a point's own correction has its noise of about 1 um as well.
-        Assert.InRange(computed.Corrections.Max(c => c.LengthMm), computed.LargestMm - 0.003, computed.LargestMm + 0.003);
+        Assert.True(computed.Corrections.Max(c => c.LengthMm) <= computed.LargestMm + 1e-9);
         var refused = Samples.Refusal(Request(name), Samples.NoLimits with { LimitMm = computed.LargestMm / 2 });
         Assert.Equal(CorrectionCodes.OverLimit, refused.Code);
         Assert.Contains(computed.LargestAt, refused.Reason, StringComparison.Ordinal);

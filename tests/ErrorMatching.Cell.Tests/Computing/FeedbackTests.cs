@@ -10,6 +10,8 @@ public sealed class FeedbackTests
         var recorded = Assert.IsType<NothingToSend>(Samples.Compute(Samples.Part("complex-mating") with { Piece = "counterpart", Measurement = Samples.File("complex-mating", "counterpart.csv") }));
         Assert.Equal(CorrectionCodes.FirstArticle, recorded.Code);
         Assert.Equal(64, recorded.Basis.Identity.Length);
+        Assert.Null(recorded.Report);
+        Assert.EndsWith("no program was sent for a part of its number.", recorded.Reason, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -139,11 +139,14 @@ public abstract partial class StoreTests
     {
         var (here, there) = (Open(), Open());
         var taken = here.TryLockCell("line 1");
+        Assert.NotNull(taken);
+        Assert.True(taken.IsHeld, "Who runs the cell does not have it.");
         Assert.Null(there.TryLockCell("line 1"));
-        taken!.Dispose();
-        Assert.False(taken.IsHeld);
+        taken.Dispose();
+        Assert.False(taken.IsHeld, "Who ended still has the cell.");
         using var again = there.TryLockCell("line 1");
         Assert.NotNull(again);
+        Assert.True(again.IsHeld, "Who runs the cell next does not have it.");
     }
 
     private protected static Correction Approve(CellStore store, string key, string program)

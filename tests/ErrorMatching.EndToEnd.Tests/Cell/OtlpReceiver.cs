@@ -1,16 +1,15 @@
 using System.Collections.Concurrent;
 using System.Globalization;
-using System.Net;
 using System.Net.Sockets;
 using System.Text;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>A receiver of telemetry on a loopback port, by OTLP over HTTP. Sources: the OTLP specification 1.x and its files trace.proto, metrics.proto and common.proto.</summary>
 internal sealed class OtlpReceiver : IDisposable
 {
-    private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
-    private readonly CancellationTokenSource _end = new();
+    private readonly LoopbackServer _server;
     private readonly bool _hangs;
 
     /// <summary>Starts it.</summary>
@@ -18,12 +17,12 @@ internal sealed class OtlpReceiver : IDisposable
     public OtlpReceiver(bool hangs = false)
     {
         _hangs = hangs;
-        _listener.Start();
-        _ = ServeAsync();
+        _server = new(AnswerAsync);
+        _server.Start();
     }
 
     /// <summary>Where to send.</summary>
-    public string Endpoint => string.Create(CultureInfo.InvariantCulture, $"http://127.0.0.1:{((IPEndPoint)_listener.LocalEndpoint).Port}");
+    public string Endpoint => string.Create(CultureInfo.InvariantCulture, $"http://127.0.0.1:{_server.Port}");
 
     /// <summary>How many connections came.</summary>
     public int Connections { get; private set; }
@@ -37,54 +36,28 @@ internal sealed class OtlpReceiver : IDisposable
     /// <summary>What arrived and was not understood.</summary>
     public ConcurrentQueue<string> Wrong { get; } = new();
 
-    public void Dispose()
-    {
-        _end.Cancel();
-        _listener.Stop();
-        _end.Dispose();
-    }
-
-    private async Task ServeAsync()
-    {
-        try
-        {
-            while (true)
-            {
-                var client = await _listener.AcceptTcpClientAsync(_end.Token);
-                Connections++;
-                _ = AnswerAsync(client);
-            }
-        }
-        catch (Exception e) when (e is OperationCanceledException or SocketException or ObjectDisposedException)
-        {
-        }
-    }
+    public void Dispose() => _server.Dispose();
 
     private async Task AnswerAsync(TcpClient client)
     {
-        using (client)
+        Connections++;
+        try
         {
-            try
+            var stream = client.GetStream();
+            if (_hangs)
             {
-                var stream = client.GetStream();
-                if (_hangs)
-                {
-                    await Task.Delay(Timeout.Infinite, _end.Token);
-                }
+                await Task.Delay(Timeout.Infinite, _server.End);
+            }
 
-                while (await RequestAsync(stream) is { } request)
-                {
-                    Take(request.Path, request.Body);
-                    await stream.WriteAsync("HTTP/1.1 200 OK\r\nContent-Type: application/x-protobuf\r\nContent-Length: 0\r\n\r\n"u8.ToArray(), _end.Token);
-                }
-            }
-            catch (Exception e) when (e is OperationCanceledException or IOException or ObjectDisposedException)
+            while (await RequestAsync(stream) is { } request)
             {
+                Take(request.Path, request.Body);
+                await stream.WriteAsync("HTTP/1.1 200 OK\r\nContent-Type: application/x-protobuf\r\nContent-Length: 0\r\n\r\n"u8.ToArray(), _server.End);
             }
-            catch (Exception e)
-            {
-                Wrong.Enqueue(e.ToString());
-            }
+        }
+        catch (Exception e) when (!LoopbackServer.IsEnd(e))
+        {
+            Wrong.Enqueue(e.ToString());
         }
     }
 
@@ -94,7 +67,7 @@ internal sealed class OtlpReceiver : IDisposable
         var one = new byte[1];
         while (head.Count < 4 || !head[^4..].SequenceEqual("\r\n\r\n"u8.ToArray()))
         {
-            if (await stream.ReadAsync(one, _end.Token) == 0)
+            if (await stream.ReadAsync(one, _server.End) == 0)
             {
                 return null;
             }
@@ -105,7 +78,7 @@ internal sealed class OtlpReceiver : IDisposable
         var lines = Encoding.ASCII.GetString([.. head]).Split("\r\n", StringSplitOptions.RemoveEmptyEntries);
         var length = lines.First(l => l.StartsWith("Content-Length:", StringComparison.OrdinalIgnoreCase)).Split(':')[1];
         var body = new byte[int.Parse(length, CultureInfo.InvariantCulture)];
-        await stream.ReadExactlyAsync(body, _end.Token);
+        await stream.ReadExactlyAsync(body, _server.End);
         return (lines[0].Split(' ')[1], body);
     }
 

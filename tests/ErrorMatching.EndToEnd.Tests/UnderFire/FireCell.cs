@@ -129,9 +129,9 @@ internal sealed class FireCell : IDisposable
     }
 
     /// <summary>Ends the process as a service manager does, which must not take long.</summary>
-    public async Task Stop()
+    public async Task Stop(TimeSpan? atMost = null)
     {
-        var exit = await FireStop.Of(_process!);
+        var exit = await FireStop.Of(_process!, atMost);
         Assert.True(exit is 0 or 130, $"Exit {exit}. {Tail()}");
     }
 

@@ -15,10 +15,11 @@ internal static class FireStop
 
     private static readonly TimeSpan Nap = TimeSpan.FromMilliseconds(50);
 
-    /// <summary>Tells a process to end, waits for it, and fails the test if it takes longer than <see cref="Limit"/>.</summary>
+    /// <summary>Tells a process to end, waits for it, and fails the test if it takes longer than <see cref="Limit"/> or what it is given.</summary>
     /// <returns>Its exit code.</returns>
-    public static async Task<int> Of(Process process)
+    public static async Task<int> Of(Process process, TimeSpan? atMost = null)
     {
+        var limit = atMost ?? Limit;
         using (var kill = Process.Start("kill", ["-TERM", process.Id.ToString(CultureInfo.InvariantCulture)]))
         {
             await kill.WaitForExitAsync(TestContext.Current.CancellationToken);
@@ -26,7 +27,7 @@ internal static class FireStop
 
         for (var took = TimeSpan.Zero; !process.WaitForExit(Nap); took += Nap)
         {
-            Assert.True(took < Limit, $"The cell goes on {Limit} after it was told to stop.");
+            Assert.True(took < limit, $"The cell goes on {limit} after it was told to stop.");
         }
 
         // Until what it said last is read.

@@ -128,6 +128,40 @@ public sealed class CompensatorTests
         }
     }
 
+    [Theory]
+    [InlineData("error")]
+    [InlineData("points")]
+    public void Move_at_a_point_is_the_way_to_the_surface_that_is_cut_whatever_the_points_noise(string of)
+    {
+        var piece = new MeasuredDesign(PaperDesign.Three, "\"of\": \"error\"", $"\"of\": \"{of}\"");
+        var random = new Random(8);
+        var result = piece.Compensate(piece.With((u, v) => Tilted(u, v) + (0.004 * (random.NextDouble() - 0.5)))).Result!;
+
+        foreach (var sample in result.Samples)
+        {
+            var move = result.MoveAt(sample);
+            Assert.InRange(result.Surface.Spline.ClosestPoint(sample.Nominal + move).Distance, 0, 2e-5);
+            Assert.True(move.Cross(sample.Normal).Length < 1e-4);
+        }
+
+        // The noise is what the way to a point's own compensation point has beside it.
+        Assert.InRange(result.Samples.Max(s => (result.PointOf(s) - s.Nominal - result.MoveAt(s)).Length), 0.001, 0.004);
+    }
+
+    [Theory]
+    [InlineData("error")]
+    [InlineData("points")]
+    public void Largest_move_is_that_of_a_measured_point_where_the_error_has_its_peak(string of)
+    {
+        var piece = new MeasuredDesign(PaperDesign.Three, "\"of\": \"error\"", $"\"of\": \"{of}\"");
+        var top = piece.Plan.Points[piece.Plan.Points.Count / 2];
+        var result = piece.Compensate(piece.With((u, v) => 0.02 - (0.05 * (((u - top.U) * (u - top.U)) + ((v - top.V) * (v - top.V)))))).Result!;
+
+        var at = result.Samples.Single(s => s.Point == top.Number);
+        Assert.Equal(0.02, result.MoveAt(at).Length, of == "error" ? 1e-7 : 2e-5);
+        Assert.Equal(result.MoveAt(at).Length, result.LargestMoveMm, 9);
+    }
+
     [Fact]
     public void Several_measurements_of_a_piece_are_averaged()
     {

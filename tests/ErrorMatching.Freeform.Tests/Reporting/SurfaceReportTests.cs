@@ -27,6 +27,52 @@ public sealed class SurfaceReportTests
     }
 
     [Fact]
+    public void A_map_has_the_field_and_what_either_way_leaves_of_it()
+    {
+        using var json = JsonDocument.Parse(CompensationReportJson.Write(Report));
+        var (map, result) = (json.RootElement.GetProperty("map"), Report.Result);
+        var (countU, countV) = (map.GetProperty("countU").GetInt32(), map.GetProperty("countV").GetInt32());
+        double[] Values(string name) => [.. map.GetProperty(name).EnumerateArray().Select(v => v.GetDouble())];
+        var (x, y, error, mirror, radius) = (Values("x"), Values("y"), Values("errorUm"), Values("mirrorUm"), Values("toolRadiusUm"));
+        var spline = result.Input.Surface.Spline;
+        foreach (var (i, j) in new[] { (0, 0), (countU - 1, 0), (0, countV - 1), (countU - 1, countV - 1), (countU / 2, countV / 2) })
+        {
+            var (u, v, n) = (Along(spline.KnotsU, i, countU), Along(spline.KnotsV, j, countV), (i * countV) + j);
+            var place = spline.PointAt(u, v);
+            Assert.Equal((place.X, place.Y), (x[n], y[n]), (a, b) => Math.Abs(a.Item1 - b.Item1) < 1e-8 && Math.Abs(a.Item2 - b.Item2) < 1e-8);
+            Assert.Equal(1000 * result.Systematic.At(u, v), error[n], 6);
+            Assert.Equal(error[n] - (1000 * result.Before.MeanMm), radius[n], 6);
+        }
+
+        // A gain of one leaves nothing of what is known.
+        Assert.Equal(countU * countV, mirror.Length);
+        Assert.All(mirror, m => Assert.Equal(0, m, 6));
+        Assert.Empty(Values("outside"));
+
+        static double Along(Geometry.KnotVector knots, int i, int count) => knots.Start + ((knots.End - knots.Start) * i / (count - 1));
+    }
+
+    [Fact]
+    public void Points_have_what_either_way_is_expected_to_leave()
+    {
+        using var json = JsonDocument.Parse(CompensationReportJson.Write(Report));
+        var point = json.RootElement.GetProperty("points")[3];
+        Assert.Equal(1000 * Report.Result.Mirror.Errors[3], point.GetProperty("mirrorUm").GetDouble(), 6);
+        Assert.Equal(1000 * Report.Result.ToolRadius.Errors[3], point.GetProperty("toolRadiusUm").GetDouble(), 6);
+    }
+
+    [Fact]
+    public void Cells_that_are_cut_away_are_outside_of_the_net()
+    {
+        var surface = Piece.Surface;
+        var (u, v) = (surface.Spline.KnotsU, surface.Spline.KnotsV);
+        double middle = (u.Start + u.End) / 2;
+        var net = SurfaceNet.Of(surface with { Region = new([[new(middle, v.Start), new(u.End, v.Start), new(u.End, v.End), new(middle, v.End)]]) });
+        var cells = (net.CountU - 1) * (net.CountV - 1);
+        Assert.Equal(Enumerable.Range(0, cells / 2), net.Outside);
+    }
+
+    [Fact]
     public void Page_is_well_formed_and_shows_maps_plots_and_points()
     {
         var page = Page(CompensationReportHtml.Write(Report));

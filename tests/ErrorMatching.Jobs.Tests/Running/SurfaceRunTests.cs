@@ -31,6 +31,10 @@ public sealed class SurfaceRunTests
         Assert.Equal("errormatch/surface-displace/1", json.RootElement.GetProperty("schema").GetString());
         Assert.True(json.RootElement.GetProperty("proof").GetProperty("holds").GetBoolean());
 
+        // What is compensated is said as where a program is made.
+        using var made = JsonDocument.Parse(Finished(new() { Measured = [Measured] }).ReportJson());
+        Assert.All(["before", "compensation", "predicted", "points", "map"], p => Assert.Equal(made.RootElement.GetProperty(p).GetRawText(), json.RootElement.GetProperty(p).GetRawText()));
+
         // The first changed block as both files have it.
         var (before, after) = (Encoding.Latin1.GetString(File.ReadAllBytes(Cam.File)).Split('\n'), Encoding.Latin1.GetString(byFile.Program.Span).Split('\n'));
         var first = before.Zip(after).First(l => l.First != l.Second);

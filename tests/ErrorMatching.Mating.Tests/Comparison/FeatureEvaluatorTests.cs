@@ -128,7 +128,7 @@ public sealed class FeatureEvaluatorTests
 
         Assert.Null(evaluation.ActualCurve);
         AssertQuantity(evaluation, "chordMm", Math.Sqrt(200), Math.Sqrt(200));
-        Assert.Contains("turns back over its chord", Assert.Single(evaluation.Warnings), StringComparison.Ordinal);
+        Assert.Contains("turns back over its chord", Assert.Single(evaluation.Warnings).Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -168,8 +168,8 @@ public sealed class DecisionMatchTests
         // The path turns away from the material at (50, -3): there the boundary is the tool's circle, and this point lies at 45 degrees on it.
         var match = new MatchCase(Programs.ToolBelow) { Theoretical = "1 10 0; 2 52.121 -0.879", Part = "1 10 0.1; 2 52.121 -0.779" };
 
-        Assert.Contains(match.Report().Warnings, w => w.StartsWith("Point 2 lies on a rounded corner at an end of N50", StringComparison.Ordinal));
-        Assert.DoesNotContain(new MatchCase(Programs.ToolBelow).Report().Warnings, w => w.Contains("corner", StringComparison.Ordinal));
+        Assert.Contains(match.Report().Warnings, w => w is { Code: "point-on-corner", Values: ["2", "N50"] } && w.Message.StartsWith("Point 2 lies on a rounded corner at an end of N50", StringComparison.Ordinal));
+        Assert.DoesNotContain(new MatchCase(Programs.ToolBelow).Report().Warnings, w => w.Message.Contains("corner", StringComparison.Ordinal));
     }
 
     private static void Unchanged(MatchCase match, Decision decision)

@@ -51,7 +51,7 @@ public sealed class MeasuringMatchTests
 
         Assert.Equal(["N40 G1 X0. Y-2.9 F300"], match.Changed());
         Assert.Equal((10, 0.1), (Math.Round(report.KeyPoints[0].Actual.X, 9), Math.Round(report.KeyPoints[0].Actual.Y, 9)));
-        Assert.Contains(report.Warnings, w => w.Contains("aligned (datum)", StringComparison.Ordinal));
+        Assert.Contains(report.Warnings, w => w.Message.Contains("aligned (datum)", StringComparison.Ordinal));
     }
 
     // As above with a ball of radius 1 over the boundary: its center was at (10, 1.1) before the turn.

@@ -53,7 +53,7 @@ public sealed class MatchReportTests
         Proof = new(true, 12, 3, [new("N8950", 3, NeighborRole.Slides, 0.0151)], null, 0.0004, true),
         Time = new(8, 0.0012),
         RadiusWearMm = 0.02,
-        Warnings = ["w"],
+        Warnings = [new("sparse-points", "w", "C1", "3")],
         Notes = ["n"],
     };
 
@@ -70,6 +70,7 @@ public sealed class MatchReportTests
         Assert.Equal("O|0.005|0.01|true", Text(json, "originCheck.point", "originCheck.distanceMm", "originCheck.limitMm", "originCheck.holds"));
         Assert.Equal("counterpart|0.5|excess|vector|0.4", Text(json, "compensation.from", "compensation.gain", "compensation.amount", "compensation.along", "compensation.limitMm"));
         Assert.Equal("0.005|clamping|0.004", Text(json, "uncertainty.combinedMm", "uncertainty.contributions.1.name", "uncertainty.contributions.1.valueMm"));
+        Assert.Equal("w|sparse-points|C1|3", Text(json, "warnings.0", "warningCodes.0.code", "warningCodes.0.values.0", "warningCodes.0.values.1"));
         Assert.Equal("10|9.97|10.03|9.97", Text(json, "toleranceChain.nominalMm", "toleranceChain.worstCase.smallestMm", "toleranceChain.worstCase.largestMm", "toleranceChain.rootSumOfSquares.smallestMm"));
         Assert.Equal("out/counterpart.nc|dd|1|2", Text(json, "program.file", "program.sha256", "program.changedBlocks", "program.changedWords"));
         Assert.Equal("N8960|7|N8960 X-34.995|N8960 X-34.965|6|8|8", Text(json, "program.blocks.0.number", "program.blocks.0.line", "program.blocks.0.original", "program.blocks.0.modified", "program.blocks.0.originalSpans.0.start", "program.blocks.0.originalSpans.0.length", "program.blocks.0.modifiedSpans.0.length"));
@@ -138,13 +139,15 @@ public sealed class MatchReportTests
     {
         var point = new VerifiedPoint("6", new(1, 1), new(1.3, 1.4), new(1, 1.05), new(0.6, 0.8));
         var result = new VerificationResult([point], [new("L1", VerifiedQuantity.Length, 17.649, 17.308, 17.562), new("C1", VerifiedQuantity.DeviationX, 0, 0, 0), new("A", VerifiedQuantity.Angle, 1, 2, 1), new("B", VerifiedQuantity.Deviation, 0, 2, 1)]);
-        var json = JsonDocument.Parse(VerifyReportJson.Write(new(Report.Job, Report.Inputs, result, ["w"]))).RootElement;
+        var json = JsonDocument.Parse(VerifyReportJson.Write(new(Report.Job, Report.Inputs, result, ["w"]) { Boundaries = [new("C1", new(-0.05, 0.02), [("6", new(1, 1.5))], [new(0, 0), new(2, 1)])] })).RootElement;
 
         Assert.Equal("errormatch/verify/1|job.json|part", Text(json, "schema", "job.file", "inputs.0.role"));
         Assert.Equal("6|0.3|0.4|0.5|0|0.05|0.04", Text(json, "points.0.point", "points.0.before.dx", "points.0.before.dy", "points.0.before.normalMm", "points.0.after.dx", "points.0.after.dy", "points.0.after.normalMm"));
         Assert.Equal("L1|length|17.649|17.308|17.562|74.486803519", Text(json, "features.0.name", "features.0.quantity", "features.0.wanted", "features.0.before", "features.0.after", "features.0.improvementPercent"));
         Assert.Equal("deviation-x|null|angle|deviation", Text(json, "features.1.quantity", "features.1.improvementPercent", "features.2.quantity", "features.3.quantity"));
-        Assert.Equal("0.5|0.04|w", Text(json, "maxBeforeMm", "maxAfterMm", "warnings.0"));
+        Assert.Equal("0.5|0.04|0.5|0.04|w", Text(json, "maxBeforeMm", "maxAfterMm", "rmsBeforeMm", "rmsAfterMm", "warnings.0"));
+        Assert.Equal("1|0.8", Text(json, "points.0.part.x", "points.0.normal.y"));
+        Assert.Equal("C1|-0.05|0.02|6|1.5|2", Text(json, "boundaries.0.name", "boundaries.0.toleranceMm.0", "boundaries.0.toleranceMm.1", "boundaries.0.points.0.point", "boundaries.0.points.0.theoretical.y", "boundaries.0.outline.1.x"));
     }
 
     private static JsonElement Parse(MatchReport report) => JsonDocument.Parse(MatchReportJson.Write(report)).RootElement;

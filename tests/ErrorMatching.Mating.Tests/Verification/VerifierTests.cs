@@ -38,6 +38,24 @@ public sealed class VerifierTests
     }
 
     [Fact]
+    public void The_root_mean_square_is_taken_along_the_normals()
+    {
+        VerifiedPoint[] points =
+        [
+            new("1", new(0, 0), new(5, 0.3), new(0, 0.1), new(0, 1)),
+            new("2", new(1, 0), new(1, -0.4), new(7, 0), new(0, 1)),
+        ];
+
+        var result = new VerificationResult(points, []);
+
+        Assert.Equal(Math.Sqrt((0.09 + 0.16) / 2), result.RmsBeforeMm, 12);
+        Assert.Equal(Math.Sqrt(0.01 / 2), result.RmsAfterMm, 12);
+    }
+
+    [Fact]
+    public void A_mating_error_has_the_parts_limits_the_other_way_round() => Assert.Equal(new ToleranceBand(-0.05, 0.02), new VerifiedBoundary("C1", new(-0.02, 0.05), [], []).ErrorBand);
+
+    [Fact]
     public void The_line_of_the_paper_is_as_long_as_its_points_are_apart()
     {
         var job = Samples.Job(Complex);

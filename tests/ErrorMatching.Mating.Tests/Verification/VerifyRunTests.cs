@@ -44,6 +44,29 @@ public sealed class VerifyRunTests
     }
 
     [Fact]
+    public void A_counterpart_that_nobody_measured_is_taken_as_designed()
+    {
+        // The ball's radius belongs to what was measured, and not to what is designed.
+        var match = new MatchCase(Programs.ToolBelow) { Gauge = """ "uncertaintyMm": 0, "reports": "stylus-center", "stylusDiameterMm": 2 """, Part = "1 10 1.1; 2 40 1.1" };
+        var report = VerifyRun.Report(Input(match, "1 10 0; 2 40 0", "1 10 -0.91; 2 40 -0.91") with { Before = null }, out _)!;
+
+        Assert.All(report.Result.Points, p => Assert.Equal((0.1, 0.01), (Math.Round(p.BeforeError.NormalMm, 9), Math.Round(p.AfterError.NormalMm, 9))));
+        Assert.False(report.IsBeforeMeasured);
+        Assert.Equal(["theoretical", "part", "counterpart-after", "program"], report.Inputs.Select(i => i.Role));
+        Assert.StartsWith("No counterpart that was cut without compensation is measured", report.Warnings.Single(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_boundary_has_its_points_and_limits_and_what_the_program_cuts()
+    {
+        var boundary = Report(new MatchCase(Programs.ToolBelow), "1 10 0; 2 40 0", "1 10 0.09; 2 40 0.09").Boundaries.Single();
+
+        Assert.Equal([("1", 10.0, 0.0), ("2", 40.0, 0.0)], boundary.Points.Select(p => (p.Label, p.Theoretical.X, p.Theoretical.Y)));
+        Assert.All(boundary.Outline, p => Assert.Equal(0, p.Y, 9));
+        Assert.True(boundary.Outline.Max(p => p.X) - boundary.Outline.Min(p => p.X) >= 30);
+    }
+
+    [Fact]
     public void Inputs_are_named_with_their_hashes()
     {
         var match = new MatchCase(Programs.ToolBelow);

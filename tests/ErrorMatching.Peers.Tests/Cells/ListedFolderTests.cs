@@ -2,6 +2,7 @@ using System.Net;
 using System.Net.Sockets;
 using System.Text;
 using ErrorMatching.Cell;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
@@ -55,38 +56,13 @@ public sealed class ListedFolderTests
     /// <summary>An FTP server that enters any folder, as some simple ones do, and has none.</summary>
     private sealed class ObligingServer : IDisposable
     {
-        private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
-        private readonly Task _serving;
+        private readonly LoopbackServer _server = new(c => TalkAsync(c.GetStream()));
 
-        public ObligingServer()
-        {
-            _listener.Start();
-            _serving = ServeAsync();
-        }
+        public ObligingServer() => _server.Start();
 
-        public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
+        public int Port => _server.Port;
 
-        public void Dispose()
-        {
-            _listener.Stop();
-            Assert.True(_serving.Wait(TimeSpan.FromMinutes(1), CancellationToken.None));
-        }
-
-        private async Task ServeAsync()
-        {
-            try
-            {
-                while (true)
-                {
-                    using var client = await _listener.AcceptTcpClientAsync();
-                    await TalkAsync(client.GetStream());
-                }
-            }
-            catch (Exception e) when (e is SocketException or ObjectDisposedException or IOException)
-            {
-                // The test is over.
-            }
-        }
+        public void Dispose() => _server.Dispose();
 
         private static async Task TalkAsync(NetworkStream stream)
         {

@@ -1,14 +1,14 @@
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>Stands before an FTP server's control port and hangs when a command comes: from then on nothing passes, in this session or, if it shall, in any.</summary>
 internal sealed class FtpHang : IDisposable
 {
-    private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
-    private readonly CancellationTokenSource _end = new();
+    private readonly LoopbackServer _loopback;
     private readonly int _server;
     private readonly string _command;
     private readonly bool _forGood;
@@ -21,11 +21,11 @@ internal sealed class FtpHang : IDisposable
     public FtpHang(int server, string command, bool forGood)
     {
         (_server, _command, _forGood) = (server, command + " ", forGood);
-        _listener.Start(64);
-        _ = ServeAsync();
+        _loopback = new(RunAsync);
+        _loopback.Start();
     }
 
-    public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
+    public int Port => _loopback.Port;
 
     /// <summary>True once the command came.</summary>
     public bool HasHung => _hasHung;
@@ -33,65 +33,35 @@ internal sealed class FtpHang : IDisposable
     /// <summary>Lets everything pass again.</summary>
     public bool IsOver { get; set; }
 
-    public void Dispose()
-    {
-        _end.Cancel();
-        _listener.Stop();
-        _end.Dispose();
-    }
-
-    private async Task ServeAsync()
-    {
-        try
-        {
-            while (true)
-            {
-                _ = RunAsync(await _listener.AcceptTcpClientAsync(_end.Token));
-            }
-        }
-        catch (Exception e) when (IsEnd(e))
-        {
-        }
-    }
+    public void Dispose() => _loopback.Dispose();
 
     private async Task RunAsync(TcpClient client)
     {
-        using var server = new TcpClient();
-        using (client)
+        if (_hasHung && _forGood && !IsOver)
         {
-            try
-            {
-                if (_hasHung && _forGood && !IsOver)
-                {
-                    await Task.Delay(Timeout.Infinite, _end.Token);
-                }
-
-                await server.ConnectAsync(IPAddress.Loopback, _server, _end.Token);
-                await Task.WhenAny(CommandsAsync(client.GetStream(), server.GetStream()), server.GetStream().CopyToAsync(client.GetStream(), _end.Token));
-            }
-            catch (Exception e) when (IsEnd(e))
-            {
-            }
+            await Task.Delay(Timeout.Infinite, _loopback.End);
         }
+
+        using var server = new TcpClient();
+        await server.ConnectAsync(IPAddress.Loopback, _server, _loopback.End);
+        await Task.WhenAny(CommandsAsync(client.GetStream(), server.GetStream()), server.GetStream().CopyToAsync(client.GetStream(), _loopback.End));
     }
 
     private async Task CommandsAsync(NetworkStream from, NetworkStream to)
     {
         using var lines = new StreamReader(from, Encoding.Latin1);
-        while (await lines.ReadLineAsync(_end.Token) is { } line)
+        while (await lines.ReadLineAsync(_loopback.End) is { } line)
         {
             if (!_hasHung && line.StartsWith(_command, StringComparison.Ordinal))
             {
                 _hasHung = true;
 
                 // Until who waits for the answer gives up.
-                await lines.ReadLineAsync(_end.Token);
+                await lines.ReadLineAsync(_loopback.End);
                 return;
             }
 
-            await to.WriteAsync(Encoding.Latin1.GetBytes(line + "\r\n"), _end.Token);
+            await to.WriteAsync(Encoding.Latin1.GetBytes(line + "\r\n"), _loopback.End);
         }
     }
-
-    private static bool IsEnd(Exception e) => e is OperationCanceledException or IOException or SocketException or ObjectDisposedException;
 }

@@ -1,4 +1,3 @@
-using System.Globalization;
 using ErrorMatching.Cell;
 using ErrorMatching.EndToEnd.Tests;
 
@@ -7,7 +6,6 @@ namespace ErrorMatching.Peers.Tests;
 /// <summary>A cell at its own pace that is told to stop, by the signal of service managers, while its machine hangs in the middle of a program.</summary>
 public sealed class StopTests
 {
-    private const string Administrator = "long enough for anna";
     private static readonly TimeSpan Patience = TimeSpan.FromMinutes(2);
 
     [Theory]
@@ -18,7 +16,7 @@ public sealed class StopTests
         FtpPeer.IsNeeded();
         using var ftp = new FtpPeer(FtpTls.None);
         using var hang = new FtpHang(ftp.Port, "STOR", forGood);
-        using var cell = await CellBehind(ftp, hang.Port);
+        using var cell = await FtpCell.Of(ftp, slots: 1, hang.Port);
         var files = new FireFiles();
         var (name, bytes) = files.Next(cell.Slots[0], 1);
         var program = Path.Combine(ftp.Folder, FireCell.ProgramOf(cell.Slots[0]));
@@ -46,22 +44,5 @@ public sealed class StopTests
         await cell.Stop();
         Assert.DoesNotContain(Directory.EnumerateFiles(ftp.Folder), f => Path.GetFileName(f) != FireCell.ProgramOf(cell.Slots[0]));
         await cell.AuditHolds();
-    }
-
-    private static async Task<FireCell> CellBehind(FtpPeer ftp, int port)
-    {
-        var cell = new FireCell(
-            slots: 1,
-            transport: string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "ftp", "host": "127.0.0.1", "port": {{port}}, "user": "ftp", "folder": "{{ftp.Folder}}", "tls": "none" }"""),
-            machine: ftp.Folder);
-        await Type(cell, ["user", "add", cell.Configuration, "anna", "--role", "administrator", "--password-stdin"], Administrator);
-        await Type(cell, ["cell", "secret", cell.Configuration, "vmc", "--user", "anna", "--password-stdin"], Administrator, FtpPeer.Password);
-        return cell;
-    }
-
-    private static async Task Type(FireCell cell, IReadOnlyList<string> arguments, params string[] lines)
-    {
-        var run = await ConsoleRun.Typed(cell.Folder, arguments, lines);
-        Assert.True(run.Exit == 0, run.Output + run.Error);
     }
 }

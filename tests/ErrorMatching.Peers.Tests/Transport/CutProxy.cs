@@ -1,5 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
@@ -10,8 +11,7 @@ internal sealed class CutProxy : IDisposable
     private const int Tcp = 6;
     private const int QuickAck = 12;
 
-    private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
-    private readonly CancellationTokenSource _end = new();
+    private readonly LoopbackServer _loopback;
     private readonly int _server;
     private CutFault? _fault;
     private int _sessions;
@@ -23,11 +23,11 @@ internal sealed class CutProxy : IDisposable
     public CutProxy(int server)
     {
         _server = server;
-        _listener.Start(64);
-        _ = ServeAsync();
+        _loopback = new(RunAsync);
+        _loopback.Start();
     }
 
-    public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
+    public int Port => _loopback.Port;
 
     /// <summary>True as long as the fault has not happened.</summary>
     public bool IsArmed => Volatile.Read(ref _fault) is not null;
@@ -45,34 +45,15 @@ internal sealed class CutProxy : IDisposable
     /// <summary>Waits until the server has ended all sessions: what it had heard before a cut it may do after it.</summary>
     public Task QuietAsync() => Quiet.WhenAsync(() => Volatile.Read(ref _sessions) == 0, "the server ends its sessions");
 
-    public void Dispose()
-    {
-        _end.Cancel();
-        _listener.Stop();
-        _end.Dispose();
-    }
+    public void Dispose() => _loopback.Dispose();
 
-    private static bool IsEnd(Exception e) => e is OperationCanceledException or IOException or SocketException or ObjectDisposedException or InvalidOperationException;
+    private static bool IsEnd(Exception e) => LoopbackServer.IsEnd(e) || e is InvalidOperationException;
 
-    private async Task ServeAsync()
+    private async Task RunAsync(TcpClient client)
     {
-        try
-        {
-            while (true)
-            {
-                var client = await _listener.AcceptTcpClientAsync(_end.Token);
-                Interlocked.Increment(ref _sessions);
-                _ = RunAsync(client, Interlocked.Increment(ref _connections) - 1);
-            }
-        }
-        catch (Exception e) when (IsEnd(e))
-        {
-        }
-    }
-
-    private async Task RunAsync(TcpClient client, int number)
-    {
-        using var cut = CancellationTokenSource.CreateLinkedTokenSource(_end.Token);
+        Interlocked.Increment(ref _sessions);
+        var number = Interlocked.Increment(ref _connections) - 1;
+        using var cut = CancellationTokenSource.CreateLinkedTokenSource(_loopback.End);
         using var server = new TcpClient { NoDelay = true };
         client.NoDelay = true;
         (_up, _down) = (0, 0);
@@ -93,7 +74,7 @@ internal sealed class CutProxy : IDisposable
             // Reads until the server, too, has hung up.
             server.Client.Shutdown(SocketShutdown.Send);
             var rest = new byte[4096];
-            while (await server.GetStream().ReadAsync(rest, _end.Token) > 0)
+            while (await server.GetStream().ReadAsync(rest, _loopback.End) > 0)
             {
             }
         }

@@ -3,6 +3,7 @@ using System.Net;
 using System.Net.Sockets;
 using System.Text;
 using System.Text.RegularExpressions;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
@@ -12,8 +13,7 @@ namespace ErrorMatching.Peers.Tests;
 /// </summary>
 internal sealed partial class FtpProxy : IDisposable
 {
-    private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
-    private readonly CancellationTokenSource _end = new();
+    private readonly LoopbackServer _loopback;
     private readonly int _server;
     private FtpFault? _fault;
     private int _readings;
@@ -24,11 +24,11 @@ internal sealed partial class FtpProxy : IDisposable
     public FtpProxy(int server)
     {
         _server = server;
-        _listener.Start(64);
-        _ = ServeAsync();
+        _loopback = new(client => new Session(this, client).RunAsync());
+        _loopback.Start();
     }
 
-    public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
+    public int Port => _loopback.Port;
 
     /// <summary>If set, renaming over a file of this folder is answered with 550, as some servers do.</summary>
     public string? KeepsFilesOf { get; set; }
@@ -50,31 +50,7 @@ internal sealed partial class FtpProxy : IDisposable
     /// <summary>Waits until the server has ended all sessions: what it had heard before a cut it may do after it.</summary>
     public Task QuietAsync() => Quiet.WhenAsync(() => Volatile.Read(ref _sessions) == 0, "the server ends its sessions");
 
-    public void Dispose()
-    {
-        _end.Cancel();
-        _listener.Stop();
-        _end.Dispose();
-    }
-
-    private async Task ServeAsync()
-    {
-        while (!_end.IsCancellationRequested)
-        {
-            TcpClient client;
-            try
-            {
-                client = await _listener.AcceptTcpClientAsync(_end.Token);
-            }
-            catch (Exception e) when (e is OperationCanceledException or SocketException or ObjectDisposedException)
-            {
-                return;
-            }
-
-            Interlocked.Increment(ref _sessions);
-            _ = new Session(this, client).RunAsync();
-        }
-    }
+    public void Dispose() => _loopback.Dispose();
 
     private bool Takes(Func<FtpFault, bool> matches)
     {
@@ -87,12 +63,13 @@ internal sealed partial class FtpProxy : IDisposable
 
     private sealed class Session(FtpProxy proxy, TcpClient client)
     {
-        private readonly CancellationTokenSource _cut = CancellationTokenSource.CreateLinkedTokenSource(proxy._end.Token);
+        private readonly CancellationTokenSource _cut = CancellationTokenSource.CreateLinkedTokenSource(proxy._loopback.End);
         private string _command = "";
         private string _argument = "";
 
         public async Task RunAsync()
         {
+            Interlocked.Increment(ref proxy._sessions);
             using var server = new TcpClient { NoDelay = true };
             client.NoDelay = true;
             try
@@ -101,7 +78,7 @@ internal sealed partial class FtpProxy : IDisposable
                 var (up, down) = (CommandsAsync(client.GetStream(), server.GetStream()), AnswersAsync(server.GetStream(), client.GetStream()));
                 await Task.WhenAny(up, down);
             }
-            catch (Exception e) when (IsEnd(e))
+            catch (Exception e) when (LoopbackServer.IsEnd(e))
             {
             }
             finally
@@ -120,16 +97,14 @@ internal sealed partial class FtpProxy : IDisposable
             {
                 server.Client.Shutdown(SocketShutdown.Send);
                 var buffer = new byte[1024];
-                while (await server.GetStream().ReadAsync(buffer, proxy._end.Token) > 0)
+                while (await server.GetStream().ReadAsync(buffer, proxy._loopback.End) > 0)
                 {
                 }
             }
-            catch (Exception e) when (IsEnd(e) || e is InvalidOperationException)
+            catch (Exception e) when (LoopbackServer.IsEnd(e) || e is InvalidOperationException)
             {
             }
         }
-
-        private static bool IsEnd(Exception e) => e is OperationCanceledException or IOException or SocketException or ObjectDisposedException;
 
         private async Task CommandsAsync(NetworkStream from, NetworkStream to)
         {
@@ -206,7 +181,7 @@ internal sealed partial class FtpProxy : IDisposable
                     PumpAsync(data, server, isWriting: true),
                     PumpAsync(server, data, isWriting: false));
             }
-            catch (Exception e) when (IsEnd(e))
+            catch (Exception e) when (LoopbackServer.IsEnd(e))
             {
             }
             finally

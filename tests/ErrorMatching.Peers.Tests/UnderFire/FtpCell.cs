@@ -8,11 +8,15 @@ internal static class FtpCell
 {
     private const string Administrator = "long enough for anna";
 
-    public static async Task<FireCell> Of(FtpPeer ftp, int slots)
+    /// <summary>Sets it up.</summary>
+    /// <param name="ftp">The server.</param>
+    /// <param name="slots">How many slots its machine has.</param>
+    /// <param name="port">Where the cell asks for the server, if something stands before it.</param>
+    public static async Task<FireCell> Of(FtpPeer ftp, int slots, int? port = null)
     {
         var cell = new FireCell(
             slots,
-            transport: string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "ftp", "host": "127.0.0.1", "port": {{ftp.Port}}, "user": "ftp", "folder": "{{ftp.Folder}}", "tls": "none" }"""),
+            transport: string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "ftp", "host": "127.0.0.1", "port": {{port ?? ftp.Port}}, "user": "ftp", "folder": "{{ftp.Folder}}", "tls": "none" }"""),
             machine: ftp.Folder);
         await Type(cell, ["user", "add", cell.Configuration, "anna", "--role", "administrator", "--password-stdin"], Administrator);
         await Type(cell, ["cell", "secret", cell.Configuration, "vmc", "--user", "anna", "--password-stdin"], Administrator, FtpPeer.Password);

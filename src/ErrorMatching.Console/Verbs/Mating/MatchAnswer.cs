@@ -43,7 +43,7 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
         WriteProof(page);
         foreach (var warning in _report.Warnings)
         {
-            page.Line("Warning: " + warning);
+            page.Line("Warning: " + warning.Message);
         }
 
         foreach (var note in _report.Notes)

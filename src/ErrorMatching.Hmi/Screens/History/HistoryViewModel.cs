@@ -24,7 +24,6 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     public HistoryViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
-        States = Choices();
         _state = States[0];
         _folder = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(Station.Settings.File))!, "exports");
         Search = new(_ => SearchAsync());
@@ -91,7 +90,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     }
 
     /// <summary>The states to choose from.</summary>
-    public IReadOnlyList<StateChoice> States { get; private set; }
+    public IReadOnlyList<StateChoice> States { get; } = [new(null), .. Enum.GetValues<CorrectionState>().Select(s => new StateChoice(s))];
 
     /// <summary>What was found, the latest first.</summary>
     public RowList<HistoryRow> Rows { get; } = [];
@@ -170,14 +169,15 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     /// <inheritdoc/>
     protected override void Translate()
     {
-        States = Choices();
-        _state = States.First(s => s.State == _state.State);
+        foreach (var state in States)
+        {
+            state.Rename();
+        }
+
         Rows.Show([.. _found.Select(Row)]);
         _detail = _detail is null ? null : new(_detail.Kept, Station.Clock);
         Say();
     }
-
-    private static StateChoice[] Choices() => [new(null, Texts.Current["History.AnyState"]), .. Enum.GetValues<CorrectionState>().Select(s => new StateChoice(s, Texts.Current.Word(s)))];
 
     private static string? Given(string text) => string.IsNullOrWhiteSpace(text) ? null : text.Trim();
 

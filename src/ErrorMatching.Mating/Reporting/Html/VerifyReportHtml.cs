@@ -19,7 +19,7 @@ public static class VerifyReportHtml
             [
                 new("summary", "Summary", html => VerifySummary.Write(html, report)),
                 new("features", "Features", html => VerifyTables.WriteFeatures(html, report.Result)),
-                new("pictures", "Before and after", html => VerifyPictures.Write(html, report.Result)),
+                new("pictures", "Before and after", html => VerifyPictures.Write(html, report)),
                 new("points", "Key points", html => VerifyTables.WritePoints(html, report.Result)),
                 new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "verify", ("--before", "counterpart"), ("--after", "counterpart-after"), ("--part", "part"))),
             ]);

@@ -48,7 +48,7 @@ internal static class HandMadeReport
         Proof = new(true, 12, 3, [new("N5", 2, NeighborRole.Slides, 0.0303), new("N15", 4, NeighborRole.Follows, 0.02)], "(ERRORMATCH)", 0.0004, true),
         Time = new(3, 0.0123),
         RadiusWearMm = 0.02,
-        Warnings = ["Mind the gap."],
+        Warnings = [new("gap", "Mind the gap.")],
         Notes = ["Nothing else."],
     };
 

@@ -177,7 +177,7 @@ public sealed class PageTests
         KeyPoints = [.. HandMadeReport.Report.KeyPoints.Take(2).Select((p, i) => p with { Point = Hostile + (i == 0 ? "" : "2"), Feature = Hostile, Blocks = [Hostile] })],
         Program = new(Hostile, Hostile, 1, 1, [new(Hostile, 1, "x" + Hostile, "x" + Hostile, [new(1, 4)], [new(1, 4)])]),
         Proof = new(true, 1, 1, [new(Hostile, 1, NeighborRole.Fillet, 0)], Hostile, 0, true),
-        Warnings = [Hostile],
+        Warnings = [new(Hostile, Hostile, Hostile)],
         Notes = [Hostile],
     };
 }

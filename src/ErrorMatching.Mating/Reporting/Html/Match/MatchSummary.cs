@@ -8,7 +8,7 @@ internal static class MatchSummary
     public static void Write(HtmlText html, MatchReport report)
     {
         MatchProof.WriteVerdict(html, report.Proof);
-        ReportFacts.WriteWarnings(html, report.Warnings);
+        ReportFacts.WriteWarnings(html, [.. report.Warnings.Select(w => w.Message)]);
         ReportFacts.Write(html, ("Measured", Measured(report)), ("Decided", Decided(report)), ("Changed", Changed(report)));
         WriteFeatures(html, report);
         html.Put("h3", "What to do next");

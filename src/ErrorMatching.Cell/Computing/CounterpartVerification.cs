@@ -1,0 +1,43 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>How well a counterpart that was cut with a correction fits its part: what <c>errormatch verify</c> says of the same measurements.</summary>
+/// <param name="Report">What came of it; null if nothing was compared.</param>
+/// <param name="Otherwise">Why not, in a setter's words; empty if there is a report.</param>
+internal sealed record CounterpartVerification(VerifyReport? Report, string Otherwise)
+{
+    /// <summary>Compares a counterpart with its part. Before is the job's measured counterpart, or where it names none, the one as designed.</summary>
+    /// <param name="files">The job's files.</param>
+    /// <param name="part">The part's measurement; null where none is known that a program was sent for.</param>
+    /// <param name="counterpart">The counterpart.</param>
+    public static CounterpartVerification Of(JobFiles files, KeptFile? part, MeasurementFile counterpart)
+    {
+        if (part is null)
+        {
+            return new(null, "It was compared with nothing, for no program was sent for a part of its number.");
+        }
+
+        try
+        {
+            var (program, bytes) = files.Program(null);
+            var before = files.Job.Counterpart.Measured is { } cut ? files.Counterpart(new(files.Job.PathOf(cut))) : null;
+            var input = new VerifyInput(files.Job, files.Theoretical(), files.Part(new(part.Name, part.Bytes)), before, counterpart, program, bytes) { OwnDialect = files.OwnDialect() };
+            return VerifyRun.Report(input, out var refusals) is { } report ? new(report, "") : Failed(refusals[0].Message);
+        }
+        catch (GeometryException e)
+        {
+            return Failed(e.Message);
+        }
+        catch (Exception e) when (ErrorItems.OfInput(e) is [var item, ..])
+        {
+            return Failed(item.Message);
+        }
+    }
+
+    // A measurement is evidence, whatever it can be compared with.
+    private static CounterpartVerification Failed(string why) => new(null, "It could not be compared with its part: " + why);
+}

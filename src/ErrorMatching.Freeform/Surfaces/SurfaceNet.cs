@@ -1,0 +1,32 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>A surface as a net of places over its parameters, for drawing: the cells between them, and which of them belong to the piece.</summary>
+/// <param name="CountU">Number of places along u.</param>
+/// <param name="CountV">Number of places along v.</param>
+/// <param name="Places">The places in millimetres, v running fastest.</param>
+/// <param name="Outside">Numbers of the cells that lie outside of the piece, ascending; cell (i, j) has the number i * (<paramref name="CountV"/> - 1) + j.</param>
+public sealed record SurfaceNet(int CountU, int CountV, IReadOnlyList<Point3> Places, IReadOnlyList<int> Outside)
+{
+    private const int CellsU = 24, CellsV = 20;
+
+    /// <summary>The net of a surface.</summary>
+    public static SurfaceNet Of(PartSurface surface)
+    {
+        ArgumentNullException.ThrowIfNull(surface);
+        return new(
+            CellsU + 1,
+            CellsV + 1,
+            [.. Parameters(surface).Select(p => surface.Spline.PointAt(p.U, p.V))],
+            [.. Enumerable.Range(0, CellsU * CellsV).Where(c => !surface.Region.Contains(At(surface.Spline.KnotsU, (c / CellsV) + 0.5, CellsU), At(surface.Spline.KnotsV, (c % CellsV) + 0.5, CellsV)))]);
+    }
+
+    /// <summary>The parameters of the places of a surface's net, in their order.</summary>
+    internal static IEnumerable<(double U, double V)> Parameters(PartSurface surface) =>
+        from i in Enumerable.Range(0, CellsU + 1)
+        from j in Enumerable.Range(0, CellsV + 1)
+        select (At(surface.Spline.KnotsU, i, CellsU), At(surface.Spline.KnotsV, j, CellsV));
+
+    private static double At(KnotVector knots, double cell, int cells) => knots.Start + ((knots.End - knots.Start) * cell / cells);
+}

@@ -1,0 +1,25 @@
+namespace ErrorMatching.Hmi;
+
+/// <summary>Values over the places of a series, such as errors over key points or figures over pieces.</summary>
+/// <param name="Labels">What each place is called.</param>
+/// <param name="Values">What is told under the finger at each place, with units.</param>
+/// <param name="Lines">The lines.</param>
+/// <param name="Bands">Limits that are shaded.</param>
+/// <param name="IsHollow">For each place whether its marks are hollow: predicted and not measured. Empty if none is.</param>
+public sealed record SeriesDrawing(IReadOnlyList<string> Labels, IReadOnlyList<string> Values, IReadOnlyList<SeriesLine> Lines, IReadOnlyList<SeriesBand> Bands, IReadOnlyList<bool> IsHollow)
+{
+    /// <summary>How much there is: half a place on either side, zero, all values and all limits.</summary>
+    public PlotBox Extent
+    {
+        get
+        {
+            if (Labels.Count == 0)
+            {
+                return PlotBox.Empty;
+            }
+
+            double[] values = [0, .. Lines.SelectMany(l => l.Values).OfType<double>(), .. Bands.SelectMany(b => new[] { b.Low, b.High })];
+            return new(-0.5, values.Min(), Labels.Count - 0.5, Math.Max(values.Max(), values.Min() + 1e-6));
+        }
+    }
+}

@@ -1,0 +1,42 @@
+using ErrorMatching.Cell;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>How well one piece fits its counterpart, without and with compensation: as measured on a counterpart that was cut with it, or as predicted until there is one.</summary>
+/// <param name="Correction">The correction that made the counterpart's program.</param>
+/// <param name="Counterpart">The measurement of the counterpart that it cut; null while it is predicted.</param>
+/// <param name="JobName">Name of the job.</param>
+/// <param name="Result">The mating errors.</param>
+/// <param name="Boundaries">The boundaries of the features.</param>
+/// <param name="IsBeforeMeasured">True if the counterpart before was measured, false if it is taken as designed.</param>
+public sealed record KeptPiece(Correction Correction, Correction? Counterpart, string JobName, VerificationResult Result, IReadOnlyList<VerifiedBoundary> Boundaries, bool IsBeforeMeasured)
+{
+    /// <summary>True if a counterpart was measured that was cut with the compensation.</summary>
+    public bool IsMeasured => Counterpart is not null;
+
+    /// <summary>The number of what was measured last.</summary>
+    public long LastId => Counterpart?.Id ?? Correction.Id;
+
+    /// <summary>True if every mating error with compensation is within its limits.</summary>
+    public bool IsWithin => Result.Points.All(p => BandOf(p.Label) is not { } band || band.Contains(p.AfterError.NormalMm));
+
+    /// <summary>The boundary that a key point is on.</summary>
+    public VerifiedBoundary? BoundaryOf(string point) => Boundaries.FirstOrDefault(b => b.Points.Any(p => p.Label == point));
+
+    /// <summary>The limits of the mating error at a key point.</summary>
+    public ToleranceBand? BandOf(string point) => BoundaryOf(point)?.ErrorBand;
+
+    /// <summary>What the report of a match says of a piece: the deviation that was decided about, and what is predicted to be left of it.</summary>
+    public static KeptPiece Predicted(Correction correction, KeptReport report)
+    {
+        ArgumentNullException.ThrowIfNull(report);
+        VerifiedPoint[] points = [.. report.Points.Select(p => new VerifiedPoint(p.Point, p.Actual, p.Actual + (-p.DecidedMm * p.Normal), p.Actual + (p.PredictedMm * p.Normal), p.Normal))];
+        var byLabel = points.ToDictionary(p => p.Label, StringComparer.Ordinal);
+        var boundaries = report.Features
+            .Select(f => new VerifiedBoundary(f.Name, new(f.LowerMm, f.UpperMm), [.. report.Points.Where(p => p.Feature == f.Name).Select(p => (p.Point, p.Theoretical))], f.Outline))
+            .ToArray();
+        return new(
+            correction, null, report.JobName, new(points, [.. boundaries.Select(b => VerifiedFeature.DeviationOf(b.Name, [.. b.Points.Select(p => byLabel[p.Label])]))]), boundaries, correction.Piece == "counterpart");
+    }
+}

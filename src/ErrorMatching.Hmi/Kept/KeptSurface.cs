@@ -1,0 +1,110 @@
+using System.Text.Json;
+using ErrorMatching.Freeform;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>
+/// The report of a compensated surface as the store keeps it (<c>errormatch/surface-compensate/1</c> and <c>errormatch/surface-displace/1</c>): the same figures as the console's, read and not computed.
+/// </summary>
+public sealed record KeptSurface
+{
+    private static readonly string[] Schemas = ["errormatch/surface-compensate/1", "errormatch/surface-displace/1"];
+
+    /// <summary>Name of the job.</summary>
+    public required string JobName { get; init; }
+
+    /// <summary>True if it was measured after finishing, false after semi-finishing.</summary>
+    public required bool IsFinished { get; init; }
+
+    /// <summary>True if each place is moved by its own error, false if all by the mean one, as by another tool radius.</summary>
+    public required bool IsMirror { get; init; }
+
+    /// <summary>The share that is compensated.</summary>
+    public required double Gain { get; init; }
+
+    /// <summary>The largest distance of the compensated surface from the nominal one, in mm.</summary>
+    public required double LargestMoveMm { get; init; }
+
+    /// <summary>True if neighboring errors are alike, false if they look like noise, null if that cannot be told.</summary>
+    public required bool? IsSystematic { get; init; }
+
+    /// <summary>What the errors come to, as measured.</summary>
+    public required DeviationStatistics Before { get; init; }
+
+    /// <summary>What mirroring is expected to leave.</summary>
+    public required DeviationStatistics Mirror { get; init; }
+
+    /// <summary>What a modified tool radius is expected to leave.</summary>
+    public required DeviationStatistics ToolRadius { get; init; }
+
+    /// <summary>Standard uncertainty of the expected error at a point, in mm.</summary>
+    public required double PointUncertaintyMm { get; init; }
+
+    /// <summary>The measured points in the order of measuring.</summary>
+    public required IReadOnlyList<KeptSurfacePoint> Points { get; init; }
+
+    /// <summary>Where the error is, and what is left of it.</summary>
+    public required ErrorMap Map { get; init; }
+
+    /// <summary>The tool path that was made; null where an existing program follows.</summary>
+    public required KeptToolPath? ToolPath { get; init; }
+
+    /// <summary>The proof of the program that follows; null where one is made.</summary>
+    public required KeptProof? Proof { get; init; }
+
+    /// <summary>What a person should know before using the program.</summary>
+    public required IReadOnlyList<string> Warnings { get; init; }
+
+    /// <summary>What the compensation that was made is expected to leave.</summary>
+    public DeviationStatistics Expected => IsMirror ? Mirror : ToolRadius;
+
+    /// <summary>Reads a report.</summary>
+    /// <returns>The report; null if it is one of another kind, or so old that it has no map.</returns>
+    public static KeptSurface? Read(ReadOnlyMemory<byte> json)
+    {
+        using var document = JsonDocument.Parse(json);
+        var root = document.RootElement;
+        if (!Schemas.Contains(root.GetProperty("schema").GetString(), StringComparer.Ordinal) || !root.TryGetProperty("map", out var map))
+        {
+            return null;
+        }
+
+        var (compensation, predicted, job) = (root.GetProperty("compensation"), root.GetProperty("predicted"), root.GetProperty("job"));
+        return new()
+        {
+            JobName = (job.ValueKind == JsonValueKind.String ? job : job.GetProperty("name")).GetString()!,
+            IsFinished = root.GetProperty("stage").GetString() == "finishing",
+            IsMirror = compensation.GetProperty("method").GetString() == "mirror",
+            Gain = compensation.GetProperty("gain").GetDouble(),
+            LargestMoveMm = Millimeters(compensation, "largestMoveUm"),
+            IsSystematic = root.GetProperty("structure").GetProperty("verdict").GetString() switch { "systematic" => true, "noise" => false, _ => null },
+            Before = Statistics(root.GetProperty("before")),
+            Mirror = Statistics(predicted.GetProperty("mirror")),
+            ToolRadius = Statistics(predicted.GetProperty("toolRadius")),
+            PointUncertaintyMm = Millimeters(predicted.GetProperty("mirror"), "pointUncertaintyUm"),
+            Points = [.. root.GetProperty("points").EnumerateArray().Select(KeptSurfacePoint.Read)],
+            Map = ReadMap(map),
+            ToolPath = root.TryGetProperty("toolpath", out var path) ? KeptToolPath.Read(path) : null,
+            Proof = root.TryGetProperty("proof", out var proof) ? KeptProof.Read(proof) : null,
+            Warnings = [.. root.GetProperty("warnings").EnumerateArray().Select(w => w.GetString()!)],
+        };
+    }
+
+    /// <summary>A length that is written in micrometres, in mm.</summary>
+    internal static double Millimeters(JsonElement json, string name) => json.GetProperty(name).GetDouble() / 1000;
+
+    private static DeviationStatistics Statistics(JsonElement json) => new(
+        json.GetProperty("count").GetInt32(), Millimeters(json, "meanUm"), Millimeters(json, "standardDeviationUm"), Millimeters(json, "profileIsoUm"), Millimeters(json, "profileRangeUm"));
+
+    private static ErrorMap ReadMap(JsonElement json)
+    {
+        double[] Numbers(string name) => [.. json.GetProperty(name).EnumerateArray().Select(v => v.GetDouble())];
+        double[] InMm(string name) => Array.ConvertAll(Numbers(name), um => um / 1000);
+        return new(
+            new(json.GetProperty("countU").GetInt32(), json.GetProperty("countV").GetInt32(), [.. Numbers("x").Zip(Numbers("y"), (x, y) => new Point3(x, y, 0))], [.. Numbers("outside").Select(c => (int)c)]),
+            InMm("errorUm"),
+            InMm("mirrorUm"),
+            InMm("toolRadiusUm"));
+    }
+}

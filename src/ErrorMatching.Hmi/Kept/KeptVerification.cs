@@ -1,0 +1,57 @@
+using System.Text.Json;
+using ErrorMatching.Geometry;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>The report of a verification as the store keeps it (<c>errormatch/verify/1</c>): the same figures as the console's <c>verify --json</c>, read and not computed.</summary>
+/// <param name="JobName">Name of the job.</param>
+/// <param name="WorkOrder">The job's work order; null if it states none.</param>
+/// <param name="Result">How well both counterparts fit the part.</param>
+/// <param name="Boundaries">The boundaries of the features.</param>
+/// <param name="IsBeforeMeasured">True if the counterpart before was measured, false if it is taken as designed.</param>
+public sealed record KeptVerification(string JobName, string? WorkOrder, VerificationResult Result, IReadOnlyList<VerifiedBoundary> Boundaries, bool IsBeforeMeasured)
+{
+    /// <summary>Reads a report.</summary>
+    /// <returns>The report; null if it is one of another kind.</returns>
+    public static KeptVerification? Read(ReadOnlyMemory<byte> json)
+    {
+        using var document = JsonDocument.Parse(json);
+        var root = document.RootElement;
+        if (root.GetProperty("schema").GetString() != VerifyReportJson.Schema)
+        {
+            return null;
+        }
+
+        var job = root.GetProperty("job");
+        return new(
+            job.GetProperty("name").GetString()!,
+            job.GetProperty("workOrder").GetString(),
+            new([.. root.GetProperty("points").EnumerateArray().Select(Point)], [.. root.GetProperty("features").EnumerateArray().Select(Feature)]),
+            [.. root.GetProperty("boundaries").EnumerateArray().Select(Boundary)],
+            root.GetProperty("beforeMeasured").GetBoolean());
+    }
+
+    private static VerifiedPoint Point(JsonElement json)
+    {
+        var part = KeptPoint.Place(json.GetProperty("part"));
+        return new(json.GetProperty("point").GetString()!, part, part + Error(json.GetProperty("before")), part + Error(json.GetProperty("after")), KeptPoint.Place(json.GetProperty("normal")) - Point2.Origin);
+    }
+
+    private static Vector2 Error(JsonElement json) => new(json.GetProperty("dx").GetDouble(), json.GetProperty("dy").GetDouble());
+
+    private static VerifiedFeature Feature(JsonElement json) => new(
+        json.GetProperty("name").GetString()!, Quantity(json.GetProperty("quantity").GetString()!), json.GetProperty("wanted").GetDouble(), json.GetProperty("before").GetDouble(), json.GetProperty("after").GetDouble());
+
+    private static VerifiedQuantity Quantity(string word) => Enum.GetValues<VerifiedQuantity>().First(q => ReportWords.Of(q) == word);
+
+    private static VerifiedBoundary Boundary(JsonElement json)
+    {
+        var band = json.GetProperty("toleranceMm");
+        return new(
+            json.GetProperty("name").GetString()!,
+            new(band[0].GetDouble(), band[1].GetDouble()),
+            [.. json.GetProperty("points").EnumerateArray().Select(p => (p.GetProperty("point").GetString()!, KeptPoint.Place(p.GetProperty("theoretical"))))],
+            [.. json.GetProperty("outline").EnumerateArray().Select(KeptPoint.Place)]);
+    }
+}

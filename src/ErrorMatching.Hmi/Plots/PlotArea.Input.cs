@@ -1,0 +1,191 @@
+using Avalonia;
+using Avalonia.Automation;
+using Avalonia.Controls;
+using Avalonia.Data;
+using Avalonia.Input;
+using Avalonia.Markup.Xaml.MarkupExtensions;
+using Avalonia.Media;
+
+namespace ErrorMatching.Hmi;
+
+/// <content>Fingers, pointer, wheel and keys.</content>
+public abstract partial class PlotArea
+{
+    // What a finger does before it drags, and half of what it covers, in units of the screen.
+    private const double Still = 8, Reach = 28;
+    private const double Step = 1.5, WheelStep = 1.25, KeyShare = 0.125;
+
+    private readonly Dictionary<int, Point> _fingers = [];
+    private Point _pressed;
+    private bool _hasMoved;
+
+    /// <inheritdoc/>
+    protected override void OnPointerPressed(PointerPressedEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerPressed(e);
+        Focus();
+        var at = e.GetPosition(this);
+        if (_fingers.Count == 0)
+        {
+            (_pressed, _hasMoved) = (at, false);
+        }
+
+        _fingers[e.Pointer.Id] = at;
+        e.Pointer.Capture(this);
+        e.PreventGestureRecognition();
+        e.Handled = true;
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPointerMoved(PointerEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerMoved(e);
+        if (!_fingers.TryGetValue(e.Pointer.Id, out var before))
+        {
+            return;
+        }
+
+        var at = e.GetPosition(this);
+        if (_fingers.Count > 1)
+        {
+            // Two fingers: what lies under both stays under both, as far as one scale allows.
+            var other = _fingers.First(f => f.Key != e.Pointer.Id).Value;
+            _hasMoved = true;
+            var (was, now) = (Point.Distance(before, other), Point.Distance(at, other));
+            Pan((at - before) / 2);
+            if (was > Still && now > Still)
+            {
+                Zoom(now / was, (at + other) / 2);
+            }
+        }
+        else if (_hasMoved || Point.Distance(at, _pressed) > Still)
+        {
+            Pan(at - (_hasMoved ? before : _pressed));
+            _hasMoved = true;
+        }
+
+        _fingers[e.Pointer.Id] = at;
+        e.Handled = true;
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPointerReleased(PointerReleasedEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerReleased(e);
+        if (_fingers.Remove(e.Pointer.Id) && _fingers.Count == 0 && !_hasMoved)
+        {
+            var at = e.GetPosition(this);
+            AskFor(DatumNear(new(at.X, at.Y), Reach));
+        }
+
+        e.Handled = true;
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPointerCaptureLost(PointerCaptureLostEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerCaptureLost(e);
+        _fingers.Remove(e.Pointer.Id);
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPointerWheelChanged(PointerWheelEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerWheelChanged(e);
+        Zoom(Math.Pow(WheelStep, e.Delta.Y), e.GetPosition(this));
+        e.Handled = true;
+    }
+
+    /// <inheritdoc/>
+    protected override void OnKeyDown(KeyEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnKeyDown(e);
+        e.Handled = e.KeyModifiers == KeyModifiers.None || e.KeyModifiers == KeyModifiers.Shift ? Do(e.Key) : e.Handled;
+    }
+
+    private bool Do(Key key)
+    {
+        var (x, y) = (KeyShare * Bounds.Width, KeyShare * Bounds.Height);
+        switch (key)
+        {
+            case Key.Left:
+                Pan(new(x, 0));
+                return true;
+            case Key.Right:
+                Pan(new(-x, 0));
+                return true;
+            case Key.Up:
+                Pan(new(0, y));
+                return true;
+            case Key.Down:
+                Pan(new(0, -y));
+                return true;
+            case Key.Add or Key.OemPlus:
+                ZoomStep(1);
+                return true;
+            case Key.Subtract or Key.OemMinus:
+                ZoomStep(-1);
+                return true;
+            case Key.D0 or Key.NumPad0:
+                ShowAll();
+                return true;
+            case Key.Space:
+                AskFor(DatumNear(new(Bounds.Width / 2, Bounds.Height / 2), double.PositiveInfinity));
+                return true;
+            case Key.PageDown or Key.PageUp when DatumCount > 0:
+                var next = (_datum?.Index ?? (key == Key.PageDown ? -1 : DatumCount)) + (key == Key.PageDown ? 1 : -1);
+                AskFor(DatumAt(Math.Clamp(next, 0, DatumCount - 1)));
+                return true;
+            default:
+                return false;
+        }
+    }
+
+    private void AskFor(PlotDatum? datum)
+    {
+        Ask(datum);
+        if (datum is not null)
+        {
+            OnAsked(datum);
+        }
+    }
+
+    private void ZoomStep(int steps) => Zoom(Math.Pow(Step, steps), new Point(Bounds.Width / 2, Bounds.Height / 2));
+
+    private static Button MakeButton(string text, string icon, Action act)
+    {
+        var button = new Button
+        {
+            Classes = { "plot" },
+            Content = new Avalonia.Controls.Shapes.Path { Classes = { "icon" }, [!Avalonia.Controls.Shapes.Path.DataProperty] = new DynamicResourceExtension("Icon." + icon) },
+            [!AutomationProperties.NameProperty] = new ReflectionBinding($"[{text}]") { Source = Texts.Current, Mode = BindingMode.OneWay },
+        };
+        button.Click += (_, _) => act();
+        return button;
+    }
+
+    // A cross through the datum from border to border, and a box with its values beside it, where there is room.
+    private void Crosshair(DrawingContext context, PlotDatum datum)
+    {
+        const double Away = 12, Padding = 8, Ring = 6, Thin = 1, Thick = 2;
+        var at = View.ToScreen(datum.At);
+        var (x, y) = (at.X, at.Y);
+        var pen = new Pen(Rule, Thin);
+        context.DrawLine(pen, new Point(x, 0), new Point(x, Bounds.Height));
+        context.DrawLine(pen, new Point(0, y), new Point(Bounds.Width, y));
+        context.DrawEllipse(null, new Pen(Ink, Thick), new Point(x, y), Ring, Ring);
+        var text = Label(datum.Text);
+        var (width, height) = (text.Width + (2 * Padding), text.Height + (2 * Padding));
+        var left = x + Away + width <= Bounds.Width - _buttons.Bounds.Width ? x + Away : x - Away - width;
+        var top = y - Away - height >= 0 ? y - Away - height : y + Away;
+        var box = new Rect(Math.Clamp(left, 0, Math.Max(0, Bounds.Width - width)), Math.Clamp(top, 0, Math.Max(0, Bounds.Height - height)), width, height);
+        context.DrawRectangle(Ground, new Pen(Ink, Thin), box);
+        context.DrawText(text, box.TopLeft + new Point(Padding, Padding));
+    }
+}

@@ -1,0 +1,250 @@
+using Avalonia;
+using Avalonia.Automation;
+using Avalonia.Controls;
+using Avalonia.Layout;
+using Avalonia.Media;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>
+/// A drawing in units of its own that is looked at closely: fit, nearer and further (wheel, two fingers, buttons, plus and minus), moved by dragging or by the arrows, with exact values under the finger.
+/// </summary>
+/// <remarks>
+/// What derives from it says how much there is (<see cref="Extent"/>), draws what a <see cref="PlotView"/> shows of it (<see cref="Draw"/>), and what is near a place (<see cref="DatumNear"/>); it calls <see cref="Renew"/> when its data
+/// are others. The data themselves belong to view models. Keys: arrows move, plus and minus zoom, 0 shows all, space asks for the values nearest to the middle, page up and down go to the datum before and behind.
+/// </remarks>
+public abstract partial class PlotArea : Control
+{
+    /// <summary>Labels.</summary>
+    public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<PlotArea, IBrush?>(nameof(Ink));
+
+    /// <summary>Rules, frames, and the crosshair.</summary>
+    public static readonly StyledProperty<IBrush?> RuleProperty = AvaloniaProperty.Register<PlotArea, IBrush?>(nameof(Rule));
+
+    /// <summary>What it is drawn on.</summary>
+    public static readonly StyledProperty<IBrush?> GroundProperty = AvaloniaProperty.Register<PlotArea, IBrush?>(nameof(Ground));
+
+    /// <summary>Size of the labels.</summary>
+    public static readonly StyledProperty<double> LabelSizeProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(LabelSize), 14);
+
+    /// <summary>Room around what is drawn when all is shown.</summary>
+    public static readonly StyledProperty<double> AroundProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(Around), 28);
+
+    /// <summary>The exact values under the finger; null while none are asked for.</summary>
+    public static readonly DirectProperty<PlotArea, string?> ValuesProperty = AvaloniaProperty.RegisterDirect<PlotArea, string?>(nameof(Values), p => p.Values);
+
+    private readonly StackPanel _buttons;
+    private PlotDatum? _datum;
+    private PlotView _view;
+    private PlotView _whole;
+
+    static PlotArea()
+    {
+        AffectsRender<PlotArea>(InkProperty, RuleProperty, GroundProperty, LabelSizeProperty, BoundsProperty);
+        FocusableProperty.OverrideDefaultValue<PlotArea>(true);
+        ClipToBoundsProperty.OverrideDefaultValue<PlotArea>(true);
+    }
+
+    /// <summary>A plot with its buttons.</summary>
+    protected PlotArea()
+    {
+        _buttons = new StackPanel { Classes = { "near" }, HorizontalAlignment = HorizontalAlignment.Right, VerticalAlignment = VerticalAlignment.Top };
+        _buttons.Children.AddRange([MakeButton("Plot.Nearer", "plus", () => ZoomStep(1)), MakeButton("Plot.Further", "minus", () => ZoomStep(-1)), MakeButton("Plot.All", "all", ShowAll)]);
+        LogicalChildren.Add(_buttons);
+        VisualChildren.Add(_buttons);
+    }
+
+    /// <summary>Labels.</summary>
+    public IBrush? Ink
+    {
+        get => GetValue(InkProperty);
+        set => SetValue(InkProperty, value);
+    }
+
+    /// <summary>Rules, frames, and the crosshair.</summary>
+    public IBrush? Rule
+    {
+        get => GetValue(RuleProperty);
+        set => SetValue(RuleProperty, value);
+    }
+
+    /// <summary>What it is drawn on.</summary>
+    public IBrush? Ground
+    {
+        get => GetValue(GroundProperty);
+        set => SetValue(GroundProperty, value);
+    }
+
+    /// <summary>Size of the labels.</summary>
+    public double LabelSize
+    {
+        get => GetValue(LabelSizeProperty);
+        set => SetValue(LabelSizeProperty, value);
+    }
+
+    /// <summary>Room around what is drawn when all is shown.</summary>
+    public double Around
+    {
+        get => GetValue(AroundProperty);
+        set => SetValue(AroundProperty, value);
+    }
+
+    /// <summary>The exact values under the finger; null while none are asked for.</summary>
+    public string? Values => _datum?.Text;
+
+    /// <summary>The datum that was asked for; null while none is.</summary>
+    protected PlotDatum? Asked => _datum;
+
+    /// <summary>What is seen.</summary>
+    public PlotView View
+    {
+        get => _view;
+        private set
+        {
+            if (_view != value)
+            {
+                _view = value;
+                InvalidateVisual();
+            }
+        }
+    }
+
+    /// <summary>True while all is seen.</summary>
+    public bool ShowsAll => _view == _whole;
+
+    /// <summary>How much there is to be seen; an empty box if there is nothing.</summary>
+    protected abstract PlotBox Extent { get; }
+
+    /// <summary>True if both directions have the same scale.</summary>
+    protected virtual bool IsTrueToScale => true;
+
+    /// <summary>How many data there are that can be asked for one after the other.</summary>
+    protected virtual int DatumCount => 0;
+
+    /// <summary>Shows all there is.</summary>
+    public void ShowAll()
+    {
+        // The buttons hide nothing of it.
+        var buttons = _buttons.Bounds.Width;
+        _whole = PlotView.Fit(Extent, Math.Max(Bounds.Width - buttons, 1), Bounds.Height, Around, IsTrueToScale);
+        _whole = (_whole with { Width = Bounds.Width }).Pan(new(-buttons / 2, 0));
+        View = _whole;
+    }
+
+    /// <summary>Nearer or further; the place under a point of the screen stays there.</summary>
+    public void Zoom(double factor, Point about)
+    {
+        // Not further than to a quarter of all, and not nearer than a micrometer of a meter takes.
+        var (least, most) = (_whole.ScaleX / 4, _whole.ScaleX * 1000);
+        View = Kept(View.Zoom(Math.Clamp(View.ScaleX * factor, least, most) / View.ScaleX, new(about.X, about.Y)));
+    }
+
+    /// <summary>Moves what is seen, in units of the screen.</summary>
+    public void Pan(Vector by) => View = Kept(View.Pan(new(by.X, by.Y)));
+
+    /// <summary>Shows the values of a datum with a crosshair, and moves there if it is not seen; null shows none.</summary>
+    public void Ask(PlotDatum? datum)
+    {
+        var old = Values;
+        _datum = datum;
+        if (datum is not null && !View.Seen.Contains(datum.At))
+        {
+            View = View with { Middle = datum.At };
+        }
+
+        RaisePropertyChanged(ValuesProperty, old, Values);
+        AutomationProperties.SetHelpText(this, Values ?? "");
+        InvalidateVisual();
+    }
+
+    /// <inheritdoc/>
+    public sealed override void Render(DrawingContext context)
+    {
+        ArgumentNullException.ThrowIfNull(context);
+        context.FillRectangle(Ground ?? Brushes.Transparent, new Rect(Bounds.Size));
+        if (Extent.IsEmpty || Bounds.Width < 1 || Bounds.Height < 1)
+        {
+            return;
+        }
+
+        Draw(context, View);
+        if (_datum is { } datum)
+        {
+            Crosshair(context, datum);
+        }
+    }
+
+    /// <summary>Draws what is seen.</summary>
+    /// <param name="context">Where to draw, in units of the screen; it is cut off at the border.</param>
+    /// <param name="view">Where what is.</param>
+    protected abstract void Draw(DrawingContext context, PlotView view);
+
+    /// <summary>What is nearest to a point of the screen; null if nothing is within reach.</summary>
+    /// <param name="screen">Where the finger is.</param>
+    /// <param name="reach">How far it may be, in units of the screen.</param>
+    protected virtual PlotDatum? DatumNear(Point2 screen, double reach) => null;
+
+    /// <summary>A datum by its number, from 0.</summary>
+    protected virtual PlotDatum? DatumAt(int index) => null;
+
+    /// <summary>Called when a person has asked for a datum.</summary>
+    protected virtual void OnAsked(PlotDatum datum)
+    {
+        // Who wants to know says so.
+    }
+
+    /// <summary>Moves what is seen to a box, if nothing of it is seen.</summary>
+    protected void Reveal(PlotBox box)
+    {
+        if (!box.IsEmpty && !box.Touches(View.Seen))
+        {
+            View = View with { Middle = box.Middle };
+        }
+    }
+
+    /// <summary>Says that the data are others. Whoever sees all goes on seeing all; whoever looks closely goes on looking there, as long as there is something.</summary>
+    protected void Renew()
+    {
+        var (isWhole, view) = (ShowsAll, View);
+        Ask(null);
+        ShowAll();
+        if (!isWhole && Extent.Touches(view.Seen))
+        {
+            View = view;
+        }
+
+        InvalidateVisual();
+    }
+
+    /// <summary>A label in the plot's ink.</summary>
+    protected FormattedText Label(string text, bool isStrong = false) => new(
+        text, System.Globalization.CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(FontFamily.Default, FontStyle.Normal, isStrong ? FontWeight.SemiBold : FontWeight.Normal), LabelSize, Ink);
+
+    // The drawing cannot be lost: its box holds the middle of the view.
+    private PlotView Kept(PlotView view) => Extent is { IsEmpty: false } extent
+        ? view with { Middle = new(Math.Clamp(view.Middle.X, extent.Left, extent.Right), Math.Clamp(view.Middle.Y, extent.Low, extent.High)) }
+        : view;
+
+    /// <inheritdoc/>
+    protected override void OnSizeChanged(SizeChangedEventArgs e)
+    {
+        base.OnSizeChanged(e);
+        var (isWhole, view) = (ShowsAll, View);
+        ShowAll();
+        if (!isWhole)
+        {
+            View = view with { Width = Bounds.Width, Height = Bounds.Height };
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnAttachedToVisualTree(VisualTreeAttachmentEventArgs e)
+    {
+        base.OnAttachedToVisualTree(e);
+        foreach (var (button, part) in _buttons.Children.Zip(["nearer", "further", "all"]))
+        {
+            AutomationProperties.SetAutomationId(button, $"{AutomationProperties.GetAutomationId(this)}-{part}");
+        }
+    }
+}

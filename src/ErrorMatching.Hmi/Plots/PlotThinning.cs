@@ -1,0 +1,84 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>As few points of a line as the screen can tell apart: what lies in one column of pixels becomes its first, lowest, highest and last point, and what is not seen is left out.</summary>
+/// <remarks>A line of 100,000 points over 1,000 pixels becomes one of at most 4,000, and no pixel of it is drawn elsewhere than before by more than its own width.</remarks>
+public sealed class PlotThinning
+{
+    // Lines go on so far beyond the border, so that their ends and joins are not seen.
+    private const double Beyond = 16;
+
+    private readonly PlotView _view;
+    private readonly PlotBox _seen;
+    private readonly List<(Point2 At, bool Begins)> _points = [];
+    private Point2? _end;
+    private (Point2 First, Point2 Low, Point2 High, Point2 Last, bool LowFirst)? _column;
+
+    private PlotThinning(PlotView view) => (_view, _seen) = (view, new(-Beyond, -Beyond, view.Width + Beyond, view.Height + Beyond));
+
+    /// <summary>The points of a line that are drawn, in units of the screen; one that begins is not joined to the one before.</summary>
+    /// <param name="line">The line in the plot's units; a point that is no finite number interrupts it.</param>
+    /// <param name="view">What is seen.</param>
+    public static IReadOnlyList<(Point2 At, bool Begins)> Of(IReadOnlyList<Point2> line, PlotView view)
+    {
+        ArgumentNullException.ThrowIfNull(line);
+        var thinning = new PlotThinning(view);
+        for (var i = 0; i < line.Count; i++)
+        {
+            thinning.Add(line[i]);
+        }
+
+        thinning.EndColumn();
+        return thinning._points;
+    }
+
+    private void Add(Point2 place)
+    {
+        if (!place.IsFinite)
+        {
+            EndColumn();
+            _end = null;
+            return;
+        }
+
+        var at = _view.ToScreen(place);
+        if (_column is { } c && Math.Floor(c.First.X) == Math.Floor(at.X))
+        {
+            var (isLower, isHigher) = (at.Y < c.Low.Y, at.Y > c.High.Y);
+            _column = (c.First, isLower ? at : c.Low, isHigher ? at : c.High, at, isHigher || (!isLower && c.LowFirst));
+            return;
+        }
+
+        EndColumn();
+        _column = (at, at, at, at, true);
+    }
+
+    private void EndColumn()
+    {
+        if (_column is { } c)
+        {
+            var (one, other) = c.LowFirst ? (c.Low, c.High) : (c.High, c.Low);
+            To(c.First);
+            To(one);
+            To(other);
+            To(c.Last);
+            _column = null;
+        }
+    }
+
+    private void To(Point2 at)
+    {
+        if (_end is { } from && from != at && _seen.PartOf(from, at) is var (a, b))
+        {
+            if (_points.Count == 0 || _points[^1].At != a)
+            {
+                _points.Add((a, true));
+            }
+
+            _points.Add((b, false));
+        }
+
+        _end = at;
+    }
+}

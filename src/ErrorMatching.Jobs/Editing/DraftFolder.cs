@@ -1,0 +1,89 @@
+using System.Security.Cryptography;
+using System.Text;
+using System.Text.Json;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>The folder where unsaved changes of jobs are kept, so that they outlive a crash: a file a job, and the programs that were imported, each written whole or not at all.</summary>
+/// <param name="folder">The folder. It is made when something is kept.</param>
+public sealed class DraftFolder(string folder)
+{
+    private const long MostBytes = 64L << 20;
+
+    /// <summary>Keeps unsaved changes in place of earlier ones of the same job.</summary>
+    /// <exception cref="OutputException">They cannot be written.</exception>
+    public void Keep(KeptDraft kept)
+    {
+        ArgumentNullException.ThrowIfNull(kept);
+        if (kept.Draft.Program is { } program && !File.Exists(ProgramFile(kept.Job, program.Sha256)))
+        {
+            OutputFile.Write(ProgramFile(kept.Job, program.Sha256), program.Bytes, [], CancellationToken.None);
+        }
+
+        OutputFile.Write(DraftFile(kept.Job), JsonSerializer.SerializeToUtf8Bytes(kept, DraftJson.Options), [], CancellationToken.None);
+    }
+
+    /// <summary>The unsaved changes of a job.</summary>
+    /// <returns>The changes; null if there are none.</returns>
+    /// <exception cref="InputException">They cannot be read, or are none.</exception>
+    public KeptDraft? Find(string job)
+    {
+        var file = DraftFile(job);
+        if (!File.Exists(file))
+        {
+            return null;
+        }
+
+        return InputFile.Open(file, _ =>
+        {
+            try
+            {
+                var kept = JsonSerializer.Deserialize<KeptDraft>(InputFile.Bytes(file, MostBytes), DraftJson.Options) is { } k && k.Job == job && k.Draft.IsWhole ? k : throw new IOException("It holds no unsaved changes of this job");
+                return kept.Draft.Program is { } program ? kept with { Draft = kept.Draft with { Program = Read(job, program) } } : kept;
+            }
+            catch (JsonException e)
+            {
+                throw new IOException("It holds no unsaved changes: " + e.Message, e);
+            }
+        });
+    }
+
+    /// <summary>Forgets the unsaved changes of a job, if there are any.</summary>
+    /// <exception cref="OutputException">They cannot be removed.</exception>
+    public void Forget(string job)
+    {
+        if (!Directory.Exists(folder))
+        {
+            return;
+        }
+
+        try
+        {
+            foreach (var file in Directory.EnumerateFiles(folder, Name(job) + ".*"))
+            {
+                File.Delete(file);
+            }
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw new OutputException(OutputException.Unwritable, folder, $"{folder} cannot be cleared: {e.Message}", e);
+        }
+    }
+
+    private static DraftProgram Read(string path, string sha256)
+    {
+        var program = DraftProgram.Of(InputFile.Program(path));
+        return program.Sha256 == sha256 ? program : throw new IOException("The imported program is not the one that was kept");
+    }
+
+    private DraftProgram Read(string job, DraftProgram program) => program.Sha256.All(char.IsAsciiLetterOrDigit)
+        ? Read(ProgramFile(job, program.Sha256), program.Sha256)
+        : throw new IOException("The imported program has no hash");
+
+    private string DraftFile(string job) => Path.Combine(folder, Name(job) + ".draft.json");
+
+    private string ProgramFile(string job, string sha256) => Path.Combine(folder, $"{Name(job)}.{sha256}.nc");
+
+    // Names of jobs may hold what names of files must not.
+    private static string Name(string job) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(job)))[..16];
+}

@@ -1,0 +1,22 @@
+using System.Text.RegularExpressions;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>Numbers as people type them.</summary>
+internal static partial class DraftNumber
+{
+    /// <summary>The number as JSON writes it: a plus sign, zeros in front and a bare decimal sign are gone, digits stay. Null for what is no number.</summary>
+    public static string? Json(string text)
+    {
+        if (Form().Match(text.Trim()) is not { Success: true } match)
+        {
+            return null;
+        }
+
+        var (whole, decimals) = (match.Groups["whole"].Value.TrimStart('0'), match.Groups["decimals"].Value);
+        return (match.Groups["sign"].ValueSpan is "-" or "\u2212" ? "-" : "") + (whole.Length > 0 ? whole : "0") + (decimals.Length > 0 ? "." + decimals : "") + match.Groups["power"].Value;
+    }
+
+    [GeneratedRegex(@"^(?<sign>[-+\u2212]?)(?=[0-9]|\.[0-9])(?<whole>[0-9]*)(\.(?<decimals>[0-9]*))?(?<power>([eE][-+]?[0-9]+)?)$", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Form();
+}

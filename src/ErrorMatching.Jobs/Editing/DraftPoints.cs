@@ -1,0 +1,103 @@
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>What is wrong with the theoretical points of a draft, by the reader of their file.</summary>
+internal static class DraftPoints
+{
+    private const string File = "theoretical.csv";
+
+    /// <summary>Reads the points.</summary>
+    /// <param name="draft">The draft.</param>
+    /// <param name="job">Its job; null while something is wrong with it.</param>
+    /// <param name="problems">Takes what is wrong.</param>
+    /// <returns>The points; null while something is wrong with them.</returns>
+    public static MeasurementFile? Check(MatingDraft draft, MatingJob? job, List<DraftProblem> problems)
+    {
+        var points = draft.Points.ToArray();
+        if (points.Length == 0)
+        {
+            // That features are missing is said already.
+            return null;
+        }
+
+        MeasurementFile file;
+        try
+        {
+            file = MeasurementReader.Read(MatingDraftFiles.Theoretical(points), File, MeasurementFormat.Points);
+        }
+        catch (MeasurementException e)
+        {
+            Explain(draft, points, e, problems);
+            return null;
+        }
+
+        if (job is not null)
+        {
+            var count = problems.Count;
+            Require(file, draft.Alignment.Kind == "datum" ? draft.Alignment.Origin : "", "$.alignment.origin", problems);
+            Require(file, draft.Alignment.Kind == "datum" ? draft.Alignment.Direction : "", "$.alignment.direction", problems);
+            Require(file, draft.OriginPoint, "$.originCheck.point", problems);
+            if (problems.Count == count)
+            {
+                Require(file, job.KeyPoints, "$.part.theoretical", problems);
+            }
+        }
+
+        return file;
+    }
+
+    // A reader stops at the first mistake of a file. So that each is found, each field is read in a file where everything else is right.
+    private static void Explain(MatingDraft draft, PointDraft[] points, MeasurementException whole, List<DraftProblem> problems)
+    {
+        var (labels, hasZ, count) = (DraftPaths.Labels(draft).ToArray(), points.Any(p => !string.IsNullOrWhiteSpace(p.Z)), problems.Count);
+        for (var i = 0; i < points.Length; i++)
+        {
+            Try(new(points[i].Label, "0", "0"), labels[i], problems);
+            Try(new("1", points[i].X, "0"), DraftPaths.Coordinate(labels[i], "x"), problems);
+            Try(new("1", "0", points[i].Y), DraftPaths.Coordinate(labels[i], "y"), problems);
+            if (hasZ)
+            {
+                Try(new("1", "0", "0", points[i].Z), DraftPaths.Coordinate(labels[i], "z"), problems);
+            }
+        }
+
+        if (problems.Count == count)
+        {
+            // Something between the rows, such as one label twice.
+            problems.Add(new(whole.Line is { } line and >= 2 && line - 2 < labels.Length ? labels[line - 2] : "$.part.theoretical", whole.Code, whole.Found, whole.Problem));
+        }
+    }
+
+    private static void Try(PointDraft point, string field, List<DraftProblem> problems)
+    {
+        try
+        {
+            _ = MeasurementReader.Read(MatingDraftFiles.Theoretical([point]), File, MeasurementFormat.Points);
+        }
+        catch (MeasurementException e)
+        {
+            // The job's reader may have refused the same label.
+            if (!problems.Exists(p => p.Field == field))
+            {
+                problems.Add(new(field, e.Code, e.Found, e.Problem));
+            }
+        }
+    }
+
+    private static void Require(MeasurementFile file, string label, string field, List<DraftProblem> problems) =>
+        Require(file, string.IsNullOrWhiteSpace(label) ? [] : [label.Trim()], field, problems);
+
+    private static void Require(MeasurementFile file, IEnumerable<string> labels, string field, List<DraftProblem> problems)
+    {
+        try
+        {
+            file.Require(labels);
+        }
+        catch (MeasurementException e)
+        {
+            problems.Add(new(field, e.Code, e.Found, e.Problem));
+        }
+    }
+}

@@ -1,0 +1,18 @@
+using System.Security.Cryptography;
+using System.Text.Json.Serialization;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>A program that was imported into a draft.</summary>
+public sealed record DraftProgram
+{
+    /// <summary>SHA-256 of its bytes as 64 lower-case hexadecimal digits.</summary>
+    public required string Sha256 { get; init; }
+
+    /// <summary>Its bytes.</summary>
+    [JsonIgnore]
+    public ReadOnlyMemory<byte> Bytes { get; init; }
+
+    /// <summary>The program of some bytes.</summary>
+    public static DraftProgram Of(ReadOnlyMemory<byte> bytes) => new() { Sha256 = Convert.ToHexStringLower(SHA256.HashData(bytes.Span)), Bytes = bytes };
+}

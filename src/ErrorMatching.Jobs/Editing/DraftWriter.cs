@@ -1,0 +1,200 @@
+using System.Globalization;
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json.Nodes;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>Writes a draft as a job. What is no number is written as text, so that the job's reader says what is wrong with it and where.</summary>
+internal sealed class DraftWriter(MatingDraft draft)
+{
+    private static readonly System.Text.Json.JsonSerializerOptions Plain = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+
+    /// <summary>The job's file: a key a line, a feature a line.</summary>
+    public byte[] Job()
+    {
+        var root = new JsonObject();
+        Optional(root, "$schema", draft.SchemaUri);
+        root["kind"] = "mating";
+        root["name"] = draft.Name.Trim();
+        Optional(root, "workOrder", draft.WorkOrder);
+        root["part"] = new JsonObject { ["theoretical"] = draft.TheoreticalFile.Trim(), ["measured"] = draft.MeasuredFile.Trim() };
+        root["gauge"] = Gauge();
+        root["alignment"] = Alignment();
+        if (HasText(draft.OriginPoint) || HasText(draft.OriginLimit))
+        {
+            root["originCheck"] = new JsonObject { ["point"] = draft.OriginPoint.Trim(), ["limitMm"] = Number(draft.OriginLimit) };
+        }
+
+        root["features"] = List(draft.Features, Feature);
+        root["counterpart"] = Counterpart();
+        root["compensation"] = Compensation();
+        if (draft.Chain.Count > 0)
+        {
+            root["toleranceChain"] = List(draft.Chain, l => new JsonObject { ["name"] = l.Name.Trim(), ["nominalMm"] = Number(l.Nominal), ["toleranceMm"] = new JsonArray(Number(l.Lower), Number(l.Upper)), ["sign"] = Number(l.Sign) });
+        }
+
+        Raw(root, "recognition", draft.RecognitionJson);
+        if (draft.Comparisons.Count > 0)
+        {
+            root["verify"] = List(draft.Comparisons, c => new JsonObject { ["name"] = c.Name.Trim(), ["quantity"] = c.Quantity, [c.Quantity == "angle" ? "between" : "points"] = Texts(DraftList.Names(c.Of)) });
+        }
+
+        return Encoding.UTF8.GetBytes(Lines(root));
+    }
+
+    private JsonObject Gauge()
+    {
+        var g = draft.Gauge;
+        var gauge = new JsonObject();
+        if (HasText(g.FormatJson))
+        {
+            Raw(gauge, "format", g.FormatJson);
+        }
+        else
+        {
+            gauge["format"] = g.Format.Trim();
+        }
+
+        gauge["uncertaintyMm"] = g.Contributions.Count == 0 ? Number(g.Uncertainty) : List(g.Contributions, c => new JsonObject { ["name"] = c.Name.Trim(), ["valueMm"] = Number(c.Value) });
+        gauge["reports"] = g.Reports;
+        OptionalNumber(gauge, "stylusDiameterMm", g.StylusDiameter);
+        var measuring = new JsonObject();
+        OptionalNumber(measuring, "probingSpeedMmPerS", g.ProbingSpeed);
+        OptionalNumber(measuring, "probingDistanceMm", g.ProbingDistance);
+        OptionalNumber(measuring, "calculatingS", g.Calculating);
+        OptionalNumber(measuring, "touches", g.Touches);
+        if (measuring.Count > 0)
+        {
+            gauge["measuring"] = measuring;
+        }
+
+        return gauge;
+    }
+
+    private JsonObject Alignment()
+    {
+        var (a, alignment) = (draft.Alignment, new JsonObject { ["kind"] = draft.Alignment.Kind });
+        switch (a.Kind)
+        {
+            case "datum":
+                (alignment["origin"], alignment["direction"]) = (a.Origin.Trim(), a.Direction.Trim());
+                break;
+            case "best-fit" when a.LockX || a.LockY || a.LockRotation:
+                alignment["locked"] = Texts(new[] { a.LockX ? "x" : "", a.LockY ? "y" : "", a.LockRotation ? "rotation" : "" }.Where(l => l.Length > 0));
+                break;
+            default:
+                break;
+        }
+
+        return alignment;
+    }
+
+    private static JsonObject Feature(FeatureDraft f)
+    {
+        var feature = new JsonObject
+        {
+            ["name"] = f.Name.Trim(),
+            ["kind"] = WordOf(f.Kind),
+            ["points"] = f.Kind == FeatureKind.Triangle ? List(f.Flanks, k => Texts(k.Select(p => p.Label.Trim()))) : Texts(f.Points.Select(p => p.Label.Trim())),
+            ["blocks"] = Texts(DraftList.Blocks(f.Blocks)),
+            ["toleranceMm"] = f.Tolerance == FeatureDraft.Stated ? new JsonArray(Number(f.Lower), Number(f.Upper)) : f.Tolerance,
+        };
+        if (f.Plane != "XY")
+        {
+            feature["plane"] = f.Plane;
+        }
+
+        switch (f.Kind)
+        {
+            case FeatureKind.Line:
+                feature["method"] = f.Method;
+                break;
+            case FeatureKind.Curve:
+                OptionalNumber(feature, "degree", f.Degree);
+                OptionalNumber(feature, "ridge", f.Ridge);
+                break;
+            default:
+                break;
+        }
+
+        return feature;
+    }
+
+    private JsonObject Counterpart()
+    {
+        var c = draft.Counterpart;
+        var counterpart = new JsonObject { ["program"] = c.Program.Trim(), ["dialect"] = c.Dialect.Trim(), ["toolDiameterMm"] = Number(c.ToolDiameter) };
+        Optional(counterpart, "measured", c.Measured);
+        var frame = new JsonObject { ["mirror"] = c.Mirror };
+        OptionalNumber(frame, "rotateDeg", c.Rotate);
+        if (HasText(c.TranslateX) || HasText(c.TranslateY))
+        {
+            frame["translateMm"] = new JsonArray(Number(c.TranslateX), Number(c.TranslateY));
+        }
+
+        counterpart["frame"] = frame;
+        OptionalNumber(counterpart, "mapMm", c.Map);
+        return counterpart;
+    }
+
+    private JsonObject Compensation()
+    {
+        var (c, compensation) = (draft.Compensation, new JsonObject { ["from"] = draft.Compensation.From });
+        OptionalNumber(compensation, "gain", c.Gain);
+        (compensation["amount"], compensation["along"]) = (c.Amount, c.Along);
+        OptionalNumber(compensation, "limitMm", c.Limit);
+        return compensation;
+    }
+
+    /// <summary>The word of a kind.</summary>
+    internal static string WordOf(FeatureKind kind) => kind switch { FeatureKind.Line => "line", FeatureKind.Triangle => "triangle", _ => "curve" };
+
+    private static bool HasText(string text) => !string.IsNullOrWhiteSpace(text);
+
+    private static JsonNode Number(string text) => DraftNumber.Json(text) is { } number ? JsonNode.Parse(number)! : JsonValue.Create(text.Trim());
+
+    private static void Optional(JsonObject to, string key, string text)
+    {
+        if (HasText(text))
+        {
+            to[key] = text.Trim();
+        }
+    }
+
+    private static void OptionalNumber(JsonObject to, string key, string text)
+    {
+        if (HasText(text))
+        {
+            to[key] = Number(text);
+        }
+    }
+
+    private static void Raw(JsonObject to, string key, string json)
+    {
+        if (HasText(json))
+        {
+            to[key] = JsonNode.Parse(json);
+        }
+    }
+
+    private static JsonArray Texts(IEnumerable<string> texts) => new([.. texts.Select(t => (JsonNode)JsonValue.Create(t))]);
+
+    private static JsonArray List<T>(IEnumerable<T> items, Func<T, JsonNode> of) => new([.. items.Select(of)]);
+
+    private static string Lines(JsonObject root) => "{\n" + string.Join(",\n", root.Select(m => string.Create(CultureInfo.InvariantCulture, $"  {Text(m.Key)}: {Value(m.Value!)}"))) + "\n}\n";
+
+    private static string Value(JsonNode value) => value is JsonArray { Count: > 0 } list && list[0] is JsonObject
+        ? "[\n" + string.Join(",\n", list.Select(i => "    " + OneLine(i!))) + "\n  ]"
+        : OneLine(value);
+
+    private static string OneLine(JsonNode value) => value switch
+    {
+        JsonObject o => "{ " + string.Join(", ", o.Select(m => $"{Text(m.Key)}: {OneLine(m.Value!)}")) + " }",
+        JsonArray a => "[" + string.Join(", ", a.Select(i => OneLine(i!))) + "]",
+        _ => value.ToJsonString(Plain),
+    };
+
+    private static string Text(string text) => JsonValue.Create(text).ToJsonString(Plain);
+}

@@ -1,0 +1,121 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Json;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>
+/// Says what is wrong with a draft by the readers of its files, at the fields of the draft: first the job's, then the theoretical points', and where both can be used the mapping of every key point to the program, for a
+/// part that is measured where it is designed.
+/// </summary>
+public static class MatingDraftCheck
+{
+    /// <summary>Field of what is wrong with the program itself.</summary>
+    public const string Program = "$.counterpart.program";
+
+    private const string Dialect = "$.counterpart.dialect";
+
+    /// <summary>Checks a draft. This takes its time with a long program: not to be called on a screen's thread.</summary>
+    /// <param name="draft">The draft.</param>
+    /// <param name="file">The job's file, for relative paths; it need not be there.</param>
+    public static DraftCheck Of(MatingDraft draft, string file)
+    {
+        ArgumentNullException.ThrowIfNull(draft);
+        var problems = new List<DraftProblem>();
+        MatingJob? job = null;
+        try
+        {
+            job = MatingJob.Parse(MatingDraftFiles.Job(draft), file);
+        }
+        catch (JobException e)
+        {
+            problems.AddRange(e.Problems.Select(p => new DraftProblem(p.Path, p.Code, p.Found, p.Message)));
+        }
+
+        var theoretical = DraftPoints.Check(draft, job, problems);
+        if (job is not null)
+        {
+            var dialect = Find(job, problems);
+            Read(draft, job, out var program, problems);
+            if (problems.Count == 0 && theoretical is not null && program is { } bytes)
+            {
+                Map(draft, new(job, theoretical, theoretical, theoretical, Path.GetFileName(job.Counterpart.Program), bytes) { OwnDialect = dialect }, problems);
+            }
+        }
+
+        return new(problems, job);
+    }
+
+    /// <summary>The program of a draft: the imported one, else the job's.</summary>
+    /// <param name="draft">The draft.</param>
+    /// <param name="job">Its job.</param>
+    /// <exception cref="InputException">The job's cannot be opened.</exception>
+    /// <exception cref="NcException">It is larger than any program that is read.</exception>
+    public static ReadOnlyMemory<byte> ProgramOf(MatingDraft draft, MatingJob job)
+    {
+        ArgumentNullException.ThrowIfNull(draft);
+        ArgumentNullException.ThrowIfNull(job);
+        return draft.Program?.Bytes ?? InputFile.Program(job.PathOf(job.Counterpart.Program));
+    }
+
+    // Null for a built-in dialect.
+    private static NcDialect? Find(MatingJob job, List<DraftProblem> problems)
+    {
+        try
+        {
+            var dialect = InputFile.DialectOf(job);
+            return NcDialects.IsFile(job.Counterpart.Dialect) ? dialect : null;
+        }
+        catch (Exception e) when (e is InputException or JsonDocumentException or NcException)
+        {
+            problems.AddRange(ErrorItems.OfInput(e)!.Select(i => At(Dialect, i)));
+            return null;
+        }
+    }
+
+    private static void Read(MatingDraft draft, MatingJob job, out ReadOnlyMemory<byte>? program, List<DraftProblem> problems)
+    {
+        program = null;
+        try
+        {
+            program = ProgramOf(draft, job);
+        }
+        catch (Exception e) when (e is InputException or NcException)
+        {
+            problems.AddRange(ErrorItems.OfInput(e)!.Select(i => At(Program, i)));
+        }
+    }
+
+    private static void Map(MatingDraft draft, MatchInput input, List<DraftProblem> problems)
+    {
+        try
+        {
+            foreach (var refusal in Matcher.Match(input).Refusals)
+            {
+                problems.Add(new(FieldOf(draft, refusal), refusal.Code, "", refusal.Message));
+            }
+        }
+        catch (NcException e)
+        {
+            problems.Add(At(Program, ErrorItems.Of(e)));
+        }
+        catch (MeasurementException e)
+        {
+            problems.Add(new("$.part.theoretical", e.Code, e.Found, e.Problem));
+        }
+        catch (GeometryException e)
+        {
+            problems.Add(At("$.features", ErrorItems.Of(e, input.Theoretical.File)));
+        }
+    }
+
+    private static string FieldOf(MatingDraft draft, MatingRefusal refusal)
+    {
+        var feature = draft.Features.ToList().FindIndex(f => f.Name.Trim() == refusal.Feature);
+        return feature >= 0 ? DraftPaths.Feature(feature, "blocks") : Program;
+    }
+
+    private static DraftProblem At(string field, ErrorItem item) => new(field, item.Code, "", item.Problem ?? item.Message);
+}

@@ -1,0 +1,86 @@
+using System.Text.RegularExpressions;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Finds words that name blocks of a program: what <see cref="BlockSelector"/> reads, the other way round.</summary>
+public static class BlockNames
+{
+    /// <summary>Most blocks at each end of a range that are named by their text, since they have no number of their own.</summary>
+    public const int MostByText = 32;
+
+    /// <summary>Longest block that is named by its text.</summary>
+    public const int LongestText = 500;
+
+    /// <summary>
+    /// Selectors that name the blocks from one to another, both included, and no others: <c>N130</c>, <c>N130..N160</c>; blocks at the ends without a number of their own by their whole text (<c>/^G1\ X5\.$/</c>).
+    /// </summary>
+    /// <returns>The selectors, or a refusal where the blocks cannot be told from others.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There are no such blocks.</exception>
+    public static NcOutcome<string[]> Of(NcProgram program, int first, int last)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegative(first);
+        ArgumentOutOfRangeException.ThrowIfLessThan(last, first);
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(last, program.BlockCount);
+        var known = Candidates(program, first, last);
+        var from = Enumerable.Range(first, Math.Min(last - first + 1, MostByText + 1)).FirstOrDefault(known.Contains, -1);
+        if (from < 0)
+        {
+            // No block has a number: each is named by its text.
+            from = last + 1;
+        }
+
+        var to = from > last ? last : Enumerable.Range(0, Math.Min(last - from + 1, MostByText + 1)).Select(i => last - i).First(b => known.Contains(b) || b == from);
+        if (from - first > MostByText || (from <= last && !known.Contains(to)))
+        {
+            return Refuse(program, from > last ? first : last);
+        }
+
+        var words = new List<string>();
+        foreach (var block in Enumerable.Range(first, from - first).Concat(from > last ? [] : Enumerable.Range(to + 1, last - to)))
+        {
+            if (program[block].Length > LongestText || program[block].Length == 0)
+            {
+                return Refuse(program, block);
+            }
+
+            words.Add($"/^{Regex.Escape(program.TextOf(program[block]))}$/");
+        }
+
+        if (from <= last)
+        {
+            words.Insert(from - first, from == to ? program.NumberOf(program[from]) : $"{program.NumberOf(program[from])}..{program.NumberOf(program[to])}");
+        }
+
+        // Whether they name these and no others is for the reader to say.
+        var selected = BlockSelector.Select(program, [.. words.Select(BlockSelector.Parse)]);
+        if (!selected.IsUsable)
+        {
+            return selected.Refusal;
+        }
+
+        var other = selected.Value.FirstOrDefault(b => b < first || b > last, -1);
+        return other < 0 ? words.ToArray() : NcRefusal.At(program, other, NcRefusalCodes.BlockAmbiguous, $"it reads the same as a block without a number between lines {first + 1} and {last + 1}. Give the blocks of that range numbers.");
+    }
+
+    // Blocks near both ends of a range that have a number which no other block of the program has.
+    private static HashSet<int> Candidates(NcProgram program, int first, int last)
+    {
+        var near = Enumerable.Range(first, Math.Min(last - first + 1, MostByText + 1)).Concat(Enumerable.Range(Math.Max(first, last - MostByText), Math.Min(last - first, MostByText) + 1)).Distinct();
+        var numbered = new Dictionary<NcNumber, List<int>>();
+        var named = new List<(int Block, NcNumber Number)>();
+        foreach (var block in near)
+        {
+            if (program.TryNumberValue(block, out var number))
+            {
+                named.Add((block, number.Trim()));
+                numbered.TryAdd(number.Trim(), []);
+            }
+        }
+
+        BlockSelector.Find(program, numbered);
+        return [.. named.Where(n => numbered[n.Number].Count == 1).Select(n => n.Block)];
+    }
+
+    private static NcRefusal Refuse(NcProgram program, int block) =>
+        NcRefusal.At(program, block, NcRefusalCodes.BlockNotFound, "it has no number of its own by which the range could be named. Give the first and the last block of the range numbers that no other block has.");
+}

@@ -1,0 +1,93 @@
+using ErrorMatching.Mating;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Jobs.Tests;
+
+/// <summary>Every mistake is found by the reader of the file and told at the field of the draft.</summary>
+public sealed class MatingDraftCheckTests
+{
+    private static readonly string File = Repository.PathTo("samples", "complex-mating", "job.json");
+
+    private static readonly Dictionary<string, (Func<MatingDraft, MatingDraft> Mistake, string Field, string Code)> Mistakes = new()
+    {
+        ["no name"] = (d => d with { Name = " " }, "$.name", "too-short"),
+        ["uncertainty missing"] = (d => d with { Gauge = d.Gauge with { Uncertainty = "" } }, "$.gauge.uncertaintyMm", "wrong-type"),
+        ["uncertainty negative"] = (d => d with { Gauge = d.Gauge with { Uncertainty = "-1" } }, "$.gauge.uncertaintyMm", "too-small"),
+        ["stylus missing"] = (d => d with { Gauge = d.Gauge with { Reports = "stylus-center" } }, "$.gauge", "stylus-diameter-missing"),
+        ["format unknown"] = (d => d with { Gauge = d.Gauge with { Format = "table" } }, "$.gauge.format", "bad-format"),
+        ["tool zero"] = (d => d with { Counterpart = d.Counterpart with { ToolDiameter = "0" } }, "$.counterpart.toolDiameterMm", "too-small"),
+        ["tool text"] = (d => d with { Counterpart = d.Counterpart with { ToolDiameter = "6 mm" } }, "$.counterpart.toolDiameterMm", "wrong-type"),
+        ["rotation text"] = (d => d with { Counterpart = d.Counterpart with { Rotate = "1,5" } }, "$.counterpart.frame.rotateDeg", "wrong-type"),
+        ["half a translation"] = (d => d with { Counterpart = d.Counterpart with { TranslateX = "" } }, "$.counterpart.frame.translateMm[0]", "wrong-type"),
+        ["dialect unknown"] = (d => d with { Counterpart = d.Counterpart with { Dialect = "fanuk" } }, "$.counterpart.dialect", "unknown-dialect"),
+        ["program missing"] = (d => d with { Counterpart = d.Counterpart with { Program = "nowhere.nc" } }, "$.counterpart.program", "file-unreadable"),
+        ["frame wrong"] = (d => d with { Counterpart = d.Counterpart with { TranslateX = "7" } }, "$.features[0].blocks", "point-off-path"),
+        ["gain too large"] = (d => d with { Compensation = d.Compensation with { Gain = "3" } }, "$.compensation.gain", "too-large"),
+        ["feedback without a measured counterpart"] = (d => d with { Compensation = d.Compensation with { From = "counterpart" }, Counterpart = d.Counterpart with { Measured = "" } }, "$.counterpart", "measured-missing"),
+        ["datum of one point"] = (d => d with { Alignment = new("datum", "1", "1") }, "$.alignment.direction", "datum-needs-two-points"),
+        ["datum of an unknown point"] = (d => d with { Alignment = new("datum", "1", "99") }, "$.alignment.direction", "missing-point"),
+        ["origin unknown"] = (d => d with { OriginPoint = "O", OriginLimit = "0.01" }, "$.originCheck.point", "missing-point"),
+        ["origin without a limit"] = (d => d with { OriginPoint = "1" }, "$.originCheck.limitMm", "wrong-type"),
+        ["no features"] = (d => d with { Features = [] }, "$.features", "too-few-items"),
+        ["feature without a name"] = (d => d.WithFeature(0, f => f with { Name = "" }), "$.features[0].name", "pattern-mismatch"),
+        ["two features of one name"] = (d => d.WithFeature(2, f => f with { Name = "L1" }), "$.features[2].name", "duplicate-name"),
+        ["limits reversed"] = (d => d.WithFeature(1, f => f with { Lower = "0.1" }), "$.features[1].toleranceMm", "reversed-tolerance"),
+        ["limit text"] = (d => d.WithFeature(1, f => f with { Lower = "x" }), "$.features[1].toleranceMm[0]", "wrong-type"),
+        ["chain missing"] = (d => d.WithFeature(1, f => f with { Tolerance = "chain:rss" }), "$.features[1].toleranceMm", "chain-missing"),
+        ["too few points"] = (d => d.WithPoints(0, 0, 1), "$.features[0].points", "too-few-points"),
+        ["too few points on a flank"] = (d => d.WithPoints(1, 1, 1), "$.features[1].points[1]", "too-few-points"),
+        ["point twice"] = (d => Point(d, 1, 0, 1, p => p with { Label = "1" }), "$.features[1].points[0][1]", "duplicate-point"),
+        ["degree too high"] = (d => d.WithFeature(2, f => f with { Degree = "10" }), "$.features[2].degree", "degree-too-high"),
+        ["degree text"] = (d => d.WithFeature(2, f => f with { Degree = "two" }), "$.features[2].degree", "not-one-of"),
+        ["no blocks"] = (d => d.WithFeature(0, f => f with { Blocks = "" }), "$.features[0].blocks", "too-few-items"),
+        ["block wrong"] = (d => d.WithFeature(0, f => f with { Blocks = "N120, 130" }), "$.features[0].blocks[1]", "pattern-mismatch"),
+        ["expression wrong"] = (d => d.WithFeature(0, f => f with { Blocks = "/(/" }), "$.features[0].blocks[0]", "bad-pattern"),
+        ["block not there"] = (d => d.WithFeature(0, f => f with { Blocks = "N121" }), "$.features[0].blocks", "block-not-found"),
+        ["block of two features"] = (d => d.WithFeature(0, f => f with { Blocks = "N120, N130" }), "$.features[1].blocks", "blocks-overlap"),
+        ["chain link without a name"] = (d => d with { Chain = [new("", "1", "0", "0")] }, "$.toleranceChain[0].name", "too-short"),
+        ["chain limits reversed"] = (d => d with { Chain = [new("a", "1", "1", "0")] }, "$.toleranceChain[0].toleranceMm", "reversed-tolerance"),
+        ["comparison of an unknown element"] = (d => d with { Comparisons = [new("a", "angle", "L1, L9")] }, "$.verify[0].between[1]", "unknown-element"),
+        ["comparison of one element"] = (d => d with { Comparisons = [new("a", "angle", "L1")] }, "$.verify[0].between", "too-few-items"),
+        ["comparison of an unknown point"] = (d => d with { Comparisons = [new("a", "deviation", "77")] }, "$.verify[0].points[0]", "unknown-point"),
+        ["coordinate missing"] = (d => Point(d, 0, 0, 1, p => p with { Y = "" }), "$.features[0].points[1]/y", "empty-cell"),
+        ["coordinate text"] = (d => Point(d, 1, 1, 0, p => p with { X = "abc" }), "$.features[1].points[1][0]/x", "text-for-number"),
+        ["coordinate with a comma"] = (d => Point(d, 2, 0, 3, p => p with { X = "1,5" }), "$.features[2].points[3]/x", "decimal-comma"),
+        ["other point twice"] = (d => d with { OtherPoints = [new("3", "0", "0"), new("3", "0", "1")] }, "$.otherPoints[1]", "duplicate-point"),
+        ["other point without a label"] = (d => d with { OtherPoints = [new("", "0", "0")] }, "$.otherPoints[0]", "empty-cell"),
+    };
+
+    public static TheoryData<string> Names => [.. Mistakes.Keys];
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public void A_mistake_is_told_at_its_field(string name)
+    {
+        var (mistake, field, code) = Mistakes[name];
+        var check = MatingDraftCheck.Of(mistake(MatingDraftFiles.Open(File)), File);
+        Assert.Contains((field, code), check.Problems.Select(p => (p.Field, p.Code)));
+        Assert.All(check.Problems, p => Assert.NotEmpty(p.Message));
+    }
+
+    [Fact]
+    public void Every_empty_coordinate_is_told_by_itself()
+    {
+        var draft = new MatingDraft();
+        draft = draft with { Features = [FeatureDraft.New(FeatureKind.Triangle, "T", draft)] };
+        var told = MatingDraftCheck.Of(draft, File).Problems.Select(p => p.Field).Where(f => f.Contains('/', StringComparison.Ordinal)).ToArray();
+        Assert.Equal(8, told.Length);
+        Assert.Equal(["1", "2", "3", "4"], draft.Points.Select(p => p.Label));
+        Assert.Contains("$.features[0].points[1][1]/y", told);
+    }
+
+    [Fact]
+    public void A_decimal_sign_at_an_end_and_a_plus_sign_are_numbers()
+    {
+        var draft = MatingDraftFiles.Open(File).WithFeature(0, f => f with { Lower = "-.05", Upper = "+0.05" });
+        var check = MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { ToolDiameter = "06." } }, File);
+        Assert.Empty(check.Problems);
+        Assert.Equal((-0.05, 0.05, 6.0), (check.Job!.Features[0].Tolerance.Band.LowerMm, check.Job.Features[0].Tolerance.Band.UpperMm, check.Job.Counterpart.ToolDiameterMm));
+    }
+
+    private static MatingDraft Point(MatingDraft draft, int feature, int flank, int point, Func<PointDraft, PointDraft> change) =>
+        draft.WithFeature(feature, f => f with { Flanks = f.Flanks.Replaced(flank, f.Flanks[flank].Replaced(point, change(f.Flanks[flank][point]))) });
+}
