@@ -71,7 +71,7 @@ public sealed class PartPlot : PlotArea
         {
             if (line.Points.Count > 1)
             {
-                context.DrawLine(pen, [.. line.Points.Select(p => p.At)], view);
+                Line(context, pen, [.. line.Points.Select(p => p.At)], view);
             }
 
             foreach (var (_, at) in line.Points)

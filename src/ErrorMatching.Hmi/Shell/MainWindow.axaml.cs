@@ -13,6 +13,7 @@ public sealed partial class MainWindow : Window
 {
     private ShellViewModel? _shell;
     private InputElement? _focused;
+    private ScannedCode? _code;
 
     /// <summary>A window of 1280 by 800, which is the smallest that everything fits into.</summary>
     public MainWindow()
@@ -20,6 +21,8 @@ public sealed partial class MainWindow : Window
         InitializeComponent();
         AddHandler(PointerPressedEvent, (_, _) => _shell?.Touch(), RoutingStrategies.Tunnel, handledEventsToo: true);
         AddHandler(KeyDownEvent, (_, _) => _shell?.Touch(), RoutingStrategies.Tunnel, handledEventsToo: true);
+        AddHandler(TextInputEvent, OnScannedText, RoutingStrategies.Tunnel);
+        AddHandler(KeyDownEvent, OnScannedKey, RoutingStrategies.Tunnel);
     }
 
     /// <inheritdoc/>
@@ -35,6 +38,7 @@ public sealed partial class MainWindow : Window
         if (_shell is not null)
         {
             _shell.PropertyChanged += OnShell;
+            _code = new(_shell.Station.Clock);
             ShowTheme();
             ShowTargets();
         }
@@ -64,6 +68,25 @@ public sealed partial class MainWindow : Window
         else if (e.PropertyName is nameof(ShellViewModel.IsFree))
         {
             KeepFocus();
+        }
+    }
+
+    private bool IsFieldless => FocusManager?.GetFocusedElement() is not TextBox;
+
+    private void OnScannedText(object? sender, TextInputEventArgs e)
+    {
+        if (IsFieldless && e.Text is { } text)
+        {
+            _code?.Add(text);
+        }
+    }
+
+    private void OnScannedKey(object? sender, KeyEventArgs e)
+    {
+        if (e.Key is Key.Enter && IsFieldless && _code?.End() is { } code)
+        {
+            _shell!.Scan(code);
+            e.Handled = true;
         }
     }
 

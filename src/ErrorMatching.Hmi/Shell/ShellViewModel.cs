@@ -162,6 +162,22 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// <summary>Goes to a screen.</summary>
     public void Go(string key) => Chosen = Items.First(i => i.Screen.Key == key);
 
+    /// <summary>Takes a code from a barcode scanner: the screen that is open, if it takes codes, else the history.</summary>
+    public void Scan(string code)
+    {
+        if (IsLocked || !IsFree)
+        {
+            return;
+        }
+
+        if (_current is not ITakesCodes)
+        {
+            Go(Screens.History);
+        }
+
+        (_current as ITakesCodes)?.TakeCode(code);
+    }
+
     /// <summary>Lets somebody choose a file or folder, in front of everything else.</summary>
     /// <returns>Its full path; null if nothing was chosen, or the station was locked meanwhile.</returns>
     public async Task<string?> ChooseAsync(FileChoice choice)

@@ -37,22 +37,29 @@ public sealed class SystemSetupTests
     [Fact]
     public Task Each_mistake_is_told_at_its_field_and_keeps_the_job_from_being_saved() => At(seat =>
     {
-        var job = File.ReadAllBytes(seat.JobFile);
+        var (job, seen) = (File.ReadAllBytes(seat.JobFile), new HashSet<string>());
         foreach (var row in Mistakes)
         {
             var (side, field, text, problem, told) = row.Data;
-            seat.Seat.Tap("side-" + side).Type(field, text);
+            ((TextField)seat.System.Field(field)).Text = text;
             seat.Settle();
-            seat.Seat.Tap("setup-save");
-            seat.Settle();
+            seat.Shell.Editing.Save.Execute(null);
             seat.Seat.WaitFor(() => !seat.Shell.Editing.Save.IsRunning, "Saving does not end.");
-            Assert.StartsWith(told, seat.TextOf(problem), StringComparison.Ordinal);
-            seat.Seat.Tap("setup-discard");
+            var at = problem.Replace("problem-", "edit-", StringComparison.Ordinal);
+            Assert.StartsWith(told, seat.System.Field(at).Problem, StringComparison.Ordinal);
+            if (seen.Add(side))
+            {
+                // What the field says is on the screen, and the focus is there.
+                Assert.StartsWith(told, seat.TextOf(problem), StringComparison.Ordinal);
+                seat.Seat.WaitFor(() => seat.Seat.Find(at) is { IsFocused: true }, $"{at} has no focus.");
+            }
+
+            seat.Shell.Editing.DiscardChanges.Execute(null);
             seat.Settle();
-            Assert.True(seat.Seat.Find(problem) is null, problem);
-            Assert.Equal("Nothing to mend", seat.Seat.TextOf("setup-problems") ?? "Nothing to mend");
+            Assert.Empty(seat.Shell.Editing.Problems);
         }
 
+        Assert.Equal(Sides.Length, seen.Count);
         Assert.Equal(job, File.ReadAllBytes(seat.JobFile));
     });
 

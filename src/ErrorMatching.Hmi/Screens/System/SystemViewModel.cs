@@ -153,6 +153,9 @@ public sealed partial class SystemViewModel : SetupViewModel
         }
     }
 
+    /// <summary>A field by its AutomationId.</summary>
+    internal EditField Field(string automationId) => Fields.First(f => f.AutomationId == automationId);
+
     /// <summary>The row of a field; -1 if it is no coordinate's.</summary>
     internal int RowOf(string automationId) => Coordinates.ToList().FindIndex(c => c.Fields.Any(f => f.AutomationId == automationId));
 
