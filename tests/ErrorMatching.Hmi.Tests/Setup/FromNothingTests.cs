@@ -69,7 +69,7 @@ public sealed class FromNothingTests
         seat.Cell.Run();
         seat.Cell.Deliver(1, 0);
         var computed = seat.WaitFor(1, CorrectionState.Proposed);
-        var console = MatingRun.Of(new(Path.Combine(sample, "job.json")), new() { Program = new(Path.Combine(sample, "counterpart.nc")) }, TestContext.Current.CancellationToken).Result!;
+        var console = MatingRun.Of(new(Path.Combine(sample, "job.json")), new() { Part = new("part-0001.csv", seat.Station.Store.Content(computed.MeasurementSha256)) }, TestContext.Current.CancellationToken).Result!;
         var (expected, actual) = (JsonNode.Parse(console.ReportJson())!, JsonNode.Parse(seat.Station.Store.Content(computed.ReportSha256!))!);
         foreach (var part in new[] { "features", "keyPoints", "proof", "compensation", "alignment", "warnings" })
         {

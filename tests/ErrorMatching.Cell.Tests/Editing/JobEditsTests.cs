@@ -1,0 +1,77 @@
+using ErrorMatching.Jobs;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Cell.Tests;
+
+/// <summary>An edited job takes the place of the one that stands there as a whole, with evidence, or not at all.</summary>
+public sealed class JobEditsTests : PeopleTest
+{
+    private static readonly string Sample = Repository.PathTo("samples", "complex-mating");
+
+    [Fact]
+    public void A_setter_s_edit_is_the_job_and_stands_in_the_trail_before_it()
+    {
+        var (settings, edits, by) = Begin();
+        var draft = MatingDraftFiles.Open(settings.Jobs[0].File) with { Name = "Edited", Program = DraftProgram.Of(File.ReadAllBytes(Path.Combine(Sample, "counterpart.nc")).Append((byte)'\n').ToArray()) };
+        var saved = edits.Save(settings.Jobs[0], draft, JobEdits.Sha256Of(settings.Jobs[0]), by);
+        Assert.Equal(JobEdits.Sha256Of(settings.Jobs[0]), saved);
+        Assert.Equal("Edited", InputFile.Job(settings.Jobs[0].File).Name);
+        Assert.Equal(draft.Program.Bytes.ToArray(), File.ReadAllBytes(PathOf(Path.Combine("one", "counterpart.nc"))));
+        Assert.StartsWith($"{by.Name} job-edited one counterpart.nc {draft.Program.Sha256}, ", Trail[^1], StringComparison.Ordinal);
+        Assert.Contains($"job.json {saved}, in place of the job ", Trail[^1], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void What_is_wrong_or_was_changed_meanwhile_is_not_saved()
+    {
+        var (settings, edits, by) = Begin();
+        var job = settings.Jobs[0];
+        var (draft, sha256, was) = (MatingDraftFiles.Open(job.File) with { Name = "Edited" }, JobEdits.Sha256Of(job), File.ReadAllBytes(job.File));
+        Refused(JobEditException.Wrong, () => edits.Save(job, draft with { Name = "" }, sha256, by));
+        Refused(JobEditException.ChangedMeanwhile, () => edits.Save(job, draft, new('0', 64), by));
+        Refused(JobEditException.Wrong, () => edits.Save(job, draft with { Counterpart = draft.Counterpart with { Dialect = "fanuc" } }, sha256, by));
+        Refused(JobEditException.Wrong, () => edits.Save(job, draft with { Compensation = draft.Compensation with { From = "counterpart" } }, sha256, by));
+        Assert.Equal(was, File.ReadAllBytes(job.File));
+        Assert.DoesNotContain(Trail, e => e.Contains("job-edited", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void A_file_of_another_job_is_not_changed_with_it()
+    {
+        var (settings, edits, by) = Begin();
+        File.Copy(PathOf(Path.Combine("one", "job.json")), PathOf(Path.Combine("one", "second.json")));
+        settings = settings with { Jobs = [settings.Jobs[0], settings.Jobs[0] with { Name = "second", File = PathOf(Path.Combine("one", "second.json")) }] };
+        edits = new(settings, Store, Users);
+        var (draft, sha256) = (MatingDraftFiles.Open(settings.Jobs[0].File), JobEdits.Sha256Of(settings.Jobs[0]));
+        Refused(JobEditException.Shared, () => edits.Save(settings.Jobs[0], draft with { OtherPoints = [new("O", "0", "0")] }, sha256, by));
+        edits.Save(settings.Jobs[0], draft with { Name = "Edited", OtherPoints = draft.OtherPoints }, sha256, by);
+    }
+
+    private static void Refused(string code, Action save) => Assert.Equal(code, Assert.Throws<JobEditException>(save).Code);
+
+    private (CellSettings Settings, JobEdits Edits, SignedIn By) Begin()
+    {
+        Directory.CreateDirectory(PathOf("one"));
+        foreach (var file in Directory.EnumerateFiles(Sample))
+        {
+            File.Copy(file, PathOf(Path.Combine("one", Path.GetFileName(file))));
+        }
+
+        // As an editor left it: points in the order of the features.
+        var draft = MatingDraftFiles.Open(PathOf(Path.Combine("one", "job.json")));
+        File.WriteAllBytes(PathOf(Path.Combine("one", "theoretical.csv")), MatingDraftFiles.Theoretical(draft));
+        Directory.CreateDirectory(PathOf("in"));
+        Directory.CreateDirectory(PathOf("machine"));
+        var cell = PathOf("cell.json");
+        File.WriteAllText(cell, """
+            { "kind": "cell", "name": "test", "store": { "kind": "sqlite", "file": "run/cell.db" }, "keys": "run/keys", "logs": "run/logs",
+              "gauges": [{ "name": "cmm", "incoming": "in", "files": "*.csv", "format": "points", "finished": { "atRestS": 0.5 } }],
+              "machines": [{ "name": "m", "dialect": "delta-nc300", "transport": { "kind": "folder", "folder": "machine" }, "slots": [{ "name": "A", "program": "P.NC" }] }],
+              "jobs": [{ "name": "one", "job": "one/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^part" }, "machine": "m", "slot": "A" }],
+              "policy": { "approve": "person" } }
+            """);
+        var settings = CellSettingsReader.Read(cell);
+        Users.AddFirst("Anna", Right);
+        return (settings, new(settings, Store, Users), Users.SignIn("Anna", Right));
+    }
+}
