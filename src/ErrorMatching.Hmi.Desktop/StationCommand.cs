@@ -57,7 +57,7 @@ internal static class StationCommand
             using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Leave);
             try
             {
-                return AppBuilder.Configure(() => new App { Open = () => new Station(settings ?? demonstration!.GetAwaiter().GetResult().Settings, TimeProvider.System, Station.DefaultIdle), Look = look })
+                return AppBuilder.Configure(() => new App { Open = () => Open(settings ?? demonstration!.GetAwaiter().GetResult().Settings, isDemo), Look = look })
                     .UseX11(scaling)
                     .StartWithClassicDesktopLifetime([]);
             }
@@ -71,6 +71,15 @@ internal static class StationCommand
             Console.Error.WriteLine(e.Message);
             return Outside;
         }
+    }
+
+    private static Station Open(CellSettings settings, bool isDemo) => new(settings, TimeProvider.System, Station.DefaultIdle) { Preferences = Preferences(settings, isDemo) };
+
+    // A demonstration leaves nothing behind. A service without a home of its own keeps nothing.
+    private static PreferenceFiles? Preferences(CellSettings settings, bool isDemo)
+    {
+        var folder = isDemo ? Path.GetDirectoryName(Path.GetFullPath(settings.File)) : Environment.GetFolderPath(Environment.SpecialFolder.ApplicationData, Environment.SpecialFolderOption.DoNotVerify);
+        return string.IsNullOrEmpty(folder) ? null : new(Path.Combine(folder, "errormatch"));
     }
 
     // As if the window were closed: the seat is left in order, and the demonstration takes its folder away.

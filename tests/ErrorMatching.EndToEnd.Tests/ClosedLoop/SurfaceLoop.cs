@@ -38,25 +38,35 @@ internal sealed class SurfaceLoop
     public int Points => _plan.Points.Count;
 
     /// <summary>The statistics before and after, on a machine of its own.</summary>
-    public (DeviationStatistics Before, DeviationStatistics After) Run(int seed)
+    public (DeviationStatistics Before, DeviationStatistics After) Run(int seed) => Run(seed, repeats: false);
+
+    /// <summary>The same.</summary>
+    /// <param name="seed">Of the machine.</param>
+    /// <param name="repeats">True for a machine whose cuts and a probe whose touches are always the same.</param>
+    public (DeviationStatistics Before, DeviationStatistics After) Run(int seed, bool repeats)
     {
-        var (before, after) = Measure(seed);
+        var (before, after) = Measure(seed, repeats);
         return (SurfaceEvaluation.Of(_job, _surface, [before]).Together, SurfaceEvaluation.Of(_finished, _surface, [after]).Together);
     }
 
     /// <summary>What was measured after semi-finishing and after finishing, on a machine of its own.</summary>
-    public (MeasuredPoints Before, MeasuredPoints After) Measure(int seed)
+    public (MeasuredPoints Before, MeasuredPoints After) Measure(int seed, bool repeats = false)
     {
         var random = new Random(seed);
         var machine = MachineError.Systematic(random);
-        var radius = _job.Tool.RadiusMm;
-        var before = Measure(new CutSurface(_semiFinishing, radius, machine.NextCut(random)), _probing, _plan, _job, random);
+        var (radius, repeatability) = (_job.Tool.RadiusMm, repeats ? 0 : ProbeRepeatability);
+        var before = Measure(Cut(_semiFinishing), _probing, _plan, _job);
         var outcome = Compensator.Compensate(new(_job, _surface, _plan, [before]));
         Assert.Empty(outcome.Refusals);
         var result = outcome.Result!;
         var finishing = Moves(result.Surface, CuttingStage.Finishing);
-        var after = Measure(new CutSurface(finishing, radius, machine.NextCut(random)), _finishedProbing, _finishedPlan, _finished, random);
+        var after = Measure(Cut(finishing), _finishedProbing, _finishedPlan, _finished);
         return (before, after);
+
+        CutSurface Cut(IReadOnlyList<AxisMove> moves) => new(moves, radius, repeats ? machine : machine.NextCut(random));
+
+        MeasuredPoints Measure(CutSurface piece, string program, MeasuringPlan plan, FreeformJob job) =>
+            MeasuredSurfaceReader.Read(Encoding.UTF8.GetBytes(VirtualProbe.Run(program, piece, job.Measuring.StylusDiameterMm / 2, repeatability, random)), "probe.log", plan, job.Measuring);
     }
 
     private IReadOnlyList<AxisMove> Moves(PartSurface surface, CuttingStage stage)
@@ -72,7 +82,4 @@ internal sealed class SurfaceLoop
         Assert.Empty(plan.Refusals);
         return Encoding.UTF8.GetString(ProbingProgram.Of(plan, "loop", NcDialects.Named("linuxcnc"), ProbingTemplate.Named("linuxcnc")).Bytes.Span);
     }
-
-    private static MeasuredPoints Measure(CutSurface piece, string program, MeasuringPlan plan, FreeformJob job, Random random) =>
-        MeasuredSurfaceReader.Read(Encoding.UTF8.GetBytes(VirtualProbe.Run(program, piece, job.Measuring.StylusDiameterMm / 2, ProbeRepeatability, random)), "probe.log", plan, job.Measuring);
 }

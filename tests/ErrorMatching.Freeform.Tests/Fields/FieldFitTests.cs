@@ -25,9 +25,10 @@ public sealed class FieldFitTests
 
         Assert.InRange(differences.Average(d => d.Mean), 0.005, 0.05);
         Assert.InRange(differences.Average(d => d.Largest), 0.005, 0.25);
-        // Noise alone moves a corner by more now and then: so does the process whose kernel is chosen by the truth, in a tenth of all cases and up to 0.34 um.
-        Assert.InRange(differences.Count(d => d.Largest > 0.25), 0, 8);
-        Assert.InRange(differences.Max(d => d.Largest), 0.1, 0.45);
+
+        // Noise alone moves a corner by more now and then: one of these 40, by 0.285 um.
+        Assert.InRange(differences.Count(d => d.Largest > 0.25), 0, 3);
+        Assert.InRange(differences.Max(d => d.Largest), 0.1, 0.35);
     }
 
     [Fact]

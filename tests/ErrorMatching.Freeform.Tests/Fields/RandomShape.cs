@@ -36,6 +36,23 @@ public static class RandomShape
         return new($"waves {seed}", (x, y) => (p * x * x) + (q * x * y) + waves.Sum(w => w(x, y)));
     }
 
+    /// <summary>A quadratic that bends otherwise behind a line through the middle of the piece, or near it, in any direction but along the sides.</summary>
+    public static TrueShape ObliqueBreak(int seed)
+    {
+        var random = new Random(seed);
+        var (quadratic, angle) = (Quadratic(seed + 1_000_000), (random.Next(2) * Math.PI / 2) + Between(random, Math.PI / 12, 5 * Math.PI / 12));
+        var (x0, y0) = (TrueShape.LengthX * Between(random, 0.3, 0.7), TrueShape.LengthY * Between(random, 0.3, 0.7));
+        var size = (random.Next(2) == 0 ? -1 : 1) * Between(random, 0.005, 0.02);
+        return new($"oblique break {seed}", (x, y) => quadratic.Height(x, y) + (size * Math.Pow(Math.Max(0, ((x - x0) * Math.Cos(angle)) + ((y - y0) * Math.Sin(angle))), 2)));
+    }
+
+    /// <summary>Both a break and waves.</summary>
+    public static TrueShape BreakAmongWaves(int seed)
+    {
+        var (broken, waves) = (Break(seed), Waves(seed));
+        return new($"{broken.Name} among {waves.Name}", (x, y) => broken.Height(x, y) + waves.Height(x, y));
+    }
+
     /// <summary>An error of a machine: three slow waves in any direction about a mean of 15 um, with a standard deviation near 6 um.</summary>
     public static TrueShape MachineError(int seed)
     {
