@@ -50,13 +50,21 @@ internal static class StationCommand
 
         try
         {
-            using var demo = isDemo ? Demonstration.Start(TimeProvider.System) : null;
-            var settings = demo?.Settings ?? CellSettingsReader.Read(config!);
+            // The demonstration makes its cell while the window is made ready: both take a second.
+            var demonstration = isDemo ? Task.Run(() => Demonstration.Start(TimeProvider.System)) : null;
+            var settings = isDemo ? null : CellSettingsReader.Read(config!);
             using var stop = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Leave);
             using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Leave);
-            return AppBuilder.Configure(() => new App { Open = () => new Station(settings, TimeProvider.System, Station.DefaultIdle) { Preferences = Preferences(settings, isDemo) }, Look = look })
-                .UseX11(scaling)
-                .StartWithClassicDesktopLifetime([]);
+            try
+            {
+                return AppBuilder.Configure(() => new App { Open = () => Open(settings ?? demonstration!.GetAwaiter().GetResult().Settings, isDemo), Look = look })
+                    .UseX11(scaling)
+                    .StartWithClassicDesktopLifetime([]);
+            }
+            finally
+            {
+                demonstration?.GetAwaiter().GetResult().Dispose();
+            }
         }
         catch (Exception e) when (e is PlatformNotSupportedException or JsonDocumentException or StoreException or PeopleException or IOException or UnauthorizedAccessException)
         {
@@ -64,6 +72,8 @@ internal static class StationCommand
             return Outside;
         }
     }
+
+    private static Station Open(CellSettings settings, bool isDemo) => new(settings, TimeProvider.System, Station.DefaultIdle) { Preferences = Preferences(settings, isDemo) };
 
     // A demonstration leaves nothing behind. A service without a home of its own keeps nothing.
     private static PreferenceFiles? Preferences(CellSettings settings, bool isDemo)

@@ -22,10 +22,13 @@ public sealed partial class App : Application
     {
         if (ApplicationLifetime is IClassicDesktopStyleApplicationLifetime desktop && Open is not null)
         {
-            var station = Open();
+            // The window is made while whoever opens the station may still be busy making its cell.
             Texts.Current.Language = Look.Language;
+            var window = new MainWindow { WindowState = Look.IsFullScreen ? WindowState.FullScreen : WindowState.Normal };
+            var station = Open();
             var shell = new ShellViewModel(station) { IsDark = Look.IsDark };
-            desktop.MainWindow = new MainWindow { DataContext = shell, WindowState = Look.IsFullScreen ? WindowState.FullScreen : WindowState.Normal };
+            window.DataContext = shell;
+            desktop.MainWindow = window;
             desktop.Exit += (_, _) =>
             {
                 shell.Dispose();

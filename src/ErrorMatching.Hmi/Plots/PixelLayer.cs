@@ -7,7 +7,8 @@ using Avalonia.Platform;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A canvas of pixels that is shown as a picture: what a drawing has too many lines or dots for to draw them as shapes.</summary>
-internal sealed class PixelLayer : IDisposable
+[System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "A drawing lets its picture go whenever it leaves the screen, and may come back.")]
+internal sealed class PixelLayer
 {
     private WriteableBitmap? _bitmap;
 
@@ -46,8 +47,8 @@ internal sealed class PixelLayer : IDisposable
         }
     }
 
-    /// <inheritdoc/>
-    public void Dispose()
+    /// <summary>Lets the picture go; the next one is made anew.</summary>
+    public void LetGo()
     {
         _bitmap?.Dispose();
         _bitmap = null;

@@ -254,6 +254,6 @@ public abstract partial class PlotArea : Control
     protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
     {
         base.OnDetachedFromVisualTree(e);
-        _layer.Dispose();
+        _layer.LetGo();
     }
 }

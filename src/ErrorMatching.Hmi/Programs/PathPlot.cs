@@ -8,7 +8,6 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>Draws the path of a program; a tap lights a move and its block.</summary>
 /// <remarks>Up to <see cref="MostShapes"/> pieces that are seen are drawn as shapes; more of them pixel by pixel into one picture, so that a frame costs what the screen costs and not what the program costs.</remarks>
-[System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "The picture is let go when the plot leaves the screen.")]
 public sealed class PathPlot : PlotArea
 {
     /// <summary>The program.</summary>
@@ -100,7 +99,7 @@ public sealed class PathPlot : PlotArea
         }
 
         _isSeen = false;
-        _layer.Dispose();
+        _layer.LetGo();
         _painted = null;
     }
 
