@@ -23,7 +23,7 @@ internal static class StationCommand
         var chinese = new Option<bool>("--chinese") { Description = "Begin in Traditional Chinese." };
         var dark = new Option<bool>("--dark") { Description = "Begin light on dark." };
         var full = new Option<bool>("--full-screen") { Description = "Fill the screen." };
-        var scale = new Option<int>("--scale") { Description = "Size of everything in percent, 100 to 200.", HelpName = "PERCENT", DefaultValueFactory = _ => Least };
+        var scale = new Option<int>("--scale") { Description = "Size of everything in percent, 100 to 200; on Windows the system's own setting counts.", HelpName = "PERCENT", DefaultValueFactory = _ => Least };
         scale.Validators.Add(result =>
         {
             if (result.GetValueOrDefault<int>() is < Least or > Most)
@@ -54,8 +54,8 @@ internal static class StationCommand
             var settings = demo?.Settings ?? CellSettingsReader.Read(config!);
             using var stop = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Leave);
             using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Leave);
-            return AppBuilder.Configure(() => new App { Open = () => new Station(settings, TimeProvider.System, Station.DefaultIdle) { Preferences = Preferences(settings, isDemo) }, Look = look })
-                .UseX11(scaling)
+            var builder = AppBuilder.Configure(() => new App { Open = () => new Station(settings, TimeProvider.System, Station.DefaultIdle) { Preferences = Preferences(settings, isDemo) }, Look = look });
+            return (OperatingSystem.IsWindows() ? builder.UseWindows() : builder.UseX11(scaling))
                 .StartWithClassicDesktopLifetime([]);
         }
         catch (Exception e) when (e is PlatformNotSupportedException or JsonDocumentException or StoreException or PeopleException or IOException or UnauthorizedAccessException)
