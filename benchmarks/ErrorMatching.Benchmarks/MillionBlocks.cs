@@ -59,7 +59,7 @@ internal static class MillionBlocks
     }
 
     /// <summary>Writes a densely posted wave, about 38 bytes a block.</summary>
-    internal static long Write(string file, int blocks)
+    private static long Write(string file, int blocks)
     {
         using var text = new StreamWriter(file, append: false, new UTF8Encoding(false)) { NewLine = "\n" };
         text.WriteLine("%\nO1000\nN10 G21 G17 G40 G90 G54\nN20 G0 X0. Y0. Z5.\nN30 G1 Z-2. F500.");

@@ -20,8 +20,8 @@ internal sealed class PointsPlot(IReadOnlyList<Point2> points) : PlotArea
     /// <inheritdoc/>
     protected override void Draw(DrawingContext context, PlotView view)
     {
-        context.DrawLine(new Pen(Ink, Thick), points, view);
-        context.DrawDots(Ink, Dot, points, view);
+        Line(context, new Pen(Ink, Thick), points, view);
+        Dots(context, Ink, Dot, points, view);
     }
 
     /// <inheritdoc/>

@@ -2,6 +2,11 @@ using System.Runtime.InteropServices;
 using System.Text;
 using ErrorMatching.Console;
 
+if (args is ["surface", "compensate", ..])
+{
+    Rehearsal.Begin();
+}
+
 using var cancellation = new CancellationTokenSource();
 
 // Not disposed: at the end of the process the thread of a Ctrl+C may just begin to wait for it.

@@ -92,7 +92,7 @@ public sealed class SettingsTests
         Directory.Move(seat.Cell.MachineFolder + "-away", seat.Cell.MachineFolder);
         seat.Tap("connections-test");
         seat.WaitFor(() => !page.Test.IsRunning && page.Rows.All(r => r.Found is Severity.Quiet), "The machine stays away.");
-        Assert.StartsWith("It answers.", page.Rows.Single(r => r.Kind == "machine").Outcome, StringComparison.Ordinal);
+        Assert.All(page.Rows.Where(r => r.Kind == "machine"), r => Assert.StartsWith("It answers.", r.Outcome, StringComparison.Ordinal));
     });
 
     [Fact]

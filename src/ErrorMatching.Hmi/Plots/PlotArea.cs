@@ -14,6 +14,7 @@ namespace ErrorMatching.Hmi;
 /// What derives from it says how much there is (<see cref="Extent"/>), draws what a <see cref="PlotView"/> shows of it (<see cref="Draw"/>), and what is near a place (<see cref="DatumNear"/>); it calls <see cref="Renew"/> when its data
 /// are others. The data themselves belong to view models. Keys: arrows move, plus and minus zoom, 0 shows all, space asks for the values nearest to the middle, page up and down go to the datum before and behind.
 /// </remarks>
+[System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "The layer is let go when the plot leaves the screen.")]
 public abstract partial class PlotArea : Control
 {
     /// <summary>Labels.</summary>
@@ -169,6 +170,7 @@ public abstract partial class PlotArea : Control
         }
 
         Draw(context, View);
+        ShowPixels(context);
         if (_datum is { } datum)
         {
             Crosshair(context, datum);
@@ -246,5 +248,12 @@ public abstract partial class PlotArea : Control
         {
             AutomationProperties.SetAutomationId(button, $"{AutomationProperties.GetAutomationId(this)}-{part}");
         }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
+    {
+        base.OnDetachedFromVisualTree(e);
+        _layer.Dispose();
     }
 }

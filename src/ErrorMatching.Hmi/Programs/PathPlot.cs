@@ -1,10 +1,7 @@
 using System.Collections;
-using System.Runtime.InteropServices;
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Media;
-using Avalonia.Media.Imaging;
-using Avalonia.Platform;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
@@ -21,14 +18,13 @@ public sealed class PathPlot : PlotArea
     public static readonly StyledProperty<IBrush?> ChosenBrushProperty = AvaloniaProperty.Register<PathPlot, IBrush?>(nameof(ChosenBrush));
 
     /// <summary>Most pieces that are drawn as shapes.</summary>
-    public const int MostShapes = 4000;
+    public const int MostShapes = 1500;
 
     private const double Thin = 1, Cut = 1.5, Thick = 3, Ring = 7, Dot = 4, LabelAway = 8;
     private static readonly DashStyle Dashes = new([6, 4], 0);
-    private readonly PixelCanvas _canvas = new();
+    private readonly PixelLayer _layer = new();
     private readonly List<MoveStroke> _strokes = [];
     private BitArray? _featured;
-    private WriteableBitmap? _bitmap;
     private PathFrame? _wanted, _painting, _painted;
     private bool _isSeen;
 
@@ -104,8 +100,8 @@ public sealed class PathPlot : PlotArea
         }
 
         _isSeen = false;
-        _bitmap?.Dispose();
-        (_bitmap, _painted) = (null, null);
+        _layer.Dispose();
+        _painted = null;
     }
 
     /// <inheritdoc/>
@@ -133,15 +129,14 @@ public sealed class PathPlot : PlotArea
     {
         ArgumentNullException.ThrowIfNull(context);
         var program = Picture!.Program;
-        var pixel = 1 / (TopLevel.GetTopLevel(this)?.RenderScaling ?? 1);
         _strokes.Clear();
-        IsByPixel = !program.Moves.Strokes(view, pixel, Keep);
+        IsByPixel = !program.Moves.Strokes(view, Pixel, Keep);
         if (IsByPixel)
         {
             // What is chosen is drawn at once and above, unless it is too much for that as well.
             _strokes.Clear();
             var isLarge = !KeepChosen(program, view);
-            DrawPixels(context, new(program, view, pixel, isLarge ? Picture.Selection : null, _featured, ColorOf(Rule), ColorOf(Ink), ColorOf(ChosenBrush)));
+            DrawPixels(context, new(program, view, Pixel, isLarge ? Picture.Selection : null, _featured, PixelLayer.ColorOf(Rule), PixelLayer.ColorOf(Ink), PixelLayer.ColorOf(ChosenBrush)));
         }
 
         foreach (var kind in Enum.GetValues<StrokeKind>())
@@ -231,9 +226,9 @@ public sealed class PathPlot : PlotArea
     private Pen PenOf(StrokeKind kind) => kind switch
     {
         StrokeKind.Rapid => new Pen(Rule, Thin, Dashes),
-        StrokeKind.Cut => new Pen(Ink, Cut, lineCap: PenLineCap.Round, lineJoin: PenLineJoin.Round),
-        StrokeKind.Feature => new Pen(Ink, Thick, lineCap: PenLineCap.Round, lineJoin: PenLineJoin.Round),
-        _ => new Pen(ChosenBrush, Thick, lineCap: PenLineCap.Round, lineJoin: PenLineJoin.Round),
+        StrokeKind.Cut => new Pen(Ink, Cut, lineJoin: PenLineJoin.Bevel),
+        StrokeKind.Feature => new Pen(Ink, Thick, lineJoin: PenLineJoin.Bevel),
+        _ => new Pen(ChosenBrush, Thick, lineJoin: PenLineJoin.Bevel),
     };
 
     private void DrawShapes(DrawingContext context, StrokeKind kind)
@@ -282,7 +277,7 @@ public sealed class PathPlot : PlotArea
             }
         }
 
-        if (_bitmap is null || _painted is not { } painted || painted.Program != frame.Program)
+        if (_painted is not { } painted || painted.Program != frame.Program)
         {
             return;
         }
@@ -291,10 +286,7 @@ public sealed class PathPlot : PlotArea
 
         // A picture that lies on whole pixels is copied, which takes a tenth of the time.
         corner = scale == 1 ? new Point(Math.Round(corner.X / frame.Pixel) * frame.Pixel, Math.Round(corner.Y / frame.Pixel) * frame.Pixel) : corner;
-        using (context.PushRenderOptions(new RenderOptions { BitmapInterpolationMode = BitmapInterpolationMode.None }))
-        {
-            context.DrawImage(_bitmap, new Rect(0, 0, painted.Width, painted.Height), new Rect(corner, new Size(painted.Width * painted.Pixel * scale, painted.Height * painted.Pixel * scale)));
-        }
+        _layer.Show(context, new Rect(corner, new Size(painted.Width * painted.Pixel * scale, painted.Height * painted.Pixel * scale)));
     }
 
     private async Task PaintAsync()
@@ -302,25 +294,15 @@ public sealed class PathPlot : PlotArea
         while (_wanted is { } frame)
         {
             (_wanted, _painting) = (null, frame);
-            await Task.Run(() => frame.Paint(_canvas));
+            await Task.Run(() => frame.Paint(_layer.Canvas));
             _painting = null;
             if (!_isSeen)
             {
                 return;
             }
 
-            // Another one each time: the old one may still be on its way to the screen.
-            var bitmap = new WriteableBitmap(new(frame.Width, frame.Height), new(96, 96), PixelFormat.Bgra8888, AlphaFormat.Premul);
-            using (var locked = bitmap.Lock())
-            {
-                for (var row = 0; row < frame.Height; row++)
-                {
-                    Marshal.Copy(_canvas.Memory, row * frame.Width, locked.Address + (row * locked.RowBytes), frame.Width);
-                }
-            }
-
-            _bitmap?.Dispose();
-            (_bitmap, _painted) = (bitmap, frame);
+            _layer.Take();
+            _painted = frame;
             InvalidateVisual();
         }
     }
@@ -360,6 +342,4 @@ public sealed class PathPlot : PlotArea
             }
         }
     }
-
-    private static int ColorOf(IBrush? brush) => brush is ISolidColorBrush { Color: var c } ? unchecked((int)((0xFFu << 24) | ((uint)c.R << 16) | ((uint)c.G << 8) | c.B)) : 0;
 }

@@ -81,6 +81,7 @@ public sealed partial class ProgramText : ILogicalScrollable
     protected override void OnSizeChanged(SizeChangedEventArgs e)
     {
         base.OnSizeChanged(e);
+        Forget();
         Offset = _offset;
         RaiseScrollInvalidated(EventArgs.Empty);
     }

@@ -4,6 +4,7 @@ using Avalonia;
 using Avalonia.Automation;
 using Avalonia.Controls;
 using Avalonia.Media;
+using Avalonia.Media.Imaging;
 
 namespace ErrorMatching.Hmi;
 
@@ -39,7 +40,7 @@ public sealed partial class ProgramText : Control
     public static readonly StyledProperty<double> RowHeightProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(RowHeight), 34);
 
     private const double Bar = 4, Between = 10, LeastGutter = 57;
-    private readonly Dictionary<int, (FormattedText Number, FormattedText Line)> _rows = [];
+    private readonly Dictionary<int, RenderTargetBitmap> _rows = [];
     private readonly Dictionary<string, FormattedText> _names = [];
     private double _numberWidth, _nameWidth;
 
@@ -113,6 +114,8 @@ public sealed partial class ProgramText : Control
         set => SetValue(RowHeightProperty, value);
     }
 
+    private double Pixel => 1 / (TopLevel.GetTopLevel(this)?.RenderScaling ?? 1);
+
     /// <summary>How many rows exist.</summary>
     internal int RowsMade => _rows.Count;
 
@@ -180,6 +183,7 @@ public sealed partial class ProgramText : Control
     {
         base.OnDetachedFromVisualTree(e);
         _scrolling.Stop();
+        Forget();
         if (Picture is { } picture)
         {
             picture.PropertyChanged -= Follow;
@@ -196,13 +200,12 @@ public sealed partial class ProgramText : Control
 
         if (!_rows.TryGetValue(block, out var row))
         {
-            row = (Text(Shown.Id(block + 1), NumberInk), Text(picture.Program.LineAt(block), Ink));
-            _rows.Add(block, row);
+            _rows.Add(block, row = Make(picture.Program, block));
         }
 
-        var left = Bar + Between;
-        context.DrawText(row.Number, new Point(left + _numberWidth - row.Number.Width, top + ((RowHeight - row.Number.Height) / 2)));
-        left += _numberWidth + Between;
+        // On whole pixels, so that it is copied and not computed.
+        context.DrawImage(row, new Rect(0, Math.Round(top / Pixel) * Pixel, row.PixelSize.Width * Pixel, row.PixelSize.Height * Pixel));
+        var left = Bar + Between + _numberWidth + Between;
         if (picture.FeatureOf(block) is { } name)
         {
             // A bar along all blocks of a feature, and its name at the first one that is seen.
@@ -212,19 +215,30 @@ public sealed partial class ProgramText : Control
                 context.DrawText(shown, new Point(left + (1.5 * Bar), top + ((RowHeight - shown.Height) / 2)));
             }
         }
+    }
 
-        context.DrawText(row.Line, new Point(Gutter + Between, top + ((RowHeight - row.Line.Height) / 2)));
+    // Text is shaped and drawn once; while it scrolls its picture moves, which takes a tenth of the time.
+    private RenderTargetBitmap Make(OpenedProgram program, int block)
+    {
+        var (number, line) = (Text(Shown.Id(block + 1), NumberInk), Text(program.LineAt(block), Ink));
+        var width = Math.Clamp(Gutter + Between + line.Width, 1, Math.Max(1, Bounds.Width));
+        var row = new RenderTargetBitmap(new((int)Math.Ceiling(width / Pixel), (int)Math.Ceiling(RowHeight / Pixel)), new(96 / Pixel, 96 / Pixel));
+        using var context = row.CreateDrawingContext();
+        context.DrawText(number, new Point(Bar + Between + _numberWidth - number.Width, (RowHeight - number.Height) / 2));
+        context.DrawText(line, new Point(Gutter + Between, (RowHeight - line.Height) / 2));
+        return row;
     }
 
     // Rows that went out of sight long ago.
     private void LetGo(int first, int last)
     {
         var seen = last - first + 1;
-        if (_rows.Count > 4 * seen)
+        if (_rows.Count > 3 * seen)
         {
-            foreach (var block in _rows.Keys.Where(b => b < first - seen || b > last + seen).ToArray())
+            foreach (var block in _rows.Keys.Where(b => b < first || b > last).ToArray())
             {
-                _rows.Remove(block);
+                _rows.Remove(block, out var row);
+                row?.Dispose();
             }
         }
     }
@@ -243,9 +257,19 @@ public sealed partial class ProgramText : Control
         InvalidateVisual();
     }
 
+    private void Forget()
+    {
+        foreach (var row in _rows.Values)
+        {
+            row.Dispose();
+        }
+
+        _rows.Clear();
+    }
+
     private void Measure()
     {
-        _rows.Clear();
+        Forget();
         _names.Clear();
         (_numberWidth, _nameWidth) = (0, 0);
         if (Picture is { } picture)

@@ -6,6 +6,12 @@ public static class Screens
     /// <summary>Key of the overview.</summary>
     public const string Overview = "overview";
 
+    /// <summary>Key of the point set-up.</summary>
+    public const string Points = "points";
+
+    /// <summary>Key of the system set-up.</summary>
+    public const string System = "system";
+
     /// <summary>Key of the on-line compensation.</summary>
     public const string Compensation = "compensation";
 
@@ -28,6 +34,8 @@ public static class Screens
     public static IReadOnlyList<Screen> All { get; } =
     [
         new(Overview, shell => new OverviewViewModel(shell.Station, shell.Look)),
+        new(Points, shell => new PointsViewModel(shell)),
+        new(System, shell => new SystemViewModel(shell)),
         new(Compensation, shell => new CompensationViewModel(shell)),
         new(Verification, shell => new VerificationViewModel(shell.Station)),
         new(Freeform, shell => new FreeformViewModel(shell.Station)),

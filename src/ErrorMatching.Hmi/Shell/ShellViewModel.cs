@@ -33,6 +33,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         });
         SwitchLanguage = new(() => Texts.Current.Language = Texts.Current.Language == Language.English ? Language.TraditionalChinese : Language.English);
         SwitchTheme = new(() => IsDark = !IsDark);
+        Editing = new(station, () => _who);
         Station.Changed += Follow;
         Texts.Current.LanguageChanged += Translate;
         Lock();
@@ -46,6 +47,9 @@ public sealed class ShellViewModel : Observable, IDisposable
 
     /// <summary>The screens that can be gone to.</summary>
     public IReadOnlyList<NavigationItem> Items { get; }
+
+    /// <summary>The job that is edited at this station, whichever set-up screen shows it.</summary>
+    public JobEditing Editing { get; }
 
     /// <summary>Signs out, which locks the station.</summary>
     public LongCommand SignOut { get; }
@@ -231,6 +235,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         Preferences.Dispose();
         _login?.Dispose();
         _current?.Dispose();
+        Editing.Dispose();
     }
 
     private void Show(NavigationItem item, ScreenViewModel screen)
@@ -263,6 +268,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         _login.Dispose();
         (_login, _who) = (null, who);
         Preferences.Take(who.Name);
+        Editing.Refresh();
         if (isOther || _current is null)
         {
             Show(Items[0], Items[0].Screen.Open(this));

@@ -10,6 +10,13 @@ public sealed class Views : IRecyclingDataTemplate
     {
         [typeof(LoginViewModel)] = (typeof(LoginView), () => new LoginView()),
         [typeof(OverviewViewModel)] = (typeof(OverviewView), () => new OverviewView()),
+        [typeof(PointsViewModel)] = (typeof(PointsView), () => new PointsView()),
+        [typeof(SystemViewModel)] = (typeof(SystemView), () => new SystemView()),
+        [typeof(FieldRow)] = (typeof(FieldRowView), () => new FieldRowView()),
+        [typeof(TextField)] = (typeof(TextFieldView), () => new TextFieldView()),
+        [typeof(ChoiceField)] = (typeof(ChoiceFieldView), () => new ChoiceFieldView()),
+        [typeof(SwitchField)] = (typeof(SwitchFieldView), () => new SwitchFieldView()),
+        [typeof(NoteField)] = (typeof(NoteFieldView), () => new NoteFieldView()),
         [typeof(CompensationViewModel)] = (typeof(CompensationView), () => new CompensationView()),
         [typeof(CorrectionDetail)] = (typeof(CorrectionDetailView), () => new CorrectionDetailView()),
         [typeof(ProgramPicture)] = (typeof(ProgramPictureView), () => new ProgramPictureView()),

@@ -56,20 +56,44 @@ internal sealed class PixelCanvas
                 {
                     _pixels[(y * Width) + x] = color;
                 }
-
-                continue;
             }
-
-            for (var v = y - ((thickness - 1) / 2); v <= y + (thickness / 2); v++)
+            else if (thickness == 1)
             {
-                for (var u = x - ((thickness - 1) / 2); u <= x + (thickness / 2); u++)
+                if (Has(x, y))
                 {
-                    if (Has(u, v))
-                    {
-                        _pixels[(v * Width) + u] = color;
-                    }
+                    _pixels[(y * Width) + x] = color;
                 }
             }
+            else
+            {
+                Square(x - ((thickness - 1) / 2), y - ((thickness - 1) / 2), thickness, color);
+            }
+        }
+    }
+
+    /// <summary>Half the width of a disk in each of its rows from the middle on, in pixels.</summary>
+    public static int[] Disk(double radius) => [.. Enumerable.Range(0, (int)Math.Max(1, radius) + 1).Select(row => (int)Math.Sqrt(Math.Max(0, (Math.Max(1, radius) * Math.Max(1, radius)) - (row * row))))];
+
+    /// <summary>Draws a disk, its middle in pixels.</summary>
+    public void Dot(int x, int y, int color, int[] disk)
+    {
+        for (var row = 1 - disk.Length; row < disk.Length; row++)
+        {
+            var half = disk[Math.Abs(row)];
+            var (from, to) = (Math.Max(0, x - half), Math.Min(Width - 1, x + half));
+            for (var at = ((y + row) * Width) + from; (uint)(y + row) < (uint)Height && from <= to; from++, at++)
+            {
+                _pixels[at] = color;
+            }
+        }
+    }
+
+    private void Square(int left, int top, int size, int color)
+    {
+        var (from, to) = (Math.Max(0, left), Math.Min(Width, left + size));
+        for (var y = Math.Max(0, top); y < Math.Min(Height, top + size) && from < to; y++)
+        {
+            _pixels.AsSpan((y * Width) + from, to - from).Fill(color);
         }
     }
 
