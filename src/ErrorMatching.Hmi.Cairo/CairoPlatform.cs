@@ -26,7 +26,7 @@ public static class CairoPlatform
         ArgumentOutOfRangeException.ThrowIfGreaterThan(scaling, 4);
         NativeLibraries.Demand(NativeLibraries.ForWindows);
         return builder.UseCairo()
-            .UseWindowingSubsystem(() => Windowing.Initialize(new DispatcherRenderTimer(), () => new X11Window(scaling), new MemoryClipboard()), "X11");
+            .UseWindowingSubsystem(() => Windowing.Initialize(new DispatcherRenderTimer(), () => new X11Window(scaling), new X11Clipboard()), "X11");
     }
 
     private static AppBuilder UseCairo(this AppBuilder builder)

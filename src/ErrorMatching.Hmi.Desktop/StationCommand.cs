@@ -23,7 +23,7 @@ internal static class StationCommand
         var chinese = new Option<bool>("--chinese") { Description = "Begin in Traditional Chinese." };
         var dark = new Option<bool>("--dark") { Description = "Begin light on dark." };
         var full = new Option<bool>("--full-screen") { Description = "Fill the screen." };
-        var scale = new Option<int>("--scale") { Description = "Size of everything in percent, 100 to 200.", HelpName = "PERCENT", DefaultValueFactory = _ => Least };
+        var scale = new Option<int>("--scale") { Description = "Size of everything in percent, 100 to 200; on Windows the system's own setting counts.", HelpName = "PERCENT", DefaultValueFactory = _ => Least };
         scale.Validators.Add(result =>
         {
             if (result.GetValueOrDefault<int>() is < Least or > Most)
@@ -57,9 +57,8 @@ internal static class StationCommand
             using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Leave);
             try
             {
-                return AppBuilder.Configure(() => new App { Open = () => Open(settings ?? demonstration!.GetAwaiter().GetResult().Settings, isDemo), Look = look })
-                    .UseX11(scaling)
-                    .StartWithClassicDesktopLifetime([]);
+                var builder = AppBuilder.Configure(() => new App { Open = () => Open(settings ?? demonstration!.GetAwaiter().GetResult().Settings, isDemo), Look = look });
+                return (OperatingSystem.IsWindows() ? builder.UseWindows() : builder.UseX11(scaling)).StartWithClassicDesktopLifetime([]);
             }
             finally
             {

@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi.Cairo;
@@ -6,7 +7,9 @@ namespace ErrorMatching.Hmi.Cairo;
 /// <remarks>A second thread just waits for the socket: one that is blocked in XNextEvent, with XInitThreads, delays the round trips of the drawing thread until the next event.</remarks>
 internal static class X11Connection
 {
-    private static readonly Dictionary<nint, X11Window> Windows = [];
+    private static readonly Dictionary<nint, Action<XEvent>> Windows = [];
+    private const int ErrorCode = 32, BadWindow = 3;
+    private static unsafe delegate* unmanaged[Cdecl]<nint, byte*, int> _otherwise;
     private static readonly AutoResetEvent Drained = new(false);
 
     /// <summary>The display; 0 before <see cref="Open"/>.</summary>
@@ -16,26 +19,28 @@ internal static class X11Connection
     public static nint DeleteWindow { get; private set; }
 
     /// <summary>Sends a window what happens to it.</summary>
-    public static void Add(nint window, X11Window owner) => Windows[window] = owner;
+    public static void Add(nint window, Action<XEvent> onEvent) => Windows[window] = onEvent;
 
     /// <summary>Ends that.</summary>
     public static void Remove(nint window) => Windows.Remove(window);
 
     /// <summary>Connects, once.</summary>
+    /// <param name="name">The display; that of <c>DISPLAY</c> if null.</param>
     /// <exception cref="PlatformNotSupportedException">There is no X server.</exception>
-    public static void Open()
+    public static unsafe void Open(string? name = null)
     {
         if (Display != 0)
         {
             return;
         }
 
-        Display = Xlib.XOpenDisplay(null);
+        Display = Xlib.XOpenDisplay(name);
         if (Display == 0)
         {
             throw new PlatformNotSupportedException("No X server answers: DISPLAY is not set, or names one that is not there. The operator station needs a screen.");
         }
 
+        _otherwise = Xlib.XSetErrorHandler(&OnError);
         DeleteWindow = Xlib.XInternAtom(Display, "WM_DELETE_WINDOW", 0);
         var (ui, socket) = (Dispatcher.UIThread, Xlib.XConnectionNumber(Display));
         new Thread(() => Watch(ui, socket)) { IsBackground = true, Name = "X11 socket" }.Start();
@@ -50,6 +55,10 @@ internal static class X11Connection
             Dispatcher.UIThread.Post(Drain, DispatcherPriority.Input);
         }
     }
+
+    // Who asked for the clipboard may have ended before it was answered. Whatever else the server complains of goes to Xlib, which says it and ends the program.
+    [UnmanagedCallersOnly(CallConvs = [typeof(System.Runtime.CompilerServices.CallConvCdecl)])]
+    private static unsafe int OnError(nint display, byte* error) => error[ErrorCode] == BadWindow ? 0 : _otherwise(display, error);
 
     private static void Watch(Dispatcher ui, int socket)
     {
@@ -78,9 +87,9 @@ internal static class X11Connection
         while (Xlib.XPending(Display) > 0)
         {
             _ = Xlib.XNextEvent(Display, out var e);
-            if (Windows.TryGetValue(e.Window, out var window))
+            if (Windows.TryGetValue(e.Window, out var onEvent))
             {
-                window.OnEvent(e);
+                onEvent(e);
             }
         }
     }

@@ -24,7 +24,7 @@ internal sealed unsafe class X11Window : PlatformWindow
         _ = Xlib.XSelectInput(X11Connection.Display, _window, Xlib.EventMask);
         var protocol = X11Connection.DeleteWindow;
         _ = Xlib.XSetWMProtocols(X11Connection.Display, _window, &protocol, 1);
-        X11Connection.Add(_window, this);
+        X11Connection.Add(_window, OnEvent);
     }
 
     /// <inheritdoc/>

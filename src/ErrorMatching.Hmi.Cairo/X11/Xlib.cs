@@ -7,12 +7,24 @@ internal static unsafe partial class Xlib
 {
     public const string Library = "libX11.so.6";
     public const int KeyPress = 2, KeyRelease = 3, ButtonPress = 4, ButtonRelease = 5, MotionNotify = 6, LeaveNotify = 8, FocusIn = 9, FocusOut = 10;
-    public const int Expose = 12, ConfigureNotify = 22, ClientMessage = 33;
+    public const int Expose = 12, ConfigureNotify = 22, PropertyNotify = 28, SelectionClear = 29, SelectionRequest = 30, SelectionNotify = 31, ClientMessage = 33;
     public const int SubstructureMask = (1 << 19) | (1 << 20);
 
     /// <summary>Keys, buttons, motion, leaving, exposure, structure and focus.</summary>
     public const nint EventMask = 1 | 2 | 4 | 8 | (1 << 5) | (1 << 6) | (1 << 15) | (1 << 17) | (1 << 21);
 
+    /// <summary>Changes of properties.</summary>
+    public const nint PropertyMask = 1 << 22;
+
+    [LibraryImport(Library)] public static partial int XSetSelectionOwner(nint display, nint selection, nint owner, nint time);
+    [LibraryImport(Library)] public static partial nint XGetSelectionOwner(nint display, nint selection);
+    [LibraryImport(Library)] public static partial int XConvertSelection(nint display, nint selection, nint target, nint property, nint requestor, nint time);
+    [LibraryImport(Library)] public static partial int XGetWindowProperty(nint display, nint window, nint property, nint offset, nint length, int delete, nint wanted, out nint type, out int format, out nuint items, out nuint left, out byte* data);
+    [LibraryImport(Library, EntryPoint = "XChangeProperty")] public static partial int XChangeBytes(nint display, nint window, nint property, nint type, int format, int mode, byte* data, int elements);
+    [LibraryImport(Library)] public static partial nint XMaxRequestSize(nint display);
+    [LibraryImport(Library)] public static partial nint XExtendedMaxRequestSize(nint display);
+    [LibraryImport(Library)] public static partial int XFree(void* data);
+    [LibraryImport(Library)] public static partial delegate* unmanaged[Cdecl]<nint, byte*, int> XSetErrorHandler(delegate* unmanaged[Cdecl]<nint, byte*, int> handler);
     [LibraryImport("libc")] public static partial int poll(ref PollFd fds, nuint count, int timeout);
     [LibraryImport(Library)] public static partial int XConnectionNumber(nint display);
     [LibraryImport(Library)] public static partial int XPending(nint display);

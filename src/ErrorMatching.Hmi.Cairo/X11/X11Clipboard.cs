@@ -1,0 +1,60 @@
+using System.Text;
+using Avalonia.Input;
+using Avalonia.Input.Platform;
+
+namespace ErrorMatching.Hmi.Cairo;
+
+/// <summary>The clipboard that all programs on the screen share (ICCCM 2, selection CLIPBOARD), for text. What was copied here stays until another program copies or the station ends.</summary>
+[System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "It lives as long as the process.")]
+internal sealed class X11Clipboard : IClipboard
+{
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(5);
+    private readonly Lazy<X11ClipboardWindow> _window = new(() => new());
+    private readonly SemaphoreSlim _reading = new(1, 1);
+    private IAsyncDataTransfer? _own;
+
+    /// <inheritdoc/>
+    public Task ClearAsync() => SetDataAsync(null);
+
+    /// <inheritdoc/>
+    public async Task SetDataAsync(IAsyncDataTransfer? dataTransfer)
+    {
+        // Taken now: a request from outside is answered at once.
+        var text = dataTransfer is null ? null : await dataTransfer.TryGetTextAsync();
+        _own = dataTransfer;
+        _window.Value.Offer(text is null ? null : Encoding.UTF8.GetBytes(text), () => _own = null);
+    }
+
+    /// <inheritdoc/>
+    public Task FlushAsync() => Task.CompletedTask;
+
+    /// <inheritdoc/>
+    public Task<IAsyncDataTransfer?> TryGetInProcessDataAsync() => Task.FromResult(_own);
+
+    /// <inheritdoc/>
+    public async Task<IAsyncDataTransfer?> TryGetDataAsync()
+    {
+        // That another program copied may still be on its way to us.
+        if (_own is not null && _window.Value.IsOwner)
+        {
+            return new KeptTransfer(_own);
+        }
+
+        await _reading.WaitAsync();
+        try
+        {
+            if (await _window.Value.ReadAsync(Patience) is not { } bytes)
+            {
+                return null;
+            }
+
+            var transfer = new DataTransfer();
+            transfer.Add(DataTransferItem.CreateText(Encoding.UTF8.GetString(bytes)));
+            return transfer;
+        }
+        finally
+        {
+            _reading.Release();
+        }
+    }
+}
