@@ -31,6 +31,11 @@ if (args is ["fits", .. var points])
     return SurfaceFitTimes.Run(points.FirstOrDefault());
 }
 
+if (args is ["station", .. var station])
+{
+    return await StationFrames.RunAsync(station.FirstOrDefault());
+}
+
 if (args is ["fit-once", var shape, var count, var noise])
 {
     return SurfaceFitTimes.Once(shape, count, noise);

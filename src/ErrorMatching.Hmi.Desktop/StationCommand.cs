@@ -54,7 +54,7 @@ internal static class StationCommand
             var settings = demo?.Settings ?? CellSettingsReader.Read(config!);
             using var stop = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Leave);
             using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Leave);
-            return AppBuilder.Configure(() => new App { Open = () => new Station(settings, TimeProvider.System, Station.DefaultIdle), Look = look })
+            return AppBuilder.Configure(() => new App { Open = () => new Station(settings, TimeProvider.System, Station.DefaultIdle) { Preferences = Preferences(settings, isDemo) }, Look = look })
                 .UseX11(scaling)
                 .StartWithClassicDesktopLifetime([]);
         }
@@ -63,6 +63,13 @@ internal static class StationCommand
             Console.Error.WriteLine(e.Message);
             return Outside;
         }
+    }
+
+    // A demonstration leaves nothing behind. A service without a home of its own keeps nothing.
+    private static PreferenceFiles? Preferences(CellSettings settings, bool isDemo)
+    {
+        var folder = isDemo ? Path.GetDirectoryName(Path.GetFullPath(settings.File)) : Environment.GetFolderPath(Environment.SpecialFolder.ApplicationData, Environment.SpecialFolderOption.DoNotVerify);
+        return string.IsNullOrEmpty(folder) ? null : new(Path.Combine(folder, "errormatch"));
     }
 
     // As if the window were closed: the seat is left in order, and the demonstration takes its folder away.

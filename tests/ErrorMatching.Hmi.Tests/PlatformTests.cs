@@ -52,6 +52,18 @@ public sealed class PlatformTests
     });
 
     [Fact]
+    public Task A_stream_that_fails_says_why_a_picture_is_not_read_or_written() => Drawing.Needed().RunAsync(() =>
+    {
+        using var drawn = new RenderTargetBitmap(new PixelSize(200, 200));
+        using var small = new MemoryStream(new byte[100], writable: true);
+        Assert.IsType<NotSupportedException>(Assert.Throws<IOException>(() => drawn.Save(small, PngBitmapEncoderOptions.Default)).InnerException);
+        using var png = new MemoryStream();
+        drawn.Save(png, PngBitmapEncoderOptions.Default);
+        using var torn = new MemoryStream(png.ToArray()[..40]);
+        Assert.IsType<EndOfStreamException>(Assert.Throws<IOException>(() => new Bitmap(torn)).InnerException);
+    });
+
+    [Fact]
     public Task Half_opaque_is_half_of_both() => Drawing.Needed().RunAsync(() => Within(
         new Border { Background = Brushes.Red, Opacity = 0.5 },
         (_, user) =>

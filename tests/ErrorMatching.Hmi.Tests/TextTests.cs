@@ -28,7 +28,7 @@ public sealed partial class TextTests
     {
         string[] keys =
         [
-            .. Names<Role>(), .. Names<CorrectionState>(), .. Names<PeopleError>(), .. Names<StoreError>(), .. Names<TransportError>(), .. Names<AuditFaultKind>(),
+            .. Names<Role>(), .. Names<TouchSize>(), .. Names<CorrectionState>(), .. Names<PeopleError>(), .. Names<StoreError>(), .. Names<TransportError>(), .. Names<AuditFaultKind>(),
             .. Screens.All.Select(s => "Screen." + s.Key),
             .. Enum.GetNames<FileChoiceKind>().Select(k => "Chooser." + k),
             .. new[] { Act.Approve, Act.Reject, Act.Release, Act.Revert }.SelectMany(a => new[] { "Act." + a, $"Act.{a}.Consequence" }),

@@ -20,12 +20,27 @@ public sealed record CellCheck(IReadOnlyList<CheckedGauge> Gauges, IReadOnlyList
     /// <param name="settings">The configuration.</param>
     /// <param name="cancellation">Ends the waiting for machines.</param>
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
-    public static async Task<CellCheck> OfAsync(CellSettings settings, CancellationToken cancellation)
+    public static Task<CellCheck> OfAsync(CellSettings settings, CancellationToken cancellation) => OfAsync(settings, null, cancellation);
+
+    /// <summary>Looks at everything that a configuration names, and says how far it is. All machines are asked at once.</summary>
+    /// <param name="settings">The configuration.</param>
+    /// <param name="progress">Is told after each gauge, machine, job and the store what part of all is looked at, up to 1; null if nobody asks.</param>
+    /// <param name="cancellation">Ends the waiting for machines.</param>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static async Task<CellCheck> OfAsync(CellSettings settings, IProgress<double>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(settings);
-        var store = StoreCheck.Of(settings.Store);
-        var machines = await new MachineCheck(settings, store).OfAllAsync(cancellation).ConfigureAwait(false);
+        double all = 1 + settings.Machines.Count + settings.Gauges.Count + settings.Jobs.Count;
+        var looked = 0;
+        var store = Looked(StoreCheck.Of(settings.Store));
+        var machines = await new MachineCheck(settings, store).OfAllAsync(m => Looked(m), cancellation).ConfigureAwait(false);
         var gauges = new GaugeCheck(settings, machines);
-        return new([.. settings.Gauges.Select(g => gauges.Of(g, cancellation))], machines, store, [.. settings.Jobs.Select(j => JobCheck.Of(j, cancellation))]);
+        return new([.. settings.Gauges.Select(g => Looked(gauges.Of(g, cancellation)))], machines, store, [.. settings.Jobs.Select(j => Looked(JobCheck.Of(j, cancellation)))]);
+
+        T Looked<T>(T part)
+        {
+            progress?.Report(Interlocked.Increment(ref looked) / all);
+            return part;
+        }
     }
 }

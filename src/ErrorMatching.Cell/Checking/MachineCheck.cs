@@ -6,11 +6,18 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
     public const string SecretMissing = "secret-missing";
     public const string KeyMissing = "key-missing";
 
-    public async Task<IReadOnlyList<CheckedMachine>> OfAllAsync(CancellationToken cancellation)
+    public async Task<IReadOnlyList<CheckedMachine>> OfAllAsync(Action<CheckedMachine> looked, CancellationToken cancellation)
     {
         // A store of an earlier form would be changed by opening it.
-        using var opened = store.IsThere && store.Form == store.Latest && settings.Machines.Any(NeedsPassword) ? CellStore.Open(settings.Store, TimeProvider.System, inspect: false) : null;
-        return await Task.WhenAll(settings.Machines.Select(m => OfAsync(m, opened, cancellation))).ConfigureAwait(false);
+        using var opened = store.IsThere && store.Form == store.Latest && settings.Machines.Any(m => m.NeedsPassword) ? CellStore.Open(settings.Store, TimeProvider.System, inspect: false) : null;
+        return await Task.WhenAll(settings.Machines.Select(Ask)).ConfigureAwait(false);
+
+        async Task<CheckedMachine> Ask(MachineSettings machine)
+        {
+            var found = await OfAsync(machine, opened, cancellation).ConfigureAwait(false);
+            looked(found);
+            return found;
+        }
     }
 
     private async Task<CheckedMachine> OfAsync(MachineSettings machine, CellStore? opened, CancellationToken cancellation)
@@ -18,7 +25,7 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
         string? secret = null;
         try
         {
-            if (NeedsPassword(machine))
+            if (machine.NeedsPassword)
             {
                 secret = opened is null ? null : new MachineSecrets(opened, settings.KeysFolder).Get(machine.Name);
                 if (secret is null)
@@ -34,7 +41,7 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
             }
 
             var names = await MachineFolders.Open(machine, () => secret).ListAsync(cancellation).ConfigureAwait(false);
-            return new(machine, names, NeedsPassword(machine), Untried(machine), null);
+            return new(machine, names, machine.NeedsPassword, Untried(machine), null);
         }
         catch (TransportException e)
         {
@@ -45,7 +52,7 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
             return Problem(SecretMissing, $"{machine.Name}: {e.Message}");
         }
 
-        CheckedMachine Problem(string code, string message) => new(machine, null, NeedsPassword(machine), null, CheckProblem.Of(code, message));
+        CheckedMachine Problem(string code, string message) => new(machine, null, machine.NeedsPassword, null, CheckProblem.Of(code, message));
     }
 
     private string Untried(MachineSettings machine)
@@ -53,6 +60,4 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
         var logs = settings.Gauges.Any(g => g.Machine == machine.Name && !g.KeepsFile) ? ", nor whether logs may be renamed and deleted" : "";
         return $"{machine.Name}: whether programs may be written, renamed and deleted there was not tried, for that changes something{logs}. The first program shows it; until then the control keeps what it has.";
     }
-
-    private static bool NeedsPassword(MachineSettings machine) => machine.Transport is FtpSettings or SftpSettings { KeyFile: null };
 }

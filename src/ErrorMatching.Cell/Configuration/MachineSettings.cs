@@ -18,6 +18,9 @@ public sealed record MachineSettings
     /// <summary>How long one transfer may take.</summary>
     public required TimeSpan Timeout { get; init; }
 
+    /// <summary>True if its transport signs in by a password.</summary>
+    public bool NeedsPassword => Transport is FtpSettings or SftpSettings { KeyFile: null };
+
     /// <summary>How often a transfer is tried in a row before the slot waits a while.</summary>
     public required int Attempts { get; init; }
 }

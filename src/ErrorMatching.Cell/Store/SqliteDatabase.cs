@@ -20,6 +20,7 @@ internal sealed class SqliteDatabase : CellDatabase
     private readonly ConcurrentBag<SqliteConnection> _readers = [];
     private SqliteConnection? _writer;
     private bool _disposed;
+    private int _losses;
 
     static SqliteDatabase() => SQLitePCL.Batteries_V2.Init();
 
@@ -152,6 +153,7 @@ internal sealed class SqliteDatabase : CellDatabase
         lock (_writing)
         {
             ObjectDisposedException.ThrowIf(_disposed, this);
+            DemandFile();
             var writer = _writer ??= Connect();
             try
             {
@@ -174,6 +176,8 @@ internal sealed class SqliteDatabase : CellDatabase
     protected override T OnReader<T>(Func<DbConnection, T> read)
     {
         ObjectDisposedException.ThrowIf(_disposed, this);
+        DemandFile();
+        var losses = Volatile.Read(ref _losses);
         if (!_readers.TryTake(out var reader)) reader = Connect();
         try
         {
@@ -189,7 +193,7 @@ internal sealed class SqliteDatabase : CellDatabase
         {
             if (reader is not null)
             {
-                if (_disposed) reader.Dispose();
+                if (_disposed || losses != Volatile.Read(ref _losses)) reader.Dispose();
                 else _readers.Add(reader);
             }
         }
@@ -206,6 +210,21 @@ internal sealed class SqliteDatabase : CellDatabase
         ForeignKeys = true,
         DefaultTimeout = (int)Patience.TotalSeconds,
     }.ConnectionString;
+
+    // A file that was taken away goes on for whoever has it open, and what is written into it is lost with the last of them. What comes back in its place is opened anew.
+    private void DemandFile()
+    {
+        if (File.Exists(_file)) return;
+        Interlocked.Increment(ref _losses);
+        while (_readers.TryTake(out var reader)) reader.Dispose();
+        lock (_writing)
+        {
+            _writer?.Dispose();
+            _writer = null;
+        }
+
+        throw new StoreException(StoreError.Away, $"The store {_file} is gone. Nothing was changed. Bring its disk back, or restore the latest backup; whoever has it open goes on by themselves.");
+    }
 
     private SqliteConnection Connect() => Prepared(new SqliteConnection(ConnectionString(_file)), connection =>
     {

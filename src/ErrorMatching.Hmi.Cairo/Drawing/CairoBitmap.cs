@@ -58,30 +58,29 @@ internal sealed unsafe class CairoBitmap : IWriteableBitmapImpl, IRenderTargetBi
 
     public static CairoBitmap FromPng(Stream stream)
     {
-        var handle = GCHandle.Alloc(stream);
-        try
+        using var transfer = new PngTransfer(stream);
+        var surface = LibCairo.cairo_image_surface_create_from_png_stream(&Read, transfer.Closure);
+        if (transfer.Failure is { } failure)
         {
-            return new CairoBitmap(LibCairo.cairo_image_surface_create_from_png_stream(&Read, GCHandle.ToIntPtr(handle)), new Vector(96, 96));
+            LibCairo.cairo_surface_destroy(surface);
+            throw new IOException($"The picture could not be read: {failure.Message}", failure);
         }
-        finally
-        {
-            handle.Free();
-        }
+
+        return new CairoBitmap(surface, new Vector(96, 96));
     }
 
     public void Save(Stream stream, BitmapEncoderOptions options)
     {
-        var handle = GCHandle.Alloc(stream);
-        try
+        using var transfer = new PngTransfer(stream);
+        var status = LibCairo.cairo_surface_write_to_png_stream(Surface, &Write, transfer.Closure);
+        if (transfer.Failure is { } failure)
         {
-            if (LibCairo.cairo_surface_write_to_png_stream(Surface, &Write, GCHandle.ToIntPtr(handle)) is var status and not 0)
-            {
-                throw new IOException($"The picture could not be written (cairo status {status}).");
-            }
+            throw new IOException($"The picture could not be written: {failure.Message}", failure);
         }
-        finally
+
+        if (status != 0)
         {
-            handle.Free();
+            throw new IOException($"The picture could not be written (cairo status {status}).");
         }
     }
 
@@ -100,16 +99,8 @@ internal sealed unsafe class CairoBitmap : IWriteableBitmapImpl, IRenderTargetBi
     }
 
     [UnmanagedCallersOnly(CallConvs = [typeof(System.Runtime.CompilerServices.CallConvCdecl)])]
-    private static int Read(nint closure, byte* data, uint length)
-    {
-        try { ((Stream)GCHandle.FromIntPtr(closure).Target!).ReadExactly(new Span<byte>(data, (int)length)); return 0; }
-        catch (Exception) { return 10; } // CAIRO_STATUS_READ_ERROR
-    }
+    private static int Read(nint closure, byte* data, uint length) => PngTransfer.Of(closure).Read(new Span<byte>(data, (int)length)) ? 0 : 10; // CAIRO_STATUS_READ_ERROR
 
     [UnmanagedCallersOnly(CallConvs = [typeof(System.Runtime.CompilerServices.CallConvCdecl)])]
-    private static int Write(nint closure, byte* data, uint length)
-    {
-        try { ((Stream)GCHandle.FromIntPtr(closure).Target!).Write(new ReadOnlySpan<byte>(data, (int)length)); return 0; }
-        catch (Exception) { return 11; } // CAIRO_STATUS_WRITE_ERROR
-    }
+    private static int Write(nint closure, byte* data, uint length) => PngTransfer.Of(closure).Write(new ReadOnlySpan<byte>(data, (int)length)) ? 0 : 11; // CAIRO_STATUS_WRITE_ERROR
 }

@@ -3,7 +3,7 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A cell that anybody can play with: the sample cell in a folder of its own, running in this process, with users whose password is known.</summary>
+/// <summary>A cell that anybody can play with: the samples in a folder of its own, running in this process, with users whose password is known.</summary>
 public sealed class DemoCell : IAsyncDisposable
 {
     /// <summary>Everybody's password.</summary>
@@ -19,19 +19,17 @@ public sealed class DemoCell : IAsyncDisposable
     public const string Administrator = "ada";
 
     private readonly TimeProvider _clock;
-    private readonly string _part;
+    private readonly string _samples;
     private readonly CancellationTokenSource _stop = new();
     private Task _running = Task.CompletedTask;
 
-    private DemoCell(CellSettings settings, TimeProvider clock, string part) => (Settings, _clock, _part) = (settings, clock, part);
+    private DemoCell(CellSettings settings, TimeProvider clock, string samples) => (Settings, _clock, _samples) = (settings, clock, samples);
 
-    /// <summary>The configuration: that of the sample, but that a person approves.</summary>
+    /// <summary>The configuration: a person approves.</summary>
     public CellSettings Settings { get; }
 
     /// <summary>The folder that stands for the machine.</summary>
     public string MachineFolder => ((FolderSettings)Settings.Machines[0].Transport).Folder;
-
-    private string Incoming => Settings.Gauges[0].Incoming!;
 
     /// <summary>Puts the cell into a folder and makes its users. It does not run yet.</summary>
     /// <param name="folder">An empty folder.</param>
@@ -41,11 +39,13 @@ public sealed class DemoCell : IAsyncDisposable
         var samples = Path.Combine(AppContext.BaseDirectory, "samples");
         Copy(Path.Combine(samples, "cell"), Path.Combine(folder, "cell"));
         Copy(Path.Combine(samples, "complex-mating"), Path.Combine(folder, "complex-mating"));
-        var file = Path.Combine(folder, "cell", "cell.json");
-        File.WriteAllText(file, File.ReadAllText(file).Replace("\"approve\": \"automatic\"", "\"approve\": \"person\"", StringComparison.Ordinal));
-        var settings = CellSettingsReader.Read(file);
-        Directory.CreateDirectory(settings.Gauges[0].Incoming!);
-        Directory.CreateDirectory(((FolderSettings)settings.Machines[0].Transport).Folder);
+        Copy(Path.Combine(samples, "surface-one"), Path.Combine(folder, "surface-one"));
+        var settings = CellSettingsReader.Read(Path.Combine(folder, "cell", "cell.json"));
+        foreach (var made in settings.Gauges.Select(g => g.Incoming!).Concat(settings.Machines.Select(m => ((FolderSettings)m.Transport).Folder)))
+        {
+            Directory.CreateDirectory(made);
+        }
+
         using var store = CellStore.Open(settings.Store, clock, AuditKey.Open(settings.KeysFolder));
         var users = new UserBook(store, clock);
         users.AddFirst(Administrator, Password);
@@ -56,7 +56,7 @@ public sealed class DemoCell : IAsyncDisposable
 
     /// <summary>The cell that was put into a folder before.</summary>
     internal static DemoCell At(string folder, TimeProvider clock) =>
-        new(CellSettingsReader.Read(Path.Combine(folder, "cell", "cell.json")), clock, File.ReadAllText(Path.Combine(folder, "complex-mating", "part.csv")));
+        new(CellSettingsReader.Read(Path.Combine(folder, "cell", "cell.json")), clock, folder);
 
     /// <summary>Runs the cell until it is disposed.</summary>
     public void Run() => _running = Task.Run(async () =>
@@ -69,16 +69,32 @@ public sealed class DemoCell : IAsyncDisposable
     /// <summary>Drops a measured part into the gauge's folder, whole.</summary>
     /// <param name="serial">Its serial number.</param>
     /// <param name="spread">How far its points lie from those of the sample at most, in mm; 0 is the sample's part.</param>
-    public void Deliver(int serial, double spread)
+    public void Deliver(int serial, double spread) => Drop(0, "part", serial, DemoPart.Near(Sample("complex-mating", "part.csv"), serial, spread));
+
+    /// <summary>Drops the measured counterpart that was cut for a part: about as far from it as the sample's is from the sample's part.</summary>
+    /// <param name="serial">Serial number of the part.</param>
+    /// <param name="spread">As it was delivered with.</param>
+    public void DeliverCounterpart(int serial, double spread)
     {
-        var name = string.Create(CultureInfo.InvariantCulture, $"part-{serial:0000}.csv");
-        var outside = Path.Combine(Incoming, "..", name);
-        File.WriteAllText(outside, DemoPart.Near(_part, serial, spread));
-        File.Move(outside, Path.Combine(Incoming, name), overwrite: true);
+        var part = Sample("complex-mating", "part.csv");
+        var fits = DemoPart.Counterpart(DemoPart.Near(part, serial, spread), Sample("complex-mating", "counterpart-after.csv"), part);
+
+        // A machine repeats better than parts are alike.
+        Drop(0, "counterpart", serial, DemoPart.Near(fits, ~serial, spread / 4));
     }
 
-    /// <summary>Says what the machine says when the piece is cut.</summary>
-    public void FinishPiece() => File.WriteAllText(Path.Combine(MachineFolder, Settings.Machines[0].Slots[0].ReadyFile!), "");
+    /// <summary>Drops a measured surface into its gauge's folder, whole.</summary>
+    /// <param name="serial">Its serial number.</param>
+    /// <param name="spread">How far its points lie from those of the sample at most, in mm; 0 is the sample's surface.</param>
+    public void DeliverSurface(int serial, double spread) => Drop(1, "surface", serial, DemoPart.Near(Sample("surface-one", "measured.csv"), serial, spread));
+
+    /// <summary>Says what a machine says when the piece is cut.</summary>
+    /// <param name="machine">Its name; null for the first one.</param>
+    public void FinishPiece(string? machine = null)
+    {
+        var settings = machine is null ? Settings.Machines[0] : Settings.Machines.First(m => m.Name == machine);
+        File.WriteAllText(Path.Combine(((FolderSettings)settings.Transport).Folder, settings.Slots[0].ReadyFile!), "");
+    }
 
     /// <inheritdoc/>
     public async ValueTask DisposeAsync()
@@ -86,6 +102,16 @@ public sealed class DemoCell : IAsyncDisposable
         await _stop.CancelAsync();
         await _running;
         _stop.Dispose();
+    }
+
+    private string Sample(string sample, string file) => File.ReadAllText(Path.Combine(_samples, sample, file));
+
+    private void Drop(int gauge, string piece, int serial, string text)
+    {
+        var (name, incoming) = (string.Create(CultureInfo.InvariantCulture, $"{piece}-{serial:0000}.csv"), Settings.Gauges[gauge].Incoming!);
+        var outside = Path.Combine(incoming, "..", name);
+        File.WriteAllText(outside, text);
+        File.Move(outside, Path.Combine(incoming, name), overwrite: true);
     }
 
     private static void Copy(string from, string to)

@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
@@ -8,10 +9,14 @@ namespace ErrorMatching.Hmi;
 public sealed class DemoDay(DemoCell cell, TimeProvider clock)
 {
     private const int MostWaiting = 3;
-    private const double SpreadMm = 0.02;
+    private const double SpreadMm = 0.02, SurfaceSpreadMm = 0.0005;
     private static readonly TimeSpan First = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan BetweenParts = TimeSpan.FromSeconds(20);
+    private static readonly TimeSpan FirstSurface = TimeSpan.FromSeconds(8);
+    private static readonly TimeSpan BetweenSurfaces = TimeSpan.FromMinutes(2);
     private static readonly TimeSpan Cutting = TimeSpan.FromSeconds(15);
+
+    private readonly HashSet<int> _measured = [];
 
     /// <summary>Goes on until told to end.</summary>
     public async Task RunAsync(CancellationToken end)
@@ -19,7 +24,7 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
         try
         {
             using var store = CellStore.Open(cell.Settings.Store, clock, AuditKey.Open(cell.Settings.KeysFolder));
-            await Task.WhenAll(MeasureAsync(store, end), CutAsync(store, end));
+            await Task.WhenAll(MeasureAsync(store, end), ScanAsync(store, end), CutAsync(store, end));
         }
         catch (OperationCanceledException) when (end.IsCancellationRequested)
         {
@@ -32,12 +37,26 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
         await Task.Delay(First, clock, end);
         for (var serial = 1; ; serial++)
         {
-            cell.Deliver(serial, serial == 1 ? 0 : SpreadMm);
+            cell.Deliver(serial, SpreadOf(serial));
             do
             {
                 await Task.Delay(BetweenParts, clock, end);
             }
-            while (store.InState(CorrectionState.Proposed).Count >= MostWaiting);
+            while (Waiting(store, "part") >= MostWaiting);
+        }
+    }
+
+    private async Task ScanAsync(CellStore store, CancellationToken end)
+    {
+        await Task.Delay(FirstSurface, clock, end);
+        for (var serial = 1; ; serial++)
+        {
+            cell.DeliverSurface(serial, serial == 1 ? 0 : SurfaceSpreadMm);
+            do
+            {
+                await Task.Delay(BetweenSurfaces, clock, end);
+            }
+            while (Waiting(store, "surface") > 0);
         }
     }
 
@@ -46,10 +65,20 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
         while (true)
         {
             await Task.Delay(TimeSpan.FromSeconds(1), clock, end);
-            if (store.InState(CorrectionState.Verified) is [var held, ..] && clock.GetUtcNow() - held.ChangedAt >= Cutting)
+            foreach (var held in store.InState(CorrectionState.Verified).Where(c => clock.GetUtcNow() - c.ChangedAt >= Cutting))
             {
-                cell.FinishPiece();
+                // Whoever measured the part measures the counterpart that was cut for it: before the slot is free, so that it is known whose it is.
+                if (held is { Piece: "part", Serial: { } serial } && int.TryParse(serial, NumberStyles.None, CultureInfo.InvariantCulture, out var number) && _measured.Add(number))
+                {
+                    cell.DeliverCounterpart(number, SpreadOf(number));
+                }
+
+                cell.FinishPiece(held.Machine);
             }
         }
     }
+
+    private static int Waiting(CellStore store, string piece) => store.InState(CorrectionState.Proposed).Count(c => c.Piece == piece);
+
+    private static double SpreadOf(int serial) => serial == 1 ? 0 : SpreadMm;
 }

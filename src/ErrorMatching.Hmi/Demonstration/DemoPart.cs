@@ -7,23 +7,13 @@ namespace ErrorMatching.Hmi;
 internal static class DemoPart
 {
     /// <summary>A measurement like another one.</summary>
-    /// <param name="part">The other one, as CSV with a label and two coordinates.</param>
+    /// <param name="part">The other one, as CSV with a label and coordinates.</param>
     /// <param name="serial">Decides how it is different: the same number gives the same part.</param>
-    /// <param name="spread">How far a point is away at most, in mm.</param>
+    /// <param name="spread">How far a coordinate is away at most, in mm.</param>
     public static string Near(string part, int serial, double spread)
     {
-        var lines = part.TrimEnd('\n').Split('\n');
-        var text = new StringBuilder(lines[0]).Append('\n');
         var seed = (uint)serial;
-        foreach (var line in lines.Skip(1))
-        {
-            var fields = line.TrimEnd('\r').Split(',');
-            text.Append(CultureInfo.InvariantCulture, $"{fields[0]},{Moved(fields[1]):0.0000},{Moved(fields[2]):0.0000}\n");
-        }
-
-        return text.ToString();
-
-        double Moved(string coordinate) => double.Parse(coordinate, CultureInfo.InvariantCulture) + (spread * Next());
+        return Each(part, (_, _, value) => value + (spread * Next()));
 
         // Numerical Recipes' linear congruential generator: the same on every computer.
         double Next()
@@ -32,4 +22,36 @@ internal static class DemoPart
             return ((seed >> 8) / (double)(1 << 23)) - 1;
         }
     }
+
+    /// <summary>The counterpart of a part, as far from it as another counterpart is from its own.</summary>
+    /// <param name="part">The part.</param>
+    /// <param name="like">The other counterpart.</param>
+    /// <param name="of">The part that the other counterpart belongs to, with the same labels in the same order.</param>
+    public static string Counterpart(string part, string like, string of)
+    {
+        var (parts, others) = (Rows(part), Rows(of));
+        return Each(like, (row, column, value) => value + Number(parts[row][column]) - Number(others[row][column]));
+    }
+
+    private static string Each(string csv, Func<int, int, double, double> change)
+    {
+        var rows = Rows(csv);
+        var text = new StringBuilder(string.Join(',', rows[0])).Append('\n');
+        for (var row = 1; row < rows.Length; row++)
+        {
+            text.Append(rows[row][0]);
+            for (var column = 1; column < rows[row].Length; column++)
+            {
+                text.Append(CultureInfo.InvariantCulture, $",{change(row, column, Number(rows[row][column])):0.0000}");
+            }
+
+            text.Append('\n');
+        }
+
+        return text.ToString();
+    }
+
+    private static string[][] Rows(string csv) => [.. csv.TrimEnd('\n').Split('\n').Select(l => l.TrimEnd('\r').Split(','))];
+
+    private static double Number(string field) => double.Parse(field, CultureInfo.InvariantCulture);
 }

@@ -92,7 +92,7 @@ public sealed class GapPlot : PlotArea
 
         foreach (var (line, pen) in Drawing.Counterpart.Select(l => (l, new Pen(CounterpartBrush, Thick, Dashes))).Concat(Drawing.Part.Select(l => (l, new Pen(PartBrush, Thick)))))
         {
-            context.DrawLine(pen, line, view);
+            Line(context, pen, line, view);
         }
 
         var labels = new List<Rect>();

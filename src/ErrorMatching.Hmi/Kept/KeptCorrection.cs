@@ -6,9 +6,12 @@ namespace ErrorMatching.Hmi;
 /// <param name="Correction">The correction.</param>
 /// <param name="Steps">What became of it, step by step.</param>
 /// <param name="Report">The report of the match; null if there is none, or it is of another kind.</param>
-/// <param name="Lines">The original program and the new one; null before it is computed.</param>
+/// <param name="Lines">The original program and the new one, which is its own original where it was made anew; null before it is computed.</param>
 public sealed record KeptCorrection(Correction Correction, IReadOnlyList<CorrectionStep> Steps, KeptReport? Report, ProgramLines? Lines)
 {
+    /// <summary>The report of a surface; null if there is none.</summary>
+    public KeptSurface? Surface { get; init; }
+
     /// <summary>Reads it. This takes its time: not to be called on the screen's thread.</summary>
     /// <param name="store">The store.</param>
     /// <param name="correction">The correction.</param>
@@ -17,8 +20,13 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
     {
         ArgumentNullException.ThrowIfNull(store);
         ArgumentNullException.ThrowIfNull(correction);
-        var report = correction.ReportSha256 is { } sha ? KeptReport.Read(store.Content(sha)) : null;
-        var lines = correction is { BaseSha256: { } was, ProgramSha256: { } now } ? new ProgramLines(store.Content(was), store.Content(now), report?.Blocks ?? []) : null;
-        return new(correction, store.StepsOf(correction.Id), report, lines);
+        var json = correction.ReportSha256 is { } sha ? store.Content(sha) : null;
+        var (report, surface) = json is null ? (null, null) : (KeptReport.Read(json), KeptSurface.Read(json));
+        var program = correction.ProgramSha256 is { } made ? store.Content(made) : null;
+        var lines = program is null ? null
+            : correction.BaseSha256 is { } was ? new ProgramLines(store.Content(was), program, report?.Blocks ?? [])
+            : surface is not null ? new ProgramLines(program, program, [])
+            : null;
+        return new(correction, store.StepsOf(correction.Id), report, lines) { Surface = surface };
     }
 }

@@ -18,7 +18,7 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
     /// <param name="blocks">The blocks that differ, of the report.</param>
     public ProgramLines(ReadOnlyMemory<byte> original, ReadOnlyMemory<byte> modified, IReadOnlyList<KeptBlock> blocks)
     {
-        (_original, _modified) = (NcProgram.Read(original), NcProgram.Read(modified));
+        (_original, _modified, Bytes) = (NcProgram.Read(original), NcProgram.Read(modified), modified.Length);
         _changed = blocks.Where(b => b.Original.Length > 0).ToDictionary(b => b.Line - 1);
         _inserted = [.. Inserted()];
         Changes = [.. _changed.Keys.Select(RowOf).Concat(_inserted).Order()];
@@ -26,6 +26,9 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
 
     /// <summary>Numbers of the lines that differ.</summary>
     public IReadOnlyList<int> Changes { get; }
+
+    /// <summary>Length of the new program.</summary>
+    public long Bytes { get; }
 
     /// <inheritdoc cref="ICollection.Count"/>
     public int Count => _original.BlockCount + _inserted.Length;

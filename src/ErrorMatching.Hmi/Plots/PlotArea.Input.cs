@@ -78,8 +78,7 @@ public abstract partial class PlotArea
         if (_fingers.Remove(e.Pointer.Id) && _fingers.Count == 0 && !_hasMoved)
         {
             var at = e.GetPosition(this);
-            Ask(DatumNear(new(at.X, at.Y), Reach));
-            OnTapped(new(at.X, at.Y), Reach);
+            AskFor(DatumNear(new(at.X, at.Y), Reach));
         }
 
         e.Handled = true;
@@ -137,14 +136,23 @@ public abstract partial class PlotArea
                 ShowAll();
                 return true;
             case Key.Space:
-                Ask(DatumNear(new(Bounds.Width / 2, Bounds.Height / 2), double.PositiveInfinity));
+                AskFor(DatumNear(new(Bounds.Width / 2, Bounds.Height / 2), double.PositiveInfinity));
                 return true;
             case Key.PageDown or Key.PageUp when DatumCount > 0:
                 var next = (_datum?.Index ?? (key == Key.PageDown ? -1 : DatumCount)) + (key == Key.PageDown ? 1 : -1);
-                Ask(DatumAt(Math.Clamp(next, 0, DatumCount - 1)));
+                AskFor(DatumAt(Math.Clamp(next, 0, DatumCount - 1)));
                 return true;
             default:
                 return false;
+        }
+    }
+
+    private void AskFor(PlotDatum? datum)
+    {
+        Ask(datum);
+        if (datum is not null)
+        {
+            OnAsked(datum);
         }
     }
 

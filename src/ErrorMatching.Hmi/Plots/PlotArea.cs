@@ -14,6 +14,7 @@ namespace ErrorMatching.Hmi;
 /// What derives from it says how much there is (<see cref="Extent"/>), draws what a <see cref="PlotView"/> shows of it (<see cref="Draw"/>), and what is near a place (<see cref="DatumNear"/>); it calls <see cref="Renew"/> when its data
 /// are others. The data themselves belong to view models. Keys: arrows move, plus and minus zoom, 0 shows all, space asks for the values nearest to the middle, page up and down go to the datum before and behind.
 /// </remarks>
+[System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "The layer is let go when the plot leaves the screen.")]
 public abstract partial class PlotArea : Control
 {
     /// <summary>Labels.</summary>
@@ -93,6 +94,9 @@ public abstract partial class PlotArea : Control
     /// <summary>The exact values under the finger; null while none are asked for.</summary>
     public string? Values => _datum?.Text;
 
+    /// <summary>The datum that was asked for; null while none is.</summary>
+    protected PlotDatum? Asked => _datum;
+
     /// <summary>What is seen.</summary>
     public PlotView View
     {
@@ -109,9 +113,6 @@ public abstract partial class PlotArea : Control
 
     /// <summary>True while all is seen.</summary>
     public bool ShowsAll => _view == _whole;
-
-    /// <inheritdoc/>
-    protected override Type StyleKeyOverride => typeof(PlotArea);
 
     /// <summary>How much there is to be seen; an empty box if there is nothing.</summary>
     protected abstract PlotBox Extent { get; }
@@ -169,6 +170,7 @@ public abstract partial class PlotArea : Control
         }
 
         Draw(context, View);
+        ShowPixels(context);
         if (_datum is { } datum)
         {
             Crosshair(context, datum);
@@ -188,10 +190,19 @@ public abstract partial class PlotArea : Control
     /// <summary>A datum by its number, from 0.</summary>
     protected virtual PlotDatum? DatumAt(int index) => null;
 
-    /// <summary>Called when a person has tapped, beside what <see cref="DatumNear"/> found there.</summary>
-    protected virtual void OnTapped(Point2 screen, double reach)
+    /// <summary>Called when a person has asked for a datum.</summary>
+    protected virtual void OnAsked(PlotDatum datum)
     {
         // Who wants to know says so.
+    }
+
+    /// <summary>Moves what is seen to a box, if nothing of it is seen.</summary>
+    protected void Reveal(PlotBox box)
+    {
+        if (!box.IsEmpty && !box.Touches(View.Seen))
+        {
+            View = View with { Middle = box.Middle };
+        }
     }
 
     /// <summary>Says that the data are others. Whoever sees all goes on seeing all; whoever looks closely goes on looking there, as long as there is something.</summary>
@@ -237,5 +248,12 @@ public abstract partial class PlotArea : Control
         {
             AutomationProperties.SetAutomationId(button, $"{AutomationProperties.GetAutomationId(this)}-{part}");
         }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
+    {
+        base.OnDetachedFromVisualTree(e);
+        _layer.Dispose();
     }
 }

@@ -32,4 +32,25 @@ public readonly record struct PlotBox(double Left, double Low, double Right, dou
 
     /// <summary>True if they share a point, be it on their borders.</summary>
     public bool Touches(PlotBox other) => Left <= other.Right && other.Left <= Right && Low <= other.High && other.Low <= High;
+
+    /// <summary>The part of a straight piece that lies in it (Y.-D. Liang and B. A. Barsky, ACM Transactions on Graphics 3, 1984, 1); null if none does.</summary>
+    public (Point2 From, Point2 To)? PartOf(Point2 a, Point2 b)
+    {
+        var (from, to, way) = (0.0, 1.0, b - a);
+        return Cut(-way.X, a.X - Left) && Cut(way.X, Right - a.X) && Cut(-way.Y, a.Y - Low) && Cut(way.Y, High - a.Y)
+            ? (from > 0 ? a.Lerp(b, from) : a, to < 1 ? a.Lerp(b, to) : b)
+            : null;
+
+        bool Cut(double towards, double room)
+        {
+            if (towards == 0)
+            {
+                return room >= 0;
+            }
+
+            var at = room / towards;
+            (from, to) = towards < 0 ? (Math.Max(from, at), to) : (from, Math.Min(to, at));
+            return from <= to;
+        }
+    }
 }

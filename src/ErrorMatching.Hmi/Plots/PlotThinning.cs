@@ -10,11 +10,12 @@ public sealed class PlotThinning
     private const double Beyond = 16;
 
     private readonly PlotView _view;
+    private readonly PlotBox _seen;
     private readonly List<(Point2 At, bool Begins)> _points = [];
     private Point2? _end;
     private (Point2 First, Point2 Low, Point2 High, Point2 Last, bool LowFirst)? _column;
 
-    private PlotThinning(PlotView view) => _view = view;
+    private PlotThinning(PlotView view) => (_view, _seen) = (view, new(-Beyond, -Beyond, view.Width + Beyond, view.Height + Beyond));
 
     /// <summary>The points of a line that are drawn, in units of the screen; one that begins is not joined to the one before.</summary>
     /// <param name="line">The line in the plot's units; a point that is no finite number interrupts it.</param>
@@ -68,7 +69,7 @@ public sealed class PlotThinning
 
     private void To(Point2 at)
     {
-        if (_end is { } from && from != at && Seen(from, at) is var (a, b))
+        if (_end is { } from && from != at && _seen.PartOf(from, at) is var (a, b))
         {
             if (_points.Count == 0 || _points[^1].At != a)
             {
@@ -79,26 +80,5 @@ public sealed class PlotThinning
         }
 
         _end = at;
-    }
-
-    // The part of a piece that lies within the borders (Y.-D. Liang and B. A. Barsky, ACM Transactions on Graphics 3, 1984, 1).
-    private (Point2 From, Point2 To)? Seen(Point2 a, Point2 b)
-    {
-        var (from, to, way) = (0.0, 1.0, b - a);
-        return Cut(-way.X, a.X + Beyond) && Cut(way.X, _view.Width + Beyond - a.X) && Cut(-way.Y, a.Y + Beyond) && Cut(way.Y, _view.Height + Beyond - a.Y)
-            ? (from > 0 ? a.Lerp(b, from) : a, to < 1 ? a.Lerp(b, to) : b)
-            : null;
-
-        bool Cut(double towards, double room)
-        {
-            if (towards == 0)
-            {
-                return room >= 0;
-            }
-
-            var at = room / towards;
-            (from, to) = towards < 0 ? (Math.Max(from, at), to) : (from, Math.Min(to, at));
-            return from <= to;
-        }
     }
 }

@@ -1,4 +1,5 @@
 using System.ComponentModel;
+using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Interactivity;
@@ -12,6 +13,7 @@ public sealed partial class MainWindow : Window
 {
     private ShellViewModel? _shell;
     private InputElement? _focused;
+    private ScannedCode? _code;
 
     /// <summary>A window of 1280 by 800, which is the smallest that everything fits into.</summary>
     public MainWindow()
@@ -19,6 +21,8 @@ public sealed partial class MainWindow : Window
         InitializeComponent();
         AddHandler(PointerPressedEvent, (_, _) => _shell?.Touch(), RoutingStrategies.Tunnel, handledEventsToo: true);
         AddHandler(KeyDownEvent, (_, _) => _shell?.Touch(), RoutingStrategies.Tunnel, handledEventsToo: true);
+        AddHandler(TextInputEvent, OnScannedText, RoutingStrategies.Tunnel);
+        AddHandler(KeyDownEvent, OnScannedKey, RoutingStrategies.Tunnel);
     }
 
     /// <inheritdoc/>
@@ -34,7 +38,9 @@ public sealed partial class MainWindow : Window
         if (_shell is not null)
         {
             _shell.PropertyChanged += OnShell;
+            _code = new(_shell.Station.Clock);
             ShowTheme();
+            ShowTargets();
         }
     }
 
@@ -55,9 +61,32 @@ public sealed partial class MainWindow : Window
         {
             ShowTheme();
         }
+        else if (e.PropertyName is nameof(ShellViewModel.TouchSize))
+        {
+            ShowTargets();
+        }
         else if (e.PropertyName is nameof(ShellViewModel.IsFree))
         {
             KeepFocus();
+        }
+    }
+
+    private bool IsFieldless => FocusManager?.GetFocusedElement() is not TextBox;
+
+    private void OnScannedText(object? sender, TextInputEventArgs e)
+    {
+        if (IsFieldless && e.Text is { } text)
+        {
+            _code?.Add(text);
+        }
+    }
+
+    private void OnScannedKey(object? sender, KeyEventArgs e)
+    {
+        if (e.Key is Key.Enter && IsFieldless && _code?.End() is { } code)
+        {
+            _shell!.Scan(code);
+            e.Handled = true;
         }
     }
 
@@ -74,6 +103,9 @@ public sealed partial class MainWindow : Window
             Dispatcher.UIThread.Post(() => before.Focus(), DispatcherPriority.Loaded);
         }
     }
+
+    // The styles look the height up from where a control is: the window's own goes before the application's.
+    private void ShowTargets() => Resources["Target"] = Resources["RowHeight"] = Application.Current!.FindResource("Target" + _shell!.TouchSize);
 
     private void ShowTheme() => RequestedThemeVariant = _shell!.IsDark ? ThemeVariant.Dark : ThemeVariant.Light;
 }

@@ -5,7 +5,6 @@ namespace ErrorMatching.Hmi;
 /// <summary>The frame around all screens: where one is and can go, who sits there, what the cell cannot do just now, and the lock.</summary>
 public sealed class ShellViewModel : Observable, IDisposable
 {
-    private const int MostRecent = 5;
     private static readonly TimeSpan SeatLook = TimeSpan.FromSeconds(1);
     private readonly SynchronizationContext _screen;
     private readonly ITimer _seat;
@@ -14,9 +13,7 @@ public sealed class ShellViewModel : Observable, IDisposable
     private LoginViewModel? _login;
     private SigningViewModel? _signing;
     private FileChooserViewModel? _choosing;
-    private IReadOnlyList<string> _recent = [];
     private SignedIn? _who;
-    private bool _isDark;
     private long _touched;
     private bool _isOver;
 
@@ -25,6 +22,9 @@ public sealed class ShellViewModel : Observable, IDisposable
     {
         Station = station ?? throw new ArgumentNullException(nameof(station));
         _screen = SynchronizationContext.Current ?? throw new InvalidOperationException("The frame is made on the screen's thread.");
+        Preferences = new(station);
+        Preferences.PropertyChanged += (_, e) => Say(e.PropertyName);
+        CloseNotice = new(() => Preferences.Notice = null);
         Items = [.. Screens.All.Select(s => new NavigationItem(s))];
         SignOut = new(async _ =>
         {
@@ -33,6 +33,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         });
         SwitchLanguage = new(() => Texts.Current.Language = Texts.Current.Language == Language.English ? Language.TraditionalChinese : Language.English);
         SwitchTheme = new(() => IsDark = !IsDark);
+        Editing = new(station, () => _who);
         Station.Changed += Follow;
         Texts.Current.LanguageChanged += Translate;
         Lock();
@@ -46,6 +47,9 @@ public sealed class ShellViewModel : Observable, IDisposable
 
     /// <summary>The screens that can be gone to.</summary>
     public IReadOnlyList<NavigationItem> Items { get; }
+
+    /// <summary>The job that is edited at this station, whichever set-up screen shows it.</summary>
+    public JobEditing Editing { get; }
 
     /// <summary>Signs out, which locks the station.</summary>
     public LongCommand SignOut { get; }
@@ -107,9 +111,21 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// <summary>True for light on dark.</summary>
     public bool IsDark
     {
-        get => _isDark;
-        set => Set(ref _isDark, value);
+        get => Preferences.IsDark;
+        set => Preferences.IsDark = value;
     }
+
+    /// <summary>How high what is touched is.</summary>
+    public TouchSize TouchSize => Preferences.TouchSize;
+
+    /// <summary>What somebody should know of their preferences; null if nothing.</summary>
+    public string? Notice => Preferences.Notice;
+
+    /// <summary>Takes the notice away.</summary>
+    public Command CloseNotice { get; }
+
+    /// <summary>How who sits here likes the station.</summary>
+    public KeptPreferences Preferences { get; }
 
     /// <summary>The cell's name.</summary>
     public string CellName => Station.Settings.Name;
@@ -146,6 +162,22 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// <summary>Goes to a screen.</summary>
     public void Go(string key) => Chosen = Items.First(i => i.Screen.Key == key);
 
+    /// <summary>Takes a code from a barcode scanner: the screen that is open, if it takes codes, else the history.</summary>
+    public void Scan(string code)
+    {
+        if (IsLocked || !IsFree)
+        {
+            return;
+        }
+
+        if (_current is not ITakesCodes)
+        {
+            Go(Screens.History);
+        }
+
+        (_current as ITakesCodes)?.TakeCode(code);
+    }
+
     /// <summary>Lets somebody choose a file or folder, in front of everything else.</summary>
     /// <returns>Its full path; null if nothing was chosen, or the station was locked meanwhile.</returns>
     public async Task<string?> ChooseAsync(FileChoice choice)
@@ -158,8 +190,8 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
 
         var cellFolder = Path.GetDirectoryName(Path.GetFullPath(Station.Settings.File))!;
-        var begin = string.IsNullOrWhiteSpace(choice.Start) ? _recent is [var last, ..] ? last : cellFolder : choice.Start;
-        var chooser = new FileChooserViewModel(choice, begin, cellFolder, _recent, Station.Clock);
+        var begin = string.IsNullOrWhiteSpace(choice.Start) ? Preferences.Folders is [var last, ..] ? last : cellFolder : choice.Start;
+        var chooser = new FileChooserViewModel(choice, begin, cellFolder, Preferences.Folders, Station.Clock);
         var chosen = new TaskCompletionSource<string?>();
         chooser.Done += path =>
         {
@@ -170,7 +202,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         var path = await chosen.Task;
         if (path is not null && (choice.Kind == FileChoiceKind.Folder ? path : Path.GetDirectoryName(path)) is { } folder)
         {
-            _recent = [.. _recent.Where(r => r != folder).Prepend(folder).Take(MostRecent)];
+            Preferences.Remember(folder);
         }
 
         return path;
@@ -200,8 +232,10 @@ public sealed class ShellViewModel : Observable, IDisposable
         _seat.Dispose();
         Station.Changed -= Follow;
         Texts.Current.LanguageChanged -= Translate;
+        Preferences.Dispose();
         _login?.Dispose();
         _current?.Dispose();
+        Editing.Dispose();
     }
 
     private void Show(NavigationItem item, ScreenViewModel screen)
@@ -223,6 +257,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         Choosing?.Leave.Execute(null);
         _login = new LoginViewModel(Station, UserName, Unlock);
         _who = null;
+        Preferences.Take(null);
         Say();
     }
 
@@ -232,6 +267,8 @@ public sealed class ShellViewModel : Observable, IDisposable
         var isOther = _login!.LastName != who.Name;
         _login.Dispose();
         (_login, _who) = (null, who);
+        Preferences.Take(who.Name);
+        Editing.Refresh();
         if (isOther || _current is null)
         {
             Show(Items[0], Items[0].Screen.Open(this));

@@ -31,8 +31,17 @@ public sealed class SigningViewModel : Observable
     /// <summary>Said when it is signed and done, or left.</summary>
     public event Action? Done;
 
+    /// <summary>Said when it is signed and done, before <see cref="Done"/>.</summary>
+    public event Action? Signed;
+
     /// <summary>What is to be done.</summary>
     public Act Act { get; }
+
+    /// <summary>Key of the text that says what is to be done, and with <c>.Consequence</c> what follows; that of the act if null.</summary>
+    public string? TitleKey { get; init; }
+
+    /// <summary>True where what is carried out demands the right and the signature itself: a signature is good for one act.</summary>
+    public bool IsDemandedElsewhere { get; init; }
 
     /// <summary>What it is done to.</summary>
     public string Subject { get; }
@@ -47,13 +56,13 @@ public sealed class SigningViewModel : Observable
     public bool NeedsPassword { get; }
 
     /// <summary>What is to be done, in words.</summary>
-    public string Title => Texts.Current["Act." + Act];
+    public string Title => Texts.Current[Key];
 
     /// <summary>Whose password is asked for.</summary>
     public string PasswordLabel => Texts.Current.With("Signing.Password", UserName);
 
     /// <summary>What follows, in words.</summary>
-    public string Consequence => Texts.Current["Act." + Act + ".Consequence"];
+    public string Consequence => Texts.Current[Key + ".Consequence"];
 
     /// <summary>Does it.</summary>
     public LongCommand Confirm { get; }
@@ -96,6 +105,8 @@ public sealed class SigningViewModel : Observable
 
     private SignedIn Who { get; }
 
+    private string Key => TitleKey ?? "Act." + Act;
+
     private async Task RunAsync(CancellationToken cancellation)
     {
         var (password, reason) = (Password, string.IsNullOrWhiteSpace(Reason) ? null : Reason.Trim());
@@ -106,10 +117,15 @@ public sealed class SigningViewModel : Observable
                 async () =>
                 {
                     var by = NeedsPassword ? _station.Session.SignAgain(password) : Who;
-                    _station.Users.Demand(by, Act);
+                    if (!IsDemandedElsewhere)
+                    {
+                        _station.Users.Demand(by, Act);
+                    }
+
                     await _carryOut(by, reason, cancellation);
                 },
                 cancellation);
+            Signed?.Invoke();
             Done?.Invoke();
         }
         catch (Exception e) when (Failures.IsKnown(e))

@@ -1,5 +1,6 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Hmi;
 
@@ -8,7 +9,7 @@ public static class Failures
 {
     /// <summary>True for what happens outside of the program, and is told and not a defect.</summary>
     public static bool IsKnown(Exception failure) =>
-        failure is PeopleException or DecisionException or StoreException or TransportException or DuplicateCorrectionException or SlotTakenException or InputException or OutputException or IOException or UnauthorizedAccessException;
+        failure is PeopleException or DecisionException or StoreException or TransportException or DuplicateCorrectionException or SlotTakenException or InputException or OutputException or JsonDocumentException or JobEditException or IOException or UnauthorizedAccessException;
 
     /// <summary>What to say.</summary>
     public static string Of(Exception failure, TimeProvider clock)
@@ -19,6 +20,7 @@ public static class Failures
         {
             PeopleException { LockedUntil: { } until } => texts.With("PeopleError.LockedUntil", Shown.Time(until, clock)),
             PeopleException e => texts.Word(e.Error),
+            JobEditException e => texts.Or("JobEdit." + e.Code, e.Message),
             DecisionException e => texts["Decision." + e.Code],
             StoreException e => texts.Word(e.Error),
             TransportException e => texts.Word(e.Error),

@@ -48,6 +48,9 @@ public sealed class Station : IDisposable
     /// <summary>Who sits here.</summary>
     public Session Session { get; }
 
+    /// <summary>Where people's preferences are kept; null if they are not.</summary>
+    public PreferenceFiles? Preferences { get; init; }
+
     /// <summary>What is known of the cell.</summary>
     public StationState State { get; private set; } = StationState.Unknown;
 

@@ -9,6 +9,8 @@ public static class Shown
     private const string MillimetersFormat = "0.0000;−0.0000";
     private const string SignedFormat = "+0.0000;−0.0000;0.0000";
     private const string DegreesFormat = "0.000;−0.000";
+    private const string MicrometersFormat = "0.00;−0.00";
+    private const string SignedMicrometersFormat = "+0.00;−0.00;0.00";
     private const string SignedDegreesFormat = "+0.000;−0.000;0.000";
 
     /// <summary>What stands where there is no value.</summary>
@@ -26,6 +28,21 @@ public static class Shown
     /// <summary>A difference of angles in degrees with its sign, three decimals.</summary>
     public static string SignedDegrees(double? degrees) => Number(degrees, SignedDegreesFormat);
 
+    /// <summary>A length in mm as micrometers, two decimals.</summary>
+    public static string Micrometers(double? mm) => Number(1000 * mm, MicrometersFormat);
+
+    /// <summary>A deviation in mm as micrometers with its sign, two decimals.</summary>
+    public static string SignedMicrometers(double? mm) => Number(1000 * mm, SignedMicrometersFormat);
+
+    /// <summary>A deviation in mm as micrometers with its sign, two digits: where there is little room.</summary>
+    public static string ShortMicrometers(double mm) => Math.Abs(mm) < 0.00995 ? Number(1000 * mm, "+0.0;−0.0;0.0") : (1000 * mm).ToString("+0;−0", CultureInfo.InvariantCulture);
+
+    /// <summary>A number without a unit, as many decimals as it has, three at most.</summary>
+    public static string Number(double value) => value.ToString("0.###;−0.###", CultureInfo.InvariantCulture);
+
+    /// <summary>A share in percent, whole ones.</summary>
+    public static string Percent(double? percent) => percent is { } p ? (Math.Round(p) + 0.0).ToString("0;−0", CultureInfo.InvariantCulture) + " %" : Nothing;
+
     /// <summary>A count.</summary>
     public static string Count(long count) => count.ToString("#,##0", CultureInfo.InvariantCulture);
 
@@ -41,6 +58,6 @@ public static class Shown
 
     // What rounds to nothing has no sign.
     private static string Number(double? value, string format) => value is { } v
-        ? (Math.Round(v, format.Contains("0.0000", StringComparison.Ordinal) ? 4 : 3) + 0.0).ToString(format, CultureInfo.InvariantCulture)
+        ? (Math.Round(v, format.Split(';')[0].Count(c => c == '0') - 1) + 0.0).ToString(format, CultureInfo.InvariantCulture)
         : Nothing;
 }

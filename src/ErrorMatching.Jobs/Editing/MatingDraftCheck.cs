@@ -31,7 +31,7 @@ public static class MatingDraftCheck
         }
         catch (JobException e)
         {
-            problems.AddRange(e.Problems.Select(p => new DraftProblem(p.Path, p.Code, p.Found, p.Message)));
+            problems.AddRange(e.Problems.Select(p => new DraftProblem(FieldOf(p), p.Code, p.Found, p.Message)));
         }
 
         var theoretical = DraftPoints.Check(draft, job, problems);
@@ -110,6 +110,14 @@ public static class MatingDraftCheck
             problems.Add(At("$.features", ErrorItems.Of(e, input.Theoretical.File)));
         }
     }
+
+    // A key that is not there is told at the field that would write it.
+    private static string FieldOf(JsonProblem problem) => problem.Code switch
+    {
+        "stylus-diameter-missing" => "$.gauge.stylusDiameterMm",
+        "measured-missing" => "$.counterpart.measured",
+        _ => problem.Path,
+    };
 
     private static string FieldOf(MatingDraft draft, MatingRefusal refusal)
     {

@@ -32,9 +32,9 @@ public sealed class JobFiles
     /// <summary>The files that were read.</summary>
     public IReadOnlyList<string> Read => _read;
 
-    /// <summary>The key points as designed.</summary>
+    /// <summary>The key points as designed: the given ones, else the job's.</summary>
     /// <exception cref="MeasurementException">The file cannot be used.</exception>
-    public MeasurementFile Theoretical() => Measured(new(Job.PathOf(Job.Part.Theoretical)), MeasurementFormat.Points);
+    public MeasurementFile Theoretical(GivenFile? given = null) => Measured(given ?? new(Job.PathOf(Job.Part.Theoretical)), MeasurementFormat.Points);
 
     /// <summary>A measurement of the part: the given one, else the job's.</summary>
     /// <exception cref="MeasurementException">The file cannot be used.</exception>

@@ -3,6 +3,9 @@ namespace ErrorMatching.Jobs;
 /// <summary>What a mating job is run with, beside what it names itself.</summary>
 public sealed record MatingRequest
 {
+    /// <summary>The key points as designed; null for the job's.</summary>
+    public GivenFile? Theoretical { get; init; }
+
     /// <summary>The measured part; null for the job's.</summary>
     public GivenFile? Part { get; init; }
 

@@ -26,7 +26,7 @@ public static class MatingRun
         ArgumentNullException.ThrowIfNull(files);
         ArgumentNullException.ThrowIfNull(request);
         var job = WithGain(files.Job, request.Gain);
-        var (theoretical, part) = (files.Theoretical(), files.Part(request.Part));
+        var (theoretical, part) = (files.Theoretical(request.Theoretical), files.Part(request.Part));
         var counterpart = CounterpartOf(job, request.Counterpart) is { } measured ? files.Counterpart(measured) : null;
         var (program, bytes) = files.Program(request.Program);
         var dialect = files.OwnDialect();

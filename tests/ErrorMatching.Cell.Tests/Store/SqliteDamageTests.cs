@@ -83,6 +83,24 @@ public sealed class SqliteDamageTests : IDisposable
     }
 
     [Fact]
+    public void A_store_that_is_taken_away_while_it_is_open_is_away_and_another_in_its_place_is_opened()
+    {
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "An open file cannot be taken away there.");
+        using var store = CellStore.Open(Settings, TimeProvider.System);
+        var kept = Archive(store, 0);
+        var backup = Path.Combine(_folder, "backup.db");
+        store.Backup(backup);
+        Archive(store, 1);
+        foreach (var end in new[] { "", "-wal", "-shm" }) System.IO.File.Delete(File + end);
+        Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => store.ChangeCount()).Error);
+        Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => Archive(store, 2)).Error);
+        System.IO.File.Move(backup, File);
+        Assert.Equal([kept], store.InState(CorrectionState.Archived));
+        Archive(store, 3);
+        Assert.Null(store.VerifyAudit());
+    }
+
+    [Fact]
     public void A_log_whose_store_is_gone_is_not_read_into_a_new_one()
     {
         System.IO.File.WriteAllText(File + "-wal", "what is left");

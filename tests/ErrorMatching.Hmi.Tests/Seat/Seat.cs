@@ -34,7 +34,7 @@ internal sealed class Seat : IAsyncDisposable
         Clock = clock;
         Copy(Template.Value, _folder.Path);
         Cell = DemoCell.At(_folder.Path, TimeProvider.System);
-        Station = new(Cell.Settings, clock, idle);
+        Station = new(Cell.Settings, clock, idle) { Preferences = new(Path.Combine(_folder.Path, "preferences")) };
         Shell = new(Station);
         Window = new() { DataContext = Shell, Width = size.Width, Height = size.Height };
         Window.Show();

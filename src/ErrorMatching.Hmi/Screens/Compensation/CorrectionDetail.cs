@@ -20,6 +20,8 @@ public sealed class CorrectionDetail
             var piece = KeptPiece.Predicted(kept.Correction, report);
             (Before, After) = (GapDrawing.Before(piece), GapDrawing.After(piece));
         }
+
+        Surface = kept.Surface is { } surface ? new(surface) : null;
     }
 
     /// <summary>What the store keeps of it.</summary>
@@ -35,7 +37,7 @@ public sealed class CorrectionDetail
     public string? Reason => Kept.Correction.Code is { } code ? CodeText.Of(code, Kept.Correction.Reason) : null;
 
     /// <summary>Job, work order, gauge and file in a line.</summary>
-    public string Origin => string.Join(" · ", new[] { Kept.Report?.JobName ?? Kept.Correction.Job, Kept.Correction.WorkOrder ?? Kept.Report?.WorkOrder, Kept.Correction.Gauge, Kept.Correction.FileName, Shown.Time(Kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
+    public string Origin => string.Join(" · ", new[] { Kept.Report?.JobName ?? Kept.Surface?.JobName ?? Kept.Correction.Job, Kept.Correction.WorkOrder ?? Kept.Report?.WorkOrder, Kept.Correction.Gauge, Kept.Correction.FileName, Shown.Time(Kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
 
     /// <summary>The largest displacement.</summary>
     public string Largest => Kept.Correction.LargestMm is { } mm ? Texts.Current.With("Detail.Largest", Shown.Mm(mm)) : "";
@@ -52,11 +54,23 @@ public sealed class CorrectionDetail
     /// <summary>What became of it.</summary>
     public IReadOnlyList<StepRow> Steps { get; }
 
-    /// <summary>The two programs; null where there are none.</summary>
-    public ProgramLines? Lines => Kept.Lines;
+    /// <summary>The two programs; null where there are none, or one was made anew.</summary>
+    public ProgramLines? Lines => Kept.Correction.BaseSha256 is null ? null : Kept.Lines;
+
+    /// <summary>True where two programs are shown, once they are there.</summary>
+    public bool ShowsProgram => !IsSurface || Lines is not null;
 
     /// <summary>True if there is a report of a mating to show.</summary>
     public bool HasReport => Kept.Report is not null;
+
+    /// <summary>The figures and drawings of a surface; null for a mating.</summary>
+    public SurfaceFigures? Surface { get; }
+
+    /// <summary>True for a surface.</summary>
+    public bool IsSurface => Surface is not null;
+
+    /// <summary>True if something was proved, or computed to be so.</summary>
+    public bool HasProof => HasReport || IsSurface;
 
     /// <summary>The assembly before compensation.</summary>
     public GapDrawing? Before { get; }
@@ -73,14 +87,14 @@ public sealed class CorrectionDetail
     /// <summary>How much deviations are exaggerated.</summary>
     public string Exaggeration => Before is null ? "" : Before.Factor == 1 ? Texts.Current["Detail.TrueToScale"] : Texts.Current.With("Detail.Exaggerated", Shown.Count((long)Before.Factor));
 
-    /// <summary>True if the proof holds.</summary>
-    public bool IsProved => Kept.Report?.Proof.Holds ?? false;
+    /// <summary>True unless a proof does not hold.</summary>
+    public bool IsProved => ProofSeverity != Severity.Alarm;
 
     /// <summary>A proof that does not hold is an alarm.</summary>
-    public Severity ProofSeverity => IsProved ? Severity.Quiet : Severity.Alarm;
+    public Severity ProofSeverity => Surface?.ProofSeverity ?? (Kept.Report is { Proof.Holds: true } ? Severity.Quiet : Severity.Alarm);
 
     /// <summary>What was proved, in a sentence or two.</summary>
-    public string Proof => Kept.Report is not { Proof: var proof } ? "" : Texts.Current.With(
+    public string Proof => Kept.Report is not { Proof: var proof } ? Surface?.Proof ?? "" : Texts.Current.With(
         proof.Holds ? "Detail.ProofHolds" : "Detail.ProofFails", Shown.Count(proof.Motions), Shown.Count(proof.MovedMotions), Shown.Mm(proof.MaxDeviationFromWantedMm));
 
     /// <summary>How much of the program differs.</summary>

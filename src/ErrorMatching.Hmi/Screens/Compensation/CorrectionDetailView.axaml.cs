@@ -17,11 +17,14 @@ public sealed partial class CorrectionDetailView : UserControl
         base.OnDataContextChanged(e);
 
         // A side that this correction lacks cannot stay open.
-        if (DataContext is CorrectionDetail detail && Sides.SelectedItem is not TabItem { IsEnabled: true })
+        if (DataContext is CorrectionDetail detail && !Has(detail, Sides.SelectedItem))
         {
-            Sides.SelectedIndex = detail.HasReport ? 0 : Sides.ItemCount - 1;
+            Sides.SelectedItem = detail.IsSurface ? SurfaceSide : Sides.Items[detail.HasReport ? 0 : Sides.ItemCount - 1];
         }
     }
+
+    private bool Has(CorrectionDetail detail, object? side) =>
+        side == SurfaceSide ? detail.IsSurface : side == ProgramSide ? detail.Lines is not null : side == CourseSide || detail.HasReport;
 
     private void OnPrevious(object? sender, RoutedEventArgs e) => Show(Lines?.Changes.Where(c => c < At()).Select(c => (int?)c).LastOrDefault());
 

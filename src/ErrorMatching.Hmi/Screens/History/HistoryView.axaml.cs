@@ -16,8 +16,17 @@ public sealed partial class HistoryView : UserControl
     {
         base.OnLoaded(e);
 
-        // A barcode scanner types into what has the focus, and ends with Enter: that searches.
+        // A barcode scanner types into what has the focus, and ends with Enter: that searches, and the next code takes the place of this one.
         SerialBox.Focus();
+        SerialBox.AddHandler(KeyDownEvent, OnSerialKey, RoutingStrategies.Bubble, handledEventsToo: true);
+    }
+
+    private void OnSerialKey(object? sender, KeyEventArgs e)
+    {
+        if (e.Key is Key.Enter)
+        {
+            SerialBox.SelectAll();
+        }
     }
 
     private void OnRowTapped(object? sender, TappedEventArgs e) => Open((e.Source as StyledElement)?.DataContext);

@@ -5,7 +5,7 @@ using ErrorMatching.Jobs;
 namespace ErrorMatching.Hmi;
 
 /// <summary>History: every file that ever arrived, found again and reopened exactly as it was.</summary>
-public sealed class HistoryViewModel : ScreenViewModel, ILooksAt
+public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
 {
     private const int Most = 1000;
     private string _serial = "";
@@ -151,8 +151,14 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt
     /// <summary>Done when what was tapped is opened.</summary>
     internal Task Loading { get; private set; } = Task.CompletedTask;
 
+    /// <summary>Finds a piece by its serial number; a code that is none is a work order.</summary>
+    public void TakeCode(string code) => Scanning = ScanAsync(code).Watched();
+
     /// <inheritdoc/>
     public void LookAt(long correction) => Loading = OpenAsync(correction).Watched();
+
+    /// <summary>Done when a code was looked for.</summary>
+    internal Task Scanning { get; private set; } = Task.CompletedTask;
 
     /// <inheritdoc/>
     protected override void Follow()
@@ -177,6 +183,22 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt
 
     private HistoryRow Row(Correction c) => new(
         c.Id, Shown.Time(c.ArrivedAt, Station.Clock), c.Serial ?? c.FileName, c.WorkOrder ?? Shown.Nothing, c.Job ?? Shown.Nothing, Texts.Current.Word(c.State), c.LargestMm is { } mm ? Shown.Mm(mm) : Shown.Nothing);
+
+    private async Task ScanAsync(string code)
+    {
+        // One search at a time: what the screen began with ends first.
+        await Search.Running;
+        Detail = null;
+        (Serial, WorkOrder, From, To, Program, UserName, State) = (code, "", "", "", "", "", States[0]);
+        Search.Execute(null);
+        await Search.Running;
+        if (_found.Count == 0 && Message is null && Serial == code)
+        {
+            (Serial, WorkOrder) = ("", code);
+            Search.Execute(null);
+            await Search.Running;
+        }
+    }
 
     private async Task SearchAsync()
     {

@@ -1,0 +1,136 @@
+using System.Diagnostics;
+using System.Globalization;
+using System.Text;
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.VisualTree;
+using ErrorMatching.Geometry;
+using ErrorMatching.Hmi;
+using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Benchmarks;
+
+/// <summary>What the operator station's thread of the screen does with a program of a million blocks and a plot of 100,000 points: opening, and frames, off the screen and drawn by the processor.</summary>
+internal static class StationFrames
+{
+    private const int Points = 100_000, Warm = 20, Frames = 100;
+
+    private static readonly Size[] Sizes = [new(1280, 800), new(1920, 1080), new(3840, 2160)];
+
+    /// <summary>Runs the figures.</summary>
+    /// <param name="blocks">Number of blocks; null for a million.</param>
+    public static async Task<int> RunAsync(string? blocks)
+    {
+        var folder = Directory.CreateTempSubdirectory("errormatch-station-").FullName;
+        try
+        {
+            var file = Path.Combine(folder, "wave.nc");
+            var count = blocks is null ? 1_000_000 : int.Parse(blocks, CultureInfo.InvariantCulture);
+            Write(file, count);
+            var session = OffScreenSession.Start(() => AppBuilder.Configure<App>());
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{count} blocks, a plot of {Points} points; {Frames} frames each, times of the thread of the screen in ms"));
+            Console.WriteLine("| size | what | median | 99 of 100 | longest | frames/s by the mean |");
+            Console.WriteLine("|---|---|---|---|---|---|");
+            foreach (var size in Sizes)
+            {
+                await session.RunAsync(() => MeasureAsync(size, file));
+            }
+
+            return 0;
+        }
+        finally
+        {
+            Directory.Delete(folder, recursive: true);
+        }
+    }
+
+    private static async Task MeasureAsync(Size size, string file)
+    {
+        var window = new Window { Width = size.Width, Height = size.Height };
+        window.Show();
+        var user = new ScreenUser(window).Settle();
+        try
+        {
+            await OpenAsync(window, user, size, file, "first ");
+            window.Content = null;
+            user.Settle();
+            await OpenAsync(window, user, size, file, "");
+            var (text, path) = (window.GetVisualDescendants().OfType<ProgramText>().Single(), window.GetVisualDescendants().OfType<PathPlot>().Single());
+            Report(size, "scrolling by a row", Each(user, _ => text.Offset += new Vector(0, text.RowHeight)));
+            Report(size, "scrolling by a page", Each(user, _ => text.Offset += new Vector(0, text.Bounds.Height)));
+            Report(size, "lighting the next block", Each(user, _ => text.Picture!.Move(1, isExtending: false)));
+            Report(size, "panning all of the path", Each(user, i => path.Pan(new(Step(i), Step(i)))));
+            path.Zoom(30, new(path.Bounds.Width / 2, path.Bounds.Height / 2));
+            Report(size, "panning a thirtieth of the path", Each(user, i => path.Pan(new(Step(i), Step(i)))));
+            Report(size, "zooming the path", Each(user, i => path.Zoom(i % 100 < 50 ? 0.95 : 1 / 0.95, new(path.Bounds.Width / 2, path.Bounds.Height / 2))));
+
+            var noise = Enumerable.Range(0, Points).Select(i => new Point2(i, Math.Sin(0.001 * i) + (0.3 * Math.Sin(1.0 * i * i)))).ToArray();
+            var plot = new PointsPlot(noise);
+            window.Content = plot;
+            user.Settle();
+            plot.Zoom(1.2, new(plot.Bounds.Width / 2, plot.Bounds.Height / 2));
+            Report(size, "panning nearly all points", Each(user, i => plot.Pan(new(Step(i), Step(i)))));
+            plot.Zoom(25, new(plot.Bounds.Width / 2, plot.Bounds.Height / 2));
+            Report(size, "panning a thirtieth of the points", Each(user, i => plot.Pan(new(Step(i), Step(i)))));
+        }
+        finally
+        {
+            window.Close();
+        }
+    }
+
+    // A surface of 1 m by 1 m, finished in passes of 1,000 blocks each, so that the screen is full of its path.
+    private static void Write(string file, int blocks)
+    {
+        using var text = new StreamWriter(file, append: false, new UTF8Encoding(false)) { NewLine = "\n" };
+        text.WriteLine("%\nO1000\nN10 G21 G17 G40 G90 G54\nN20 G0 X0. Y0. Z5.\nN30 G1 Z-2. F500.");
+        for (var i = 4; i < blocks - 2; i++)
+        {
+            var (pass, at) = (i / 1000, i % 1000);
+            text.WriteLine(string.Create(CultureInfo.InvariantCulture, $"N{i * 10L} G1 X{(pass % 2 == 0 ? at : 999 - at):0.000} Y{pass + (0.4 * Math.Sin(0.05 * at)):0.000} Z{-2 + Math.Sin(0.01 * pass):0.000}"));
+        }
+
+        text.WriteLine("M30\n%");
+    }
+
+    // From the file to the frame that shows text and path.
+    private static async Task OpenAsync(Window window, ScreenUser user, Size size, string file, string which)
+    {
+        var watch = Stopwatch.StartNew();
+        var program = await Task.Run(() => OpenedProgram.Read(File.ReadAllBytes(file), NcDialects.FanucMill));
+        var read = watch.Elapsed;
+        window.Content = new ContentControl { Content = new ProgramPicture(program) };
+        user.Settle(1);
+        var text = watch.Elapsed;
+        var path = window.GetVisualDescendants().OfType<PathPlot>().Single();
+        await path.Painting;
+        var painted = watch.Elapsed;
+        user.Settle(1);
+        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {Shown(size)} | {which}opening: beside the screen {read.TotalMilliseconds:0}, until the text is seen {text.TotalMilliseconds:0}, until the path is seen {watch.Elapsed.TotalMilliseconds:0} | | | {Math.Max((text - read).TotalMilliseconds, (watch.Elapsed - painted).TotalMilliseconds):0.0} | |"));
+    }
+
+    private static double Step(int i) => i % 100 < 50 ? 9 : -9;
+
+    private static double[] Each(ScreenUser user, Action<int> act)
+    {
+        var times = new List<double>();
+        for (var i = -Warm; i < Frames; i++)
+        {
+            var watch = Stopwatch.StartNew();
+            act(i + Warm);
+            user.Settle(1);
+            if (i >= 0)
+            {
+                times.Add(watch.Elapsed.TotalMilliseconds);
+            }
+        }
+
+        return [.. times.Order()];
+    }
+
+    private static void Report(Size size, string what, double[] times) => Console.WriteLine(string.Create(
+        CultureInfo.InvariantCulture, $"| {Shown(size)} | {what} | {times[times.Length / 2]:0.0} | {times[times.Length * 99 / 100]:0.0} | {times[^1]:0.0} | {1000 / times.Average():0} |"));
+
+    private static string Shown(Size size) => string.Create(CultureInfo.InvariantCulture, $"{size.Width:0}x{size.Height:0}");
+}

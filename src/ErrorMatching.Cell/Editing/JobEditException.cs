@@ -1,0 +1,19 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>An edited job that must not take the place of the one that stands there.</summary>
+/// <param name="code">Why: one of the constants here.</param>
+/// <param name="message">A sentence for the one who asked: what was found and what to do.</param>
+public sealed class JobEditException(string code, string message) : Exception(message)
+{
+    /// <summary>Something in it is wrong.</summary>
+    public const string Wrong = "wrong";
+
+    /// <summary>Somebody else changed the job since it was opened.</summary>
+    public const string ChangedMeanwhile = "changed-meanwhile";
+
+    /// <summary>Another job of the cell uses a file that would be replaced.</summary>
+    public const string Shared = "shared";
+
+    /// <summary>Why.</summary>
+    public string Code => code;
+}

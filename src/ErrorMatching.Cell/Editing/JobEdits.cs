@@ -1,0 +1,172 @@
+using System.Security.Cryptography;
+using ErrorMatching.Jobs;
+using ErrorMatching.Json;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Puts edited mating jobs in the place of those of a cell: all files of a job or none, with an entry in the audit trail before the first of them appears.</summary>
+/// <remarks>A running cell reads a job's files at each computation, so the next measurement uses them. What it read when it started (whose files are the job's, machine and slot, dialect) an edit cannot change.</remarks>
+/// <param name="settings">The cell's configuration.</param>
+/// <param name="store">The store.</param>
+/// <param name="users">The users.</param>
+public sealed class JobEdits(CellSettings settings, CellStore store, UserBook users)
+{
+    /// <summary>The word of the audit trail for a job that was replaced.</summary>
+    public const string Edited = "job-edited";
+
+    /// <summary>The word of the audit trail for a job that was to be replaced, and whose files could not be.</summary>
+    public const string EditFailed = "job-edit-failed";
+
+    /// <summary>Says what is wrong with an edited job, as a job and as one of this cell.</summary>
+    /// <param name="job">The job in the cell.</param>
+    /// <param name="draft">The edited job.</param>
+    public DraftCheck Check(CellJobSettings job, MatingDraft draft)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        var check = MatingDraftCheck.Of(draft, job.File);
+        return check.Job is { } edited ? check with { Problems = [.. check.Problems, .. Contradictions(job, edited)] } : check;
+    }
+
+    /// <summary>SHA-256 of the job's file as it stands there; empty where none does.</summary>
+    /// <exception cref="InputException">It cannot be read.</exception>
+    public static string Sha256Of(CellJobSettings job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        return File.Exists(job.File) ? HashOf(InputFile.Bytes(job.File, JsonLimits.Default.MaxBytes)) : "";
+    }
+
+    /// <summary>Replaces a job's files.</summary>
+    /// <param name="job">The job in the cell.</param>
+    /// <param name="draft">The edited job.</param>
+    /// <param name="baseSha256">SHA-256 of the job's file that the edit started from (<see cref="Sha256Of"/>).</param>
+    /// <param name="by">Who does it.</param>
+    /// <returns>SHA-256 of the job's new file.</returns>
+    /// <exception cref="PeopleException">That user may not edit jobs.</exception>
+    /// <exception cref="JobEditException">The edited job must not take that place.</exception>
+    /// <exception cref="OutputException">The files cannot be written; those that were there stay.</exception>
+    /// <exception cref="InputException">What stands there cannot be read.</exception>
+    /// <exception cref="StoreException">The store is away; nothing was replaced.</exception>
+    public string Save(CellJobSettings job, MatingDraft draft, string baseSha256, SignedIn by)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        ArgumentNullException.ThrowIfNull(draft);
+        ArgumentNullException.ThrowIfNull(by);
+        users.Demand(by, Act.EditJobs);
+        if (Check(job, draft).Problems is [var wrong, ..])
+        {
+            throw new JobEditException(JobEditException.Wrong, wrong.Message);
+        }
+
+        if (Sha256Of(job) != baseSha256)
+        {
+            throw new JobEditException(JobEditException.ChangedMeanwhile, $"{job.File} was changed since it was opened. Note what you changed, discard your changes, and make them in the job as it is now.");
+        }
+
+        var files = FilesOf(job, draft);
+        DemandOwn(job, files);
+        var hash = HashOf(files[^1].Bytes);
+        var basis = string.Join(", ", files.Select(f => $"{Path.GetFileName(f.Path)} {HashOf(f.Bytes)}")) + (baseSha256.Length > 0 ? $", in place of the job {baseSha256}" : "");
+        var isToldOf = false;
+        try
+        {
+            // The evidence comes first: no job changes without it.
+            OutputFile.WriteAll(
+                files,
+                [],
+                () =>
+                {
+                    store.Audit(by.Name, Edited, basis, job.Name);
+                    return isToldOf = true;
+                },
+                CancellationToken.None);
+        }
+        catch (OutputException e) when (isToldOf)
+        {
+            store.Audit(by.Name, EditFailed, e.Message, job.Name);
+            throw;
+        }
+
+        return hash;
+    }
+
+    // What differs from what stands there, the job's own file always and last.
+    private static List<(string Path, ReadOnlyMemory<byte> Bytes)> FilesOf(CellJobSettings job, MatingDraft draft)
+    {
+        var files = new List<(string Path, ReadOnlyMemory<byte> Bytes)>();
+        if (draft.Program is { } program)
+        {
+            if (draft.Counterpart.Program != Path.GetFileName(draft.Counterpart.Program))
+            {
+                throw new JobEditException(JobEditException.Wrong, $"The imported program would be written to {draft.Counterpart.Program}, outside of the job's folder. Import it by its own name.");
+            }
+
+            Add(draft.Counterpart.Program, program.Bytes);
+        }
+
+        Add(draft.TheoreticalFile, MatingDraftFiles.Theoretical(draft));
+        files.Add((job.File, MatingDraftFiles.Job(draft)));
+        return files;
+
+        void Add(string name, ReadOnlyMemory<byte> bytes)
+        {
+            var path = Path.GetFullPath(Path.Combine(Path.GetDirectoryName(job.File) ?? "", name));
+            if (!File.Exists(path) || !InputFile.Open(path, File.ReadAllBytes).AsSpan().SequenceEqual(bytes.Span))
+            {
+                files.Add((path, bytes));
+            }
+        }
+    }
+
+    private void DemandOwn(CellJobSettings job, IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files)
+    {
+        foreach (var other in settings.Jobs.Where(j => !CellPaths.AreSame(j.File, job.File)))
+        {
+            IReadOnlyList<string> named;
+            try
+            {
+                named = NamedJob.Read(other.File).Files;
+            }
+            catch (Exception e) when (e is JsonDocumentException or IOException or UnauthorizedAccessException)
+            {
+                // Its own measurements say that it cannot be used: nothing of it can be spoilt.
+                continue;
+            }
+
+            if (files.Select(f => f.Path).FirstOrDefault(f => named.Any(n => CellPaths.AreSame(n, f))) is { } shared)
+            {
+                throw new JobEditException(JobEditException.Shared, $"{shared} belongs to the job {other.Name} as well, which would change with it. Give each of the two its own file.");
+            }
+        }
+    }
+
+    private IEnumerable<DraftProblem> Contradictions(CellJobSettings job, MatingJob edited)
+    {
+        var machine = settings.Machines.First(m => m.Name == job.Machine);
+        var dialect = Nc.NcDialects.IsFile(edited.Counterpart.Dialect) ? Path.GetFullPath(edited.PathOf(edited.Counterpart.Dialect)) : edited.Counterpart.Dialect;
+        if (!CellPaths.AreSame(machine.Dialect, dialect))
+        {
+            yield return new("$.counterpart.dialect", "other-dialect", edited.Counterpart.Dialect, $"a job for the dialect {edited.Counterpart.Dialect}; {machine.Name} has {machine.Dialect}");
+        }
+
+        if (StandingFrom(job) is { } from && from != edited.Compensation.From)
+        {
+            yield return new("$.compensation.from", "from-fixed", "", "the cell decides by it when it starts whose measurements these are; change it in the job's file and start the cell again");
+        }
+    }
+
+    private static CompensationSource? StandingFrom(CellJobSettings job)
+    {
+        try
+        {
+            return InputFile.Job(job.File).Compensation.From;
+        }
+        catch (Exception e) when (e is InputException or JobException)
+        {
+            // What cannot be read has decided nothing.
+            return null;
+        }
+    }
+
+    private static string HashOf(ReadOnlyMemory<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes.Span));
+}

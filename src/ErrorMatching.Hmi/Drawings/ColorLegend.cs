@@ -1,0 +1,83 @@
+using System.Globalization;
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Media;
+using Avalonia.Media.Immutable;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>What the colors of a map mean: a bar from the lowest value to the highest, zero in its middle, with signs and unit.</summary>
+public sealed class ColorLegend : Control
+{
+    /// <summary>The absolute value of the last colors, in mm.</summary>
+    public static readonly StyledProperty<double> LimitMmProperty = AvaloniaProperty.Register<ColorLegend, double>(nameof(LimitMm));
+
+    /// <summary>The numbers.</summary>
+    public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<ColorLegend, IBrush?>(nameof(Ink));
+
+    /// <summary>Size of the numbers.</summary>
+    public static readonly StyledProperty<double> LabelSizeProperty = AvaloniaProperty.Register<ColorLegend, double>(nameof(LabelSize), 14);
+
+    private const double Bar = 18, Below = 4;
+    private static readonly double[] Ticks = [-1, -0.5, 0, 0.5, 1];
+
+    static ColorLegend()
+    {
+        AffectsRender<ColorLegend>(LimitMmProperty, InkProperty, LabelSizeProperty);
+        AffectsMeasure<ColorLegend>(LabelSizeProperty);
+    }
+
+    /// <summary>The absolute value of the last colors, in mm.</summary>
+    public double LimitMm
+    {
+        get => GetValue(LimitMmProperty);
+        set => SetValue(LimitMmProperty, value);
+    }
+
+    /// <summary>The numbers.</summary>
+    public IBrush? Ink
+    {
+        get => GetValue(InkProperty);
+        set => SetValue(InkProperty, value);
+    }
+
+    /// <summary>Size of the numbers.</summary>
+    public double LabelSize
+    {
+        get => GetValue(LabelSizeProperty);
+        set => SetValue(LabelSizeProperty, value);
+    }
+
+    /// <inheritdoc/>
+    public override void Render(DrawingContext context)
+    {
+        ArgumentNullException.ThrowIfNull(context);
+        var ends = Text(-1);
+        var (left, width) = (ends.Width / 2, Bounds.Width - ends.Width);
+        if (width <= 0)
+        {
+            return;
+        }
+
+        for (var i = 0; i < DivergingColors.Count; i++)
+        {
+            context.FillRectangle(new ImmutableSolidColorBrush(Color.Parse(DivergingColors.Hex(i))), new Rect(left + (width * i / DivergingColors.Count), 0, (width / DivergingColors.Count) + 0.5, Bar));
+        }
+
+        foreach (var tick in Ticks)
+        {
+            // The first and the last color reach half a step beyond their values.
+            var x = left + (width * (0.5 + (tick * (DivergingColors.Count - 1) / DivergingColors.Count / 2)));
+            var text = Text(tick);
+            context.DrawLine(new Pen(Ink), new(x, Bar), new(x, Bar + Below));
+            context.DrawText(text, new(Math.Clamp(x - (text.Width / 2), 0, Bounds.Width - text.Width), Bar + Below));
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override Size MeasureOverride(Size availableSize) => new(0, Bar + Below + Text(1).Height);
+
+    private FormattedText Text(double share) => new(
+        (1000 * LimitMm * share).ToString("+0.#;−0.#;0", CultureInfo.InvariantCulture) + (share == 0 ? "" : " µm"), CultureInfo.InvariantCulture, FlowDirection.LeftToRight, Typeface.Default, LabelSize, Ink);
+}

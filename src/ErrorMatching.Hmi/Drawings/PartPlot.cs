@@ -1,0 +1,107 @@
+using Avalonia;
+using Avalonia.Media;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Draws a part's features with their points and names.</summary>
+public sealed class PartPlot : PlotArea
+{
+    /// <summary>What is drawn.</summary>
+    public static readonly StyledProperty<PartDrawing?> DrawingProperty = AvaloniaProperty.Register<PartPlot, PartDrawing?>(nameof(Drawing));
+
+    /// <summary>Lines and points.</summary>
+    public static readonly StyledProperty<IBrush?> PartBrushProperty = AvaloniaProperty.Register<PartPlot, IBrush?>(nameof(PartBrush));
+
+    private const double Thick = 2, Dot = 4, LabelAway = 8;
+    private static readonly DashStyle Dashes = new([4, 3], 0);
+    private (string Label, Point2 At)[] _points = [];
+    private PlotBox _extent = PlotBox.Empty;
+    private PlotIndex _index = new([]);
+
+    static PartPlot() => AffectsRender<PartPlot>(PartBrushProperty);
+
+    /// <summary>What is drawn.</summary>
+    public PartDrawing? Drawing
+    {
+        get => GetValue(DrawingProperty);
+        set => SetValue(DrawingProperty, value);
+    }
+
+    /// <summary>Lines and points.</summary>
+    public IBrush? PartBrush
+    {
+        get => GetValue(PartBrushProperty);
+        set => SetValue(PartBrushProperty, value);
+    }
+
+    /// <inheritdoc/>
+    protected override PlotBox Extent => _extent;
+
+    /// <inheritdoc/>
+    protected override int DatumCount => _points.Length;
+
+    /// <inheritdoc/>
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        base.OnPropertyChanged(change);
+        if (change.Property == DrawingProperty)
+        {
+            _points = [.. Drawing?.Lines.SelectMany(l => l.Points) ?? []];
+            _extent = PlotBox.Of(_points.Select(p => p.At));
+            _index = new([.. _points.Select(p => p.At)]);
+            Renew();
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override PlotDatum? DatumNear(Point2 screen, double reach) => DatumAt(_index.Nearest(View.ToPlot(screen), View.ScaleX, View.ScaleY, reach));
+
+    /// <inheritdoc/>
+    protected override PlotDatum? DatumAt(int index) => index < 0 ? null
+        : _points[index] is var (label, at) && Drawing!.IsSchematic ? new(at, label, index) : new(at, $"{label}  x {Shown.Mm(at.X)}  y {Shown.Mm(at.Y)} mm", index);
+
+    /// <inheritdoc/>
+    protected override void Draw(DrawingContext context, PlotView view)
+    {
+        ArgumentNullException.ThrowIfNull(context);
+        var (pen, taken) = (new Pen(PartBrush, Thick, Drawing!.IsSchematic ? Dashes : null), new List<Rect>());
+        foreach (var line in Drawing.Lines.Where(l => l.Points.Count > 0))
+        {
+            if (line.Points.Count > 1)
+            {
+                Line(context, pen, [.. line.Points.Select(p => p.At)], view);
+            }
+
+            foreach (var (_, at) in line.Points)
+            {
+                context.DrawEllipse(PartBrush, null, view.At(at), Dot, Dot);
+            }
+        }
+
+        foreach (var line in Drawing.Lines.Where(l => l.Points.Count > 0))
+        {
+            Write(context, line.Name, view.At(line.Points[line.Points.Count / 2].At), isStrong: true, taken);
+        }
+
+        foreach (var (label, at) in _points)
+        {
+            Write(context, label, view.At(at), isStrong: false, taken);
+        }
+    }
+
+    // Around the place, where nothing else is written; what finds no room appears when one goes nearer.
+    private void Write(DrawingContext context, string words, Point place, bool isStrong, List<Rect> taken)
+    {
+        var text = Label(words, isStrong);
+        var (w, h) = (text.Width, text.Height);
+        Rect[] right = [new(place.X + LabelAway, place.Y - (h / 2), w, h), new(place.X - LabelAway - w, place.Y - (h / 2), w, h)];
+        Rect[] above = [new(place.X - (w / 2), place.Y - LabelAway - h, w, h), new(place.X - (w / 2), place.Y + LabelAway, w, h)];
+        if ((isStrong ? above.Reverse().Concat(right.Reverse()) : right.Concat(above)).FirstOrDefault(s => !taken.Exists(t => t.Intersects(s))) is { Width: > 0 } free)
+        {
+            taken.Add(free);
+            context.DrawText(text, free.TopLeft);
+        }
+    }
+}

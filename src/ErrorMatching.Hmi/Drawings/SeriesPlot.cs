@@ -1,0 +1,243 @@
+using System.Globalization;
+using Avalonia;
+using Avalonia.Media;
+using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Draws values over the places of a series between rules with numbers, limits shaded; under the finger the values of a place.</summary>
+public sealed class SeriesPlot : PlotArea
+{
+    /// <summary>What is drawn.</summary>
+    public static readonly StyledProperty<SeriesDrawing?> DrawingProperty = AvaloniaProperty.Register<SeriesPlot, SeriesDrawing?>(nameof(Drawing));
+
+    /// <summary>Lines without compensation.</summary>
+    public static readonly StyledProperty<IBrush?> BeforeBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(BeforeBrush));
+
+    /// <summary>Lines with it.</summary>
+    public static readonly StyledProperty<IBrush?> AfterBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(AfterBrush));
+
+    /// <summary>What lies between limits.</summary>
+    public static readonly StyledProperty<IBrush?> BandBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(BandBrush));
+
+    private const double Thick = 2, Thin = 1, Mark = 5, SmallMark = 1.5, LeftStrip = 62, BottomStrip = 30, TicksApart = 44, LabelsApart = 14, LegendMark = 34, LegendApart = 24;
+    private static readonly DashStyle Dashes = new([4, 3], 0);
+    private PlotBox _extent = PlotBox.Empty;
+
+    static SeriesPlot() => AffectsRender<SeriesPlot>(BeforeBrushProperty, AfterBrushProperty, BandBrushProperty);
+
+    /// <summary>What is drawn.</summary>
+    public SeriesDrawing? Drawing
+    {
+        get => GetValue(DrawingProperty);
+        set => SetValue(DrawingProperty, value);
+    }
+
+    /// <summary>Lines without compensation.</summary>
+    public IBrush? BeforeBrush
+    {
+        get => GetValue(BeforeBrushProperty);
+        set => SetValue(BeforeBrushProperty, value);
+    }
+
+    /// <summary>Lines with it.</summary>
+    public IBrush? AfterBrush
+    {
+        get => GetValue(AfterBrushProperty);
+        set => SetValue(AfterBrushProperty, value);
+    }
+
+    /// <summary>What lies between limits.</summary>
+    public IBrush? BandBrush
+    {
+        get => GetValue(BandBrushProperty);
+        set => SetValue(BandBrushProperty, value);
+    }
+
+    /// <inheritdoc/>
+    protected override PlotBox Extent => _extent;
+
+    /// <inheritdoc/>
+    protected override bool IsTrueToScale => false;
+
+    /// <inheritdoc/>
+    protected override int DatumCount => Drawing?.Labels.Count ?? 0;
+
+    /// <inheritdoc/>
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        base.OnPropertyChanged(change);
+        if (change.Property == DrawingProperty)
+        {
+            _extent = Drawing?.Extent ?? PlotBox.Empty;
+            Renew();
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override PlotDatum? DatumNear(Point2 screen, double reach)
+    {
+        // A place is a whole column: a finger need not hit the line.
+        var index = (int)Math.Round(View.ToPlot(screen).X);
+        return index >= 0 && index < DatumCount ? DatumAt(index) : null;
+    }
+
+    /// <inheritdoc/>
+    protected override PlotDatum? DatumAt(int index) => Drawing is { } drawing && index >= 0
+        ? new(new(index, drawing.Lines.Reverse().Select(l => l.Values[index]).FirstOrDefault(v => v is not null) ?? 0), drawing.Values[index], index)
+        : null;
+
+    /// <inheritdoc/>
+    protected override void Draw(DrawingContext context, PlotView view)
+    {
+        ArgumentNullException.ThrowIfNull(context);
+        var drawing = Drawing!;
+        var legend = LegendHeight(drawing);
+        var inside = new Rect(LeftStrip, legend, Math.Max(view.Width - LeftStrip, 1), Math.Max(view.Height - legend - BottomStrip, 1));
+        using (context.PushClip(inside))
+        {
+            foreach (var band in drawing.Bands)
+            {
+                var (low, high) = (To(view, band.First - 0.5, band.Low), To(view, band.Last + 0.5, band.High));
+                context.DrawRectangle(BandBrush, null, new Rect(low.X, high.Y, high.X - low.X, low.Y - high.Y));
+                context.DrawLine(new Pen(Rule, Thin, Dashes), low, new(high.X, low.Y));
+                context.DrawLine(new Pen(Rule, Thin, Dashes), new(low.X, high.Y), high);
+            }
+        }
+
+        Ticks(context, view, inside);
+        using (context.PushClip(inside))
+        {
+            foreach (var line in drawing.Lines)
+            {
+                Line(context, view, line);
+            }
+        }
+
+        Legend(context, drawing, legend);
+    }
+
+    private static Point To(PlotView view, double index, double value)
+    {
+        var (x, y) = view.ToScreen(new(index, value));
+        return new(x, y);
+    }
+
+    private void Ticks(DrawingContext context, PlotView view, Rect inside)
+    {
+        var step = RoundNumber.AtLeast(TicksApart / view.ScaleY);
+        var decimals = Math.Max(0, (int)Math.Ceiling(-Math.Log10(step) - 1e-9));
+        var format = decimals == 0 ? "+0;−0;0" : $"+0.{new string('0', decimals)};−0.{new string('0', decimals)};0";
+        var (low, high) = (view.ToPlot(new(0, inside.Bottom)).Y, view.ToPlot(new(0, inside.Top)).Y);
+        for (var tick = Math.Ceiling(low / step); tick <= Math.Floor(high / step); tick++)
+        {
+            var y = To(view, 0, tick * step).Y;
+            var isZero = tick == 0;
+            using (context.PushOpacity(isZero ? 1 : 0.35))
+            {
+                context.DrawLine(new Pen(isZero ? Ink : Rule, Thin), new(inside.Left, y), new(inside.Right, y));
+            }
+
+            var text = Label((tick * step).ToString(format, CultureInfo.InvariantCulture));
+            context.DrawText(text, new(inside.Left - text.Width - 6, y - (text.Height / 2)));
+        }
+
+        context.DrawLine(new Pen(Rule, Thin), inside.TopLeft, inside.BottomLeft);
+        var end = double.NegativeInfinity;
+        for (var i = 0; i < Drawing!.Labels.Count; i++)
+        {
+            var (x, text) = (To(view, i, 0).X, Label(Drawing.Labels[i]));
+            if (x >= inside.Left && x <= inside.Right && x - (text.Width / 2) > end + LabelsApart)
+            {
+                context.DrawText(text, new(x - (text.Width / 2), inside.Bottom + 6));
+                end = x + (text.Width / 2);
+            }
+        }
+    }
+
+    private void Line(DrawingContext context, PlotView view, SeriesLine line)
+    {
+        var pen = PenOf(line.Kind);
+        for (var i = 1; i < line.Values.Count; i++)
+        {
+            if (line.Values[i - 1] is { } from && line.Values[i] is { } to)
+            {
+                context.DrawLine(pen, To(view, i - 1, from), To(view, i, to));
+            }
+        }
+
+        for (var i = 0; i < line.Values.Count; i++)
+        {
+            if (line.Values[i] is { } value)
+            {
+                MarkAt(context, line.Kind, To(view, i, value), Math.Clamp(view.ScaleX / 4, SmallMark, Mark), Drawing!.IsHollow.ElementAtOrDefault(i));
+            }
+        }
+    }
+
+    private Pen PenOf(SeriesKind kind) => new Pen(BrushOf(kind), Thick, kind is SeriesKind.BeforeMean or SeriesKind.AfterMean ? Dashes : null);
+
+    private IBrush? BrushOf(SeriesKind kind) => kind is SeriesKind.Before or SeriesKind.BeforeMean ? BeforeBrush : AfterBrush;
+
+    private void MarkAt(DrawingContext context, SeriesKind kind, Point at, double size, bool isHollow)
+    {
+        var (fill, pen) = (isHollow ? Ground : BrushOf(kind), new Pen(BrushOf(kind), Thick));
+        switch (kind)
+        {
+            case SeriesKind.Before:
+                context.DrawEllipse(fill, pen, at, size, size);
+                break;
+            case SeriesKind.After:
+                var diamond = new StreamGeometry();
+                using (var figure = diamond.Open())
+                {
+                    figure.BeginFigure(new(at.X, at.Y - size - 1), isFilled: true);
+                    figure.LineTo(new(at.X + size + 1, at.Y));
+                    figure.LineTo(new(at.X, at.Y + size + 1));
+                    figure.LineTo(new(at.X - size - 1, at.Y));
+                    figure.EndFigure(isClosed: true);
+                }
+
+                context.DrawGeometry(fill, pen, diamond);
+                break;
+            default:
+                context.DrawRectangle(BrushOf(kind), null, new Rect(at.X - 2, at.Y - 2, 4, 4));
+                break;
+        }
+    }
+
+    // Names in rows above the drawing, as many as fit beside each other.
+    private IEnumerable<(SeriesLine Line, FormattedText Name, Point At)> Named(SeriesDrawing drawing)
+    {
+        var (x, y) = (LeftStrip, 6.0);
+        foreach (var line in drawing.Lines)
+        {
+            var name = Label(line.Name);
+            var width = LegendMark + 8 + name.Width;
+            if (x > LeftStrip && x + width > View.Width - Around)
+            {
+                (x, y) = (LeftStrip, y + name.Height + 6);
+            }
+
+            yield return (line, name, new(x, y));
+            x += width + LegendApart;
+        }
+    }
+
+    private double LegendHeight(SeriesDrawing drawing) => Named(drawing).Max(n => n.At.Y + n.Name.Height) + 8;
+
+    private void Legend(DrawingContext context, SeriesDrawing drawing, double height)
+    {
+        foreach (var (line, name, at) in Named(drawing))
+        {
+            var middle = at.Y + (name.Height / 2);
+            context.DrawLine(PenOf(line.Kind), new(at.X, middle), new(at.X + LegendMark, middle));
+            MarkAt(context, line.Kind, new(at.X + (LegendMark / 2), middle), Mark, isHollow: false);
+            context.DrawText(name, new(at.X + LegendMark + 8, at.Y));
+        }
+
+        context.DrawLine(new Pen(Rule, Thin), new(LeftStrip, View.Height - BottomStrip), new(View.Width, View.Height - BottomStrip));
+    }
+}

@@ -1,0 +1,236 @@
+using Avalonia;
+using Avalonia.Media;
+using Avalonia.Media.Immutable;
+using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Draws a surface from above, colors by value or the way of the stylus over it; under the finger the values of a point.</summary>
+public sealed class SurfacePlot : PlotArea
+{
+    /// <summary>What is drawn.</summary>
+    public static readonly StyledProperty<SurfaceDrawing?> DrawingProperty = AvaloniaProperty.Register<SurfacePlot, SurfaceDrawing?>(nameof(Drawing));
+
+    /// <summary>The surface where it has no values.</summary>
+    public static readonly StyledProperty<IBrush?> AreaBrushProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(AreaBrush));
+
+    /// <summary>The way of the stylus.</summary>
+    public static readonly StyledProperty<IBrush?> WayBrushProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(WayBrush));
+
+    // Each cell of the net is drawn in so many by so many: colors change little from one to the next.
+    private const int Parts = 3;
+    private const double Dot = 3.5, First = 7, Thick = 2, Hairline = 0.6, Away = 5;
+    private static readonly ImmutableSolidColorBrush[] Colors = [.. Enumerable.Range(0, DivergingColors.Count).Select(i => new ImmutableSolidColorBrush(Color.Parse(DivergingColors.Hex(i))))];
+    private PlotBox _extent = PlotBox.Empty;
+    private PlotIndex _index = new([]);
+    private IReadOnlyList<(int Color, StreamGeometry Geometry)> _cells = [];
+
+    static SurfacePlot() => AffectsRender<SurfacePlot>(AreaBrushProperty, WayBrushProperty);
+
+    /// <summary>What is drawn.</summary>
+    public SurfaceDrawing? Drawing
+    {
+        get => GetValue(DrawingProperty);
+        set => SetValue(DrawingProperty, value);
+    }
+
+    /// <summary>The surface where it has no values.</summary>
+    public IBrush? AreaBrush
+    {
+        get => GetValue(AreaBrushProperty);
+        set => SetValue(AreaBrushProperty, value);
+    }
+
+    /// <summary>The way of the stylus.</summary>
+    public IBrush? WayBrush
+    {
+        get => GetValue(WayBrushProperty);
+        set => SetValue(WayBrushProperty, value);
+    }
+
+    /// <inheritdoc/>
+    protected override PlotBox Extent => _extent;
+
+    /// <inheritdoc/>
+    protected override int DatumCount => Drawing?.Points.Count ?? 0;
+
+    /// <inheritdoc/>
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        base.OnPropertyChanged(change);
+        if (change.Property == DrawingProperty)
+        {
+            _extent = Drawing?.Extent ?? PlotBox.Empty;
+            _index = new([.. Drawing?.Points.Select(p => p.At) ?? []]);
+            _cells = Drawing is null ? [] : CellsOf(Drawing);
+            Renew();
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override PlotDatum? DatumNear(Point2 screen, double reach) => DatumAt(_index.Nearest(View.ToPlot(screen), View.ScaleX, View.ScaleY, reach));
+
+    /// <inheritdoc/>
+    protected override PlotDatum? DatumAt(int index) => index >= 0 && Drawing is { } drawing ? new(drawing.Points[index].At, drawing.Points[index].Values, index) : null;
+
+    /// <inheritdoc/>
+    protected override void Draw(DrawingContext context, PlotView view)
+    {
+        ArgumentNullException.ThrowIfNull(context);
+        var drawing = Drawing!;
+        var origin = To(view, Point2.Origin);
+        using (context.PushTransform(new Matrix(view.ScaleX, 0, 0, -view.ScaleY, origin.X, origin.Y)))
+        {
+            foreach (var (color, geometry) in _cells)
+            {
+                // The stroke closes the hairlines between neighbors.
+                var brush = color < 0 ? AreaBrush : Colors[color];
+                context.DrawGeometry(brush, new Pen(brush, Hairline / view.ScaleX), geometry);
+            }
+        }
+
+        Way(context, view, drawing);
+        Dots(context, view, drawing);
+    }
+
+    private static Point To(PlotView view, Point2 place)
+    {
+        var (x, y) = view.ToScreen(place);
+        return new(x, y);
+    }
+
+    // Made once, in the plot's units, one geometry a color: whoever moves the map or goes nearer draws the same again.
+    private static List<(int Color, StreamGeometry Geometry)> CellsOf(SurfaceDrawing drawing)
+    {
+        var geometries = new List<(int Color, StreamGeometry Geometry)>();
+        foreach (var color in Quadrangles(drawing).GroupBy(q => q.Color))
+        {
+            var geometry = new StreamGeometry();
+            using (var figures = geometry.Open())
+            {
+                figures.SetFillRule(FillRule.NonZero);
+                foreach (var (_, corners) in color)
+                {
+                    Quadrangle(figures, corners);
+                }
+            }
+
+            geometries.Add((color.Key, geometry));
+        }
+
+        return geometries;
+    }
+
+    private static IEnumerable<(int Color, Point[] Corners)> Quadrangles(SurfaceDrawing drawing)
+    {
+        const double Side = 1.0 / Parts;
+        var (net, outside) = (drawing.Net, drawing.Net.Outside.ToHashSet());
+        Point[] places = [.. net.Places.Select(p => new Point(p.X, p.Y))];
+        for (var cell = 0; cell < (net.CountU - 1) * (net.CountV - 1); cell++)
+        {
+            if (outside.Contains(cell))
+            {
+                continue;
+            }
+
+            var a = (cell / (net.CountV - 1) * net.CountV) + (cell % (net.CountV - 1));
+            int[] corners = [a, a + net.CountV, a + net.CountV + 1, a + 1];
+            if (drawing.ValuesMm is not { } values)
+            {
+                yield return (-1, [.. corners.Select(c => places[c])]);
+                continue;
+            }
+
+            for (var part = 0; part < Parts * Parts; part++)
+            {
+                var (s, t) = ((double)(part / Parts) / Parts, (double)(part % Parts) / Parts);
+                Point At(double u, double v) => Between(corners, c => places[c], u, v);
+                var value = Between(corners, c => new Point(values[c], 0), s + (Side / 2), t + (Side / 2)).X;
+                yield return (DivergingColors.IndexOf(value, drawing.LimitMm), [At(s, t), At(s + Side, t), At(s + Side, t + Side), At(s, t + Side)]);
+            }
+        }
+    }
+
+    private static Point Between(int[] corners, Func<int, Point> at, double s, double t) =>
+        (at(corners[0]) * ((1 - s) * (1 - t))) + (at(corners[1]) * (s * (1 - t))) + (at(corners[2]) * (s * t)) + (at(corners[3]) * ((1 - s) * t));
+
+    private static void Quadrangle(StreamGeometryContext figures, Point[] corners)
+    {
+        figures.BeginFigure(corners[0], isFilled: true);
+        figures.LineTo(corners[1]);
+        figures.LineTo(corners[2]);
+        figures.LineTo(corners[3]);
+        figures.EndFigure(isClosed: true);
+    }
+
+    private void Way(DrawingContext context, PlotView view, SurfaceDrawing drawing)
+    {
+        if (!drawing.ShowsWay)
+        {
+            return;
+        }
+
+        var pen = new Pen(WayBrush, Thick);
+        for (var i = 1; i < drawing.Points.Count; i++)
+        {
+            context.DrawLine(pen, To(view, drawing.Points[i - 1].At), To(view, drawing.Points[i].At));
+        }
+
+        if (drawing.Points.Count > 0)
+        {
+            context.DrawEllipse(Ground, pen, To(view, drawing.Points[0].At), First, First);
+        }
+    }
+
+    private void Dots(DrawingContext context, PlotView view, SurfaceDrawing drawing)
+    {
+        // Colors of the map are the same in both themes, and so is what is written on them.
+        var isMap = drawing.ValuesMm is not null;
+        var ink = isMap ? Brushes.Black : Ink;
+        var labels = new List<(FormattedText Text, Rect Room)>();
+        foreach (var (label, at, _) in drawing.Points)
+        {
+            var place = To(view, at);
+            context.DrawEllipse(isMap ? ink : WayBrush, null, place, Dot, Dot);
+            var text = Label(label);
+            text.SetForegroundBrush(ink ?? Brushes.Gray);
+            labels.Add((text, new Rect(place.X - (text.Width / 2), place.Y - text.Height - Away, text.Width, text.Height)));
+        }
+
+        // All or none: labels that find no room appear when one goes nearer.
+        if (HaveRoom(labels, new Rect(Bounds.Size)))
+        {
+            foreach (var (text, room) in labels)
+            {
+                if (isMap)
+                {
+                    using (context.PushOpacity(0.65))
+                    {
+                        context.FillRectangle(Brushes.White, room.Inflate(new Thickness(2, 0)), 3);
+                    }
+                }
+
+                context.DrawText(text, room.TopLeft);
+            }
+        }
+    }
+
+    private static bool HaveRoom(List<(FormattedText Text, Rect Room)> labels, Rect seen)
+    {
+        var rooms = labels.Select(l => l.Room).Where(r => r.Intersects(seen)).OrderBy(r => r.Left).ToArray();
+        for (var i = 0; i < rooms.Length; i++)
+        {
+            for (var j = i + 1; j < rooms.Length && rooms[j].Left < rooms[i].Right; j++)
+            {
+                if (rooms[i].Intersects(rooms[j]))
+                {
+                    return false;
+                }
+            }
+        }
+
+        return true;
+    }
+}

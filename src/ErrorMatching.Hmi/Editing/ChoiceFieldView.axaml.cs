@@ -1,0 +1,10 @@
+using Avalonia.Controls;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>A field that something is chosen in, with its name above and what is wrong below.</summary>
+public sealed partial class ChoiceFieldView : UserControl
+{
+    /// <summary>The view.</summary>
+    public ChoiceFieldView() => InitializeComponent();
+}

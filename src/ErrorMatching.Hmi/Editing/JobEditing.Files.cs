@@ -1,0 +1,124 @@
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Hmi;
+
+/// <content>Opening, keeping and saving: all of it beside the screen.</content>
+public sealed partial class JobEditing
+{
+    private async Task LoadAsync(CellJobSettings job)
+    {
+        var (sha256, draft, kept, isBroken, message) = await Task.Run(() => Open(job));
+        if (job != Job)
+        {
+            return;
+        }
+
+        (_baseSha256, _base, Kept, IsKeptBroken, _isLoaded, _isTold) = (sha256, draft ?? new(), kept, isBroken, draft is not null, false);
+        Message = message;
+        _history.Begin(_base);
+        IsChecked = false;
+        _checking.Give(new(job, _base, _base, sha256, "", default));
+        Changed?.Invoke();
+        Refresh();
+    }
+
+    private (string Sha256, MatingDraft? Draft, KeptDraft? Kept, bool IsKeptBroken, string? Message) Open(CellJobSettings job)
+    {
+        KeptDraft? kept = null;
+        var (isBroken, message) = (false, (string?)null);
+        try
+        {
+            kept = _drafts.Find(job.Name);
+        }
+        catch (InputException e)
+        {
+            (isBroken, message) = (true, Texts.Current.With("Setup.KeptBroken", e.Message));
+        }
+
+        try
+        {
+            var sha256 = JobEdits.Sha256Of(job);
+            var draft = MatingDraftFiles.Open(job.File);
+            return (sha256, draft, kept is { } k && k.BaseSha256 == sha256 && k.Draft.IsSame(draft) ? null : kept, isBroken, message);
+        }
+        catch (Exception e) when (e is InputException or JobException or MeasurementException or DraftException)
+        {
+            return ("", null, null, isBroken, Texts.Current.With("Setup.NotOpened", e.Message));
+        }
+    }
+
+    private void TakeKept()
+    {
+        if (Kept is { } kept)
+        {
+            Kept = null;
+
+            // What changed in between is told when it is saved.
+            _baseSha256 = kept.BaseSha256;
+            _history.Begin(_base);
+            _history.Change(kept.Draft, "");
+            Follow();
+        }
+    }
+
+    private async Task ForgetKeptAsync()
+    {
+        var job = Job!;
+        if (await TryAsync(() => _drafts.Forget(job.Name)))
+        {
+            (Kept, IsKeptBroken) = (null, false);
+            Refresh();
+        }
+    }
+
+    private async Task SaveAsync()
+    {
+        var (job, draft, sha256, by) = (Job!, Draft, _baseSha256, _who()!);
+        await _checking.Running;
+        await Task.Yield();
+        if (Problems.Count > 0)
+        {
+            Tell();
+            return;
+        }
+
+        var saved = "";
+        if (await TryAsync(() => saved = new JobEdits(_station.Settings, _station.Store, _station.Users).Save(job, draft, sha256, by)))
+        {
+            // The imported program is the job's own now.
+            var isOtherProgram = draft.Program is not null;
+            (_base, _baseSha256) = (draft with { Program = null }, saved);
+            _history.Begin(_base);
+            await _keeping.Running;
+            await TryAsync(() => _drafts.Forget(job.Name));
+            var waiting = _station.State.Status?.Proposed.Count(c => c.Job == job.Name) ?? 0;
+            Notice = string.Join(" ", new[]
+            {
+                Texts.Current["Setup.Saved"],
+                isOtherProgram ? Texts.Current["Setup.SavedProgram"] : "",
+                waiting > 0 ? Texts.Current.With("Setup.SavedWaiting", waiting) : "",
+            }.Where(t => t.Length > 0));
+            Changed?.Invoke();
+        }
+
+        Refresh();
+    }
+
+    private async Task<bool> TryAsync(Action work)
+    {
+        Message = null;
+        try
+        {
+            await Task.Run(work);
+            return true;
+        }
+        catch (Exception e) when (Failures.IsKnown(e))
+        {
+            Message = Failures.Of(e, _station.Clock);
+            return false;
+        }
+    }
+}

@@ -1,0 +1,230 @@
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>The job that is being edited at this station, shared by both set-up screens: the draft, the way back, what is wrong with it, and what is kept of it in case of a crash.</summary>
+public sealed partial class JobEditing : Observable, IDisposable
+{
+    private readonly Station _station;
+    private readonly Func<SignedIn?> _who;
+    private readonly SynchronizationContext _screen;
+    private readonly EditHistory _history = new();
+    private readonly Latest<Snapshot> _checking;
+    private readonly Latest<Snapshot> _keeping;
+    private readonly DraftFolder _drafts;
+    private MatingDraft _base = new();
+    private string _baseSha256 = "";
+    private string? _message;
+    private bool _isLoaded;
+    private bool _isTold;
+
+    /// <summary>No job yet.</summary>
+    /// <param name="station">The station.</param>
+    /// <param name="who">Who is signed in.</param>
+    public JobEditing(Station station, Func<SignedIn?> who)
+    {
+        _station = station ?? throw new ArgumentNullException(nameof(station));
+        _who = who;
+        _screen = SynchronizationContext.Current ?? throw new InvalidOperationException("Jobs are edited on the screen's thread.");
+        _drafts = new(Path.Combine(Path.GetDirectoryName(Path.GetFullPath(station.Settings.File))!, "drafts"));
+        Jobs = [.. station.Settings.Jobs.Where(j => !j.IsFreeform)];
+        _checking = new(LookThrough);
+        _keeping = new(KeepAway);
+        Undo = new(() => Go(_history.Undo), () => CanEdit && _history.CanUndo);
+        Redo = new(() => Go(_history.Redo), () => CanEdit && _history.CanRedo);
+        BeginAnew = new(() => Change("", d => d.Emptied()), () => CanEdit);
+        DiscardChanges = new(() => Change("", _ => _base), () => CanEdit && IsChanged);
+        ContinueKept = new(TakeKept, () => Kept is not null && MayEdit);
+        DiscardKept = new(_ => ForgetKeptAsync(), () => (Kept is not null || IsKeptBroken) && MayEdit);
+        Save = new(_ => SaveAsync(), () => CanEdit && IsChanged);
+
+        // While it is saved nothing can be edited.
+        Save.PropertyChanged += (_, _) => Refresh();
+    }
+
+    /// <summary>Said on the screen's thread when the draft is another one.</summary>
+    public event Action? Changed;
+
+    /// <summary>Said on the screen's thread when something else is to be shown: what is wrong, who may edit, what was kept.</summary>
+    public event Action? Shown;
+
+    /// <summary>Said when a field is to be gone to: the first that something is wrong with.</summary>
+    public event Action<string>? Wanted;
+
+    /// <summary>The cell's mating jobs.</summary>
+    public IReadOnlyList<CellJobSettings> Jobs { get; }
+
+    /// <summary>The job that is edited; null before one is chosen.</summary>
+    public CellJobSettings? Job { get; private set; }
+
+    /// <summary>The draft.</summary>
+    public MatingDraft Draft => _history.Draft;
+
+    /// <summary>What is wrong with the draft, as far as it is known.</summary>
+    public IReadOnlyList<DraftProblem> Problems { get; private set; } = [];
+
+    /// <summary>True once <see cref="Problems"/> are those of the draft as it is now.</summary>
+    public bool IsChecked { get; private set; }
+
+    /// <summary>True if mistakes are told at fields that nobody has filled in yet: after the count was tapped, or saving was tried.</summary>
+    public bool IsTold => _isTold;
+
+    /// <summary>Unsaved changes from before that wait for a decision; null if there are none.</summary>
+    public KeptDraft? Kept { get; private set; }
+
+    /// <summary>True if what was kept cannot be read.</summary>
+    public bool IsKeptBroken { get; private set; }
+
+    /// <summary>What did not work or is to be known, in words; null for nothing.</summary>
+    public string? Message
+    {
+        get => _message;
+        private set => Set(ref _message, value);
+    }
+
+    /// <summary>What was saved and what follows, in words; null for nothing.</summary>
+    public string? Notice { get; private set; }
+
+    /// <summary>True if the draft is not what stands there.</summary>
+    public bool IsChanged => _isLoaded && !Draft.IsSame(_base);
+
+    /// <summary>True if whoever sits here may edit jobs.</summary>
+    public bool MayEdit => _who() is { } who && Rights.Allows(who.Role, Act.EditJobs);
+
+    /// <summary>True if the draft can be edited now.</summary>
+    public bool CanEdit => MayEdit && _isLoaded && Kept is null && !IsKeptBroken && !Save.IsRunning;
+
+    /// <summary>A step back.</summary>
+    public Command Undo { get; }
+
+    /// <summary>A step forth.</summary>
+    public Command Redo { get; }
+
+    /// <summary>Empties the draft.</summary>
+    public Command BeginAnew { get; }
+
+    /// <summary>Makes the draft what stands there.</summary>
+    public Command DiscardChanges { get; }
+
+    /// <summary>Goes on with the unsaved changes from before.</summary>
+    public Command ContinueKept { get; }
+
+    /// <summary>Forgets the unsaved changes from before.</summary>
+    public LongCommand DiscardKept { get; }
+
+    /// <summary>Puts the draft in the place of the job, if nothing is wrong with it.</summary>
+    public LongCommand Save { get; }
+
+    /// <summary>Done when a job that was chosen is opened.</summary>
+    internal Task Loading { get; private set; } = Task.CompletedTask;
+
+    /// <summary>Done when nothing is checked and nothing is kept any more.</summary>
+    internal Task Behind => Task.WhenAll(_checking.Running, _keeping.Running);
+
+    /// <summary>Opens a job, unless it is open.</summary>
+    public void Choose(CellJobSettings? job)
+    {
+        if (job is not null && job != Job)
+        {
+            (Job, _isLoaded, Kept, IsKeptBroken, Notice, Problems) = (job, false, null, false, null, []);
+            Refresh();
+            Loading = LoadAsync(job).Watched();
+        }
+    }
+
+    /// <summary>Changes the draft.</summary>
+    /// <param name="field">The field that is typed into; empty for a step of its own.</param>
+    /// <param name="change">What the draft becomes.</param>
+    public void Change(string field, Func<MatingDraft, MatingDraft> change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        if (CanEdit && change(Draft) is var draft && !draft.IsSame(Draft))
+        {
+            _history.Change(draft, field);
+            Notice = null;
+            Follow();
+        }
+    }
+
+    /// <summary>Tells mistakes at every field, and goes to the first.</summary>
+    public void Tell()
+    {
+        _isTold = true;
+        Refresh();
+        if (Problems.Count > 0)
+        {
+            Wanted?.Invoke(Problems[0].Field);
+        }
+    }
+
+    /// <summary>Says that somebody else sits here, or that the language is another one.</summary>
+    public void Refresh()
+    {
+        foreach (var command in new[] { Undo, Redo, BeginAnew, DiscardChanges, ContinueKept })
+        {
+            command.Refresh();
+        }
+
+        DiscardKept.Refresh();
+        Save.Refresh();
+        Say();
+        Shown?.Invoke();
+    }
+
+    /// <summary>Waits for what is being kept: what was typed last is not lost.</summary>
+    public void Dispose() => _keeping.Running.GetAwaiter().GetResult();
+
+    private void Go(Action way)
+    {
+        way();
+        Notice = null;
+        Follow();
+    }
+
+    private void Follow()
+    {
+        var snapshot = new Snapshot(Job!, Draft, _base, _baseSha256, _who()?.Name ?? "", _station.Clock.GetUtcNow());
+        IsChecked = false;
+        _checking.Give(snapshot);
+        _keeping.Give(snapshot);
+        Changed?.Invoke();
+        Refresh();
+    }
+
+    private void LookThrough(Snapshot snapshot)
+    {
+        var check = new JobEdits(_station.Settings, _station.Store, _station.Users).Check(snapshot.Job, snapshot.Draft);
+        _screen.Post(
+            _ =>
+            {
+                if (ReferenceEquals(snapshot.Draft, Draft))
+                {
+                    (Problems, IsChecked) = (check.Problems, true);
+                    Refresh();
+                }
+            },
+            null);
+    }
+
+    private void KeepAway(Snapshot snapshot)
+    {
+        try
+        {
+            if (snapshot.Draft.IsSame(snapshot.Base))
+            {
+                _drafts.Forget(snapshot.Job.Name);
+            }
+            else
+            {
+                _drafts.Keep(new() { Job = snapshot.Job.Name, By = snapshot.By, At = snapshot.At, BaseSha256 = snapshot.BaseSha256, Draft = snapshot.Draft });
+            }
+        }
+        catch (OutputException e)
+        {
+            _screen.Post(_ => Message = Texts.Current.With("Setup.NotKept", e.Message), null);
+        }
+    }
+
+    private sealed record Snapshot(CellJobSettings Job, MatingDraft Draft, MatingDraft Base, string BaseSha256, string By, DateTimeOffset At);
+}

@@ -1,0 +1,55 @@
+using System.Globalization;
+using System.Text.RegularExpressions;
+using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Which screen, and which side of it, shows a field of the draft.</summary>
+/// <param name="Screen">Key of the screen.</param>
+/// <param name="Side">Number of the side of the system set-up; 0 for the point set-up.</param>
+internal sealed partial record ProblemPlace(string Screen, int Side)
+{
+    /// <summary>The side with coordinates.</summary>
+    public const int Coordinates = 0;
+
+    /// <summary>The side with program and blocks.</summary>
+    public const int Blocks = 1;
+
+    /// <summary>The side with tolerances.</summary>
+    public const int Tolerances = 2;
+
+    /// <summary>The side with frame, tool and alignment.</summary>
+    public const int Machine = 3;
+
+    /// <summary>The side with the gauge, and whatever has no other place.</summary>
+    public const int Gauge = 4;
+
+    /// <summary>The place of a path.</summary>
+    public static ProblemPlace Of(MatingDraft draft, string path) => IsOfPoints(draft, path) ? new(Screens.Points, 0) : new(Screens.System, path switch
+    {
+        _ when path.Contains('/', StringComparison.Ordinal) || path.StartsWith("$.part", StringComparison.Ordinal) || path.StartsWith("$.otherPoints", StringComparison.Ordinal) => Coordinates,
+        _ when path.EndsWith(']') && path.Contains(".points[", StringComparison.Ordinal) && path.StartsWith("$.features", StringComparison.Ordinal) => Coordinates,
+        _ when path.Contains(".blocks", StringComparison.Ordinal) || path is MatingDraftCheck.Program or "$.counterpart.dialect" => Blocks,
+        _ when path.StartsWith("$.features", StringComparison.Ordinal) || path.StartsWith("$.toleranceChain", StringComparison.Ordinal) => Tolerances,
+        _ when path.StartsWith("$.counterpart", StringComparison.Ordinal) || path.StartsWith("$.alignment", StringComparison.Ordinal) || path.StartsWith("$.originCheck", StringComparison.Ordinal)
+            || path.StartsWith("$.compensation", StringComparison.Ordinal) => Machine,
+        _ => Gauge,
+    });
+
+    private static bool IsOfPoints(MatingDraft draft, string path)
+    {
+        if (path is "$.name" or "$.workOrder" or "$.features" || OfFeature().IsMatch(path))
+        {
+            return true;
+        }
+
+        return Flank().Match(path) is { Success: true } match && int.TryParse(match.Groups["feature"].ValueSpan, NumberStyles.None, CultureInfo.InvariantCulture, out var feature) && feature < draft.Features.Count && draft.Features[feature].Kind == FeatureKind.Triangle;
+    }
+
+    [GeneratedRegex(@"^\$\.features\[[0-9]+\]\.(name|points)$", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, 1000)]
+    private static partial Regex OfFeature();
+
+    [GeneratedRegex(@"^\$\.features\[(?<feature>[0-9]+)\]\.points\[[0-9]+\]$", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, 1000)]
+    private static partial Regex Flank();
+}

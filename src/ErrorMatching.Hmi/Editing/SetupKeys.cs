@@ -1,0 +1,37 @@
+using Avalonia;
+using Avalonia.Automation;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Threading;
+using Avalonia.VisualTree;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>What both set-up screens do with keys and with the field that is to be gone to.</summary>
+internal static class SetupKeys
+{
+    /// <summary>Undo and redo by keys.</summary>
+    public static void OnKey(SetupViewModel? setup, KeyEventArgs e)
+    {
+        if (setup is null || e.Handled || !setup.IsInFront || !e.KeyModifiers.HasFlag(KeyModifiers.Control) || e.Key is not (Key.Z or Key.Y))
+        {
+            return;
+        }
+
+        var isRedo = e.Key == Key.Y || e.KeyModifiers.HasFlag(KeyModifiers.Shift);
+        (isRedo ? setup.Editing.Redo : setup.Editing.Undo).Execute(null);
+        e.Handled = true;
+    }
+
+    /// <summary>Brings a field into view and puts the focus there, once it is laid out.</summary>
+    public static void Focus(Visual screen, string id) => Dispatcher.UIThread.Post(
+        () =>
+        {
+            if (screen.GetVisualDescendants().OfType<InputElement>().FirstOrDefault(c => AutomationProperties.GetAutomationId(c) == id && c.IsEffectivelyVisible) is Control field)
+            {
+                field.BringIntoView();
+                field.Focus();
+            }
+        },
+        DispatcherPriority.Background);
+}

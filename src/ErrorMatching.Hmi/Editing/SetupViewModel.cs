@@ -1,0 +1,176 @@
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>What both set-up screens share: which job is edited, the way back, what is wrong, and saving.</summary>
+public abstract class SetupViewModel : ScreenViewModel
+{
+    private readonly ShellViewModel _shell;
+    private string _shape = "";
+
+    /// <summary>A screen at the job that is edited.</summary>
+    protected SetupViewModel(ShellViewModel shell)
+        : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
+    {
+        _shell = shell;
+        Editing = shell.Editing;
+        TellProblems = new(Editing.Tell, () => Editing.Problems.Count > 0);
+    }
+
+    /// <summary>Said when a field is to be gone to, by its AutomationId.</summary>
+    public event Action<string>? FieldWanted;
+
+    /// <summary>The job that is edited.</summary>
+    public JobEditing Editing { get; }
+
+    /// <summary>The job that is edited, by its name in the cell.</summary>
+    public CellJobSettings? Job
+    {
+        get => Editing.Job;
+        set => Editing.Choose(value);
+    }
+
+    /// <summary>Tells what is wrong at every field, and goes to the first.</summary>
+    public Command TellProblems { get; }
+
+    /// <summary>How much is wrong, in words.</summary>
+    public string ProblemCount => Editing.Problems.Count == 0 ? Texts.Current["Setup.NothingWrong"] : Texts.Current.With("Setup.Problems", Editing.Problems.Count);
+
+    /// <summary>True if something is wrong.</summary>
+    public bool HasProblems => Editing.Problems.Count > 0;
+
+    /// <summary>Whether the draft is what stands there.</summary>
+    public string StateText => Editing.Job is not { } job ? "" : Texts.Current.With(Editing.IsChanged ? "Setup.Unsaved" : "Setup.AsSaved", job.Machine, job.Slot);
+
+    /// <summary>Why nothing can be edited; null if it can.</summary>
+    public string? Forbidden => Editing.Jobs.Count == 0 ? Texts.Current["Setup.NoJobs"] : Editing.MayEdit ? null : Texts.Current["Setup.TakesSetter"];
+
+    /// <summary>True if there are unsaved changes from before to decide about.</summary>
+    public bool HasKept => Editing.Kept is not null || Editing.IsKeptBroken;
+
+    /// <summary>Whose changes they are.</summary>
+    public string KeptText => Editing.Kept is { } kept ? Texts.Current.With("Setup.Kept", kept.By, Shown.Time(kept.At, Station.Clock)) : "";
+
+    /// <summary>What did not work or is to be known: of the screen, else of the job.</summary>
+    public string? Trouble => Message ?? Editing.Message;
+
+    /// <summary>True if nothing is in front of the screen.</summary>
+    public bool IsInFront => _shell.IsFree && !_shell.IsLocked;
+
+    /// <summary>The fields of the screen.</summary>
+    protected abstract IEnumerable<EditField> Fields { get; }
+
+    /// <summary>The frame.</summary>
+    protected ShellViewModel Shell => _shell;
+
+    /// <summary>Key of the screen.</summary>
+    protected abstract string Key { get; }
+
+    /// <summary>Begins to follow the draft, once the fields are made.</summary>
+    protected void Begin()
+    {
+        Editing.Changed += Show;
+        Editing.Shown += Show;
+        Editing.Wanted += GoTo;
+        Editing.Choose(Editing.Job ?? (Editing.Jobs is [var first, ..] ? first : null));
+        Show();
+    }
+
+    /// <inheritdoc/>
+    protected override void Dispose(bool isDisposing)
+    {
+        Editing.Changed -= Show;
+        Editing.Shown -= Show;
+        Editing.Wanted -= GoTo;
+        base.Dispose(isDisposing);
+    }
+
+    /// <inheritdoc/>
+    protected override void Follow()
+    {
+        // What is edited does not change with the cell.
+    }
+
+    /// <inheritdoc/>
+    protected override void Translate()
+    {
+        _shape = "";
+        Editing.Refresh();
+    }
+
+    /// <summary>Shows another side of the screen.</summary>
+    protected virtual void Turn(int side)
+    {
+    }
+
+    /// <summary>What the rows hang on: while it is the same, rows and the focus in them stay.</summary>
+    protected abstract string ShapeOf(MatingDraft draft);
+
+    /// <summary>Makes rows anew, for a draft that has others.</summary>
+    protected abstract void MakeRows();
+
+    /// <summary>Shows what follows from the draft beside its fields.</summary>
+    protected virtual void ShowMore()
+    {
+    }
+
+    /// <summary>Shows the draft.</summary>
+    protected void Show()
+    {
+        var shape = ShapeOf(Editing.Draft);
+        if (shape != _shape)
+        {
+            _shape = shape;
+            MakeRows();
+        }
+
+        ShowFields();
+        ShowMore();
+        TellProblems.Refresh();
+        Say();
+    }
+
+    // Each problem stands at the field with the longest path that leads to it.
+    private void ShowFields()
+    {
+        var fields = Fields.ToArray();
+        var at = fields.ToDictionary(f => f.Path, _ => new List<DraftProblem>(), StringComparer.Ordinal);
+        foreach (var problem in Editing.Problems.Where(p => ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key))
+        {
+            if (fields.Where(f => Leads(f, problem.Field)).MaxBy(f => f.Path.Length) is { } field)
+            {
+                at[field.Path].Add(problem);
+            }
+        }
+
+        foreach (var field in fields)
+        {
+            field.Show(at[field.Path]);
+        }
+    }
+
+    private static bool Leads(EditField field, string path) =>
+        path == field.Path || (field is not NoteField && path.StartsWith(field.Path, StringComparison.Ordinal) && path[field.Path.Length] is '[' or '.');
+
+    private void GoTo(string path)
+    {
+        var place = ProblemPlace.Of(Editing.Draft, path);
+        if (place.Screen != Key)
+        {
+            if (_shell.Current == this)
+            {
+                _shell.Go(place.Screen);
+                (_shell.Current as SetupViewModel)?.GoTo(path);
+            }
+
+            return;
+        }
+
+        Turn(place.Side);
+        if (Fields.Where(f => Leads(f, path)).MaxBy(f => f.Path.Length) is { } field)
+        {
+            FieldWanted?.Invoke(field.AutomationId);
+        }
+    }
+}

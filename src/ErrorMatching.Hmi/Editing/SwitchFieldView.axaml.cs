@@ -1,0 +1,10 @@
+using Avalonia.Controls;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>A field that is on or off.</summary>
+public sealed partial class SwitchFieldView : UserControl
+{
+    /// <summary>The view.</summary>
+    public SwitchFieldView() => InitializeComponent();
+}

@@ -1,0 +1,85 @@
+using System.Security.Cryptography;
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+using ErrorMatching.Jobs;
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Where people's preferences are kept: a small file for each, which anybody may have changed or spoiled.</summary>
+/// <param name="folder">Their folder. It is made when the first one is kept.</param>
+public sealed class PreferenceFiles(string folder)
+{
+    /// <summary>How many folders are remembered.</summary>
+    public const int MostFolders = 5;
+
+    private const int MostBytes = 64 * 1024;
+    private static readonly JsonWriterOptions Written = new() { Indented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+    private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(
+        """
+        {
+          "type": "object",
+          "required": ["user", "language", "theme", "targets", "folders"],
+          "additionalProperties": false,
+          "properties": {
+            "user": { "type": "string" },
+            "language": { "enum": ["English", "TraditionalChinese"] },
+            "theme": { "enum": ["light", "dark"] },
+            "targets": { "enum": ["Standard", "Large", "Largest"] },
+            "folders": { "type": "array", "maxItems": 5, "items": { "type": "string", "minLength": 1 } }
+          }
+        }
+        """u8,
+        "preferences.schema.json"));
+
+    /// <summary>The file of a user. Names may have any characters; files may not.</summary>
+    public string Of(string user) => Path.Combine(folder, $"station-{Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(user)))[..16]}.json");
+
+    /// <summary>What a user likes; null if nothing was kept.</summary>
+    /// <exception cref="InputException">The file cannot be read.</exception>
+    /// <exception cref="JsonDocumentException">It is not what <see cref="Keep"/> writes.</exception>
+    public Preferences? Read(string user)
+    {
+        var file = Of(user);
+        if (!File.Exists(file))
+        {
+            return null;
+        }
+
+        var limits = JsonLimits.Default with { MaxBytes = MostBytes };
+        var document = JsonInput.Read(InputFile.Open(file, f => JsonInput.Load(f, limits)), file, limits);
+        return Schema.Value.Check(document) is { Count: > 0 } problems
+            ? throw new JsonDocumentException(file, problems)
+            : new(Enum.Parse<Language>(document["language"].Text), document["theme"].Text == "dark", Enum.Parse<TouchSize>(document["targets"].Text), [.. document["folders"].Items.Select(i => i.Text).Where(IsFolder)]);
+    }
+
+    /// <summary>Keeps what a user likes.</summary>
+    /// <exception cref="OutputException">It cannot be written.</exception>
+    public void Keep(string user, Preferences preferences)
+    {
+        ArgumentNullException.ThrowIfNull(preferences);
+        using var bytes = new MemoryStream();
+        using (var writer = new Utf8JsonWriter(bytes, Written))
+        {
+            writer.WriteStartObject();
+            writer.WriteString("user", user);
+            writer.WriteString("language", preferences.Language.ToString());
+            writer.WriteString("theme", preferences.IsDark ? "dark" : "light");
+            writer.WriteString("targets", preferences.TouchSize.ToString());
+            writer.WriteStartArray("folders");
+            foreach (var kept in preferences.Folders.Take(MostFolders))
+            {
+                writer.WriteStringValue(kept);
+            }
+
+            writer.WriteEndArray();
+            writer.WriteEndObject();
+        }
+
+        OutputFile.Write(Of(user), bytes.ToArray(), [], CancellationToken.None);
+    }
+
+    // A path that no system takes would only be in the way.
+    private static bool IsFolder(string path) => !path.Contains('\0', StringComparison.Ordinal) && Path.IsPathFullyQualified(path);
+}

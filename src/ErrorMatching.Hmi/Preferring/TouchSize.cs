@@ -1,0 +1,14 @@
+namespace ErrorMatching.Hmi;
+
+/// <summary>How high what is touched is.</summary>
+public enum TouchSize
+{
+    /// <summary>15 mm.</summary>
+    Standard,
+
+    /// <summary>17.5 mm, for thick gloves.</summary>
+    Large,
+
+    /// <summary>20 mm.</summary>
+    Largest,
+}

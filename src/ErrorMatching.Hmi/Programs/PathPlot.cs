@@ -1,0 +1,345 @@
+using System.Collections;
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Media;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Draws the path of a program; a tap lights a move and its block.</summary>
+/// <remarks>Up to <see cref="MostShapes"/> pieces that are seen are drawn as shapes; more of them pixel by pixel into one picture, so that a frame costs what the screen costs and not what the program costs.</remarks>
+[System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "The picture is let go when the plot leaves the screen.")]
+public sealed class PathPlot : PlotArea
+{
+    /// <summary>The program.</summary>
+    public static readonly StyledProperty<ProgramPicture?> PictureProperty = AvaloniaProperty.Register<PathPlot, ProgramPicture?>(nameof(Picture));
+
+    /// <summary>What is chosen.</summary>
+    public static readonly StyledProperty<IBrush?> ChosenBrushProperty = AvaloniaProperty.Register<PathPlot, IBrush?>(nameof(ChosenBrush));
+
+    /// <summary>Most pieces that are drawn as shapes.</summary>
+    public const int MostShapes = 1500;
+
+    private const double Thin = 1, Cut = 1.5, Thick = 3, Ring = 7, Dot = 4, LabelAway = 8;
+    private static readonly DashStyle Dashes = new([6, 4], 0);
+    private readonly PixelLayer _layer = new();
+    private readonly List<MoveStroke> _strokes = [];
+    private BitArray? _featured;
+    private PathFrame? _wanted, _painting, _painted;
+    private bool _isSeen;
+
+    static PathPlot() => AffectsRender<PathPlot>(ChosenBrushProperty);
+
+    /// <summary>The program.</summary>
+    public ProgramPicture? Picture
+    {
+        get => GetValue(PictureProperty);
+        set => SetValue(PictureProperty, value);
+    }
+
+    /// <summary>What is chosen.</summary>
+    public IBrush? ChosenBrush
+    {
+        get => GetValue(ChosenBrushProperty);
+        set => SetValue(ChosenBrushProperty, value);
+    }
+
+    /// <summary>True if the last frame was drawn pixel by pixel.</summary>
+    internal bool IsByPixel { get; private set; }
+
+    /// <summary>The painting that is under way beside the screen, or the last one.</summary>
+    public Task Painting { get; private set; } = Task.CompletedTask;
+
+    /// <inheritdoc/>
+    protected override PlotBox Extent => Picture?.Program.Moves.Extent ?? PlotBox.Empty;
+
+    /// <inheritdoc/>
+    protected override int DatumCount => Picture?.Program.Moves.Count ?? 0;
+
+    /// <inheritdoc/>
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        base.OnPropertyChanged(change);
+        if (change.Property == PictureProperty)
+        {
+            if (change.OldValue is ProgramPicture old)
+            {
+                old.PropertyChanged -= Follow;
+            }
+
+            if (change.NewValue is ProgramPicture picture && TopLevel.GetTopLevel(this) is not null)
+            {
+                picture.PropertyChanged += Follow;
+            }
+
+            Sort();
+            Renew();
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnAttachedToVisualTree(VisualTreeAttachmentEventArgs e)
+    {
+        base.OnAttachedToVisualTree(e);
+        _isSeen = true;
+        if (Picture is { } picture)
+        {
+            picture.PropertyChanged -= Follow;
+            picture.PropertyChanged += Follow;
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
+    {
+        base.OnDetachedFromVisualTree(e);
+        if (Picture is { } picture)
+        {
+            picture.PropertyChanged -= Follow;
+        }
+
+        _isSeen = false;
+        _layer.Dispose();
+        _painted = null;
+    }
+
+    /// <inheritdoc/>
+    protected override PlotDatum? DatumNear(Point2 screen, double reach)
+    {
+        var place = View.ToPlot(screen);
+        return Picture is { Program: var program } && program.Moves.Nearest(place, reach / View.ScaleX) is var motion and >= 0
+            ? new(program.Moves.NearestOn(motion, place), program.TellMotion(motion), motion)
+            : null;
+    }
+
+    /// <inheritdoc/>
+    protected override PlotDatum? DatumAt(int index) =>
+        Picture is { Program: var program } && program.Moves.EndsOf(index) is var (_, end) ? new(end, program.TellMotion(index), index) : null;
+
+    /// <inheritdoc/>
+    protected override void OnAsked(PlotDatum datum)
+    {
+        ArgumentNullException.ThrowIfNull(datum);
+        Picture!.LightMotion(datum.Index);
+    }
+
+    /// <inheritdoc/>
+    protected override void Draw(DrawingContext context, PlotView view)
+    {
+        ArgumentNullException.ThrowIfNull(context);
+        var program = Picture!.Program;
+        _strokes.Clear();
+        IsByPixel = !program.Moves.Strokes(view, Pixel, Keep);
+        if (IsByPixel)
+        {
+            // What is chosen is drawn at once and above, unless it is too much for that as well.
+            _strokes.Clear();
+            var isLarge = !KeepChosen(program, view);
+            DrawPixels(context, new(program, view, Pixel, isLarge ? Picture.Selection : null, _featured, PixelLayer.ColorOf(Rule), PixelLayer.ColorOf(Ink), PixelLayer.ColorOf(ChosenBrush)));
+        }
+
+        foreach (var kind in Enum.GetValues<StrokeKind>())
+        {
+            DrawShapes(context, kind);
+        }
+
+        DrawLabels(context, view, program);
+        DrawEnds(context, view, program);
+    }
+
+    private bool KeepChosen(OpenedProgram program, PlotView view)
+    {
+        if (Picture!.Selection is not { } range || program.MotionsOf(range) is not var (first, last))
+        {
+            return true;
+        }
+
+        for (var i = first; i <= last && last - first < MostShapes && _strokes.Count < MostShapes; i++)
+        {
+            _strokes.AddRange(range.Contains(program.Path.Motions.BlockOf(i)) ? program.Moves.StrokesOf(i, view) : []);
+        }
+
+        var isAll = last - first < MostShapes && _strokes.Count < MostShapes;
+        if (!isAll)
+        {
+            _strokes.Clear();
+        }
+
+        return isAll;
+    }
+
+    private bool Keep(MoveStroke stroke)
+    {
+        _strokes.Add(stroke);
+        return _strokes.Count < MostShapes;
+    }
+
+    private void Follow(object? sender, System.ComponentModel.PropertyChangedEventArgs e)
+    {
+        if (e.PropertyName is nameof(ProgramPicture.Selection) or nameof(ProgramPicture.Marks))
+        {
+            if (e.PropertyName == nameof(ProgramPicture.Selection))
+            {
+                Light();
+            }
+            else
+            {
+                Sort();
+            }
+
+            InvalidateVisual();
+        }
+    }
+
+    // What is chosen is seen; values of another move are not shown any more.
+    private void Light()
+    {
+        if (Picture is not { Selection: { } range, Program: var program, Cursor: var cursor })
+        {
+            return;
+        }
+
+        if (Asked is { } datum && !range.Contains(program.Path.Motions.BlockOf(datum.Index)))
+        {
+            Ask(null);
+        }
+
+        if (program.Path.MotionOf(cursor) is var motion and >= 0 && program.Moves.EndsOf(motion) is var (from, to))
+        {
+            Reveal(PlotBox.Empty.With(from).With(to));
+        }
+    }
+
+    private void Sort()
+    {
+        _featured = Picture is { Marks.Count: > 0 } picture ? new BitArray(picture.Program.Count) : null;
+        foreach (var range in Picture?.Marks.SelectMany(m => m.Ranges) ?? [])
+        {
+            for (var block = range.First; block <= range.Last; block++)
+            {
+                _featured![block] = true;
+            }
+        }
+    }
+
+    private Pen PenOf(StrokeKind kind) => kind switch
+    {
+        StrokeKind.Rapid => new Pen(Rule, Thin, Dashes),
+        StrokeKind.Cut => new Pen(Ink, Cut, lineJoin: PenLineJoin.Bevel),
+        StrokeKind.Feature => new Pen(Ink, Thick, lineJoin: PenLineJoin.Bevel),
+        _ => new Pen(ChosenBrush, Thick, lineJoin: PenLineJoin.Bevel),
+    };
+
+    private void DrawShapes(DrawingContext context, StrokeKind kind)
+    {
+        var geometry = new StreamGeometry();
+        var end = default(Point?);
+        using (var figure = geometry.Open())
+        {
+            foreach (var stroke in _strokes.Where(s => PathFrame.KindOf(s, Picture!.Selection, _featured) == kind))
+            {
+                if (end != new Point(stroke.X1, stroke.Y1))
+                {
+                    if (end is not null)
+                    {
+                        figure.EndFigure(isClosed: false);
+                    }
+
+                    figure.BeginFigure(new(stroke.X1, stroke.Y1), isFilled: false);
+                }
+
+                figure.LineTo(new(stroke.X2, stroke.Y2));
+                end = new(stroke.X2, stroke.Y2);
+            }
+
+            if (end is not null)
+            {
+                figure.EndFigure(isClosed: false);
+            }
+        }
+
+        if (end is not null)
+        {
+            context.DrawGeometry(null, PenOf(kind), geometry);
+        }
+    }
+
+    // What was painted last, moved to where it is seen now, until what is seen now is painted: that goes on beside the screen.
+    private void DrawPixels(DrawingContext context, PathFrame frame)
+    {
+        if (frame != (_painting ?? _painted))
+        {
+            _wanted = frame;
+            if (_painting is null)
+            {
+                Painting = PaintAsync().Watched();
+            }
+        }
+
+        if (_painted is not { } painted || painted.Program != frame.Program)
+        {
+            return;
+        }
+
+        var (corner, scale) = (frame.View.At(painted.View.ToPlot(new(0, 0))), frame.View.ScaleX / painted.View.ScaleX);
+
+        // A picture that lies on whole pixels is copied, which takes a tenth of the time.
+        corner = scale == 1 ? new Point(Math.Round(corner.X / frame.Pixel) * frame.Pixel, Math.Round(corner.Y / frame.Pixel) * frame.Pixel) : corner;
+        _layer.Show(context, new Rect(corner, new Size(painted.Width * painted.Pixel * scale, painted.Height * painted.Pixel * scale)));
+    }
+
+    private async Task PaintAsync()
+    {
+        while (_wanted is { } frame)
+        {
+            (_wanted, _painting) = (null, frame);
+            await Task.Run(() => frame.Paint(_layer.Canvas));
+            _painting = null;
+            if (!_isSeen)
+            {
+                return;
+            }
+
+            _layer.Take();
+            _painted = frame;
+            InvalidateVisual();
+        }
+    }
+
+    // The name of each feature beside the middle of its blocks.
+    private void DrawLabels(DrawingContext context, PlotView view, OpenedProgram program)
+    {
+        foreach (var mark in Picture!.Marks)
+        {
+            foreach (var range in mark.Ranges.Take(1))
+            {
+                if (program.MotionsOf(range) is var (first, last) && program.Moves.EndsOf((first + last) / 2) is var (from, to))
+                {
+                    var text = Label(mark.Name, isStrong: true);
+                    var at = view.At(from.Lerp(to, 0.5)) + new Point(LabelAway, -text.Height / 2);
+                    context.FillRectangle(Ground!, new Rect(at, new Size(text.Width, text.Height)));
+                    context.DrawText(text, at);
+                }
+            }
+        }
+    }
+
+    // A ring where what is chosen begins, a dot where it ends.
+    private void DrawEnds(DrawingContext context, PlotView view, OpenedProgram program)
+    {
+        if (Picture!.Selection is { } range && program.MotionsOf(range) is var (first, last))
+        {
+            var pen = new Pen(ChosenBrush, Thick);
+            if (program.Moves.EndsOf(first) is var (from, _))
+            {
+                context.DrawEllipse(Ground, pen, view.At(from), Ring, Ring);
+            }
+
+            if (program.Moves.EndsOf(last) is var (_, to))
+            {
+                context.DrawEllipse(ChosenBrush, null, view.At(to), Dot, Dot);
+            }
+        }
+    }
+}

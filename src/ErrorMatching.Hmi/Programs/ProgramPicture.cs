@@ -1,0 +1,215 @@
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>A program as text and as a drawn path, to pick the blocks of each feature: what is chosen in one is lit in the other.</summary>
+/// <remarks>
+/// A screen makes one from an <see cref="OpenedProgram"/>, says which features there are (<see cref="MarkAsync"/>) and which one blocks are picked for (<see cref="Feature"/>), and listens to <see cref="RangeChosen"/>.
+/// <c>Views</c> shows it wherever a screen puts it as content.
+/// </remarks>
+public sealed class ProgramPicture : Observable
+{
+    private BlockRange? _selection;
+    private int _anchor;
+    private IReadOnlyList<FeatureMark> _marks = [];
+    private string? _feature;
+    private string? _message;
+    private bool _isReadOnly;
+
+    /// <summary>The picture of a program.</summary>
+    public ProgramPicture(OpenedProgram program)
+    {
+        Program = program ?? throw new ArgumentNullException(nameof(program));
+        Take = new(() => Choose(isMore: false), () => CanChoose);
+        Add = new(() => Choose(isMore: true), () => CanChoose && Marks.Any(m => m.Name == Feature && m.Ranges.Count > 0));
+        Before = new(() => Move(-1, isExtending: false), () => Program.Count > 0);
+        Behind = new(() => Move(1, isExtending: false), () => Program.Count > 0);
+    }
+
+    /// <summary>Said when a person has picked blocks for a feature.</summary>
+    public event Action<RangeChoice>? RangeChosen;
+
+    /// <summary>The program.</summary>
+    public OpenedProgram Program { get; }
+
+    /// <summary>The blocks that are lit; null if none are.</summary>
+    public BlockRange? Selection
+    {
+        get => _selection;
+        private set
+        {
+            if (Set(ref _selection, value))
+            {
+                Message = null;
+                SayChoice();
+            }
+        }
+    }
+
+    /// <summary>The block at the end that moves when the lit blocks become more or fewer: the one to be seen.</summary>
+    public int Cursor { get; private set; }
+
+    /// <summary>The features as they are marked.</summary>
+    public IReadOnlyList<FeatureMark> Marks
+    {
+        get => _marks;
+        private set
+        {
+            if (Set(ref _marks, value))
+            {
+                SayChoice();
+            }
+        }
+    }
+
+    /// <summary>The feature that blocks are picked for; null if they are only looked at.</summary>
+    public string? Feature
+    {
+        get => _feature;
+        set
+        {
+            if (Set(ref _feature, value))
+            {
+                SayChoice();
+            }
+        }
+    }
+
+    /// <summary>True where blocks cannot be picked, by somebody who may not.</summary>
+    public bool IsReadOnly
+    {
+        get => _isReadOnly;
+        set
+        {
+            if (Set(ref _isReadOnly, value))
+            {
+                SayChoice();
+            }
+        }
+    }
+
+    /// <summary>Takes the lit blocks for the feature, in place of those that it has.</summary>
+    public Command Take { get; }
+
+    /// <summary>Adds the lit blocks to those of the feature.</summary>
+    public Command Add { get; }
+
+    /// <summary>Lights the block before.</summary>
+    public Command Before { get; }
+
+    /// <summary>Lights the block behind.</summary>
+    public Command Behind { get; }
+
+    /// <summary>The naming of blocks that is under way, or the last one.</summary>
+    public Task Choosing { get; private set; } = Task.CompletedTask;
+
+    /// <summary>Why blocks could not be taken, or what is wrong with the program; null if nothing is to be said.</summary>
+    public string? Message
+    {
+        get => _message ?? Program.Problem;
+        private set => Set(ref _message, value);
+    }
+
+    /// <summary>The lit blocks in words.</summary>
+    public string Chosen => Selection is not { } range ? Texts.Current["Program.NothingChosen"]
+        : range.Count == 1 ? Program.NameOf(range.First) : Texts.Current.With("Program.Range", Program.NameOf(range.First), Program.NameOf(range.Last), Shown.Count(range.Count));
+
+    /// <summary>What <see cref="Take"/> does, in words.</summary>
+    public string TakeText => Feature is null ? Texts.Current["Program.Take"] : Texts.Current.With("Program.TakeFor", Feature);
+
+    /// <summary>True if blocks are picked for a feature at all.</summary>
+    public bool IsPicking => Feature is not null && !IsReadOnly;
+
+    private bool CanChoose => IsPicking && Selection is not null;
+
+    /// <summary>Marks features by their blocks as the job names them. They are looked for beside the screen.</summary>
+    public async Task MarkAsync(IReadOnlyList<FeatureBlocks> features)
+    {
+        var program = Program.Path.Program;
+        Marks = await Task.Run(() => features.Select(f => Mark(program, f)).ToArray());
+    }
+
+    /// <summary>Lights a block.</summary>
+    public void Light(int block)
+    {
+        if (Program.Count > 0)
+        {
+            _anchor = Math.Clamp(block, 0, Program.Count - 1);
+            Extend(_anchor);
+        }
+    }
+
+    /// <summary>Lights all blocks from the one that was lit first to another one.</summary>
+    public void Extend(int block)
+    {
+        if (Program.Count > 0)
+        {
+            Cursor = Math.Clamp(block, 0, Program.Count - 1);
+            Selection = BlockRange.Between(_anchor, Cursor);
+        }
+    }
+
+    /// <summary>Lights the block so many lines further, or all up to there.</summary>
+    public void Move(int lines, bool isExtending)
+    {
+        var to = Selection is null ? 0 : Cursor + lines;
+        if (isExtending && Selection is not null)
+        {
+            Extend(to);
+        }
+        else
+        {
+            Light(to);
+        }
+    }
+
+    /// <summary>Lights the block of a motion.</summary>
+    public void LightMotion(int motion) => Light(Program.Path.Motions.BlockOf(motion));
+
+    /// <summary>The name of the feature that a block belongs to; null if it belongs to none.</summary>
+    public string? FeatureOf(int block) => Marks.FirstOrDefault(m => m.Ranges.Any(r => r.Contains(block)))?.Name;
+
+    /// <summary>Says all texts anew, in another language.</summary>
+    public void Translate() => Say();
+
+    private static FeatureMark Mark(NcProgram program, FeatureBlocks feature)
+    {
+        try
+        {
+            var selected = BlockSelector.Select(program, [.. feature.Blocks.Select(BlockSelector.Parse)]);
+            return selected.IsUsable ? new(feature.Name, BlockRange.Of(selected.Value), null) : new(feature.Name, [], CodeText.Of(selected.Refusal.Code, selected.Refusal.Message));
+        }
+        catch (NcException e)
+        {
+            return new(feature.Name, [], e.Message);
+        }
+    }
+
+    private void Choose(bool isMore) => Choosing = ChooseAsync(Feature!, Selection!.Value, isMore).Watched();
+
+    private async Task ChooseAsync(string feature, BlockRange range, bool isMore)
+    {
+        var program = Program;
+        var words = await Task.Run(() =>
+        {
+            var (first, last) = program.Trimmed(range);
+            return BlockNames.Of(program.Path.Program, first, last);
+        });
+        Message = words.IsUsable ? null : words.Refusal.Message;
+        if (words.IsUsable)
+        {
+            RangeChosen?.Invoke(new(feature, words.Value, isMore));
+        }
+    }
+
+    private void SayChoice()
+    {
+        Say(nameof(Chosen));
+        Say(nameof(TakeText));
+        Say(nameof(IsPicking));
+        foreach (var command in new[] { Take, Add })
+        {
+            command.Refresh();
+        }
+    }
+}

@@ -1,0 +1,213 @@
+using Avalonia;
+using Avalonia.Automation;
+using Avalonia.Controls;
+using Avalonia.Controls.Primitives;
+using Avalonia.Input;
+using Avalonia.Threading;
+
+namespace ErrorMatching.Hmi;
+
+/// <content>Scrolling, and picking by pointer, finger and keys.</content>
+public sealed partial class ProgramText : ILogicalScrollable
+{
+    // Names of features take so many times the size of the text.
+    private const int MostName = 6;
+    private const int WheelRows = 3;
+    private static readonly TimeSpan ScrollEvery = TimeSpan.FromMilliseconds(40);
+
+    private readonly DispatcherTimer _scrolling;
+    private Vector _offset;
+    private Point? _dragged;
+
+    /// <summary>The text of no program yet.</summary>
+    public ProgramText() => _scrolling = new(ScrollEvery, DispatcherPriority.Input, (_, _) => DragOn());
+
+    /// <inheritdoc/>
+    public event EventHandler? ScrollInvalidated;
+
+    /// <inheritdoc/>
+    public bool CanHorizontallyScroll { get; set; }
+
+    /// <inheritdoc/>
+    public bool CanVerticallyScroll { get; set; }
+
+    /// <inheritdoc/>
+    public bool IsLogicalScrollEnabled => true;
+
+    /// <inheritdoc/>
+    public Size ScrollSize => new(RowHeight, WheelRows * RowHeight);
+
+    /// <inheritdoc/>
+    public Size PageScrollSize => new(Bounds.Width, Math.Max(RowHeight, Bounds.Height - RowHeight));
+
+    /// <inheritdoc/>
+    public Size Extent => new(Bounds.Width, (Picture?.Program.Count ?? 0) * RowHeight);
+
+    /// <inheritdoc/>
+    public Size Viewport => Bounds.Size;
+
+    /// <inheritdoc/>
+    public Vector Offset
+    {
+        get => _offset;
+        set
+        {
+            var y = Math.Clamp(value.Y, 0, Math.Max(0, Extent.Height - Bounds.Height));
+            if (y != _offset.Y)
+            {
+                _offset = new(0, y);
+                RaiseScrollInvalidated(EventArgs.Empty);
+                InvalidateVisual();
+            }
+        }
+    }
+
+    private int RowsSeen => Math.Max(1, (int)(Bounds.Height / RowHeight));
+
+    /// <inheritdoc/>
+    public bool BringIntoView(Control target, Rect targetRect) => false;
+
+    /// <inheritdoc/>
+    public Control? GetControlInDirection(NavigationDirection direction, Control? from) => null;
+
+    /// <inheritdoc/>
+    public void RaiseScrollInvalidated(EventArgs e) => ScrollInvalidated?.Invoke(this, e);
+
+    /// <inheritdoc/>
+    protected override Size MeasureOverride(Size availableSize) =>
+        new(double.IsFinite(availableSize.Width) ? availableSize.Width : 0, double.IsFinite(availableSize.Height) ? availableSize.Height : 0);
+
+    /// <inheritdoc/>
+    protected override void OnSizeChanged(SizeChangedEventArgs e)
+    {
+        base.OnSizeChanged(e);
+        Forget();
+        Offset = _offset;
+        RaiseScrollInvalidated(EventArgs.Empty);
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPointerPressed(PointerPressedEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerPressed(e);
+        Focus();
+        var at = e.GetPosition(this);
+
+        // A finger over the text scrolls it, and lights a block when it is lifted; over the line numbers it picks, as a mouse does everywhere.
+        if (e.Pointer.Type == PointerType.Mouse || at.X < Gutter)
+        {
+            _dragged = at;
+            e.Pointer.Capture(this);
+            e.PreventGestureRecognition();
+            e.Handled = true;
+            Pick(at, isExtending: e.KeyModifiers.HasFlag(KeyModifiers.Shift));
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPointerMoved(PointerEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerMoved(e);
+        if (_dragged is null)
+        {
+            return;
+        }
+
+        _dragged = e.GetPosition(this);
+        _scrolling.IsEnabled = _dragged.Value.Y < 0 || _dragged.Value.Y > Bounds.Height;
+        DragOn();
+        e.Handled = true;
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPointerReleased(PointerReleasedEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerReleased(e);
+        EndDrag();
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPointerCaptureLost(PointerCaptureLostEventArgs e)
+    {
+        base.OnPointerCaptureLost(e);
+        EndDrag();
+    }
+
+    /// <inheritdoc/>
+    protected override void OnInitialized()
+    {
+        base.OnInitialized();
+        AddHandler(InputElement.TappedEvent, (_, e) =>
+        {
+            if (e.Pointer.Type != PointerType.Mouse && e.GetPosition(this) is var at && at.X >= Gutter)
+            {
+                Pick(at, isExtending: false);
+            }
+        });
+    }
+
+    /// <inheritdoc/>
+    protected override void OnKeyDown(KeyEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnKeyDown(e);
+        if (Picture is not { Program.Count: var count } picture || (e.KeyModifiers & ~KeyModifiers.Shift) != KeyModifiers.None)
+        {
+            return;
+        }
+
+        int? lines = e.Key switch { Key.Up => -1, Key.Down => 1, Key.PageUp => -RowsSeen, Key.PageDown => RowsSeen, Key.Home => -count, Key.End => count, _ => null };
+        if (lines is { } by)
+        {
+            picture.Move(by, e.KeyModifiers == KeyModifiers.Shift);
+            e.Handled = true;
+        }
+    }
+
+    // As long as the finger is beyond the border the text goes on, the faster the further.
+    private void DragOn()
+    {
+        if (_dragged is not { } at)
+        {
+            return;
+        }
+
+        Offset += new Vector(0, at.Y < 0 ? at.Y : Math.Max(0, at.Y - Bounds.Height));
+        Pick(new(at.X, Math.Clamp(at.Y, 0, Bounds.Height - 1)), isExtending: true);
+    }
+
+    private void EndDrag()
+    {
+        _dragged = null;
+        _scrolling.Stop();
+    }
+
+    private void Pick(Point at, bool isExtending)
+    {
+        var block = (int)((Offset.Y + at.Y) / RowHeight);
+        if (isExtending && Picture?.Selection is not null)
+        {
+            Picture.Extend(block);
+        }
+        else
+        {
+            Picture?.Light(block);
+        }
+    }
+
+    // Brings a block into view: by as little as it takes from nearby, to a third from above from afar.
+    private void Show(int block)
+    {
+        var (top, height) = (block * RowHeight, Bounds.Height);
+        if (_dragged is null && (top < Offset.Y || top + RowHeight > Offset.Y + height))
+        {
+            var away = Math.Min(Math.Abs(top - Offset.Y), Math.Abs(top + RowHeight - Offset.Y - height));
+            Offset = new(0, away > 2 * RowHeight ? top - (height / 3) : top < Offset.Y ? top : top + RowHeight - height);
+        }
+
+        AutomationProperties.SetHelpText(this, Picture?.Chosen ?? "");
+    }
+}

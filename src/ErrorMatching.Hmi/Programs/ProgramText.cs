@@ -1,0 +1,291 @@
+using System.ComponentModel;
+using System.Globalization;
+using Avalonia;
+using Avalonia.Automation;
+using Avalonia.Controls;
+using Avalonia.Media;
+using Avalonia.Media.Imaging;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>The text of a program, block by block: only the rows that are seen are made. A tap lights a block; dragging over the line numbers, with a mouse anywhere, lights all blocks on the way.</summary>
+/// <remarks>It scrolls within a <see cref="ScrollViewer"/>. Keys: up, down, page, home and end light another block; with Shift they light all blocks up to there.</remarks>
+public sealed partial class ProgramText : Control
+{
+    /// <summary>The program.</summary>
+    public static readonly StyledProperty<ProgramPicture?> PictureProperty = AvaloniaProperty.Register<ProgramText, ProgramPicture?>(nameof(Picture));
+
+    /// <summary>The text.</summary>
+    public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(Ink));
+
+    /// <summary>Line numbers.</summary>
+    public static readonly StyledProperty<IBrush?> NumberInkProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(NumberInk));
+
+    /// <summary>The ground.</summary>
+    public static readonly StyledProperty<IBrush?> GroundProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(Ground));
+
+    /// <summary>The ground of lit blocks.</summary>
+    public static readonly StyledProperty<IBrush?> ChosenGroundProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(ChosenGround));
+
+    /// <summary>The bar beside lit blocks.</summary>
+    public static readonly StyledProperty<IBrush?> ChosenBrushProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(ChosenBrush));
+
+    /// <summary>The font of the text.</summary>
+    public static readonly StyledProperty<FontFamily> FontFamilyProperty = AvaloniaProperty.Register<ProgramText, FontFamily>(nameof(FontFamily), FontFamily.Default);
+
+    /// <summary>The size of the text.</summary>
+    public static readonly StyledProperty<double> TextSizeProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(TextSize), 14);
+
+    /// <summary>The height of a row.</summary>
+    public static readonly StyledProperty<double> RowHeightProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(RowHeight), 34);
+
+    private const double Bar = 4, Between = 10, LeastGutter = 57;
+    private readonly Dictionary<int, RenderTargetBitmap> _rows = [];
+    private readonly Dictionary<string, FormattedText> _names = [];
+    private double _numberWidth, _nameWidth;
+
+    static ProgramText()
+    {
+        AffectsRender<ProgramText>(InkProperty, NumberInkProperty, GroundProperty, ChosenGroundProperty, ChosenBrushProperty, FontFamilyProperty, TextSizeProperty, RowHeightProperty);
+        FocusableProperty.OverrideDefaultValue<ProgramText>(true);
+        ClipToBoundsProperty.OverrideDefaultValue<ProgramText>(true);
+    }
+
+    /// <summary>The program.</summary>
+    public ProgramPicture? Picture
+    {
+        get => GetValue(PictureProperty);
+        set => SetValue(PictureProperty, value);
+    }
+
+    /// <summary>The text.</summary>
+    public IBrush? Ink
+    {
+        get => GetValue(InkProperty);
+        set => SetValue(InkProperty, value);
+    }
+
+    /// <summary>Line numbers.</summary>
+    public IBrush? NumberInk
+    {
+        get => GetValue(NumberInkProperty);
+        set => SetValue(NumberInkProperty, value);
+    }
+
+    /// <summary>The ground.</summary>
+    public IBrush? Ground
+    {
+        get => GetValue(GroundProperty);
+        set => SetValue(GroundProperty, value);
+    }
+
+    /// <summary>The ground of lit blocks.</summary>
+    public IBrush? ChosenGround
+    {
+        get => GetValue(ChosenGroundProperty);
+        set => SetValue(ChosenGroundProperty, value);
+    }
+
+    /// <summary>The bar beside lit blocks.</summary>
+    public IBrush? ChosenBrush
+    {
+        get => GetValue(ChosenBrushProperty);
+        set => SetValue(ChosenBrushProperty, value);
+    }
+
+    /// <summary>The font of the text.</summary>
+    public FontFamily FontFamily
+    {
+        get => GetValue(FontFamilyProperty);
+        set => SetValue(FontFamilyProperty, value);
+    }
+
+    /// <summary>The size of the text.</summary>
+    public double TextSize
+    {
+        get => GetValue(TextSizeProperty);
+        set => SetValue(TextSizeProperty, value);
+    }
+
+    /// <summary>The height of a row.</summary>
+    public double RowHeight
+    {
+        get => GetValue(RowHeightProperty);
+        set => SetValue(RowHeightProperty, value);
+    }
+
+    private double Pixel => 1 / (TopLevel.GetTopLevel(this)?.RenderScaling ?? 1);
+
+    /// <summary>How many rows exist.</summary>
+    internal int RowsMade => _rows.Count;
+
+    /// <summary>Width of the line numbers and the names of features, over which a finger drags.</summary>
+    internal double Gutter => Math.Max(LeastGutter, Bar + Between + _numberWidth + Between + (_nameWidth > 0 ? _nameWidth + Between : 0));
+
+    /// <inheritdoc/>
+    public override void Render(DrawingContext context)
+    {
+        ArgumentNullException.ThrowIfNull(context);
+        context.FillRectangle(Ground ?? Brushes.Transparent, new Rect(Bounds.Size));
+        if (Picture is not { Program: var program } picture || program.Count == 0 || Bounds.Height <= 0)
+        {
+            return;
+        }
+
+        var first = (int)(Offset.Y / RowHeight);
+        var last = Math.Min(program.Count - 1, (int)((Offset.Y + Bounds.Height) / RowHeight));
+        LetGo(first, last);
+        for (var block = first; block <= last; block++)
+        {
+            Draw(context, picture, block, (block * RowHeight) - Offset.Y, block == first);
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        base.OnPropertyChanged(change);
+        if (change.Property == PictureProperty)
+        {
+            if (change.OldValue is ProgramPicture old)
+            {
+                old.PropertyChanged -= Follow;
+            }
+
+            if (change.NewValue is ProgramPicture picture && TopLevel.GetTopLevel(this) is not null)
+            {
+                picture.PropertyChanged += Follow;
+            }
+
+            Offset = default;
+        }
+
+        if (change.Property == PictureProperty || change.Property == InkProperty || change.Property == NumberInkProperty || change.Property == FontFamilyProperty || change.Property == TextSizeProperty || change.Property == RowHeightProperty)
+        {
+            Measure();
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnAttachedToVisualTree(VisualTreeAttachmentEventArgs e)
+    {
+        base.OnAttachedToVisualTree(e);
+        if (Picture is { } picture)
+        {
+            picture.PropertyChanged -= Follow;
+            picture.PropertyChanged += Follow;
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
+    {
+        base.OnDetachedFromVisualTree(e);
+        _scrolling.Stop();
+        Forget();
+        if (Picture is { } picture)
+        {
+            picture.PropertyChanged -= Follow;
+        }
+    }
+
+    private void Draw(DrawingContext context, ProgramPicture picture, int block, double top, bool isFirst)
+    {
+        if (picture.Selection is { } chosen && chosen.Contains(block))
+        {
+            context.FillRectangle(ChosenGround!, new Rect(0, top, Bounds.Width, RowHeight));
+            context.FillRectangle(ChosenBrush!, new Rect(0, top, Bar, RowHeight));
+        }
+
+        if (!_rows.TryGetValue(block, out var row))
+        {
+            _rows.Add(block, row = Make(picture.Program, block));
+        }
+
+        // On whole pixels, so that it is copied and not computed.
+        context.DrawImage(row, new Rect(0, Math.Round(top / Pixel) * Pixel, row.PixelSize.Width * Pixel, row.PixelSize.Height * Pixel));
+        var left = Bar + Between + _numberWidth + Between;
+        if (picture.FeatureOf(block) is { } name)
+        {
+            // A bar along all blocks of a feature, and its name at the first one that is seen.
+            context.FillRectangle(Ink!, new Rect(left, top, Bar / 2, RowHeight));
+            if ((isFirst || picture.FeatureOf(block - 1) != name) && _names.TryGetValue(name, out var shown))
+            {
+                context.DrawText(shown, new Point(left + (1.5 * Bar), top + ((RowHeight - shown.Height) / 2)));
+            }
+        }
+    }
+
+    // Text is shaped and drawn once; while it scrolls its picture moves, which takes a tenth of the time.
+    private RenderTargetBitmap Make(OpenedProgram program, int block)
+    {
+        var (number, line) = (Text(Shown.Id(block + 1), NumberInk), Text(program.LineAt(block), Ink));
+        var width = Math.Clamp(Gutter + Between + line.Width, 1, Math.Max(1, Bounds.Width));
+        var row = new RenderTargetBitmap(new((int)Math.Ceiling(width / Pixel), (int)Math.Ceiling(RowHeight / Pixel)), new(96 / Pixel, 96 / Pixel));
+        using var context = row.CreateDrawingContext();
+        context.DrawText(number, new Point(Bar + Between + _numberWidth - number.Width, (RowHeight - number.Height) / 2));
+        context.DrawText(line, new Point(Gutter + Between, (RowHeight - line.Height) / 2));
+        return row;
+    }
+
+    // Rows that went out of sight long ago.
+    private void LetGo(int first, int last)
+    {
+        var seen = last - first + 1;
+        if (_rows.Count > 3 * seen)
+        {
+            foreach (var block in _rows.Keys.Where(b => b < first || b > last).ToArray())
+            {
+                _rows.Remove(block, out var row);
+                row?.Dispose();
+            }
+        }
+    }
+
+    private void Follow(object? sender, PropertyChangedEventArgs e)
+    {
+        if (e.PropertyName == nameof(ProgramPicture.Selection))
+        {
+            Show(Picture!.Cursor);
+        }
+        else if (e.PropertyName is nameof(ProgramPicture.Marks) or null)
+        {
+            Measure();
+        }
+
+        InvalidateVisual();
+    }
+
+    private void Forget()
+    {
+        foreach (var row in _rows.Values)
+        {
+            row.Dispose();
+        }
+
+        _rows.Clear();
+    }
+
+    private void Measure()
+    {
+        Forget();
+        _names.Clear();
+        (_numberWidth, _nameWidth) = (0, 0);
+        if (Picture is { } picture)
+        {
+            _numberWidth = Text(new string('8', Shown.Id(picture.Program.Count).Length), NumberInk).Width;
+            foreach (var mark in picture.Marks.Where(m => m.Ranges.Count > 0))
+            {
+                _names[mark.Name] = new(mark.Name, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(FontFamily.Default, FontStyle.Normal, FontWeight.SemiBold), TextSize, Ink) { MaxTextWidth = MostName * TextSize, MaxLineCount = 1, Trimming = TextTrimming.CharacterEllipsis };
+                _nameWidth = Math.Max(_nameWidth, (1.5 * Bar) + _names[mark.Name].Width);
+            }
+        }
+
+        AutomationProperties.SetHelpText(this, Picture?.Chosen ?? "");
+        RaiseScrollInvalidated(EventArgs.Empty);
+        InvalidateVisual();
+    }
+
+    private FormattedText Text(string text, IBrush? ink) => new(text, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(FontFamily), TextSize, ink);
+}

@@ -1,0 +1,192 @@
+using ErrorMatching.Cell;
+using ErrorMatching.Freeform;
+using ErrorMatching.Jobs;
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Free-form: where a surface is touched, where its error is, what either way of compensating leaves of it, and the finishing program that was made.</summary>
+public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
+{
+    private const int Most = 60;
+    private readonly Dictionary<string, KeptSurface?> _read = new(StringComparer.Ordinal);
+    private SurfaceJobChoice? _job;
+    private SurfaceRow? _chosen;
+    private long? _looked;
+    private SurfaceDetail? _detail;
+    private SurfacePlan? _plan;
+    private (long Id, int Version) _shown = (0, -1);
+    private int _load;
+
+    /// <summary>The screen.</summary>
+    public FreeformViewModel(Station station)
+        : base(station)
+    {
+        Jobs = [.. Station.Settings.Jobs.Where(j => j.IsFreeform).Select(j => new SurfaceJobChoice(j.Name, j))];
+        _job = Jobs is [var first, ..] ? first : null;
+        Refresh();
+    }
+
+    /// <summary>The free-form jobs of the cell.</summary>
+    public IReadOnlyList<SurfaceJobChoice> Jobs { get; }
+
+    /// <summary>True if there is more than one to choose from.</summary>
+    public bool HasJobs => Jobs.Count > 1;
+
+    /// <summary>True if the cell has none.</summary>
+    public bool IsWithoutJobs => Jobs.Count == 0;
+
+    /// <summary>The job whose surfaces are looked at.</summary>
+    public SurfaceJobChoice? Job
+    {
+        get => _job;
+        set
+        {
+            if (value is not null && Set(ref _job, value))
+            {
+                (_looked, _shown) = (null, (0, -1));
+                (Detail, Plan) = (null, null);
+                Refresh();
+            }
+        }
+    }
+
+    /// <summary>The last measured surfaces, the newest first.</summary>
+    public RowList<SurfaceRow> Rows { get; } = [];
+
+    /// <summary>True if none is measured.</summary>
+    public bool IsEmpty => Rows.Count == 0;
+
+    /// <summary>The surface that is looked at. Until a person chooses one, it is the one that was measured last.</summary>
+    public SurfaceRow? Chosen
+    {
+        get => _chosen;
+        set
+        {
+            if (value is not null && value != _chosen)
+            {
+                _looked = value.Id;
+                Refresh();
+            }
+        }
+    }
+
+    /// <summary>What is known of it; null while none is measured.</summary>
+    public SurfaceDetail? Detail
+    {
+        get => _detail;
+        private set => Set(ref _detail, value);
+    }
+
+    /// <summary>Where the surface is to be touched; null once one is measured.</summary>
+    public SurfacePlan? Plan
+    {
+        get => _plan;
+        private set => Set(ref _plan, value);
+    }
+
+    /// <summary>Done when what is there is shown.</summary>
+    internal Task Loading { get; private set; } = Task.CompletedTask;
+
+    /// <inheritdoc/>
+    public void LookAt(long correction)
+    {
+        _looked = correction;
+        Refresh();
+    }
+
+    /// <inheritdoc/>
+    protected override void Follow() => Refresh();
+
+    /// <inheritdoc/>
+    protected override void Translate()
+    {
+        // What is shown is made anew, in other words.
+        (_shown, Plan) = ((0, -1), null);
+        Refresh();
+    }
+
+    private void Refresh()
+    {
+        if (_job is not null)
+        {
+            Loading = LoadAsync(_job.Settings, ++_load).Watched();
+        }
+    }
+
+    private async Task LoadAsync(CellJobSettings job, int load)
+    {
+        IReadOnlyList<(Correction Correction, KeptSurface Surface)> measured = [];
+        KeptCorrection? kept = null;
+        SurfacePlan? plan = null;
+        string? trouble = null;
+        var (looked, shown, isPlanned) = (_looked, _shown, Plan is not null);
+        var isRead = await TryAsync(() =>
+        {
+            measured = Measured(job);
+            var correction = measured.FirstOrDefault(m => m.Correction.Id == looked).Correction ?? (measured is [var newest, ..] ? newest.Correction : null);
+            if (correction is not null)
+            {
+                kept = (correction.Id, correction.Version) == shown ? null : KeptCorrection.Read(Station.Store, correction);
+            }
+            else if (!isPlanned)
+            {
+                (plan, trouble) = PlanOf(job);
+            }
+        });
+
+        // Somebody may have chosen another one meanwhile.
+        if (!isRead || load != _load)
+        {
+            return;
+        }
+
+        Rows.Show([.. measured.Select(m => Row(m.Correction, m.Surface))]);
+        Say(nameof(IsEmpty));
+        Message = trouble;
+        if (kept is not null)
+        {
+            _shown = (kept.Correction.Id, kept.Correction.Version);
+            (Detail, Plan) = (new(kept, Station.Clock), null);
+        }
+
+        Plan = plan ?? Plan;
+        _chosen = Rows.FirstOrDefault(r => r.Id == _shown.Id);
+        Say(nameof(Chosen));
+    }
+
+    private List<(Correction Correction, KeptSurface Surface)> Measured(CellJobSettings job)
+    {
+        var measured = new List<(Correction, KeptSurface)>();
+        foreach (var correction in Station.Store.Reported([job.Name], Most))
+        {
+            if (!_read.TryGetValue(correction.ReportSha256!, out var surface))
+            {
+                _read[correction.ReportSha256!] = surface = KeptSurface.Read(Station.Store.Content(correction.ReportSha256!));
+            }
+
+            if (surface is not null)
+            {
+                measured.Add((correction, surface));
+            }
+        }
+
+        return measured;
+    }
+
+    // A job that cannot be read is no defect of the station.
+    private static (SurfacePlan? Plan, string? Trouble) PlanOf(CellJobSettings job)
+    {
+        try
+        {
+            return (SurfacePlan.Of(job), null);
+        }
+        catch (Exception e) when (e is InputException or FreeformException or JsonDocumentException)
+        {
+            return (null, e.Message);
+        }
+    }
+
+    private static SurfaceRow Row(Correction c, KeptSurface surface) =>
+        new(c.Id, CorrectionLabel.Of(c), Texts.Current.Word(c.State), Shown.Micrometers(surface.Before.ProfileIsoMm) + " µm");
+}

@@ -1,0 +1,35 @@
+namespace ErrorMatching.Hmi;
+
+/// <summary>One measured surface with all that is known of it.</summary>
+public sealed class SurfaceDetail
+{
+    private readonly KeptCorrection _kept;
+    private readonly TimeProvider _clock;
+
+    /// <summary>Puts it into words.</summary>
+    /// <param name="kept">What the store keeps of it, with the report of a surface.</param>
+    /// <param name="clock">Says in which zone times are shown.</param>
+    public SurfaceDetail(KeptCorrection kept, TimeProvider clock)
+    {
+        (_kept, _clock) = (kept ?? throw new ArgumentNullException(nameof(kept)), clock);
+        Figures = new(kept.Surface ?? throw new ArgumentException("The correction has no report of a surface.", nameof(kept)));
+    }
+
+    /// <summary>Number and serial number or file.</summary>
+    public string Title => CorrectionLabel.Of(_kept.Correction);
+
+    /// <summary>How far it has come, in a word.</summary>
+    public string State => Texts.Current.Word(_kept.Correction.State);
+
+    /// <summary>Job, work order, gauge, file and time in a line.</summary>
+    public string Origin => string.Join(" · ", new[] { _kept.Surface!.JobName, _kept.Correction.WorkOrder, _kept.Correction.Gauge, _kept.Correction.FileName, Shown.Time(_kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
+
+    /// <summary>Its figures and drawings.</summary>
+    public SurfaceFigures Figures { get; }
+
+    /// <summary>The finishing program, line by line.</summary>
+    public ProgramLines? Lines => _kept.Lines;
+
+    /// <summary>Name and size of the finishing program.</summary>
+    public string ProgramCaption => Lines is { } lines ? Texts.Current.With("Freeform.ProgramSize", _kept.Correction.Program ?? "", Shown.Count(lines.Count), Shown.Count(lines.Bytes)) : "";
+}

@@ -1,0 +1,56 @@
+using System.Globalization;
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>How many points a feature has, or a flank of it.</summary>
+public sealed class FlankEdit : Observable
+{
+    private const int Most = 1000;
+    private readonly int _feature;
+    private readonly int _flank;
+    private readonly bool _isOne;
+
+    /// <summary>The points of a flank.</summary>
+    /// <param name="editing">The job that is edited.</param>
+    /// <param name="feature">Number of the feature in the draft.</param>
+    /// <param name="flank">Number of the flank in the feature.</param>
+    public FlankEdit(JobEditing editing, int feature, int flank)
+    {
+        ArgumentNullException.ThrowIfNull(editing);
+        (_feature, _flank, _isOne) = (feature, flank, editing.Draft.Features[feature].Flanks.Count == 1);
+        var path = DraftPaths.Feature(feature, "points") + (_isOne ? "" : string.Create(CultureInfo.InvariantCulture, $"[{flank}]"));
+        Count = new(
+            editing,
+            path,
+            _isOne ? "Points.Count" : flank == 0 ? "Points.CountFirst" : "Points.CountSecond",
+            d => CountOf(d).ToString(CultureInfo.InvariantCulture),
+            (d, t) => int.TryParse(t, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count <= Most ? d.WithPoints(feature, flank, count) : d);
+        Less = new(() => editing.Change("", d => d.WithPoints(feature, flank, CountOf(d) - 1)), () => editing.CanEdit && CountOf(editing.Draft) > 0);
+        More = new(() => editing.Change("", d => d.WithPoints(feature, flank, CountOf(d) + 1)), () => editing.CanEdit && CountOf(editing.Draft) < Most);
+    }
+
+    /// <summary>How many.</summary>
+    public TextField Count { get; }
+
+    /// <summary>One less.</summary>
+    public Command Less { get; }
+
+    /// <summary>One more.</summary>
+    public Command More { get; }
+
+    /// <summary>Identifies the button for one less.</summary>
+    public string LessId => string.Create(CultureInfo.InvariantCulture, $"feature-{_feature}-flank-{_flank}-less");
+
+    /// <summary>Identifies the button for one more.</summary>
+    public string MoreId => string.Create(CultureInfo.InvariantCulture, $"feature-{_feature}-flank-{_flank}-more");
+
+    /// <summary>Shows what can be done.</summary>
+    internal void Refresh()
+    {
+        Less.Refresh();
+        More.Refresh();
+    }
+
+    private int CountOf(MatingDraft draft) => _feature < draft.Features.Count && _flank < draft.Features[_feature].Flanks.Count ? draft.Features[_feature].Flanks[_flank].Count : 0;
+}

@@ -1,0 +1,129 @@
+using System.Collections.ObjectModel;
+using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Point set-up: which features the part has and how many points each is measured at, and the part drawn as it grows.</summary>
+public sealed class PointsViewModel : SetupViewModel
+{
+    private readonly ITimer _minute;
+    private readonly SynchronizationContext _screen = SynchronizationContext.Current!;
+    private readonly NoteField _features;
+    private MatingDraft? _drawn;
+
+    /// <summary>The screen.</summary>
+    public PointsViewModel(ShellViewModel shell)
+        : base(shell)
+    {
+        WorkOrder = new(Editing, "$.workOrder", "Points.WorkOrder", d => d.WorkOrder, (d, t) => d with { WorkOrder = t });
+        Workpiece = new(Editing, "$.name", "Points.Workpiece", d => d.Name, (d, t) => d with { Name = t });
+        _features = new(Editing, "$.features", "Points.Features");
+        AddLine = Adding(FeatureKind.Line, "L");
+        AddTriangle = Adding(FeatureKind.Triangle, "T");
+        AddCurve = Adding(FeatureKind.Curve, "C");
+        _minute = Station.Clock.CreateTimer(_ => _screen.Post(_ => Say(nameof(Time)), null), null, TimeSpan.FromSeconds(1), TimeSpan.FromSeconds(1));
+        Begin();
+    }
+
+    /// <summary>The work order.</summary>
+    public TextField WorkOrder { get; }
+
+    /// <summary>The workpiece: the job's name.</summary>
+    public TextField Workpiece { get; }
+
+    /// <summary>Who sits here.</summary>
+    public string Operator => Shell.UserName;
+
+    /// <summary>The time.</summary>
+    public string Time => Shown.Time(Station.Clock.GetUtcNow(), Station.Clock);
+
+    /// <summary>The features in the order of cutting.</summary>
+    public ObservableCollection<FeatureEdit> Features { get; } = [];
+
+    /// <summary>What is wrong with the list as a whole.</summary>
+    public NoteField FeaturesNote => _features;
+
+    /// <summary>True if there are none yet.</summary>
+    public bool IsEmpty => Features.Count == 0;
+
+    /// <summary>Adds a straight line.</summary>
+    public Command AddLine { get; }
+
+    /// <summary>Adds a triangle.</summary>
+    public Command AddTriangle { get; }
+
+    /// <summary>Adds a curve.</summary>
+    public Command AddCurve { get; }
+
+    /// <summary>The part as far as it is known.</summary>
+    public PartDrawing Drawing { get; private set; } = PartDrawing.Of(new());
+
+    /// <summary>How the part is drawn, in words.</summary>
+    public string DrawingCaption => Drawing switch
+    {
+        { Total: 0 } => Texts.Current["Points.DrawnNothing"],
+        { IsSchematic: true } => Texts.Current.With("Points.DrawnSchematic", Drawing.Total),
+        { Known: var known } when known < Drawing.Total => Texts.Current.With("Points.DrawnPartly", known, Drawing.Total),
+        _ => Texts.Current.With("Points.DrawnTrue", Drawing.Total),
+    };
+
+    /// <inheritdoc/>
+    protected override string Key => Screens.Points;
+
+    /// <inheritdoc/>
+    protected override IEnumerable<EditField> Fields => [WorkOrder, Workpiece, _features, .. Features.SelectMany(f => f.Fields)];
+
+    /// <inheritdoc/>
+    protected override void Dispose(bool isDisposing)
+    {
+        _minute.Dispose();
+        base.Dispose(isDisposing);
+    }
+
+    /// <inheritdoc/>
+    protected override string ShapeOf(MatingDraft draft) => string.Join(' ', draft.Features.Select(f => f.Kind));
+
+    /// <inheritdoc/>
+    protected override void MakeRows()
+    {
+        Features.Clear();
+        for (var i = 0; i < Editing.Draft.Features.Count; i++)
+        {
+            Features.Add(new(Editing, i));
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void ShowMore()
+    {
+        if (!ReferenceEquals(_drawn, Editing.Draft))
+        {
+            // What is looked at closely stays so while nothing changes.
+            (_drawn, Drawing) = (Editing.Draft, PartDrawing.Of(Editing.Draft));
+        }
+
+        foreach (var feature in Features)
+        {
+            feature.Refresh();
+        }
+
+        foreach (var command in new[] { AddLine, AddTriangle, AddCurve })
+        {
+            command.Refresh();
+        }
+    }
+
+    private Command Adding(FeatureKind kind, string letter) => new(
+        () => Editing.Change("", d =>
+        {
+            var number = 1;
+            while (d.Features.Any(f => f.Name == letter + Shown.Id(number)))
+            {
+                number++;
+            }
+
+            return d with { Features = [.. d.Features, FeatureDraft.New(kind, letter + Shown.Id(number), d)] };
+        }),
+        () => Editing.CanEdit);
+}

@@ -1,0 +1,162 @@
+using System.Globalization;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Machines and gauges: each is asked whether it answers, as <c>errormatch cell check</c> asks, and an administrator sets a machine's password.</summary>
+public sealed class ConnectionsViewModel : ScreenViewModel
+{
+    private readonly ShellViewModel _shell;
+    private CellCheck? _check;
+    private ConnectionRow? _chosen;
+    private string _password = "";
+    private double _progress;
+
+    /// <summary>The page, with nothing tested yet.</summary>
+    public ConnectionsViewModel(ShellViewModel shell)
+        : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
+    {
+        _shell = shell;
+        Test = new(TestAsync);
+        SetPassword = new(Sign, () => TakesPassword && Password.Length > 0);
+        Show();
+    }
+
+    /// <summary>What has to answer.</summary>
+    public RowList<ConnectionRow> Rows { get; } = [];
+
+    /// <summary>Asks all of it.</summary>
+    public LongCommand Test { get; }
+
+    /// <summary>What part of all is asked, up to 1.</summary>
+    public double Progress
+    {
+        get => _progress;
+        private set => Set(ref _progress, value);
+    }
+
+    /// <summary>The one that is looked at; null if none is.</summary>
+    public ConnectionRow? Chosen
+    {
+        get => _chosen;
+        set
+        {
+            if (Set(ref _chosen, value))
+            {
+                Password = "";
+                Say(nameof(TakesPassword));
+                Say(nameof(PasswordLabel));
+                SetPassword.Refresh();
+            }
+        }
+    }
+
+    /// <summary>True if it is a machine with a password, and who sits here may set it.</summary>
+    public bool TakesPassword => Machine is { NeedsPassword: true } && _shell.Who is { } who && Rights.Allows(who.Role, Act.ManageMachines);
+
+    /// <summary>Whose password it is.</summary>
+    public string PasswordLabel => Texts.Current.With("Connection.Password", Chosen?.Name ?? "");
+
+    /// <summary>The machine's new password.</summary>
+    public string Password
+    {
+        get => _password;
+        set
+        {
+            if (Set(ref _password, value ?? ""))
+            {
+                SetPassword.Refresh();
+            }
+        }
+    }
+
+    /// <summary>Sets the machine's password.</summary>
+    public Command SetPassword { get; }
+
+    private MachineSettings? Machine => Chosen is { Kind: "machine" } row ? Station.Settings.Machines.FirstOrDefault(m => m.Name == row.Name) : null;
+
+    /// <inheritdoc/>
+    protected override void Follow()
+    {
+        // What was found stays as it was found, until somebody tests again.
+    }
+
+    /// <inheritdoc/>
+    protected override void Translate()
+    {
+        Show();
+        Say();
+    }
+
+    /// <inheritdoc/>
+    protected override void Dispose(bool isDisposing)
+    {
+        Test.Cancel.Execute(null);
+        base.Dispose(isDisposing);
+    }
+
+    private static ConnectionRow Row(string kind, string name, string where, CheckProblem? problem, string? well) => problem is { Errors: var errors }
+        ? new(kind, name, where, Severity.Alarm, string.Join(' ', errors.Select(e => CodeText.Of(e.Code, null) is var text && text != e.Code ? $"{text} {e.Message}" : e.Message)))
+        : new(kind, name, where, well is null ? null : Severity.Quiet, well ?? Texts.Current["Connection.Untested"]);
+
+    private static string Where(TransportSettings transport) => transport switch
+    {
+        FolderSettings { Folder: var folder } => folder,
+        FtpSettings f => string.Create(CultureInfo.InvariantCulture, $"ftp {f.Host}:{f.Port} {f.Folder}"),
+        SftpSettings s => string.Create(CultureInfo.InvariantCulture, $"sftp {s.Host}:{s.Port} {s.Folder}"),
+        _ => "",
+    };
+
+    private async Task TestAsync(CancellationToken cancellation)
+    {
+        (Message, Progress, _check) = (null, 0, null);
+        Show();
+        var progress = new Progress<double>(p => Progress = Math.Max(Progress, p));
+        CellCheck? check = null;
+
+        // A share that hangs cannot be interrupted: whoever cancels does not wait for it.
+        try
+        {
+            check = await Task.Run(() => CellCheck.OfAsync(Station.Settings, progress, cancellation), cancellation).WaitAsync(cancellation);
+        }
+        catch (Exception e) when (Failures.IsKnown(e))
+        {
+            Message = Failures.Of(e, Station.Clock);
+        }
+        catch (OperationCanceledException) when (cancellation.IsCancellationRequested)
+        {
+            Message = Texts.Current["Connection.Cancelled"];
+        }
+
+        _check = check;
+        Show();
+    }
+
+    private void Show()
+    {
+        var (settings, texts) = (Station.Settings, Texts.Current);
+        var store = settings.Store is SqliteSettings { File: var file } ? file : settings.Store is PostgresSettings p ? string.Create(CultureInfo.InvariantCulture, $"{p.Host}:{p.Port} {p.Database}") : "";
+        var kept = _chosen;
+        Rows.Show(
+        [
+            Row("store", settings.Store is SqliteSettings ? "SQLite" : "PostgreSQL", store, _check?.Store.Problem, _check is null ? null : texts["Connection.StoreAnswers"]),
+            .. settings.Machines.Select((m, i) => Row("machine", m.Name, Where(m.Transport), _check?.Machines[i].Problem, _check is null ? null : texts.With("Connection.Listed", Shown.Count(_check.Machines[i].Names?.Count ?? 0)))),
+            .. settings.Gauges.Select((g, i) => Row("gauge", g.Name, g.Incoming ?? texts.With("Overview.AtMachine", g.Machine!), _check?.Gauges[i].Problem, _check is null ? null : texts.With("Connection.Waiting", Shown.Count(_check.Gauges[i].Files.Count + _check.Gauges[i].More)))),
+            .. settings.Jobs.Select((j, i) => Row("job", j.Name, j.File, _check?.Jobs[i].Problem, _check is null ? null : texts["Connection.JobReads"])),
+        ]);
+        Chosen = kept is null ? null : Rows.FirstOrDefault(r => r.AutomationId == kept.AutomationId);
+    }
+
+    private void Sign()
+    {
+        var (machine, password) = (Machine!.Name, Password);
+        var signing = new SigningViewModel(Station, _shell.Who!, Act.ManageMachines, machine, needsReason: false, (by, _, _) =>
+        {
+            new MachineSecrets(Station.Store, Station.Settings.KeysFolder).Set(machine, password, by.Name);
+            return Task.CompletedTask;
+        })
+        { TitleKey = "Connection.SetPassword" };
+        signing.Signed += () => Password = "";
+        _shell.Sign(signing);
+    }
+}

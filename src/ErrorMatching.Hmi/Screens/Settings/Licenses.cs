@@ -1,0 +1,31 @@
+namespace ErrorMatching.Hmi;
+
+/// <summary>What the station is built from, and under which terms: packages by the terms that they state themselves.</summary>
+internal static class Licenses
+{
+    /// <summary>Packages, each with its license (SPDX).</summary>
+    public static IReadOnlyList<(string Package, string License)> Packages { get; } =
+    [
+        ("Avalonia", "MIT"),
+        ("Avalonia.Fonts.Inter", "MIT; Inter: OFL-1.1"),
+        ("Avalonia.Themes.Fluent", "MIT"),
+        ("CsvHelper", "MS-PL OR Apache-2.0"),
+        ("Dapper", "Apache-2.0"),
+        ("MathNet.Numerics", "MIT"),
+        ("Microsoft.Data.Sqlite.Core", "MIT"),
+        ("Microsoft.Extensions.*", "MIT"),
+        ("Npgsql", "PostgreSQL"),
+        ("OpenTelemetry*", "Apache-2.0"),
+        ("Polly.Core", "BSD-3-Clause"),
+        ("Serilog*", "Apache-2.0"),
+        ("SourceGear.sqlite3", "SQLite: public domain"),
+        ("SQLitePCLRaw.*", "Apache-2.0"),
+        ("System.CommandLine", "MIT"),
+    ];
+
+    /// <summary>Libraries of the system that draw on Linux; they are not part of the station.</summary>
+    public static IReadOnlyList<(string Package, string License)> OfLinux { get; } =
+    [
+        ("cairo", "LGPL-2.1 OR MPL-1.1"), ("fontconfig", "MIT (HPND)"), ("FreeType", "FTL OR GPL-2.0"), ("HarfBuzz", "MIT (Old)"), ("libX11", "MIT"),
+    ];
+}

@@ -1,0 +1,201 @@
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Users: an administrator adds them, gives roles and passwords, disables them; everybody else sees them and changes the own password. Each change is signed.</summary>
+public sealed class UsersViewModel : ScreenViewModel
+{
+    private readonly ShellViewModel _shell;
+    private UserRow? _chosen;
+    private RoleChoice _role;
+    private string _name = "";
+    private string _password = "";
+    private string _again = "";
+
+    /// <summary>The page.</summary>
+    public UsersViewModel(ShellViewModel shell)
+        : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
+    {
+        _shell = shell;
+        Roles = Choices();
+        _role = Roles[0];
+        New = new(() => Chosen = null, () => IsManaging && !IsNew);
+        Add = Change("Users.Add", () => Name.Trim(), () => IsManaging && Name.Trim().Length > 0 && HasPassword, (by, name) => (password, role) => Station.Users.Add(by, name, role, password));
+        SetRole = Change("Users.SetRole", () => Chosen!.Name, () => IsManaging && Chosen is { } u && u.Role != Role.Role, (by, name) => (_, role) => Station.Users.SetRole(by, name, role));
+        SetPassword = Change("Users.SetPassword", () => Chosen!.Name, () => Chosen is { } u && (IsManaging || u.Name == _shell.UserName) && HasPassword, (by, name) => (password, _) => Station.Users.SetPassword(by, name, password));
+        Disable = Change("Users.Disable", () => Chosen!.Name, () => IsManaging && Chosen is { IsDisabled: false }, (by, name) => (_, _) => Station.Users.Disable(by, name));
+        Enable = Change("Users.Enable", () => Chosen!.Name, () => IsManaging && Chosen is { IsDisabled: true }, (by, name) => (_, _) => Station.Users.Enable(by, name));
+        Loading = LoadAsync(shell.UserName).Watched();
+    }
+
+    /// <summary>The users.</summary>
+    public RowList<UserRow> Rows { get; } = [];
+
+    /// <summary>The roles, with the lowest first.</summary>
+    public IReadOnlyList<RoleChoice> Roles { get; private set; }
+
+    /// <summary>True if who sits here may change users.</summary>
+    public bool IsManaging => _shell.Who is { } who && Rights.Allows(who.Role, Act.ManageUsers);
+
+    /// <summary>True while a new user is described.</summary>
+    public bool IsNew => Chosen is null;
+
+    /// <summary>The user that is looked at; null for a new one.</summary>
+    public UserRow? Chosen
+    {
+        get => _chosen;
+        set
+        {
+            if (Set(ref _chosen, value))
+            {
+                (Name, Password, Again) = ("", "", "");
+                Role = Roles.First(r => r.Role == (value?.Role ?? Cell.Role.Operator));
+                Say();
+                Refresh();
+            }
+        }
+    }
+
+    /// <summary>What the right side is about.</summary>
+    public string Title => Chosen?.Name ?? Texts.Current[IsManaging ? "Users.New" : "Users.Choose"];
+
+    /// <summary>True where the fields of a password are shown.</summary>
+    public bool TakesPassword => IsNew ? IsManaging : IsManaging || Chosen!.Name == _shell.UserName;
+
+    /// <summary>True where a user's role and standing are shown to be changed.</summary>
+    public bool IsChanging => IsManaging && !IsNew;
+
+    /// <summary>True where a user is added.</summary>
+    public bool IsAdding => IsManaging && IsNew;
+
+    /// <summary>True if the user is disabled.</summary>
+    public bool IsDisabled => Chosen is { IsDisabled: true };
+
+    /// <summary>The name of a new user.</summary>
+    public string Name
+    {
+        get => _name;
+        set => Put(ref _name, value ?? "", nameof(Name));
+    }
+
+    /// <summary>The role that is given.</summary>
+    public RoleChoice Role
+    {
+        get => _role;
+        set
+        {
+            // A list that is made anew in another language has nothing chosen for a moment.
+            if (value is not null)
+            {
+                Put(ref _role, value, nameof(Role));
+            }
+        }
+    }
+
+    /// <summary>A new password.</summary>
+    public string Password
+    {
+        get => _password;
+        set => Put(ref _password, value ?? "", nameof(Password));
+    }
+
+    /// <summary>The same once more.</summary>
+    public string Again
+    {
+        get => _again;
+        set => Put(ref _again, value ?? "", nameof(Again));
+    }
+
+    /// <summary>What is wrong with the two passwords; null if nothing is.</summary>
+    public string? PasswordProblem => Again.Length > 0 && Again != Password ? Texts.Current["Users.Differ"] : null;
+
+    /// <summary>Describes a new user.</summary>
+    public Command New { get; }
+
+    /// <summary>Adds the new user.</summary>
+    public Command Add { get; }
+
+    /// <summary>Gives the role.</summary>
+    public Command SetRole { get; }
+
+    /// <summary>Sets the password.</summary>
+    public Command SetPassword { get; }
+
+    /// <summary>Keeps the user from signing in.</summary>
+    public Command Disable { get; }
+
+    /// <summary>Lets the user sign in again.</summary>
+    public Command Enable { get; }
+
+    /// <summary>Done when the users are listed.</summary>
+    internal Task Loading { get; private set; }
+
+    private bool HasPassword => Password.Length > 0 && Password == Again;
+
+    /// <inheritdoc/>
+    protected override void Follow()
+    {
+        // Users change only by what is done here; what somebody else does at a console is seen with the next visit.
+    }
+
+    /// <inheritdoc/>
+    protected override void Translate()
+    {
+        Roles = Choices();
+        _role = Roles.First(r => r.Role == _role.Role);
+        Loading = LoadAsync(Chosen?.Name).Watched();
+        Say();
+    }
+
+    private static RoleChoice[] Choices() => [.. Enum.GetValues<Role>().Select(r => new RoleChoice(r, Texts.Current.Word(r)))];
+
+    // The signature is good for one act, and the book of users is who demands it.
+    private Command Change(string title, Func<string> name, Func<bool> can, Func<SignedIn, string, Func<string, Role, User>> change) => new(
+        () =>
+        {
+            var (subject, password, role) = (name(), Password, Role.Role);
+            var signing = new SigningViewModel(
+                Station, _shell.Who!, Act.ManageUsers, title == "Users.SetRole" ? $"{subject}: {Texts.Current.Word(role)}" : subject, needsReason: false, (by, _, _) => Task.FromResult(change(by, subject)(password, role)))
+            { TitleKey = title, IsDemandedElsewhere = true };
+            signing.Signed += () => Loading = LoadAsync(subject).Watched();
+            _shell.Sign(signing);
+        },
+        can);
+
+    private void Put<T>(ref T field, T value, string name)
+    {
+        if (Set(ref field, value, name))
+        {
+            Say(nameof(PasswordProblem));
+            Refresh();
+        }
+    }
+
+    private void Refresh()
+    {
+        foreach (var command in new[] { New, Add, SetRole, SetPassword, Disable, Enable })
+        {
+            command.Refresh();
+        }
+    }
+
+    private async Task LoadAsync(string? choose)
+    {
+        IReadOnlyList<User> users = [];
+        if (await TryAsync(() => users = Station.Users.List()))
+        {
+            Rows.Show([.. users.Select(Row)]);
+            _chosen = null;
+            Chosen = Rows.FirstOrDefault(r => r.Name == choose);
+            Say();
+            Refresh();
+        }
+    }
+
+    private UserRow Row(User user) => new(
+        user.Name,
+        user.Role,
+        Texts.Current.Word(user.Role),
+        user.IsDisabled,
+        user.IsDisabled ? Texts.Current["Users.IsDisabled"] : user.LockedUntil is { } until ? Texts.Current.With("Users.IsLocked", Shown.Time(until, Station.Clock)) : "");
+}

@@ -1,0 +1,157 @@
+using System.Globalization;
+using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>The fields of the system set-up, side by side, as they stand in the job.</summary>
+internal sealed class SystemFields(JobEditing editing)
+{
+    /// <summary>The blocks of each feature.</summary>
+    public IReadOnlyList<FieldRow> Blocks() => [.. Features().Select(f => new FieldRow(editing.Draft.Features[f].Name, [Text(DraftPaths.Feature(f, "blocks"), "System.Blocks", d => d.Features[f].Blocks, (d, t) => d.WithFeature(f, x => x with { Blocks = t }))]))];
+
+    /// <summary>Limits and fit of each feature.</summary>
+    public IReadOnlyList<FieldRow> Tolerances() => [.. Features().Select(Tolerance)];
+
+    /// <summary>The tolerance chain.</summary>
+    public IReadOnlyList<FieldRow> Chain() => [.. Enumerable.Range(0, editing.Draft.Chain.Count).Select(i => Row(
+        "chain",
+        i,
+        d => d with { Chain = d.Chain.Without(i) },
+        [
+            Link(i, "name", "System.ChainName", l => l.Name, (l, t) => l with { Name = t }),
+            Link(i, "nominalMm", "System.Nominal", l => l.Nominal, (l, t) => l with { Nominal = t }),
+            Link(i, "toleranceMm[0]", "System.Lower", l => l.Lower, (l, t) => l with { Lower = t }),
+            Link(i, "toleranceMm[1]", "System.Upper", l => l.Upper, (l, t) => l with { Upper = t }),
+            Choice(At("toleranceChain", i, "sign"), "System.Sign", ["1", "-1"], d => d.Chain[i].Sign, (d, t) => d with { Chain = d.Chain.Replaced(i, d.Chain[i] with { Sign = t }) }),
+            new NoteField(editing, At("toleranceChain", i, "toleranceMm"), "System.Tolerance"),
+        ]))];
+
+    /// <summary>Frame and tool.</summary>
+    public IReadOnlyList<EditField> Frame() =>
+    [
+        Text("$.counterpart.toolDiameterMm", "System.ToolDiameter", d => d.Counterpart.ToolDiameter, (d, t) => d with { Counterpart = d.Counterpart with { ToolDiameter = t } }),
+        Text("$.counterpart.mapMm", "System.Map", d => d.Counterpart.Map, (d, t) => d with { Counterpart = d.Counterpart with { Map = t } }),
+        Choice("$.counterpart.frame.mirror", "System.Mirror", ["none", "x", "y"], d => d.Counterpart.Mirror, (d, t) => d with { Counterpart = d.Counterpart with { Mirror = t } }),
+        Text("$.counterpart.frame.rotateDeg", "System.Rotate", d => d.Counterpart.Rotate, (d, t) => d with { Counterpart = d.Counterpart with { Rotate = t } }),
+        Text("$.counterpart.frame.translateMm[0]", "System.TranslateX", d => d.Counterpart.TranslateX, (d, t) => d with { Counterpart = d.Counterpart with { TranslateX = t } }),
+        Text("$.counterpart.frame.translateMm[1]", "System.TranslateY", d => d.Counterpart.TranslateY, (d, t) => d with { Counterpart = d.Counterpart with { TranslateY = t } }),
+    ];
+
+    /// <summary>Alignment and the check of the origin.</summary>
+    public IReadOnlyList<EditField> Alignment() =>
+    [
+        Choice("$.alignment.kind", "System.Alignment", ["none", "datum", "best-fit"], d => d.Alignment.Kind, (d, t) => d with { Alignment = d.Alignment with { Kind = t } }),
+        .. editing.Draft.Alignment.Kind switch
+        {
+            "datum" => new EditField[]
+            {
+                Text("$.alignment.origin", "System.DatumOrigin", d => d.Alignment.Origin, (d, t) => d with { Alignment = d.Alignment with { Origin = t } }),
+                Text("$.alignment.direction", "System.DatumDirection", d => d.Alignment.Direction, (d, t) => d with { Alignment = d.Alignment with { Direction = t } }),
+            },
+            "best-fit" =>
+            [
+                Switch("$.alignment.lockX", "System.LockX", d => d.Alignment.LockX, (d, on) => d with { Alignment = d.Alignment with { LockX = on } }),
+                Switch("$.alignment.lockY", "System.LockY", d => d.Alignment.LockY, (d, on) => d with { Alignment = d.Alignment with { LockY = on } }),
+                Switch("$.alignment.lockRotation", "System.LockRotation", d => d.Alignment.LockRotation, (d, on) => d with { Alignment = d.Alignment with { LockRotation = on } }),
+            ],
+            _ => [],
+        },
+        Text("$.originCheck.point", "System.OriginPoint", d => d.OriginPoint, (d, t) => d with { OriginPoint = t }),
+        Text("$.originCheck.limitMm", "System.OriginLimit", d => d.OriginLimit, (d, t) => d with { OriginLimit = t }),
+    ];
+
+    /// <summary>What is made of the deviations.</summary>
+    public IReadOnlyList<EditField> Compensation() =>
+    [
+        Choice("$.compensation.from", "System.From", ["part", "counterpart"], d => d.Compensation.From, (d, t) => d with { Compensation = d.Compensation with { From = t } }),
+        Text("$.compensation.gain", "System.Gain", d => d.Compensation.Gain, (d, t) => d with { Compensation = d.Compensation with { Gain = t } }),
+        Text("$.compensation.limitMm", "System.Limit", d => d.Compensation.Limit, (d, t) => d with { Compensation = d.Compensation with { Limit = t } }),
+        Choice("$.compensation.amount", "System.Amount", ["whole", "excess"], d => d.Compensation.Amount, (d, t) => d with { Compensation = d.Compensation with { Amount = t } }),
+        Choice("$.compensation.along", "System.Along", ["normal", "vector"], d => d.Compensation.Along, (d, t) => d with { Compensation = d.Compensation with { Along = t } }),
+        .. editing.Draft.Compensation.From == "counterpart" ? new EditField[] { Text("$.counterpart.measured", "System.CounterpartMeasured", d => d.Counterpart.Measured, (d, t) => d with { Counterpart = d.Counterpart with { Measured = t } }) } : [],
+    ];
+
+    /// <summary>The gauge.</summary>
+    public IReadOnlyList<EditField> Gauge() =>
+    [
+        .. editing.Draft.Gauge.FormatJson.Length > 0 ? [] : new EditField[] { Choice("$.gauge.format", "System.Format", ["points", "feature-table"], d => d.Gauge.Format, (d, t) => d with { Gauge = d.Gauge with { Format = t } }) },
+        .. editing.Draft.Gauge.Contributions.Count > 0 ? [] : new EditField[] { Text("$.gauge.uncertaintyMm", "System.Uncertainty", d => d.Gauge.Uncertainty, (d, t) => d with { Gauge = d.Gauge with { Uncertainty = t } }) },
+        Choice("$.gauge.reports", "System.Reports", ["contact", "stylus-center"], d => d.Gauge.Reports, (d, t) => d with { Gauge = d.Gauge with { Reports = t } }),
+        Text("$.gauge.stylusDiameterMm", "System.Stylus", d => d.Gauge.StylusDiameter, (d, t) => d with { Gauge = d.Gauge with { StylusDiameter = t } }),
+        Text("$.gauge.measuring.touches", "System.Touches", d => d.Gauge.Touches, (d, t) => d with { Gauge = d.Gauge with { Touches = t } }),
+        Text("$.gauge.measuring.probingSpeedMmPerS", "System.ProbingSpeed", d => d.Gauge.ProbingSpeed, (d, t) => d with { Gauge = d.Gauge with { ProbingSpeed = t } }),
+        Text("$.gauge.measuring.probingDistanceMm", "System.ProbingDistance", d => d.Gauge.ProbingDistance, (d, t) => d with { Gauge = d.Gauge with { ProbingDistance = t } }),
+        Text("$.gauge.measuring.calculatingS", "System.Calculating", d => d.Gauge.Calculating, (d, t) => d with { Gauge = d.Gauge with { Calculating = t } }),
+    ];
+
+    /// <summary>Contributions to the uncertainty.</summary>
+    public IReadOnlyList<FieldRow> Contributions() => [.. Enumerable.Range(0, editing.Draft.Gauge.Contributions.Count).Select(i => Row(
+        "contribution",
+        i,
+        d => d with { Gauge = d.Gauge with { Contributions = d.Gauge.Contributions.Without(i) } },
+        [
+            Text(At("gauge.uncertaintyMm", i, "name"), "System.ContributionName", d => d.Gauge.Contributions[i].Name, (d, t) => d with { Gauge = d.Gauge with { Contributions = d.Gauge.Contributions.Replaced(i, d.Gauge.Contributions[i] with { Name = t }) } }),
+            Text(At("gauge.uncertaintyMm", i, "valueMm"), "System.Uncertainty", d => d.Gauge.Contributions[i].Value, (d, t) => d with { Gauge = d.Gauge with { Contributions = d.Gauge.Contributions.Replaced(i, d.Gauge.Contributions[i] with { Value = t }) } }),
+        ]))];
+
+    /// <summary>Comparisons beside those of the features.</summary>
+    public IReadOnlyList<FieldRow> Comparisons() => [.. Enumerable.Range(0, editing.Draft.Comparisons.Count).Select(i => Row(
+        "comparison",
+        i,
+        d => d with { Comparisons = d.Comparisons.Without(i) },
+        [
+            Comparison(i, "name", "System.ComparisonName", c => c.Name, (c, t) => c with { Name = t }),
+            Choice(At("verify", i, "quantity"), "System.Quantity", ["angle", "deviation", "deviation-x"], d => d.Comparisons[i].Quantity, (d, t) => d with { Comparisons = d.Comparisons.Replaced(i, d.Comparisons[i] with { Quantity = t }) }),
+            Comparison(i, editing.Draft.Comparisons[i].Quantity == "angle" ? "between" : "points", editing.Draft.Comparisons[i].Quantity == "angle" ? "System.Between" : "System.Of", c => c.Of, (c, t) => c with { Of = t }),
+        ]))];
+
+    private static string At(string list, int index, string field) => string.Create(CultureInfo.InvariantCulture, $"$.{list}[{index}].{field}");
+
+    private IEnumerable<int> Features() => Enumerable.Range(0, editing.Draft.Features.Count);
+
+    private FieldRow Tolerance(int f)
+    {
+        var feature = editing.Draft.Features[f];
+        var cells = new List<EditField> { Choice("toleranceMm", "System.Tolerance", [FeatureDraft.Stated, "chain:worst-case", "chain:rss"], x => x.Tolerance, (x, t) => x with { Tolerance = t }) };
+        if (feature.Tolerance == FeatureDraft.Stated)
+        {
+            cells.Add(Text("toleranceMm[0]", "System.Lower", x => x.Lower, (x, t) => x with { Lower = t }));
+            cells.Add(Text("toleranceMm[1]", "System.Upper", x => x.Upper, (x, t) => x with { Upper = t }));
+        }
+
+        cells.Add(Choice("plane", "System.Plane", ["XY", "ZX", "YZ"], x => x.Plane, (x, t) => x with { Plane = t }));
+        if (feature.Kind == FeatureKind.Line)
+        {
+            cells.Add(Choice("method", "System.Method", ["tls", "ols"], x => x.Method, (x, t) => x with { Method = t }));
+        }
+        else if (feature.Kind == FeatureKind.Curve)
+        {
+            cells.Add(Text("degree", "System.Degree", x => x.Degree, (x, t) => x with { Degree = t }));
+            cells.Add(Text("ridge", "System.Ridge", x => x.Ridge, (x, t) => x with { Ridge = t }));
+        }
+
+        return new(feature.Name, cells);
+
+        TextField Text(string field, string label, Func<FeatureDraft, string> get, Func<FeatureDraft, string, FeatureDraft> set) =>
+            new(editing, DraftPaths.Feature(f, field), label, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t)));
+
+        ChoiceField Choice(string field, string label, IReadOnlyList<string> words, Func<FeatureDraft, string> get, Func<FeatureDraft, string, FeatureDraft> set) =>
+            new(editing, DraftPaths.Feature(f, field), label, words, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t)));
+    }
+
+    private FieldRow Row(string name, int index, Func<MatingDraft, MatingDraft> without, IReadOnlyList<EditField> cells) =>
+        new("", cells, new(() => editing.Change("", without), () => editing.CanEdit), string.Create(CultureInfo.InvariantCulture, $"{name}-{index}-remove"));
+
+    private TextField Link(int i, string field, string label, Func<ChainLinkDraft, string> get, Func<ChainLinkDraft, string, ChainLinkDraft> set) =>
+        Text(At("toleranceChain", i, field), label, d => get(d.Chain[i]), (d, t) => d with { Chain = d.Chain.Replaced(i, set(d.Chain[i], t)) });
+
+    private TextField Comparison(int i, string field, string label, Func<ComparisonDraft, string> get, Func<ComparisonDraft, string, ComparisonDraft> set) =>
+        Text(At("verify", i, field), label, d => get(d.Comparisons[i]), (d, t) => d with { Comparisons = d.Comparisons.Replaced(i, set(d.Comparisons[i], t)) });
+
+    private TextField Text(string path, string label, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set) => new(editing, path, label, get, set);
+
+    private ChoiceField Choice(string path, string label, IReadOnlyList<string> words, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set) => new(editing, path, label, words, get, set);
+
+    private SwitchField Switch(string path, string label, Func<MatingDraft, bool> get, Func<MatingDraft, bool, MatingDraft> set) => new(editing, path, label, get, set);
+}

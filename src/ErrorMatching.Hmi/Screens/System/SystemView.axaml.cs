@@ -1,0 +1,49 @@
+using Avalonia.Controls;
+using Avalonia.Input.Platform;
+using Avalonia.Interactivity;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Where coordinates, blocks and limits are entered and tried out.</summary>
+public sealed partial class SystemView : SetupView
+{
+    /// <summary>The view.</summary>
+    public SystemView()
+    {
+        InitializeComponent();
+        PointList.AddHandler(TextBox.PastingFromClipboardEvent, OnPasting);
+    }
+
+    /// <inheritdoc/>
+    protected override void GoTo(string id)
+    {
+        if (DataContext is SystemViewModel system && system.RowOf(id) is >= 0 and var row)
+        {
+            PointList.ScrollIntoView(row);
+        }
+
+        base.GoTo(id);
+    }
+
+    private void OnPaste(object? sender, RoutedEventArgs e) => _ = PasteAsync(null).Watched();
+
+    // A table that is pasted into a field goes to all fields that it has coordinates for.
+    private void OnPasting(object? sender, RoutedEventArgs e)
+    {
+        e.Handled = true;
+        _ = PasteAsync(e.Source as TextBox).Watched();
+    }
+
+    private async Task PasteAsync(TextBox? box)
+    {
+        var text = TopLevel.GetTopLevel(this)?.Clipboard is { } clipboard ? await clipboard.TryGetTextAsync() : null;
+        if (box is null || text?.AsSpan().Trim().IndexOfAny("\t\n") >= 0)
+        {
+            (DataContext as SystemViewModel)?.Paste(text);
+        }
+        else
+        {
+            box.SelectedText = text ?? "";
+        }
+    }
+}

@@ -1,0 +1,122 @@
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Hmi;
+
+/// <content>The dry run: what the draft would make of a measurement. Nothing is saved or sent.</content>
+public sealed partial class SystemViewModel
+{
+    private const int Latest = 1000;
+    private CorrectionDetail? _detail;
+
+    /// <summary>What the dry run came to; null while none is shown.</summary>
+    public CorrectionDetail? Detail
+    {
+        get => _detail;
+        private set
+        {
+            if (Set(ref _detail, value))
+            {
+                Say(nameof(IsForm));
+            }
+        }
+    }
+
+    /// <summary>True while the form is shown, and not a dry run.</summary>
+    public bool IsForm => Detail is null;
+
+    /// <summary>Tries the draft with the last measurement of the job in the store.</summary>
+    public LongCommand DryRun { get; }
+
+    /// <summary>Tries the draft with a file.</summary>
+    public LongCommand DryRunFile { get; }
+
+    /// <summary>Back to the form.</summary>
+    public Command Back { get; }
+
+    /// <inheritdoc/>
+    protected override void Translate()
+    {
+        Detail = Detail is null ? null : new(Detail.Kept, Station.Clock);
+        base.Translate();
+    }
+
+    private bool CanTry() => Editing.Job is not null && Editing.Problems.Count == 0 && Editing.IsChecked;
+
+    private async Task DryRunAsync(CancellationToken cancellation)
+    {
+        var piece = Editing.Draft.Compensation.From;
+        (Correction Correction, byte[] Bytes, GivenFile? Part)? last = null;
+        var job = Editing.Job!;
+        if (!await TryAsync(() =>
+        {
+            if (Station.Store.Search(new() { Most = Latest }).FirstOrDefault(c => c.Job == job.Name && c.Piece == piece) is { } c)
+            {
+                last = (c, Station.Store.Content(c.MeasurementSha256), c.PartSha256 is { } part ? new("part.csv", Station.Store.Content(part)) : null);
+            }
+        }))
+        {
+            Show();
+        }
+        else if (last is { } found)
+        {
+            await TryOutAsync(found.Correction, new(found.Correction.FileName, found.Bytes), found.Part, cancellation);
+        }
+        else
+        {
+            Message = Texts.Current["System.NoMeasurement"];
+            Show();
+        }
+    }
+
+    private async Task DryRunFileAsync(CancellationToken cancellation)
+    {
+        if (await Shell.ChooseAsync(new(FileChoiceKind.Open, "System.DryRunFile", [".csv", ".txt"])) is not { } path)
+        {
+            return;
+        }
+
+        byte[] bytes = [];
+        if (await TryAsync(() => bytes = InputFile.Bytes(path, JsonLimits.Default.MaxBytes)))
+        {
+            var name = Path.GetFileName(path);
+            var given = new Correction(0, CorrectionState.Computed, 0, "", name, Station.Clock.GetUtcNow(), "", bytes.Length) { Job = Editing.Job!.Name };
+            await TryOutAsync(given, new(name, bytes), null, cancellation);
+        }
+
+        Show();
+    }
+
+    private async Task TryOutAsync(Correction correction, GivenFile measurement, GivenFile? part, CancellationToken cancellation)
+    {
+        var (draft, job) = (Editing.Draft, Editing.Job!);
+        var isOfPart = draft.Compensation.From == "part";
+        var request = new MatingRequest { Part = isOfPart ? measurement : part, Counterpart = isOfPart ? null : measurement, Gain = (job.Policy ?? Station.Settings.Policy).Gain };
+        KeptCorrection? kept = null;
+        string? refusal = null;
+        await TryAsync(() =>
+        {
+            try
+            {
+                var outcome = MatingDraftRun.Of(draft, job.File, request, cancellation);
+                refusal = outcome.Result is null ? string.Join(" ", outcome.Refusals.Select(r => CodeText.Of(r.Code, r.Message))) : null;
+                kept = outcome.Result is { } matched ? Kept(correction, matched) : null;
+            }
+            catch (Exception e) when (ErrorItems.OfInput(e) is { } items)
+            {
+                refusal = string.Join(" ", items.Select(i => i.Message));
+            }
+        });
+        Message = refusal is null ? Message : Texts.Current.With("System.DryRunRefused", refusal);
+        Detail = kept is null ? null : new(kept, Station.Clock);
+        Show();
+    }
+
+    private static KeptCorrection Kept(Correction correction, MatchedProgram matched)
+    {
+        var report = KeptReport.Read(matched.ReportJson())!;
+        var computed = correction with { State = CorrectionState.Computed, Code = null, Reason = null };
+        return new(computed, [], report, new(matched.Match.Input.Program, matched.Program, report.Blocks));
+    }
+}

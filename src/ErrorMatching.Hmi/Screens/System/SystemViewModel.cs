@@ -1,0 +1,218 @@
+using System.Collections.ObjectModel;
+using System.Text;
+using ErrorMatching.Jobs;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>System set-up: where each point is designed, which blocks cut each feature, and how deviations are judged and followed; tried out before it is saved.</summary>
+public sealed partial class SystemViewModel : SetupViewModel
+{
+    private readonly SystemFields _fields;
+    private int _side;
+
+    /// <summary>The screen.</summary>
+    public SystemViewModel(ShellViewModel shell)
+        : base(shell)
+    {
+        _fields = new(Editing);
+        Points = new(Editing, "$.part.theoretical", "System.Coordinates");
+        Program = new(Editing, MatingDraftCheck.Program, "System.Program");
+        Dialect = new(Editing, "$.counterpart.dialect", "System.Program");
+        Rules = new(Editing, "$.recognition", "System.Gauge");
+        AddPoint = Doing(() => Editing.Change("", d => d with { OtherPoints = [.. d.OtherPoints, new("")] }));
+        RemovePoint = new(() => Editing.Change("", d => d with { OtherPoints = d.OtherPoints.Without(d.OtherPoints.Count - 1) }), () => Editing.CanEdit && Editing.Draft.OtherPoints.Count > 0);
+        AddLink = Doing(() => Editing.Change("", d => d with { Chain = [.. d.Chain, new()] }));
+        AddComparison = Doing(() => Editing.Change("", d => d with { Comparisons = [.. d.Comparisons, new()] }));
+        AddContribution = Doing(() => Editing.Change("", d => d with { Gauge = d.Gauge with { Contributions = [.. d.Gauge.Contributions, new("", d.Gauge.Contributions.Count == 0 ? d.Gauge.Uncertainty : "")], Uncertainty = "" } }));
+        ReadPoints = new(async _ => await ReadAsync("System.ReadCsv", [".csv", ".txt"], ImportPointsAsync), () => Editing.CanEdit);
+        ReadProgram = new(async _ => await ReadAsync("System.ImportProgram", [".nc", ".ngc", ".mpf", ".spf", ".cnc", ".tap", ".min", ".prg", ".txt"], ImportProgramAsync), () => Editing.CanEdit);
+        DryRun = new(DryRunAsync, CanTry);
+        DryRunFile = new(DryRunFileAsync, CanTry);
+        Back = new(() => Detail = null);
+        Begin();
+    }
+
+    /// <summary>Which side is open.</summary>
+    public int Side
+    {
+        get => _side;
+        set => Set(ref _side, value);
+    }
+
+    /// <summary>The theoretical points.</summary>
+    public ObservableCollection<CoordinateRow> Coordinates { get; } = [];
+
+    /// <summary>True if points have a third coordinate.</summary>
+    public bool HasZ => Coordinates.Any(c => c.HasZ);
+
+    /// <summary>What is wrong with the points as a whole.</summary>
+    public NoteField Points { get; }
+
+    /// <summary>What is wrong with the program.</summary>
+    public NoteField Program { get; }
+
+    /// <summary>What is wrong with its control.</summary>
+    public NoteField Dialect { get; }
+
+    /// <summary>What is wrong with the rules that are kept as they are.</summary>
+    public NoteField Rules { get; }
+
+    /// <summary>Which program it is.</summary>
+    public string ProgramText => Editing.Draft.Counterpart.Program.Length == 0 ? Texts.Current["System.NoProgram"]
+        : Editing.Draft.Program is { } program ? Texts.Current.With("System.ProgramImported", Editing.Draft.Counterpart.Program, Shown.Count(program.Bytes.Length))
+        : Editing.Draft.Counterpart.Program;
+
+    /// <summary>The control that it is for.</summary>
+    public string DialectText => Texts.Current.With("System.Dialect", Editing.Draft.Counterpart.Dialect);
+
+    /// <summary>The blocks of each feature.</summary>
+    public IReadOnlyList<FieldRow> Blocks { get; private set; } = [];
+
+    /// <summary>Limits and fit of each feature.</summary>
+    public IReadOnlyList<FieldRow> Tolerances { get; private set; } = [];
+
+    /// <summary>The tolerance chain.</summary>
+    public IReadOnlyList<FieldRow> Chain { get; private set; } = [];
+
+    /// <summary>Frame and tool.</summary>
+    public IReadOnlyList<EditField> Frame { get; private set; } = [];
+
+    /// <summary>Alignment and origin.</summary>
+    public IReadOnlyList<EditField> Alignment { get; private set; } = [];
+
+    /// <summary>What is made of the deviations.</summary>
+    public IReadOnlyList<EditField> Compensation { get; private set; } = [];
+
+    /// <summary>The gauge.</summary>
+    public IReadOnlyList<EditField> Gauge { get; private set; } = [];
+
+    /// <summary>Contributions to its uncertainty.</summary>
+    public IReadOnlyList<FieldRow> Contributions { get; private set; } = [];
+
+    /// <summary>Comparisons beside those of the features.</summary>
+    public IReadOnlyList<FieldRow> Comparisons { get; private set; } = [];
+
+    /// <summary>Adds a point that belongs to no feature.</summary>
+    public Command AddPoint { get; }
+
+    /// <summary>Takes the last of them away.</summary>
+    public Command RemovePoint { get; }
+
+    /// <summary>Adds a dimension to the tolerance chain.</summary>
+    public Command AddLink { get; }
+
+    /// <summary>Adds a comparison.</summary>
+    public Command AddComparison { get; }
+
+    /// <summary>Adds a contribution to the uncertainty.</summary>
+    public Command AddContribution { get; }
+
+    /// <summary>Reads coordinates from a file.</summary>
+    public LongCommand ReadPoints { get; }
+
+    /// <summary>Imports a program.</summary>
+    public LongCommand ReadProgram { get; }
+
+    /// <inheritdoc/>
+    protected override string Key => Screens.System;
+
+    /// <inheritdoc/>
+    protected override IEnumerable<EditField> Fields =>
+    [
+        Points, Program, Dialect, Rules, .. Coordinates.SelectMany(c => c.Fields), .. Blocks.Concat(Tolerances).Concat(Chain).Concat(Contributions).Concat(Comparisons).SelectMany(r => r.Cells),
+        .. Frame, .. Alignment, .. Compensation, .. Gauge,
+    ];
+
+    /// <summary>Takes coordinates from the clipboard.</summary>
+    public void Paste(string? text)
+    {
+        if (Editing.CanEdit)
+        {
+            Take(PointTable.Read(text ?? ""));
+        }
+    }
+
+    /// <summary>Takes coordinates from a file.</summary>
+    public async Task ImportPointsAsync(string path)
+    {
+        PointTable? table = null;
+        if (await TryAsync(() => table = PointTable.Read(Encoding.UTF8.GetString(InputFile.Bytes(path, MeasurementFormat.Points.MaxBytes)).TrimStart('\uFEFF'))))
+        {
+            Take(table!);
+        }
+    }
+
+    /// <summary>Imports a program from a file.</summary>
+    public async Task ImportProgramAsync(string path)
+    {
+        DraftProgram? program = null;
+        if (await TryAsync(() => program = DraftProgram.Of(InputFile.Program(path))))
+        {
+            Editing.Change("", d => d with { Program = program, Counterpart = d.Counterpart with { Program = Path.GetFileName(path) } });
+        }
+    }
+
+    /// <summary>A field by its AutomationId.</summary>
+    internal EditField Field(string automationId) => Fields.First(f => f.AutomationId == automationId);
+
+    /// <summary>The row of a field; -1 if it is no coordinate's.</summary>
+    internal int RowOf(string automationId) => Coordinates.ToList().FindIndex(c => c.Fields.Any(f => f.AutomationId == automationId));
+
+    /// <inheritdoc/>
+    protected override string ShapeOf(MatingDraft draft) => string.Join('|', draft.Features.Select(f => $"{f.Kind} {f.Name} {f.Tolerance} {string.Join(' ', f.Flanks.Select(k => k.Count))}"))
+        + $"/{draft.OtherPoints.Count}/{draft.Chain.Count}/{string.Join(' ', draft.Comparisons.Select(c => c.Quantity))}/{draft.Gauge.Contributions.Count}/{draft.Gauge.FormatJson.Length}/{draft.Alignment.Kind}/{draft.Compensation.From}"
+        + $"/{draft.Points.Any(p => p.Z.Length > 0) || draft.Features.Any(f => f.Plane != "XY")}";
+
+    /// <inheritdoc/>
+    protected override void MakeRows()
+    {
+        Coordinates.Clear();
+        foreach (var row in CoordinateRow.Of(Editing))
+        {
+            Coordinates.Add(row);
+        }
+
+        (Blocks, Tolerances, Chain) = (_fields.Blocks(), _fields.Tolerances(), _fields.Chain());
+        (Frame, Alignment, Compensation) = (_fields.Frame(), _fields.Alignment(), _fields.Compensation());
+        (Gauge, Contributions, Comparisons) = (_fields.Gauge(), _fields.Contributions(), _fields.Comparisons());
+    }
+
+    /// <inheritdoc/>
+    protected override void ShowMore()
+    {
+        foreach (var command in new[] { AddPoint, RemovePoint, AddLink, AddComparison, AddContribution }.Concat(Chain.Concat(Contributions).Concat(Comparisons).Select(r => r.Remove!)))
+        {
+            command.Refresh();
+        }
+
+        foreach (var command in new[] { ReadPoints, ReadProgram, DryRun, DryRunFile })
+        {
+            command.Refresh();
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void Turn(int side)
+    {
+        Detail = null;
+        Side = side;
+    }
+
+    private Command Doing(Action act) => new(act, () => Editing.CanEdit);
+
+    private async Task ReadAsync(string title, IReadOnlyList<string> extensions, Func<string, Task> import)
+    {
+        if (await Shell.ChooseAsync(new(FileChoiceKind.Open, title, extensions)) is { } path)
+        {
+            await import(path);
+        }
+    }
+
+    private void Take(PointTable table)
+    {
+        Message = table.Count == 0 ? Texts.Current["System.NoCoordinates"] : null;
+        Editing.Change("", table.Into);
+        Show();
+    }
+}

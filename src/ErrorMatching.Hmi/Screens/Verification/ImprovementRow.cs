@@ -1,0 +1,11 @@
+namespace ErrorMatching.Hmi;
+
+/// <summary>A quantity of a feature before and after, as it is shown.</summary>
+/// <param name="Feature">Its feature or comparison.</param>
+/// <param name="Quantity">What is compared.</param>
+/// <param name="Wanted">The part's value.</param>
+/// <param name="Before">That of the counterpart without compensation.</param>
+/// <param name="After">That of the counterpart with it.</param>
+/// <param name="Improvement">By how much of the error before the error after is smaller.</param>
+/// <param name="Unit">mm or degrees.</param>
+public sealed record ImprovementRow(string Feature, string Quantity, string Wanted, string Before, string After, string Improvement, string Unit);

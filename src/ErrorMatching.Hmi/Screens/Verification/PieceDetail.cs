@@ -1,0 +1,142 @@
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>One piece and those before it, in the words, figures and drawings of the screen.</summary>
+public sealed class PieceDetail
+{
+    private readonly KeptPiece _piece;
+    private readonly IReadOnlyDictionary<string, string> _features;
+
+    /// <summary>Puts it into words.</summary>
+    /// <param name="piece">The piece.</param>
+    /// <param name="series">The last pieces of its job, the first to arrive first.</param>
+    public PieceDetail(KeptPiece piece, IReadOnlyList<KeptPiece> series)
+    {
+        _piece = piece ?? throw new ArgumentNullException(nameof(piece));
+        _features = piece.Boundaries.SelectMany(b => b.Points.Select(p => (p.Label, b.Name))).ToDictionary(p => p.Label, p => p.Name, StringComparer.Ordinal);
+        Features = [.. piece.Result.Features.Select(Row)];
+        Points = [.. piece.Result.Points.Select(Row)];
+        Errors = ErrorsOf();
+        Trend = TrendOf(series);
+        (Before, After) = (GapDrawing.Before(piece), GapDrawing.After(piece));
+    }
+
+    /// <summary>Number and serial number or file.</summary>
+    public string Title => CorrectionLabel.Of(_piece.Correction);
+
+    /// <summary>Measured or predicted.</summary>
+    public string Kind => KindOf(_piece);
+
+    /// <summary>Whose figures these are, in a sentence.</summary>
+    public string Origin => string.Join(
+        " ",
+        _piece.Counterpart is { } counterpart ? Texts.Current.With("Verify.Measured", CorrectionLabel.Of(counterpart)) : Texts.Current["Verify.Predicted"],
+        Texts.Current[_piece.IsBeforeMeasured ? "Verify.BeforeMeasured" : "Verify.BeforeDesigned"]);
+
+    /// <summary>Largest and mean error, before and after.</summary>
+    public string Summary => Texts.Current.With("Verify.Summary", Shown.Mm(_piece.Result.MaxBeforeMm), Shown.Mm(_piece.Result.MaxAfterMm), Shown.Mm(_piece.Result.RmsBeforeMm), Shown.Mm(_piece.Result.RmsAfterMm));
+
+    /// <summary>Whether everything is within its limits, and where not.</summary>
+    public string Verdict
+    {
+        get
+        {
+            var outside = Points.Where(p => p.IsOutside).ToArray();
+            return outside.Length == 0 ? Texts.Current["Verify.AllWithin"] : Texts.Current.With("Verify.Outside", outside.Length, string.Join(", ", outside.Select(p => p.Point)));
+        }
+    }
+
+    /// <summary>An error outside of its limits asks for attention.</summary>
+    public Severity Severity => SeverityOf(_piece);
+
+    /// <summary>True if all is within its limits.</summary>
+    public bool IsWithin => _piece.IsWithin;
+
+    /// <summary>The error at each key point against its limits.</summary>
+    public SeriesDrawing Errors { get; }
+
+    /// <summary>The largest error and the root mean square, piece by piece.</summary>
+    public SeriesDrawing Trend { get; }
+
+    /// <summary>The assembly without compensation.</summary>
+    public GapDrawing Before { get; }
+
+    /// <summary>The assembly with it.</summary>
+    public GapDrawing After { get; }
+
+    /// <summary>The largest gap or overlap without compensation.</summary>
+    public string BeforeCaption => Texts.Current.With("Verify.AssemblyBefore", Shown.Mm(Before.LargestMm));
+
+    /// <summary>The largest gap or overlap with it.</summary>
+    public string AfterCaption => Texts.Current.With(_piece.IsMeasured ? "Verify.AssemblyAfter" : "Verify.AssemblyPredicted", Shown.Mm(After.LargestMm));
+
+    /// <summary>How much deviations are exaggerated.</summary>
+    public string Exaggeration => Before.Factor == 1 ? Texts.Current["Detail.TrueToScale"] : Texts.Current.With("Detail.Exaggerated", Shown.Count((long)Before.Factor));
+
+    /// <summary>The features' quantities.</summary>
+    public IReadOnlyList<ImprovementRow> Features { get; }
+
+    /// <summary>The key points.</summary>
+    public IReadOnlyList<MatingErrorRow> Points { get; }
+
+    /// <summary>Measured or predicted, in a word.</summary>
+    internal static string KindOf(KeptPiece piece) => Texts.Current[piece.IsMeasured ? "Verify.KindMeasured" : "Verify.KindPredicted"];
+
+    /// <summary>How much a piece asks for attention.</summary>
+    internal static Severity SeverityOf(KeptPiece piece) => piece.IsWithin ? Severity.Quiet : Severity.Attention;
+
+    private SeriesDrawing ErrorsOf()
+    {
+        var (texts, points) = (Texts.Current, _piece.Result.Points);
+        var bands = new List<SeriesBand>();
+        for (var (i, first) = (0, 0); i < points.Count; i++)
+        {
+            var band = _piece.BandOf(points[i].Label);
+            if (i + 1 == points.Count || _piece.BoundaryOf(points[i + 1].Label)?.Name != _piece.BoundaryOf(points[i].Label)?.Name)
+            {
+                bands.AddRange(band is { } limits ? [new SeriesBand(first, i, limits.LowerMm, limits.UpperMm)] : Array.Empty<SeriesBand>());
+                first = i + 1;
+            }
+        }
+
+        return new(
+            [.. points.Select(p => p.Label)],
+            [.. Points.Select(p => texts.With("Verify.At", p.Point, p.Before, p.After, p.Low, p.High))],
+            [
+                new(SeriesKind.Before, texts[_piece.IsBeforeMeasured ? "Verify.LineBefore" : "Verify.LineBeforeDesigned"], [.. points.Select(p => (double?)p.BeforeError.NormalMm)]),
+                new(SeriesKind.After, texts[_piece.IsMeasured ? "Verify.LineAfter" : "Verify.LineAfterPredicted"], [.. points.Select(p => (double?)p.AfterError.NormalMm)]),
+            ],
+            bands,
+            []);
+    }
+
+    private static SeriesDrawing TrendOf(IReadOnlyList<KeptPiece> series)
+    {
+        var texts = Texts.Current;
+        return new(
+            [.. series.Select(p => p.Correction.Serial ?? "#" + Shown.Id(p.Correction.Id))],
+            [.. series.Select(p => texts.With("Verify.TrendAt", CorrectionLabel.Of(p.Correction), KindOf(p), Shown.Mm(p.Result.MaxBeforeMm), Shown.Mm(p.Result.MaxAfterMm), Shown.Mm(p.Result.RmsBeforeMm), Shown.Mm(p.Result.RmsAfterMm)))],
+            [
+                new(SeriesKind.Before, texts["Verify.LargestBefore"], [.. series.Select(p => (double?)p.Result.MaxBeforeMm)]),
+                new(SeriesKind.After, texts["Verify.LargestAfter"], [.. series.Select(p => (double?)p.Result.MaxAfterMm)]),
+                new(SeriesKind.BeforeMean, texts["Verify.RmsBefore"], [.. series.Select(p => (double?)p.Result.RmsBeforeMm)]),
+                new(SeriesKind.AfterMean, texts["Verify.RmsAfter"], [.. series.Select(p => (double?)p.Result.RmsAfterMm)]),
+            ],
+            [],
+            [.. series.Select(p => !p.IsMeasured)]);
+    }
+
+    // Angles have as many decimals as lengths, so that they stand under each other.
+    private static ImprovementRow Row(VerifiedFeature f) =>
+        new(f.Name, Texts.Current.Word(f.Quantity), Shown.Mm(f.Wanted), Shown.Mm(f.Before), Shown.Mm(f.After), Shown.Percent(f.ImprovementPercent), f.Quantity == VerifiedQuantity.Angle ? "°" : "mm");
+
+    private MatingErrorRow Row(VerifiedPoint p)
+    {
+        var band = _piece.BandOf(p.Label);
+        var isOutside = band is { } limits && !limits.Contains(p.AfterError.NormalMm);
+        return new(
+            p.Label, _features.GetValueOrDefault(p.Label, ""), Shown.SignedMm(band?.LowerMm), Shown.SignedMm(band?.UpperMm), Shown.SignedMm(p.BeforeError.NormalMm), Shown.SignedMm(p.AfterError.NormalMm),
+            Texts.Current[isOutside ? "Verify.PointOutside" : "Verify.PointWithin"], isOutside);
+    }
+}

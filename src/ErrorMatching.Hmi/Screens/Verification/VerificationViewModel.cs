@@ -1,0 +1,126 @@
+namespace ErrorMatching.Hmi;
+
+/// <summary>Verification: whether the compensation did what it promised, point by point, as an assembly, feature by feature, and from piece to piece.</summary>
+public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
+{
+    private const int Most = 60;
+    private readonly KeptPieces _kept = new();
+    private MatingChoice? _mating;
+    private PieceRow? _chosen;
+    private long? _looked;
+    private PieceDetail? _detail;
+    private IReadOnlyList<KeptPiece> _pieces = [];
+    private string _shown = "";
+    private int _load;
+
+    /// <summary>The screen.</summary>
+    public VerificationViewModel(Station station)
+        : base(station)
+    {
+        Matings = [.. Station.Settings.Jobs.Where(j => !j.IsFreeform).GroupBy(j => j.File, StringComparer.Ordinal).Select(g => new MatingChoice(g.First().Name, [.. g.Select(j => j.Name)]))];
+        _mating = Matings is [var first, ..] ? first : null;
+        Refresh();
+    }
+
+    /// <summary>The matings of the cell.</summary>
+    public IReadOnlyList<MatingChoice> Matings { get; }
+
+    /// <summary>True if there is more than one to choose from.</summary>
+    public bool HasMatings => Matings.Count > 1;
+
+    /// <summary>The mating whose pieces are looked at.</summary>
+    public MatingChoice? Mating
+    {
+        get => _mating;
+        set
+        {
+            if (value is not null && Set(ref _mating, value))
+            {
+                (_looked, _shown) = (null, "");
+                Refresh();
+            }
+        }
+    }
+
+    /// <summary>The last pieces, the newest first.</summary>
+    public RowList<PieceRow> Rows { get; } = [];
+
+    /// <summary>True once it is known that there is none.</summary>
+    public bool IsEmpty { get; private set; }
+
+    /// <summary>The piece that is looked at. Until a person chooses one, it is the one that was measured last.</summary>
+    public PieceRow? Chosen
+    {
+        get => _chosen;
+        set
+        {
+            if (value is not null && value != _chosen)
+            {
+                _looked = value.Id;
+                Show(_pieces);
+            }
+        }
+    }
+
+    /// <summary>What is known of it; null while there is none.</summary>
+    public PieceDetail? Detail
+    {
+        get => _detail;
+        private set => Set(ref _detail, value);
+    }
+
+    /// <summary>Done when what is there is shown.</summary>
+    internal Task Loading { get; private set; } = Task.CompletedTask;
+
+    /// <inheritdoc/>
+    public void LookAt(long correction)
+    {
+        _looked = correction;
+        Refresh();
+    }
+
+    /// <inheritdoc/>
+    protected override void Follow() => Refresh();
+
+    /// <inheritdoc/>
+    protected override void Translate()
+    {
+        // What is shown is made anew, in other words.
+        _shown = "";
+        Show(_pieces);
+    }
+
+    private void Refresh() => Loading = LoadAsync(++_load).Watched();
+
+    private async Task LoadAsync(int load)
+    {
+        IReadOnlyList<KeptPiece>? pieces = null;
+        var jobs = _mating?.Jobs ?? [];
+        if (await TryAsync(() => pieces = _kept.Read(Station.Store, jobs, Most)) && load == _load)
+        {
+            Show(pieces!);
+        }
+    }
+
+    private void Show(IReadOnlyList<KeptPiece> pieces)
+    {
+        _pieces = pieces;
+        Rows.Show([.. pieces.Reverse().Select(Row)]);
+        IsEmpty = pieces.Count == 0;
+        Say(nameof(IsEmpty));
+        var piece = pieces.FirstOrDefault(p => p.Correction.Id == _looked || p.Counterpart?.Id == _looked) ?? pieces.MaxBy(p => p.LastId);
+        _chosen = piece is null ? null : Rows.First(r => r.Id == piece.Correction.Id);
+        Say(nameof(Chosen));
+
+        // The same pieces make the same drawings, and what a person looks at closely stays.
+        var shown = $"{piece?.Correction.Id} of {string.Join(',', pieces.Select(p => p.LastId))}";
+        if (shown != _shown)
+        {
+            _shown = shown;
+            Detail = piece is null ? null : new(piece, pieces);
+        }
+    }
+
+    private static PieceRow Row(KeptPiece piece) =>
+        new(piece.Correction.Id, CorrectionLabel.Of(piece.Correction), PieceDetail.KindOf(piece), Shown.Mm(piece.Result.MaxAfterMm) + " mm", PieceDetail.SeverityOf(piece));
+}

@@ -1,0 +1,113 @@
+using System.Text.Json;
+using ErrorMatching.Cell;
+using ErrorMatching.Freeform;
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Hmi.Tests;
+
+public sealed class FreeformTests
+{
+    private static readonly string[] Sides = ["compare", "surface-errors", "statistics", "plan", "finishing"];
+    private static readonly string Job = Path.Combine(AppContext.BaseDirectory, "samples", "surface-one", "job.json");
+
+    [Fact]
+    public Task Before_anything_is_measured_the_plan_is_shown_and_a_measured_surface_takes_its_place_by_itself() => Seat.AtAsync(seat =>
+    {
+        var files = new FreeformFiles(Job);
+        var plan = files.Plan(files.Surface());
+        seat.Cell.Run();
+        seat.SignIn(DemoCell.Operator).Tap("nav-freeform").See("plan");
+        Assert.NotNull(seat.Find("freeform-empty"));
+        Assert.Equal($"{plan.Points.Count} points on {plan.Curves} curves; the stylus travels {Shown.Count((long)Math.Round(plan.TravelMm))} mm.", seat.TextOf("plan-caption"));
+        var drawing = ((SurfacePlot)seat.See("plan")).Drawing!;
+        Assert.Equal(plan.Points.Select(p => (p.Position.X, p.Position.Y)), drawing.Points.Select(p => (p.At.X, p.At.Y)));
+        Assert.Equal($"Point 3\nx {Shown.Mm(plan.Points[2].Position.X)} mm\ny {Shown.Mm(plan.Points[2].Position.Y)} mm\nz {Shown.Mm(plan.Points[2].Position.Z)} mm", drawing.Points[2].Values);
+
+        seat.Cell.DeliverSurface(1, 0);
+        seat.WaitFor(() => seat.Find("surface-title") is not null, "The measured surface does not appear by itself.");
+        Assert.Equal("#1 · 0001", seat.TextOf("surface-title"));
+        Assert.Null(seat.Find("plan"));
+    });
+
+    [Fact]
+    public Task Every_figure_is_that_of_the_console_for_the_same_files() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.DeliverSurface(1, 0);
+        var correction = seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Operator).Tap("nav-freeform").See("surface-title");
+        var figures = ((FreeformViewModel)seat.Shell.Current!).Detail!.Figures;
+
+        // What the verb surface compensate of the console calls.
+        var console = SurfaceRun.Compensate(new(Job), new() { Measured = [new(Path.Combine(Path.GetDirectoryName(Job)!, "measured.csv"))] }, CancellationToken.None).Result!;
+        var result = console.Report.Result;
+        Assert.Equal(seat.Station.Store.Content(correction.ProgramSha256!), console.Program.ToArray());
+        Assert.Equal(
+            new[] { result.Before, result.Mirror.Statistics, result.ToolRadius.Statistics }.Select(s => (Shown.SignedMicrometers(s.MeanMm), Shown.Micrometers(s.StandardDeviationMm), Shown.Micrometers(s.ProfileIsoMm), Shown.Micrometers(s.ProfileRangeMm))),
+            figures.Statistics.Select(s => (s.Mean, s.Deviation, s.Profile, s.Range)));
+        Assert.Equal(["As measured", "Expected, mirrored – chosen", "Expected, tool radius"], figures.Statistics.Select(s => s.Name));
+        Assert.Equal(result.Samples.Select(s => $"Point {s.Point}\nmeasured {Shown.SignedMicrometers(s.ErrorMm)} µm"), figures.Measured.Points.Select(p => p.Values));
+        Assert.Equal(result.ToolRadius.Errors.Select(e => Math.Round(e, 9)), figures.ToolRadius.Points.Zip(result.ToolRadius.Errors, (p, e) => p.Values.EndsWith($" {Shown.SignedMicrometers(e)} µm", StringComparison.Ordinal) ? Math.Round(e, 9) : double.NaN));
+        var map = ErrorMap.Of(result);
+        Assert.All(map.BeforeMm.Zip(figures.Measured.ValuesMm!), v => Assert.Equal(v.First, v.Second, 1e-11));
+        Assert.All(map.ToolRadiusMm.Zip(figures.ToolRadius.ValuesMm!), v => Assert.Equal(v.First, v.Second, 1e-11));
+        Assert.True(figures.LimitMm >= result.Samples.Max(s => Math.Abs(s.ErrorMm)));
+
+        var path = console.Report.ToolPath;
+        seat.Tap("tab-finishing").See("finishing-program");
+        Assert.StartsWith($"{Shown.Count(path.Passes)} passes of {Shown.Count(path.Points)} points, ", seat.TextOf("surface-proof"), StringComparison.Ordinal);
+        Assert.Equal($"FINISH.MPF: {Shown.Count(Nc.NcProgram.Read(console.Program).BlockCount)} blocks, {Shown.Count(console.Program.Length)} bytes", seat.TextOf("program-size"));
+    });
+
+    [Fact]
+    public Task The_compensation_shows_a_surface_too() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.DeliverSurface(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("detail-surface-summary");
+        using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
+        var before = report.RootElement.GetProperty("before");
+        Assert.StartsWith($"Standard deviation {Shown.Micrometers(before.GetProperty("standardDeviationUm").GetDouble() / 1000)} µm, expected ", seat.TextOf("detail-surface-summary"), StringComparison.Ordinal);
+        Assert.NotNull(seat.Find("detail-map"));
+        Assert.Null(seat.Find("tab-points"));
+        Assert.Contains("Chordal error at most", seat.TextOf("detail-proof"), StringComparison.Ordinal);
+
+        // A mating behind it has its own sides again.
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(() => seat.Find("correction-2") is not null, "The part is not listed.");
+        seat.Tap("correction-2").See("points");
+        Assert.Null(seat.Find("tab-surface"));
+    });
+
+    [Fact]
+    public Task A_job_whose_surface_is_gone_is_said() => Seat.AtAsync(seat =>
+    {
+        File.Delete(Path.Combine(Path.GetDirectoryName(seat.Cell.Settings.File)!, "..", "surface-one", "surface.igs"));
+        seat.SignIn(DemoCell.Operator).Tap("nav-freeform").See("freeform-message");
+        Assert.Contains("surface.igs", seat.TextOf("freeform-message"), StringComparison.Ordinal);
+    });
+
+    [Fact]
+    public Task Nothing_is_cut_off() => Seat.AtAsync(seat =>
+    {
+        var pictures = new Pictures(seat);
+        seat.Cell.Run();
+        seat.SignIn(DemoCell.Setter).WaitFor(() => seat.Shell.Banner is null, "The cell is not seen to run.");
+        seat.Tap("nav-freeform").See("plan");
+        pictures.Take("freeform-empty", isPictured: false);
+        seat.Cell.DeliverSurface(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.See("surface-title");
+        pictures.Take("freeform");
+        foreach (var side in Sides)
+        {
+            seat.Tap("tab-" + side);
+            pictures.Take("freeform-" + side, isPictured: false);
+        }
+
+        seat.Tap("nav-compensation").See("detail-map");
+        pictures.Take("compensation-surface", isPictured: false);
+        pictures.MustBeClean();
+    });
+}

@@ -1,0 +1,194 @@
+using System.Text;
+using Avalonia;
+using Avalonia.Automation;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.VisualTree;
+using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Nc;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>What pointer, fingers and keys do to a program's text and path.</summary>
+public sealed class ProgramPictureViewTests
+{
+    [Fact]
+    public Task A_tapped_block_lights_its_move_and_a_tapped_move_its_block() => At(Sample(), view =>
+    {
+        view.Tap(view.RowOf("N140"));
+        Assert.Equal("N140", view.Picture.Chosen);
+        Assert.True(view.IsLit(view.MiddleOf("N140")), "The move is not lit.");
+        Assert.False(view.IsLit(view.MiddleOf("N120")), "Another move is lit.");
+
+        view.User.Click(view.Path, view.MiddleOf("N1000"));
+        Assert.Equal("N1000", view.Picture.Chosen);
+        Assert.InRange(view.RowOf("N1000").Y, 0, view.Text.Bounds.Height);
+        Assert.StartsWith("N1000\n", view.Path.Values, StringComparison.Ordinal);
+        Assert.True(view.IsLit(view.MiddleOf("N1000")));
+    });
+
+    [Fact]
+    public Task Dragging_picks_a_range_by_mouse_over_the_text_and_by_finger_over_the_numbers() => At(Sample(), view =>
+    {
+        view.User.Drag(view.Text, view.RowOf("N130"), view.RowOf("N160"));
+        Assert.Equal("N130 to N160: 4 blocks", view.Picture.Chosen);
+        view.User.Swipe(view.Text, view.RowOf("N150").WithX(20), view.RowOf("N110").WithX(20));
+        Assert.Equal("N110 to N150: 7 blocks", view.Picture.Chosen);
+        Assert.Equal(0, view.Text.Offset.Y);
+    });
+
+    [Fact]
+    public Task A_finger_over_the_text_scrolls_it_and_lights_a_block_when_it_is_lifted_at_once() => At(Sample(), view =>
+    {
+        view.User.Swipe(view.Text, view.RowOf("N140"), view.RowOf("N60"));
+        Assert.Null(view.Picture.Selection);
+        Assert.True(view.Text.Offset.Y > 0);
+        view.Text.Offset = default;
+        view.User.Tap(view.Text);
+        Assert.Equal(1, view.Picture.Selection!.Value.Count);
+    });
+
+    [Fact]
+    public Task A_drag_beyond_the_border_goes_on_picking() => At(Sample(), view =>
+    {
+        view.User.Drag(view.Text, view.RowOf("N60"), new(100, view.Text.Bounds.Height + 200));
+        Assert.True(view.Text.Offset.Y > 0);
+        Assert.True(view.Picture.Cursor * view.Text.RowHeight > view.Text.Bounds.Height);
+    });
+
+    [Fact]
+    public Task Keys_light_blocks_and_with_shift_ranges() => At(Sample(), view =>
+    {
+        view.Tap(view.RowOf("N120"));
+        view.User.Press(Key.Down).Press(Key.Down);
+        Assert.Equal("N130", view.Picture.Chosen);
+        view.User.Press(Key.Down, RawInputModifiers.Shift).Press(Key.Down, RawInputModifiers.Shift).Press(Key.Down, RawInputModifiers.Shift);
+        Assert.Equal("N130 to N160: 4 blocks", view.Picture.Chosen);
+        view.User.Press(Key.End);
+        Assert.Equal(view.Picture.Program.Count - 1, view.Picture.Cursor);
+        Assert.True(view.Text.Offset.Y > 0);
+        view.User.Press(Key.Home).Press(Key.PageDown);
+        Assert.InRange(view.Picture.Cursor, 5, 30);
+    });
+
+    [Fact]
+    public async Task What_is_picked_by_buttons_is_told_and_marked() => await At(Sample(), async view =>
+    {
+        RangeChoice? chosen = null;
+        view.Picture.RangeChosen += c => chosen = c;
+        Assert.Null(view.Find("program-take"));
+        view.Picture.Feature = "L2L3";
+        view.User.Settle();
+        view.User.Drag(view.Text, view.RowOf("N130"), view.RowOf("N160"));
+        view.User.Click(view.Find("program-take")!);
+        await view.Picture.Choosing;
+        Assert.Equal(["N130..N160"], chosen!.Blocks);
+        await view.Picture.MarkAsync([new("L1", ["N120"]), new("L2L3", chosen.Blocks), new("C1", ["N170..N1190"])]);
+        view.User.Click(view.Find("program-behind")!);
+        Assert.Equal("line 25", view.Picture.Chosen);
+        view.User.Screenshot(Repository.PathTo("artifacts", "screenshots", "program-picture-light-en-1280x1000.png"));
+    });
+
+    [Fact]
+    public Task A_move_that_is_not_seen_is_brought_into_view() => At(Sample(), view =>
+    {
+        view.Path.Zoom(200, new(10, 10));
+        var seen = view.Path.View.Seen;
+        view.Tap(view.RowOf("N120"));
+        Assert.NotEqual(seen, view.Path.View.Seen);
+        var (from, to) = view.Picture.Program.Moves.EndsOf(view.Picture.Program.Path.MotionOf(view.Picture.Cursor))!.Value;
+        Assert.True(PlotBox.Empty.With(from).With(to).Touches(view.Path.View.Seen));
+    });
+
+    [Fact]
+    public Task Of_a_million_blocks_only_those_rows_are_made_that_are_seen() => At(Million(), view =>
+    {
+        Assert.True(view.Path.IsByPixel);
+        view.User.WaitFor(() => view.Path.Painting.IsCompleted, Seat.Patience);
+        Assert.True(view.HasInk(view.Path.View.At(new(500, 500))), "The path is not drawn.");
+        view.Tap(new(200, 20));
+        view.User.Press(Key.End);
+        Assert.Equal(999_999, view.Picture.Cursor);
+        Assert.True(view.IsLit(view.Path.View.At(new(999, 999))), "The last move is not lit.");
+        for (var i = 0; i < 50; i++)
+        {
+            view.User.Press(Key.PageUp);
+        }
+
+        Assert.InRange(view.Text.RowsMade, 10, 5 * (int)(view.Text.Bounds.Height / view.Text.RowHeight));
+        view.User.Click(view.Path, view.Path.View.At(new(500, 500)));
+        Assert.InRange(view.Picture.Cursor, 400_000, 600_000);
+    });
+
+    private static OpenedProgram Sample() => OpenedProgram.Read(File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")), NcDialects.DeltaNc300, TestContext.Current.CancellationToken);
+
+    private static OpenedProgram Million()
+    {
+        var text = new StringBuilder("%\nN10 G21 G17 G90\n");
+        for (var i = 2; i < 1_000_000; i++)
+        {
+            text.Append(System.Globalization.CultureInfo.InvariantCulture, $"N{i * 10} G1 X{i % 1000} Y{i / 1000}\n");
+        }
+
+        return OpenedProgram.Read(Encoding.UTF8.GetBytes(text.ToString()), NcDialects.FanucMill, TestContext.Current.CancellationToken);
+    }
+
+    private static Task At(OpenedProgram program, Action<Shown> test) => At(program, view =>
+    {
+        test(view);
+        return Task.CompletedTask;
+    });
+
+    private static Task At(OpenedProgram program, Func<Shown, Task> test) => Drawing.Needed().RunAsync(async () =>
+    {
+        Texts.Current.Language = Language.English;
+        var picture = new ProgramPicture(program);
+        var window = new Window { Width = 1280, Height = 1000, Content = new ContentControl { Content = picture } };
+        window.Show();
+        try
+        {
+            await test(new(window, picture, new ScreenUser(window).Settle()));
+        }
+        finally
+        {
+            window.Close();
+        }
+    });
+
+    private sealed record Shown(Window Window, ProgramPicture Picture, ScreenUser User)
+    {
+        public ProgramText Text => Window.GetVisualDescendants().OfType<ProgramText>().Single();
+
+        public PathPlot Path => Window.GetVisualDescendants().OfType<PathPlot>().Single();
+
+        public Control? Find(string id) => Window.GetVisualDescendants().OfType<Control>().FirstOrDefault(c => c.IsEffectivelyVisible && AutomationProperties.GetAutomationId(c) == id);
+
+        public void Tap(Point at) => User.Click(Text, at);
+
+        /// <summary>The middle of a block's row in the text.</summary>
+        public Point RowOf(string name) => new(200, ((BlockOf(name) + 0.5) * Text.RowHeight) - Text.Offset.Y);
+
+        /// <summary>The middle of a block's move in the path.</summary>
+        public Point MiddleOf(string name)
+        {
+            var (program, motion) = (Picture.Program, Picture.Program.Path.MotionOf(BlockOf(name)));
+            var (from, to) = program.Moves.EndsOf(motion)!.Value;
+            return Path.View.At(program.Moves.NearestOn(motion, from.Lerp(to, 0.5)));
+        }
+
+        /// <summary>True if there is something in the color of what is chosen within a few pixels.</summary>
+        public bool IsLit(Point at)
+        {
+            var color = ((Avalonia.Media.ISolidColorBrush)Path.ChosenBrush!).Color;
+            var place = InWindow(at);
+            return Enumerable.Range(-4, 9).Any(x => Enumerable.Range(-4, 9).Any(y => User.PixelAt(new(place.X + x, place.Y + y)) is var p && Math.Abs(p.R - color.R) + Math.Abs(p.G - color.G) + Math.Abs(p.B - color.B) < 12));
+        }
+
+        public bool HasInk(Point at) => User.PixelAt(InWindow(at)) == ((Avalonia.Media.ISolidColorBrush)Path.Ink!).Color;
+
+        private PixelPoint InWindow(Point at) => Path.TranslatePoint(at, Window)!.Value is var place ? new((int)place.X, (int)place.Y) : default;
+
+        private int BlockOf(string name) => Enumerable.Range(0, Picture.Program.Count).First(b => Picture.Program.NameOf(b) == name);
+    }
+}

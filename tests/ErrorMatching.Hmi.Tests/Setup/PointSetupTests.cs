@@ -1,0 +1,117 @@
+using Avalonia.Input;
+using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>Features and points are counted on the screen, back and forth.</summary>
+public sealed class PointSetupTests
+{
+    [Fact]
+    public Task A_job_is_shown_as_it_stands() => At(seat =>
+    {
+        Assert.Equal("As the cell uses it, at vmc1, slot A.", seat.TextOf("setup-state"));
+        Assert.Equal(("WO-2021-02", "Complex mating", "anna"), (seat.Setup.WorkOrder.Text, seat.Setup.Workpiece.Text, seat.Seat.TextOf("points-operator")));
+        Assert.Equal([("L1", "2"), ("L2L3", "2 2"), ("C1", "10")], seat.Setup.Features.Select(f => (f.Name.Text, string.Join(' ', f.Flanks.Select(k => k.Count.Text)))));
+        Assert.Equal((false, 16, 16), (seat.Setup.Drawing.IsSchematic, seat.Setup.Drawing.Known, seat.Setup.Drawing.Total));
+    });
+
+    [Fact]
+    public Task Features_and_points_come_and_go_and_come_back() => At(seat =>
+    {
+        seat.Seat.Tap("setup-anew");
+        Assert.Empty(seat.Setup.Features);
+        seat.Seat.Tap("add-line").Tap("add-triangle").Tap("add-curve");
+        Assert.Equal(["1", "2", "3", "4", "5", "6", "7", "8", "9"], seat.Draft.Points.Select(p => p.Label));
+        Assert.True(seat.Setup.Drawing.IsSchematic);
+        Assert.Equal("Schematic: 9 points, none with coordinates yet.", seat.Seat.TextOf("points-caption"));
+        seat.Seat.Tap("feature-1-flank-1-more").Tap("feature-1-flank-0-less").Type("edit-features[2].points", "10").Type("edit-features[0].name", "Front");
+        Assert.Equal(["2", "1 3", "10"], seat.Draft.Features.Select(f => string.Join(' ', f.Flanks.Select(k => k.Count))));
+        Assert.Equal(["Front", "T1", "C1"], seat.Draft.Features.Select(f => f.Name));
+        Assert.Equal(seat.Draft.Points.Count(), seat.Draft.Points.Select(p => p.Label).Distinct().Count());
+        seat.Seat.Tap("feature-2-up");
+        Assert.Equal(["Front", "C1", "T1"], seat.Draft.Features.Select(f => f.Name));
+        seat.Seat.Tap("feature-0-remove");
+        Assert.Equal(["C1", "T1"], seat.Draft.Features.Select(f => f.Name));
+        for (var i = 0; i < 20 && seat.Shell.Editing.Undo.CanExecute(null); i++)
+        {
+            seat.Seat.User.Press(Key.Z, RawInputModifiers.Control);
+        }
+
+        Assert.Equal(["L1", "L2L3", "C1"], seat.Draft.Features.Select(f => f.Name));
+        Assert.False(seat.Shell.Editing.IsChanged);
+        for (var i = 0; i < 20 && seat.Shell.Editing.Redo.CanExecute(null); i++)
+        {
+            seat.Seat.Tap("setup-redo");
+        }
+
+        Assert.Equal(["C1", "T1"], seat.Draft.Features.Select(f => f.Name));
+    });
+
+    [Fact]
+    public Task What_is_typed_into_one_field_is_one_step() => At(seat =>
+    {
+        seat.Seat.Type("edit-name", "Housing").Type("edit-workOrder", "WO-7");
+        Assert.Equal(("Housing", "WO-7"), (seat.Draft.Name, seat.Draft.WorkOrder));
+        seat.Seat.Tap("setup-undo");
+        Assert.Equal(("Housing", "WO-2021-02"), (seat.Draft.Name, seat.Draft.WorkOrder));
+        seat.Seat.User.Press(Key.Z, RawInputModifiers.Control);
+        Assert.Equal(("Complex mating", "WO-2021-02"), (seat.Draft.Name, seat.Draft.WorkOrder));
+        Assert.Equal("Complex mating", seat.Setup.Workpiece.Text);
+        seat.Seat.User.Press(Key.Y, RawInputModifiers.Control);
+        Assert.Equal("Housing", seat.Draft.Name);
+    });
+
+    [Fact]
+    public Task An_operator_sees_everything_and_changes_nothing() => At(
+        seat =>
+        {
+            Assert.Equal("Jobs are changed by setters and administrators. You can look at everything here.", seat.Seat.TextOf("setup-forbidden"));
+            Assert.All(new[] { "setup-save", "setup-anew", "add-line", "edit-name", "feature-0-remove", "feature-0-flank-0-more" }, id => Assert.False(seat.Seat.See(id).IsEffectivelyEnabled, id));
+            seat.Seat.Type("edit-name", "Mine");
+            seat.Shell.Editing.Change("", d => d with { Name = "Mine" });
+            Assert.Equal("Complex mating", seat.Draft.Name);
+            Assert.Equal(3, seat.Setup.Features.Count);
+        },
+        DemoCell.Operator);
+
+    [Fact]
+    public Task Counts_and_names_that_are_wrong_are_told_there() => At(seat =>
+    {
+        seat.Seat.Type("edit-features[0].points", "1").Type("edit-features[2].name", "L1");
+        seat.Settle();
+        Assert.StartsWith("Too few points", seat.Seat.TextOf("problem-features[0].points"), StringComparison.Ordinal);
+        Assert.Equal("Another one has this name.", seat.Seat.TextOf("problem-features[2].name"));
+        seat.Seat.Type("edit-name", " ");
+        seat.Settle();
+        Assert.Equal("Fill this in.", seat.Seat.TextOf("problem-name"));
+        Assert.Null(seat.Seat.Find("problem-workOrder"));
+    });
+
+    [Fact]
+    public void A_drawing_grows_with_each_entry()
+    {
+        var draft = new MatingDraft();
+        draft = draft with { Features = [FeatureDraft.New(FeatureKind.Line, "L", draft)] };
+        draft = draft with { Features = [.. draft.Features, FeatureDraft.New(FeatureKind.Triangle, "T", draft)] };
+        var schematic = PartDrawing.Of(draft);
+        Assert.Equal((true, 0, 6), (schematic.IsSchematic, schematic.Known, schematic.Total));
+        Assert.Equal(6, schematic.Lines.SelectMany(l => l.Points).Select(p => p.At).Distinct().Count());
+        var known = PartDrawing.Of(draft.WithFeature(1, f => f with { Flanks = f.Flanks.Replaced(0, f.Flanks[0].Replaced(1, new("4", "-1.5", "2e1"))) }));
+        Assert.Equal((false, 1, 6), (known.IsSchematic, known.Known, known.Total));
+        Assert.Equal(("4", new Geometry.Point2(-1.5, 20)), Assert.Single(known.Lines.SelectMany(l => l.Points)));
+    }
+
+    [Fact]
+    public Task It_looks_right() => At(seat =>
+    {
+        var pictures = new Pictures(seat.Seat);
+        pictures.Take("points");
+        seat.Seat.Tap("setup-anew").Tap("add-line").Tap("add-triangle").Tap("add-curve").Tap("setup-problems");
+        seat.Settle();
+        pictures.Take("points-anew", isPictured: false);
+        pictures.MustBeClean();
+    });
+
+    private static Task At(Action<SetupSeat> test, string user = DemoCell.Setter) => SetupSeat.AtAsync(Screens.Points, test, user);
+}

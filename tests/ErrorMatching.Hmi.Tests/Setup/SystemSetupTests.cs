@@ -1,0 +1,230 @@
+using Avalonia.Input;
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>Coordinates, blocks and limits are entered on the screen; what is wrong is told there, and nothing wrong is saved.</summary>
+public sealed class SystemSetupTests
+{
+    private static readonly string[] Sides = ["coordinates", "blocks", "tolerances", "machine", "gauge"];
+
+    // What is typed where, on which side, and what is told where.
+    public static TheoryData<string, string, string, string, string> Mistakes => new()
+    {
+        { "coordinates", "edit-features[0].points[1]/y", "", "problem-features[0].points[1]/y", "Fill this in." },
+        { "coordinates", "edit-features[0].points[0]/x", "1,5", "problem-features[0].points[0]/x", "Write the number with a decimal point, not a comma." },
+        { "coordinates", "edit-features[0].points[0]/x", "abc", "problem-features[0].points[0]/x", "A number is needed" },
+        { "coordinates", "edit-features[0].points[0]", "2", "problem-features[0].points[1]", "Another point has this label." },
+        { "blocks", "edit-features[0].blocks", "", "problem-features[0].blocks", "Something is missing here" },
+        { "blocks", "edit-features[0].blocks", "120", "problem-features[0].blocks", "This is not written as it has to be" },
+        { "blocks", "edit-features[0].blocks", "N121", "problem-features[0].blocks", "The program has no such block" },
+        { "blocks", "edit-features[0].blocks", "/(/", "problem-features[0].blocks", "This is no regular expression" },
+        { "blocks", "edit-features[0].blocks", "N120, N130", "problem-features[1].blocks", "Each block belongs to one feature only" },
+        { "tolerances", "edit-features[0].toleranceMm[0]", "0.06", "problem-features[0].toleranceMm", "The lower limit comes first." },
+        { "tolerances", "edit-features[0].toleranceMm[1]", "x", "problem-features[0].toleranceMm[1]", "A number is needed" },
+        { "tolerances", "edit-features[2].degree", "10", "problem-features[2].degree", "The degree must be less" },
+        { "machine", "edit-counterpart.toolDiameterMm", "0", "problem-counterpart.toolDiameterMm", "This number is too small" },
+        { "machine", "edit-counterpart.frame.translateMm[0]", "", "problem-counterpart.frame.translateMm[0]", "A number is needed" },
+        { "machine", "edit-originCheck.point", "O", "problem-originCheck.limitMm", "A number is needed" },
+        { "machine", "edit-compensation.gain", "3", "problem-compensation.gain", "This number is too large" },
+        { "gauge", "edit-gauge.uncertaintyMm", "", "problem-gauge.uncertaintyMm", "A number is needed" },
+        { "gauge", "edit-gauge.measuring.touches", "0", "problem-gauge.measuring.touches", "This number is too small" },
+        { "gauge", "edit-verify[0].between", "L1, L9", "problem-verify[0].between", "Name a line" },
+        { "gauge", "edit-verify[1].points", "99", "problem-verify[1].points", "No feature has this point." },
+    };
+
+    [Fact]
+    public Task Each_mistake_is_told_at_its_field_and_keeps_the_job_from_being_saved() => At(seat =>
+    {
+        var (job, seen) = (File.ReadAllBytes(seat.JobFile), new HashSet<string>());
+        foreach (var row in Mistakes)
+        {
+            var (side, field, text, problem, told) = row.Data;
+            ((TextField)seat.System.Field(field)).Text = text;
+            seat.Settle();
+            seat.Shell.Editing.Save.Execute(null);
+            seat.Seat.WaitFor(() => !seat.Shell.Editing.Save.IsRunning, "Saving does not end.");
+            var at = problem.Replace("problem-", "edit-", StringComparison.Ordinal);
+            Assert.StartsWith(told, seat.System.Field(at).Problem, StringComparison.Ordinal);
+            if (seen.Add(side))
+            {
+                // What the field says is on the screen, and the focus is there.
+                Assert.StartsWith(told, seat.TextOf(problem), StringComparison.Ordinal);
+                seat.Seat.WaitFor(() => seat.Seat.Find(at) is { IsFocused: true }, $"{at} has no focus.");
+            }
+
+            seat.Shell.Editing.DiscardChanges.Execute(null);
+            seat.Settle();
+            Assert.Empty(seat.Shell.Editing.Problems);
+        }
+
+        Assert.Equal(Sides.Length, seen.Count);
+        Assert.Equal(job, File.ReadAllBytes(seat.JobFile));
+    });
+
+    [Fact]
+    public Task The_count_leads_to_the_first_mistake_on_whichever_screen() => At(seat =>
+    {
+        seat.Shell.Editing.Change("", d => d.WithFeature(2, f => f with { Name = "" }));
+        seat.Settle();
+        seat.Seat.Tap("setup-problems");
+        seat.Seat.WaitFor(() => seat.Seat.Find("edit-features[2].name") is { IsFocused: true }, "The name has no focus.");
+        Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);
+        seat.Seat.Type("edit-features[2].name", "C1");
+        seat.Shell.Editing.Change("", d => d with { Counterpart = d.Counterpart with { Rotate = "x" } });
+        seat.Settle();
+        seat.Seat.Tap("setup-problems");
+        seat.Seat.WaitFor(() => seat.Seat.Find("edit-counterpart.frame.rotateDeg") is { IsFocused: true }, "The rotation has no focus.");
+        Assert.Equal(Screens.System, seat.Shell.Chosen!.Screen.Key);
+    });
+
+    [Fact]
+    public Task What_is_saved_is_the_cell_s_next_job_and_stands_in_the_trail() => At(seat =>
+    {
+        seat.Seat.Tap("side-machine").Type("edit-compensation.gain", "0.5");
+        seat.Settle();
+        seat.Seat.Tap("setup-save");
+        seat.Seat.WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
+        Assert.StartsWith("Saved", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.Equal(0.5, InputFile.Job(seat.JobFile).Compensation.Gain);
+        var entry = seat.Seat.Station.Store.AuditEntries(0, 1000).Last(e => e.What == JobEdits.Edited);
+        Assert.Equal((DemoCell.Setter, "complex-mating"), (entry.Who, entry.Subject));
+        Assert.Contains(JobEdits.Sha256Of(seat.Shell.Editing.Job!), entry.Basis, StringComparison.Ordinal);
+        seat.Seat.Cell.Run();
+        seat.Seat.Cell.Deliver(1, 0);
+        seat.Seat.WaitFor(1, CorrectionState.Proposed);
+        using var report = System.Text.Json.JsonDocument.Parse(seat.Seat.Station.Store.Content(seat.Seat.Station.Store.Find(1)!.ReportSha256!));
+        Assert.Equal(0.5, report.RootElement.GetProperty("compensation").GetProperty("gain").GetDouble());
+    });
+
+    [Fact]
+    public Task A_job_that_somebody_else_changed_is_not_overwritten() => At(seat =>
+    {
+        seat.Seat.Tap("side-machine").Type("edit-compensation.gain", "0.5");
+        File.AppendAllText(seat.JobFile, "\n");
+        var job = File.ReadAllBytes(seat.JobFile);
+        seat.Settle();
+        seat.Seat.Tap("setup-save");
+        seat.Seat.WaitFor(() => seat.Shell.Editing.Message is not null, "Nothing is said.");
+        Assert.StartsWith("Somebody else changed this job", seat.TextOf("setup-message"), StringComparison.Ordinal);
+        Assert.Equal(job, File.ReadAllBytes(seat.JobFile));
+    });
+
+    [Fact]
+    public Task An_operator_cannot_save_by_any_way() => Seat.AtAsync(seat =>
+    {
+        var job = seat.Station.Settings.Jobs[0];
+        var draft = MatingDraftFiles.Open(job.File) with { Name = "Mine" };
+        var by = seat.Station.Users.SignIn(DemoCell.Operator, DemoCell.Password);
+        var error = Assert.Throws<PeopleException>(() => new JobEdits(seat.Station.Settings, seat.Station.Store, seat.Station.Users).Save(job, draft, JobEdits.Sha256Of(job), by));
+        Assert.Equal(PeopleError.NotAllowed, error.Error);
+        Assert.Equal("Complex mating", InputFile.Job(job.File).Name);
+    });
+
+    [Fact]
+    public Task A_table_from_a_spreadsheet_fills_the_points() => At(seat =>
+    {
+        seat.Seat.Tap("points-paste");
+        var clipboard = Avalonia.Controls.TopLevel.GetTopLevel(seat.Seat.Window)!.Clipboard!;
+        Avalonia.Input.Platform.ClipboardExtensions.SetTextAsync(clipboard, "1\t-31,951\t76\n2\t-32.3\t58\nO\t0\t0\n").GetAwaiter().GetResult();
+        seat.Seat.Tap("points-paste");
+        seat.Seat.WaitFor(() => seat.Draft.OtherPoints.Any(p => p.Label == "O"), "Nothing is pasted.");
+        Assert.Equal(("-31.951", "76", "-32.3"), (seat.Draft.Features[0].Flanks[0][0].X, seat.Draft.Features[0].Flanks[0][0].Y, seat.Draft.Features[0].Flanks[0][1].X));
+        Assert.Equal("-31.951", ((Avalonia.Controls.TextBox)seat.Seat.See("edit-features[0].points[0]/x")).Text);
+
+        // Into a field: a table goes to all, a number to the field.
+        Avalonia.Input.Platform.ClipboardExtensions.SetTextAsync(clipboard, "-7.5").GetAwaiter().GetResult();
+        seat.Seat.User.Click(seat.Seat.See("edit-features[0].points[0]/y")).Press(Key.A, RawInputModifiers.Control).Press(Key.V, RawInputModifiers.Control);
+        seat.Seat.WaitFor(() => seat.Draft.Features[0].Flanks[0][0].Y == "-7.5", "The number is not pasted.");
+        seat.Seat.User.Press(Key.Z, RawInputModifiers.Control);
+        Assert.Equal("76", seat.Draft.Features[0].Flanks[0][0].Y);
+    });
+
+    [Fact]
+    public Task Changes_outlive_the_station() => SetupSeat.AtAsync(Screens.Points, seat =>
+    {
+        seat.Seat.Type("edit-name", "Kept");
+        seat.Shell.Editing.Change("", d => d with { Program = DraftProgram.Of("N10 G0 X0\n"u8.ToArray()) });
+        seat.Settle();
+
+        // The next station finds what this one never saved, as after a crash.
+        using var next = new Station(seat.Seat.Cell.Settings, seat.Seat.Clock, Station.DefaultIdle);
+        using var shell = new ShellViewModel(next);
+        shell.Editing.Choose(shell.Editing.Jobs[0]);
+        seat.Seat.WaitFor(() => shell.Editing.Loading.IsCompleted, "It is not opened.");
+        Assert.Equal(("anna", "Kept"), (shell.Editing.Kept!.By, shell.Editing.Kept.Draft.Name));
+        Assert.Equal("N10 G0 X0\n"u8.ToArray(), shell.Editing.Kept.Draft.Program!.Bytes.ToArray());
+        Assert.Equal("Complex mating", shell.Editing.Draft.Name);
+        Assert.False(shell.Editing.CanEdit);
+    });
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public Task Kept_changes_are_continued_or_discarded(bool isContinued) => Seat.AtAsync(seat =>
+    {
+        var job = seat.Station.Settings.Jobs[0];
+        var drafts = new DraftFolder(Path.Combine(Path.GetDirectoryName(seat.Station.Settings.File)!, "drafts"));
+        drafts.Keep(new() { Job = job.Name, By = "berta", At = seat.Clock.GetUtcNow(), BaseSha256 = JobEdits.Sha256Of(job), Draft = MatingDraftFiles.Open(job.File) with { Name = "Kept" } });
+        seat.SignIn(DemoCell.Setter).Tap("nav-points");
+        Assert.StartsWith("Unsaved changes of berta", seat.TextOf("setup-kept"), StringComparison.Ordinal);
+        seat.Tap(isContinued ? "setup-kept-continue" : "setup-kept-discard");
+        seat.WaitFor(() => seat.Find("setup-kept") is null, "They are still asked about.");
+        var here = new SetupSeat(seat).Settle();
+        Assert.Equal((isContinued ? "Kept" : "Complex mating", isContinued), (here.Draft.Name, here.Shell.Editing.IsChanged));
+        Assert.Equal(isContinued, drafts.Find(job.Name) is not null);
+        seat.Tap(isContinued ? "setup-discard" : "add-line");
+        here.Settle();
+        Assert.Equal(!isContinued, drafts.Find(job.Name) is not null);
+    });
+
+    [Fact]
+    public Task A_dry_run_shows_what_the_cell_would_compute_and_sends_nothing() => At(seat =>
+    {
+        seat.Seat.Tap("dry-run");
+        seat.Seat.WaitFor(() => seat.Seat.Find("setup-message") is not null, "Nothing is said.");
+        Assert.StartsWith("No measurement of this job", seat.TextOf("setup-message"), StringComparison.Ordinal);
+        seat.Seat.Cell.Run();
+        seat.Seat.Cell.Deliver(1, 0);
+        var computed = seat.Seat.WaitFor(1, CorrectionState.Proposed);
+        var entries = seat.Seat.Station.Store.AuditHead().Seq;
+        seat.Seat.Tap("dry-run");
+        seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
+        Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
+        var kept = KeptReport.Read(seat.Seat.Station.Store.Content(computed.ReportSha256!))!;
+        Assert.Equal(kept.Points.Select(p => p.Correction), seat.System.Detail!.Kept.Report!.Points.Select(p => p.Correction));
+        Assert.Equal(Lines(seat.Seat.Station.Store.Content(computed.ProgramSha256!)), seat.System.Detail.Kept.Lines!.Select(l => l.Modified));
+        seat.Seat.Tap("dry-run-back").Tap("side-machine").Type("edit-compensation.gain", "0.5");
+        seat.Settle();
+        seat.Seat.Tap("dry-run");
+        seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
+        Assert.All(kept.Points.Zip(seat.System.Detail!.Kept.Report!.Points), p => Assert.Equal(0, ((p.First.Correction * 0.5) - p.Second.Correction).Length, 1e-8));
+        Assert.Equal(entries, seat.Seat.Station.Store.AuditHead().Seq);
+    });
+
+    [Fact]
+    public Task It_looks_right() => At(seat =>
+    {
+        var pictures = new Pictures(seat.Seat);
+        foreach (var side in Sides)
+        {
+            seat.Seat.Tap("side-" + side);
+            pictures.Take("system-" + side, side is "coordinates" or "blocks");
+        }
+
+        seat.Shell.Editing.Change("", d => d with { Chain = [new("housing", "17.5", "-0.03", "0.03"), new("cover", "15", "0.02", "x", "-1")], Alignment = new("best-fit"), Compensation = d.Compensation with { From = "counterpart" } });
+        seat.Settle();
+        foreach (var side in Sides)
+        {
+            seat.Seat.Tap("side-" + side);
+            pictures.Take("system-wrong-" + side, isPictured: false);
+        }
+
+        pictures.MustBeClean();
+    });
+
+    private static string[] Lines(byte[] program) => System.Text.Encoding.Latin1.GetString(program).TrimEnd('\n').Split('\n').Select(l => l.TrimEnd('\r')).ToArray();
+
+    private static Task At(Action<SetupSeat> test, string user = DemoCell.Setter) => SetupSeat.AtAsync(Screens.System, test, user);
+}

@@ -1,0 +1,160 @@
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Hmi.Tests;
+
+public sealed class VerificationTests
+{
+    private static readonly string[] Sides = ["assembly", "improvement", "trend", "error-points"];
+
+    [Fact]
+    public Task What_a_measured_counterpart_shows_is_what_the_console_says_of_the_same_files() => Seat.AtAsync(seat =>
+    {
+        var console = Console();
+        seat.Cell.Run();
+        CutAndMeasure(seat, 1, 0);
+        seat.SignIn(DemoCell.Operator).Tap("nav-verification").See("piece-title");
+        var detail = ((VerificationViewModel)seat.Shell.Current!).Detail!;
+        Assert.Equal(("#1 · 0001", "Measured"), (seat.TextOf("piece-title"), seat.TextOf("piece-kind")));
+        Assert.Equal("With compensation: as measured on #2 · 0001. Without: as measured on a counterpart.", seat.TextOf("piece-origin"));
+        Assert.Equal(
+            $"Largest mating error {Shown.Mm(console.Result.MaxBeforeMm)} mm without compensation, {Shown.Mm(console.Result.MaxAfterMm)} mm with it. Root mean square {Shown.Mm(console.Result.RmsBeforeMm)} mm and {Shown.Mm(console.Result.RmsAfterMm)} mm.",
+            seat.TextOf("piece-summary"));
+
+        Assert.Equal(console.Result.Points.Select(p => (p.Label, Shown.SignedMm(p.BeforeError.NormalMm), Shown.SignedMm(p.AfterError.NormalMm))), detail.Points.Select(p => (p.Point, p.Before, p.After)));
+        Assert.Equal(
+            console.Result.Features.Select(f => (f.Name, Shown.Mm(f.After), Shown.Percent(f.ImprovementPercent))),
+            detail.Features.Select(f => (f.Feature, f.After, f.Improvement)));
+
+        // The paper's improvement, through the whole cell.
+        Assert.Equal("81 %", detail.Features.Single(f => f.Feature == "L1-L2").Improvement);
+        Assert.Equal(console.Result.Points.Select(p => (double?)Math.Round(p.AfterError.NormalMm, 9)), detail.Errors.Lines.Single(l => l.Kind == SeriesKind.After).Values.Select(v => (double?)Math.Round(v!.Value, 9)));
+
+        // The job allows 0.05 mm to either side; the paper's corner is off by 0.391.
+        Assert.All(detail.Points, p => Assert.Equal(("−0.0500", "+0.0500"), (p.Low, p.High)));
+        Assert.True(detail.Points.Single(p => p.Point == "4").IsOutside);
+        Assert.Equal(console.Result.Points.Count(p => Math.Abs(p.AfterError.NormalMm) > 0.05), detail.Points.Count(p => p.IsOutside));
+        Assert.StartsWith("Points outside of their limits: ", seat.TextOf("piece-verdict"), StringComparison.Ordinal);
+    });
+
+    [Fact]
+    public Task Until_a_counterpart_is_measured_the_prediction_is_shown_and_gives_way_by_itself() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.SignIn(DemoCell.Setter).Tap("nav-verification");
+        Assert.NotNull(seat.See("verification-empty"));
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(() => seat.Find("piece-kind") is not null, "The piece does not appear by itself.");
+        Assert.Equal("Predicted", seat.TextOf("piece-kind"));
+        using var report = System.Text.Json.JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
+        var detail = ((VerificationViewModel)seat.Shell.Current!).Detail!;
+        Assert.Equal(
+            report.RootElement.GetProperty("keyPoints").EnumerateArray().Select(p => (Shown.SignedMm(-p.GetProperty("decidedMm").GetDouble()), Shown.SignedMm(p.GetProperty("predictedMm").GetDouble()))),
+            detail.Points.Select(p => (p.Before, p.After)));
+
+        // Two points on rounded corners cannot be followed, and the report warns of them.
+        Assert.Equal(["2", "4"], detail.Points.Where(p => p.IsOutside).Select(p => p.Point));
+        Assert.Equal("Points outside of their limits: 2 (2, 4).", seat.TextOf("piece-verdict"));
+
+        new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
+        seat.WaitFor(1, CorrectionState.Verified);
+        seat.Cell.DeliverCounterpart(1, 0);
+        seat.WaitFor(() => seat.TextOf("piece-kind") == "Measured", "The measured counterpart is not shown by itself.");
+        Assert.Equal("#1 · 0001", seat.TextOf("piece-title"));
+    });
+
+    [Fact]
+    public Task Each_piece_is_a_place_of_the_trend_in_order_and_a_chosen_one_stays() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        CutAndMeasure(seat, 1, 0);
+        seat.Cell.FinishPiece();
+        seat.WaitFor(1, CorrectionState.Released);
+        seat.Cell.Deliver(2, 0.02);
+        seat.WaitFor(3, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Operator).Tap("nav-verification");
+        seat.WaitFor(() => seat.TextOf("piece-title") == "#3 · 0002", "The newest is not shown.");
+        var screen = (VerificationViewModel)seat.Shell.Current!;
+        var trend = screen.Detail!.Trend;
+        Assert.Equal(["0001", "0002"], trend.Labels);
+        Assert.Equal([false, true], trend.IsHollow);
+        Assert.Equal(Math.Round(Console().Result.RmsAfterMm, 9), Math.Round(trend.Lines.Single(l => l.Kind == SeriesKind.AfterMean).Values[0]!.Value, 9));
+        Assert.Equal(Math.Round(Console().Result.MaxBeforeMm, 9), Math.Round(trend.Lines.Single(l => l.Kind == SeriesKind.Before).Values[0]!.Value, 9));
+
+        seat.Tap("piece-1");
+        seat.WaitFor(() => seat.TextOf("piece-title") == "#1 · 0001", "The chosen one is not shown.");
+        seat.Cell.Deliver(3, 0.02);
+        seat.WaitFor(() => seat.Find("piece-4") is not null, "The next one is not listed.");
+        Assert.Equal("#1 · 0001", seat.TextOf("piece-title"));
+    });
+
+    [Fact]
+    public Task Exact_values_are_under_the_finger_and_one_looks_closer() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        CutAndMeasure(seat, 1, 0);
+        seat.SignIn(DemoCell.Operator).Tap("nav-verification").See("plot-errors");
+        var plot = (SeriesPlot)seat.See("plot-errors");
+        var row = ((VerificationViewModel)seat.Shell.Current!).Detail!.Points[6];
+        var at = plot.View.ToScreen(new(6, 0));
+        seat.User.Click(plot, new(at.X + 3, at.Y - 20));
+        Assert.Equal($"Point {row.Point}\nwithout {row.Before} mm\nwith {row.After} mm\nlimits −0.0500 to +0.0500 mm", plot.Values);
+        var scale = plot.View.ScaleX;
+        seat.Tap("plot-errors-nearer");
+        Assert.True(plot.View.ScaleX > scale);
+        seat.User.Press(Avalonia.Input.Key.Tab);
+        plot.Focus();
+        seat.User.Press(Avalonia.Input.Key.PageDown);
+        Assert.StartsWith($"Point {((VerificationViewModel)seat.Shell.Current!).Detail!.Points[7].Point}\n", plot.Values, StringComparison.Ordinal);
+    });
+
+    [Fact]
+    public Task Nothing_is_cut_off() => Seat.AtAsync(seat =>
+    {
+        var pictures = new Pictures(seat);
+        seat.Cell.Run();
+        seat.SignIn(DemoCell.Operator).WaitFor(() => seat.Shell.Banner is null, "The cell is not seen to run.");
+        seat.Tap("nav-verification").See("verification-empty");
+        pictures.Take("verification-empty", isPictured: false);
+        CutAndMeasure(seat, 1, 0);
+        for (var serial = 2; serial <= 3; serial++)
+        {
+            seat.Cell.FinishPiece();
+            seat.WaitFor((2 * serial) - 3, CorrectionState.Released);
+            CutAndMeasure(seat, serial, 0.01);
+        }
+
+        seat.WaitFor(() => seat.TextOf("piece-title") == "#5 · 0003" && seat.TextOf("piece-kind") == "Measured", "The last piece is not shown.");
+        pictures.Take("verification");
+        foreach (var side in Sides)
+        {
+            seat.Tap("tab-" + side);
+            pictures.Take("verification-" + side, isPictured: false);
+        }
+
+        pictures.MustBeClean();
+    });
+
+    // What the verb verify of the console calls, of the sample's files.
+    private static VerifyReport Console()
+    {
+        var folder = Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating");
+        var files = new JobFiles(Path.Combine(folder, "job.json"));
+        var (program, bytes) = files.Program(null);
+        return VerifyRun.Report(
+            new(files.Job, files.Theoretical(), files.Part(null), files.Counterpart(new(Path.Combine(folder, "counterpart.csv"))), files.Counterpart(new(Path.Combine(folder, "counterpart-after.csv"))), program, bytes),
+            out _)!;
+    }
+
+    // A part is measured, its counterpart is cut and measured: corrections 2 n - 1 and 2 n.
+    private static void CutAndMeasure(Seat seat, int serial, double spread)
+    {
+        seat.Cell.Deliver(serial, spread);
+        seat.WaitFor((2 * serial) - 1, CorrectionState.Proposed);
+        new CorrectionDecisions(seat.Station.Store).Approve((2 * serial) - 1, DemoCell.Setter, null);
+        seat.WaitFor((2 * serial) - 1, CorrectionState.Verified);
+        seat.Cell.DeliverCounterpart(serial, spread);
+        seat.WaitFor(2 * serial, CorrectionState.Recorded);
+    }
+}

@@ -1,0 +1,37 @@
+namespace ErrorMatching.Jobs.Tests;
+
+public sealed class PointTableTests
+{
+    private static readonly MatingDraft Draft = new() { Features = [new() { Name = "L", Flanks = [[new("1"), new("2")]] }, new() { Name = "C", Flanks = [[new("3"), new("4", "9", "9"), new("5")]] }] };
+
+    [Theory]
+    [InlineData("point\tx\ty\r\n1\t-31.95\t76.008\r\n3\t+1\t2\r\n")]
+    [InlineData("1;-31,95;76,008\n3;+1;2")]
+    [InlineData("point,x_mm,y_mm\n\"1\", -31.95 ,76.008\n3,+1,2\n\n")]
+    public void Labels_say_whose_coordinates_they_are(string text)
+    {
+        var table = PointTable.Read(text);
+        Assert.Equal(2, table.Count);
+        Assert.Equal([("1", "-31.95", "76.008"), ("2", "", ""), ("3", "+1", "2"), ("4", "9", "9"), ("5", "", "")], table.Into(Draft).Points.Select(p => (p.Label, p.X, p.Y)));
+    }
+
+    [Fact]
+    public void Without_labels_they_go_by_the_order_of_the_points() =>
+        Assert.Equal(["1 2", "3 4", "5 6", "9 9", " "], PointTable.Read("1\t2\n3\t4\n5\t6\n").Into(Draft).Points.Select(p => $"{p.X} {p.Y}"));
+
+    [Fact]
+    public void A_label_that_no_feature_has_is_another_point() =>
+        Assert.Equal([new PointDraft("O", "0", "0", "5")], PointTable.Read("O\t0\t0\t5\n1\t1\t1\t5").Into(Draft).OtherPoints);
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("hello")]
+    [InlineData("a\tb\tc\nd\te\tf")]
+    [InlineData("1\t2\t3\t4\t5")]
+    [InlineData("1e999\t2")]
+    public void What_has_no_coordinates_changes_nothing(string text)
+    {
+        Assert.Equal(0, PointTable.Read(text).Count);
+        Assert.True(Draft.IsSame(PointTable.Read(text).Into(Draft)));
+    }
+}
