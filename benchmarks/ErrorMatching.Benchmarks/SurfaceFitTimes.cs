@@ -45,7 +45,7 @@ internal static class SurfaceFitTimes
     {
         var grid = FitShape.Grid(name, int.Parse(points, CultureInfo.InvariantCulture), double.Parse(noise, CultureInfo.InvariantCulture));
         var first = Time(grid);
-        var later = Enumerable.Range(0, grid.Points.Count() > 1000 ? 2 : 30).Select(_ => Time(grid)).TakeLast(15).Order().ToArray();
+        var later = Enumerable.Range(0, grid.Points.Count() > 1000 ? 2 : 60).Select(_ => Time(grid)).TakeLast(15).Order().ToArray();
         Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{first} {later[later.Length / 2]}"));
         return 0;
     }

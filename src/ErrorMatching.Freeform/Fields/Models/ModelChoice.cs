@@ -23,9 +23,9 @@ internal static class ModelChoice
         // The models know nothing of each other: polynomials are sought and tried on one core, the others on a second. What both ask of the values is made before.
         _ = (data.Grid, data.Crossings, data.LinesOut);
         var search = Task.Run(() => Polynomials(data));
-        var process = Tried(ProcessSearch.Run(data, ProcessSearch.Trend(2)));
-        var linear = data.Count > MostForBreaksInWaves ? null : Tried(ProcessSearch.Run(data, ProcessSearch.Trend(1)));
-        var spline = Tried(SplineModel.Run(data));
+        var process = Unless(search, () => ProcessSearch.Run(data, ProcessSearch.Trend(2)));
+        var linear = data.Count > MostForBreaksInWaves ? null : Unless(search, () => ProcessSearch.Run(data, ProcessSearch.Trend(1)));
+        var spline = Unless(search, () => SplineModel.Run(data));
         var (polynomials, broken) = search.GetAwaiter().GetResult();
         if (IsPerfect(polynomials[^1]))
         {
@@ -62,6 +62,10 @@ internal static class ModelChoice
     }
 
     private static bool IsPerfect(PolynomialModel model) => model.IsExact && !(Error(model) > Nothing);
+
+    /// <summary>A model that is tried, unless a perfect polynomial is known already: then nobody asks for it.</summary>
+    private static T? Unless<T>(Task<(IReadOnlyList<PolynomialModel> All, List<FieldModel?> Broken)> search, Func<T?> model)
+        where T : FieldModel => search.IsCompletedSuccessfully && IsPerfect(search.Result.All[^1]) ? null : Tried(model());
 
     /// <summary>A model whose line-out error was found, where there is one.</summary>
     private static T? Tried<T>(T? model)

@@ -13,12 +13,12 @@ internal sealed class ProcessModel : FieldModel
     private readonly double[] _weights;
     private readonly double _variance;
 
-    private ProcessModel(FieldData data, Kernel kernel, Term[] trend, Covariance covariance, double[][] columns, LeastSquares ordinary, double[][] solved, Cholesky factor)
-        : base(data)
+    private ProcessModel(ProcessTrend trend, Kernel kernel, Covariance covariance, double[][] solved, Cholesky factor)
+        : base(trend.Data)
     {
-        (_kernel, _trend, _covariance, _columns, _solved, _factor) = (kernel, trend, covariance, columns, solved, factor);
+        (_kernel, _trend, _covariance, _columns, _solved, _factor) = (kernel, trend.Terms, covariance, trend.Columns, solved, factor);
         // The polynomial goes first by itself: the likelihood does not see it, and digits are kept where it is large.
-        var rest = ordinary.Residuals;
+        var (data, columns, rest) = (trend.Data, trend.Columns, (double[])trend.Ordinary.Residuals.Clone());
         var correction = factor.Solve(Array.ConvertAll(solved, s => LeastSquares.Product(s, rest)));
         for (var k = 0; k < columns.Length; k++)
         {
@@ -28,12 +28,12 @@ internal sealed class ProcessModel : FieldModel
             }
         }
 
-        _coefficients = [.. ordinary.Coefficients.Zip(correction, (a, b) => a + b)];
+        _coefficients = [.. trend.Ordinary.Coefficients.Zip(correction, (a, b) => a + b)];
         _weights = covariance.Solve(rest);
         var form = Math.Max(LeastSquares.Product(_weights, rest), 1e-26);
-        var free = data.Count - trend.Length;
+        var free = data.Count - _trend.Length;
         _variance = form / free;
-        Criterion = (data.Count * Math.Log(form / data.Count)) + covariance.LogDeterminant + (2 * trend.Length);
+        Criterion = (data.Count * Math.Log(form / data.Count)) + covariance.LogDeterminant + (2 * _trend.Length);
         Likelihood = -0.5 * ((free * Math.Log(_variance)) + covariance.LogDeterminant + factor.LogDeterminant);
     }
 
@@ -77,26 +77,30 @@ internal sealed class ProcessModel : FieldModel
     }
 
     /// <summary>The process with a given kernel; null if double precision does not carry it.</summary>
-    public static ProcessModel? Fit(FieldData data, Kernel kernel, Term[] trend) =>
-        data.Count > trend.Length && Covariance.Of(data, kernel) is { } covariance ? Fit(data, kernel, trend, covariance) : null;
+    public static ProcessModel? Fit(ProcessTrend? trend, Kernel kernel) =>
+        trend is not null && Covariance.Of(trend.Data, kernel) is { } covariance ? Fit(trend, kernel, covariance, []) : null;
 
     /// <summary>The same with the covariance of these values, which other trends share.</summary>
-    public static ProcessModel? Fit(FieldData data, Kernel kernel, Term[] trend, Covariance covariance)
+    /// <param name="trend">The polynomial.</param>
+    /// <param name="kernel">The kernel.</param>
+    /// <param name="covariance">Its matrix.</param>
+    /// <param name="begun">The first columns of the polynomial as the matrix solves them, if other trends begin alike.</param>
+    public static ProcessModel? Fit(ProcessTrend? trend, Kernel kernel, Covariance covariance, double[][] begun)
     {
-        var columns = Term.Over(trend, data.U, data.V);
-        if (LeastSquares.Solve(columns, data.Z) is not { } ordinary)
+        if (trend is null)
         {
             return null;
         }
 
-        var solved = Array.ConvertAll(columns, covariance.Solve);
-        var rows = new double[trend.Length][];
+        var columns = trend.Columns;
+        double[][] solved = [.. begun, .. columns.Skip(begun.Length).Select(covariance.Solve)];
+        var rows = new double[columns.Length][];
         for (var i = 0; i < rows.Length; i++)
         {
             rows[i] = [.. Enumerable.Range(0, i + 1).Select(j => LeastSquares.Product(columns[i], solved[j]))];
         }
 
-        return Cholesky.Factor(rows, rows.Length) is { } factor ? new(data, kernel, trend, covariance, columns, ordinary, solved, factor) : null;
+        return Cholesky.Factor(rows, rows.Length) is { } factor ? new(trend, kernel, covariance, solved, factor) : null;
     }
 
     public override double At(double u, double v)
@@ -148,6 +152,6 @@ internal sealed class ProcessModel : FieldModel
             return null;
         }
 
-        return BreaksU.Count + BreaksV.Count == 0 ? Fit(other, _kernel, _trend, covariance) : ProcessSearch.WithBreakMoved(this, other, covariance);
+        return BreaksU.Count + BreaksV.Count == 0 ? Fit(ProcessTrend.Of(other, _trend), _kernel, covariance, []) : ProcessSearch.WithBreakMoved(this, other, covariance);
     }
 }
