@@ -18,6 +18,10 @@ public sealed record FeatureDraft
     /// <summary>Selectors of the blocks that cut it, with commas between them.</summary>
     public string Blocks { get; init; } = "";
 
+    /// <summary>The selectors of blocks that stand there, each for itself.</summary>
+    [JsonIgnore]
+    public IReadOnlyList<string> BlockList => DraftList.Blocks(Blocks);
+
     /// <summary><c>stated</c> where <see cref="Lower"/> and <see cref="Upper"/> hold, else <c>chain:worst-case</c> or <c>chain:rss</c>.</summary>
     public string Tolerance { get; init; } = Stated;
 

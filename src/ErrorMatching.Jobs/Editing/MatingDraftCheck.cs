@@ -60,6 +60,31 @@ public static class MatingDraftCheck
         return draft.Program?.Bytes ?? InputFile.Program(job.PathOf(job.Counterpart.Program));
     }
 
+    /// <summary>The program of a draft that may be wrong elsewhere: the imported one, else the job's.</summary>
+    /// <param name="draft">The draft.</param>
+    /// <param name="file">The job's file, for relative paths.</param>
+    /// <exception cref="InputException">The job's cannot be opened.</exception>
+    /// <exception cref="NcException">It is larger than any program that is read.</exception>
+    public static ReadOnlyMemory<byte> ProgramOf(MatingDraft draft, string file)
+    {
+        ArgumentNullException.ThrowIfNull(draft);
+        return draft.Program?.Bytes ?? InputFile.Program(Beside(file, draft.Counterpart.Program));
+    }
+
+    /// <summary>The dialect of a draft that may be wrong elsewhere.</summary>
+    /// <param name="draft">The draft.</param>
+    /// <param name="file">The job's file, for relative paths.</param>
+    /// <exception cref="InputException">The file of a dialect of its own cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    /// <exception cref="NcException">No dialect has this name.</exception>
+    public static NcDialect DialectOf(MatingDraft draft, string file)
+    {
+        ArgumentNullException.ThrowIfNull(draft);
+        return InputFile.Dialect(NcDialects.IsFile(draft.Counterpart.Dialect) ? Beside(file, draft.Counterpart.Dialect) : draft.Counterpart.Dialect);
+    }
+
+    private static string Beside(string file, string name) => Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, name);
+
     // Null for a built-in dialect.
     private static NcDialect? Find(MatingJob job, List<DraftProblem> problems)
     {

@@ -67,7 +67,7 @@ public sealed partial class SystemViewModel : SetupViewModel
     public string DialectText => Texts.Current.With("System.Dialect", Editing.Draft.Counterpart.Dialect);
 
     /// <summary>The blocks of each feature.</summary>
-    public IReadOnlyList<FieldRow> Blocks { get; private set; } = [];
+    public IReadOnlyList<BlocksRow> Blocks { get; private set; } = [];
 
     /// <summary>Limits and fit of each feature.</summary>
     public IReadOnlyList<FieldRow> Tolerances { get; private set; } = [];
@@ -120,7 +120,7 @@ public sealed partial class SystemViewModel : SetupViewModel
     /// <inheritdoc/>
     protected override IEnumerable<EditField> Fields =>
     [
-        Points, Program, Dialect, Rules, .. Coordinates.SelectMany(c => c.Fields), .. Blocks.Concat(Tolerances).Concat(Chain).Concat(Contributions).Concat(Comparisons).SelectMany(r => r.Cells),
+        Points, Program, Dialect, Rules, .. Coordinates.SelectMany(c => c.Fields), .. Blocks.Select(b => b.Blocks), .. Tolerances.Concat(Chain).Concat(Contributions).Concat(Comparisons).SelectMany(r => r.Cells),
         .. Frame, .. Alignment, .. Compensation, .. Gauge,
     ];
 
@@ -173,7 +173,7 @@ public sealed partial class SystemViewModel : SetupViewModel
             Coordinates.Add(row);
         }
 
-        (Blocks, Tolerances, Chain) = (_fields.Blocks(), _fields.Tolerances(), _fields.Chain());
+        (Blocks, Tolerances, Chain) = (MakeBlocks(), _fields.Tolerances(), _fields.Chain());
         (Frame, Alignment, Compensation) = (_fields.Frame(), _fields.Alignment(), _fields.Compensation());
         (Gauge, Contributions, Comparisons) = (_fields.Gauge(), _fields.Contributions(), _fields.Comparisons());
     }
@@ -190,6 +190,8 @@ public sealed partial class SystemViewModel : SetupViewModel
         {
             command.Refresh();
         }
+
+        ShowPicture();
     }
 
     /// <inheritdoc/>

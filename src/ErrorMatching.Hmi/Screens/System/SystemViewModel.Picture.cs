@@ -1,0 +1,120 @@
+using ErrorMatching.Jobs;
+using ErrorMatching.Json;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Hmi;
+
+/// <content>The program as text and path, in which blocks are picked.</content>
+public sealed partial class SystemViewModel
+{
+    private PictureOf? _of;
+    private ProgramPicture? _picture;
+    private Task _marking = Task.CompletedTask;
+    private string _marked = "";
+    private int _picked;
+
+    /// <summary>The program; null while there is none, or it is being opened.</summary>
+    public ProgramPicture? Picture
+    {
+        get => _picture;
+        private set => Set(ref _picture, value);
+    }
+
+    /// <summary>Done when the program is opened and its features are marked.</summary>
+    internal Task Opening { get; private set; } = Task.CompletedTask;
+
+    // A feature without blocks is the next to be picked for.
+    private int NextPicked(int otherwise) => Editing.Draft.Features.Select((f, i) => (f, i)).FirstOrDefault(f => string.IsNullOrWhiteSpace(f.f.Blocks), (null!, otherwise)).i;
+
+    private BlocksRow[] MakeBlocks()
+    {
+        _picked = NextPicked(0);
+        return [.. _fields.Blocks().Select((r, i) => new BlocksRow(i, r.Title, (TextField)r.Cells[0], new(() => PickFor(i))))];
+    }
+
+    private void PickFor(int feature)
+    {
+        _picked = feature;
+        ShowPicture();
+    }
+
+    private void ShowPicture()
+    {
+        var draft = Editing.Draft;
+        var of = new PictureOf(Editing.Job?.File, draft.Counterpart.Program, draft.Program, draft.Counterpart.Dialect);
+        if (of != _of)
+        {
+            (_of, Picture) = (of, null);
+            Opening = OpenAsync(of, draft).Watched();
+        }
+
+        foreach (var row in Blocks)
+        {
+            row.IsPicked = row.Index == _picked && Picture is not null;
+        }
+
+        if (Picture is { } picture)
+        {
+            picture.IsReadOnly = !Editing.CanEdit;
+            picture.Feature = _picked < draft.Features.Count ? draft.Features[_picked].Name : null;
+            Mark(picture, draft);
+        }
+    }
+
+    private async Task OpenAsync(PictureOf of, MatingDraft draft)
+    {
+        if (await Task.Run(() => Open(of, draft)) is { } opened && of == _of)
+        {
+            _marked = "";
+            Picture = new(opened);
+            Picture.RangeChosen += TakeBlocks;
+            ShowPicture();
+            await _marking;
+        }
+    }
+
+    private static OpenedProgram? Open(PictureOf of, MatingDraft draft)
+    {
+        try
+        {
+            return of.Job is null || of.Program.Length == 0 ? null : OpenedProgram.Read(MatingDraftCheck.ProgramOf(draft, of.Job), MatingDraftCheck.DialectOf(draft, of.Job));
+        }
+        catch (Exception e) when (e is InputException or NcException or JsonDocumentException or ArgumentException)
+        {
+            // What is wrong with the program or its control is told at their fields.
+            return null;
+        }
+    }
+
+    // One after the other, so that the last marks are those of the last draft.
+    private void Mark(ProgramPicture picture, MatingDraft draft)
+    {
+        var marked = string.Join('\n', draft.Features.Select(f => $"{f.Name}: {f.Blocks}"));
+        if (marked != _marked)
+        {
+            _marked = marked;
+            _marking = MarkAsync(_marking, picture, [.. draft.Features.Where(f => f.Blocks.Length > 0).Select(f => new FeatureBlocks(f.Name, f.BlockList))]).Watched();
+        }
+    }
+
+    private static async Task MarkAsync(Task before, ProgramPicture picture, FeatureBlocks[] features)
+    {
+        await before;
+        await picture.MarkAsync(features);
+    }
+
+    private void TakeBlocks(RangeChoice choice)
+    {
+        var feature = _picked;
+        if (Editing.CanEdit && feature < Editing.Draft.Features.Count)
+        {
+            var blocks = string.Join(", ", choice.IsMore ? [.. Editing.Draft.Features[feature].BlockList, .. choice.Blocks] : choice.Blocks);
+            Editing.Change("", d => d.WithFeature(feature, f => f with { Blocks = blocks }));
+            _picked = choice.IsMore ? feature : NextPicked(feature);
+            ShowPicture();
+        }
+    }
+
+    /// <summary>What a picture is of: while it is the same, it stays.</summary>
+    private sealed record PictureOf(string? Job, string Program, DraftProgram? Imported, string Dialect);
+}
