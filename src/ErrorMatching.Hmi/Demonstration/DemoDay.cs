@@ -9,7 +9,7 @@ namespace ErrorMatching.Hmi;
 public sealed class DemoDay(DemoCell cell, TimeProvider clock)
 {
     private const int MostWaiting = 3;
-    private const double SpreadMm = 0.02, SurfaceSpreadMm = 0.0005;
+    internal const double SpreadMm = 0.003, SurfaceSpreadMm = 0.0005;
     private static readonly TimeSpan First = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan BetweenParts = TimeSpan.FromSeconds(20);
     private static readonly TimeSpan FirstSurface = TimeSpan.FromSeconds(8);

@@ -29,7 +29,9 @@ internal sealed class Pictures(Seat seat)
                     if (isPictured || (size.Width < 1500 && isDark == (language == Language.TraditionalChinese)))
                     {
                         seat.Shell.IsDark = isDark;
-                        seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", $"{name}-{(isDark ? "dark" : "light")}-{code}-{size.Width}x{size.Height}.png"));
+                        var picture = Repository.PathTo("artifacts", "screenshots", $"{name}-{(isDark ? "dark" : "light")}-{code}-{size.Width}x{size.Height}.png");
+                        seat.User.Screenshot(picture);
+                        Keep(name, code, picture);
                     }
                 }
             }
@@ -39,6 +41,16 @@ internal sealed class Pictures(Seat seat)
         Texts.Current.Language = Language.English;
         (seat.Window.Width, seat.Window.Height) = (1280, 800);
         seat.User.Settle();
+    }
+
+    // The manual's pictures are the small window's, one for each language; they are renewed when somebody asks for it.
+    private static void Keep(string name, string code, string picture)
+    {
+        var kept = Repository.PathTo("docs", "station", "pictures", $"{name}-{code}.png");
+        if (Environment.GetEnvironmentVariable("UPDATE_MANUAL") == "1" && File.Exists(kept) && picture.EndsWith($"-light-{code}-1280x800.png", StringComparison.Ordinal))
+        {
+            File.Copy(picture, kept, overwrite: true);
+        }
     }
 
     /// <summary>Fails with everything that was found.</summary>

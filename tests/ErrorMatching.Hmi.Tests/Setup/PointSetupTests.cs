@@ -17,6 +17,14 @@ public sealed class PointSetupTests
     });
 
     [Fact]
+    public Task A_code_that_is_scanned_is_the_work_order() => At(seat =>
+    {
+        seat.Seat.See("nav-points").Focus();
+        seat.Seat.User.Type("WO-4711").Press(Key.Enter);
+        Assert.Equal("WO-4711", seat.Draft.WorkOrder);
+    });
+
+    [Fact]
     public Task Features_and_points_come_and_go_and_come_back() => At(seat =>
     {
         seat.Seat.Tap("setup-anew");

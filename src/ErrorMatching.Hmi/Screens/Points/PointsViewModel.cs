@@ -5,7 +5,7 @@ using ErrorMatching.Mating;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Point set-up: which features the part has and how many points each is measured at, and the part drawn as it grows.</summary>
-public sealed class PointsViewModel : SetupViewModel
+public sealed class PointsViewModel : SetupViewModel, ITakesCodes
 {
     private readonly ITimer _minute;
     private readonly SynchronizationContext _screen = SynchronizationContext.Current!;
@@ -55,6 +55,15 @@ public sealed class PointsViewModel : SetupViewModel
 
     /// <summary>Adds a curve.</summary>
     public Command AddCurve { get; }
+
+    /// <summary>A code that is scanned is the work order.</summary>
+    public void TakeCode(string code)
+    {
+        if (Editing.CanEdit)
+        {
+            WorkOrder.Text = code;
+        }
+    }
 
     /// <summary>The part as far as it is known.</summary>
     public PartDrawing Drawing { get; private set; } = PartDrawing.Of(new());
