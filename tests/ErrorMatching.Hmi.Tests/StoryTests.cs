@@ -68,14 +68,10 @@ public sealed class StoryTests
         Assert.Equal(isChinese ? "示意圖：共 16 點，尚無座標。" : "Schematic: 16 points, none with coordinates yet.", seat.TextOf("points-caption"));
 
         seat.Tap("nav-system");
-        foreach (var (row, label) in here.System.Coordinates.Zip(Labels).Reverse())
-        {
-            row.Label.Text = label;
-        }
-
-        var table = File.ReadAllText(Path.Combine(Sample, "theoretical.csv")).Replace(',', '\t');
+        var table = DemoCell.Drawing(Path.Combine(Sample, "theoretical.csv")).Replace(',', '\t');
         ClipboardExtensions.SetTextAsync(TopLevel.GetTopLevel(seat.Window)!.Clipboard!, table).GetAwaiter().GetResult();
         seat.Tap("points-paste").WaitFor(() => here.Draft.Points.All(p => p.X.Length > 0), "Nothing is pasted.");
+        Assert.Equal(Labels, here.Draft.Points.Select(p => p.Label));
         seat.Tap("side-blocks").Tap("program-import").Type("chooser-path", Path.Combine(Sample, "counterpart.nc")).Tap("chooser-confirm");
         seat.WaitFor(() => here.System.Picture?.Program.Count > 0, "The program is not opened.");
         here.Settle();

@@ -3,7 +3,7 @@ namespace ErrorMatching.Hmi;
 /// <summary>Where files usually are: where something was chosen lately, the cell, the user's own folder, disks and sticks.</summary>
 internal static class Places
 {
-    private static readonly string[] Mounts = ["/media/", "/run/media/", "/mnt/"];
+    private static readonly string[] Mounts = ["/media", "/run/media", "/mnt"];
 
     /// <summary>The places of this computer. To be called beside the screen.</summary>
     /// <param name="cellFolder">The folder of the cell's configuration.</param>
@@ -24,5 +24,5 @@ internal static class Places
     // Of what is mounted on Linux most is the system's own. Nothing is asked of a disk itself: one that is gone would let the question wait.
     private static IEnumerable<string> Disks() => OperatingSystem.IsWindows()
         ? Environment.GetLogicalDrives()
-        : Environment.GetLogicalDrives().Where(d => d == "/" || Mounts.Any(m => d.StartsWith(m, StringComparison.Ordinal)));
+        : Environment.GetLogicalDrives().Where(d => d == "/" || Mounts.Any(m => d.StartsWith(m + "/", StringComparison.Ordinal)));
 }

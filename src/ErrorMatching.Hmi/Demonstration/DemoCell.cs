@@ -40,6 +40,7 @@ public sealed class DemoCell : IAsyncDisposable
         Copy(Path.Combine(samples, "cell"), Path.Combine(folder, "cell"));
         Copy(Path.Combine(samples, "complex-mating"), Path.Combine(folder, "complex-mating"));
         Copy(Path.Combine(samples, "surface-one"), Path.Combine(folder, "surface-one"));
+        File.WriteAllText(Path.Combine(folder, "complex-mating", "drawing.csv"), Drawing(Path.Combine(samples, "complex-mating", "theoretical.csv")));
         var settings = CellSettingsReader.Read(Path.Combine(folder, "cell", "cell.json"));
         foreach (var made in settings.Gauges.Select(g => g.Incoming!).Concat(settings.Machines.Select(m => ((FolderSettings)m.Transport).Folder)))
         {
@@ -53,6 +54,9 @@ public sealed class DemoCell : IAsyncDisposable
         users.Add(users.SignIn(Administrator, Password), Operator, Role.Operator, Password);
         return At(folder, clock);
     }
+
+    /// <summary>The key points of the drawing in the order of cutting, to set a job up from: without the apex, which the drawing has and nobody measures.</summary>
+    internal static string Drawing(string theoretical) => string.Concat(File.ReadLines(theoretical).Where(l => !l.StartsWith("3,", StringComparison.Ordinal)).Select(l => l + "\n"));
 
     /// <summary>The cell that was put into a folder before.</summary>
     internal static DemoCell At(string folder, TimeProvider clock) =>

@@ -1,5 +1,6 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 
@@ -10,13 +11,13 @@ public sealed partial class JobEditing
 {
     private async Task LoadAsync(CellJobSettings job)
     {
-        var (sha256, draft, kept, isBroken, message) = await Task.Run(() => Open(job));
+        var (sha256, draft, hasComments, kept, isBroken, message) = await Task.Run(() => Open(job));
         if (job != Job)
         {
             return;
         }
 
-        (_baseSha256, _base, Kept, IsKeptBroken, _isLoaded, _isTold) = (sha256, draft ?? new(), kept, isBroken, draft is not null, false);
+        (_baseSha256, _base, Kept, IsKeptBroken, _isLoaded, _isTold, HasComments) = (sha256, draft ?? new(), kept, isBroken, draft is not null, false, hasComments);
         Message = message;
         _history.Begin(_base);
         IsChecked = false;
@@ -25,7 +26,7 @@ public sealed partial class JobEditing
         Refresh();
     }
 
-    private (string Sha256, MatingDraft? Draft, KeptDraft? Kept, bool IsKeptBroken, string? Message) Open(CellJobSettings job)
+    private (string Sha256, MatingDraft? Draft, bool HasComments, KeptDraft? Kept, bool IsKeptBroken, string? Message) Open(CellJobSettings job)
     {
         KeptDraft? kept = null;
         var (isBroken, message) = (false, (string?)null);
@@ -42,11 +43,11 @@ public sealed partial class JobEditing
         {
             var sha256 = JobEdits.Sha256Of(job);
             var draft = MatingDraftFiles.Open(job.File);
-            return (sha256, draft, kept is { } k && k.BaseSha256 == sha256 && k.Draft.IsSame(draft) ? null : kept, isBroken, message);
+            return (sha256, draft, MatingDraftFiles.HasComments(InputFile.Bytes(job.File, JsonLimits.Default.MaxBytes)), kept is { } k && k.BaseSha256 == sha256 && k.Draft.IsSame(draft) ? null : kept, isBroken, message);
         }
         catch (Exception e) when (e is InputException or JobException or MeasurementException or DraftException)
         {
-            return ("", null, null, isBroken, Texts.Current.With("Setup.NotOpened", e.Message));
+            return ("", null, false, null, isBroken, Texts.Current.With("Setup.NotOpened", e.Message));
         }
     }
 
@@ -90,7 +91,7 @@ public sealed partial class JobEditing
         {
             // The imported program is the job's own now.
             var isOtherProgram = draft.Program is not null;
-            (_base, _baseSha256) = (draft with { Program = null }, saved);
+            (_base, _baseSha256, HasComments) = (draft with { Program = null }, saved, false);
             _history.Begin(_base);
             await _keeping.Running;
             await TryAsync(() => _drafts.Forget(job.Name));

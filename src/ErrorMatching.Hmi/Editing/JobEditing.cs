@@ -86,6 +86,9 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>What was saved and what follows, in words; null for nothing.</summary>
     public string? Notice { get; private set; }
 
+    /// <summary>True if the job's file has comments, which are lost when a draft takes its place.</summary>
+    public bool HasComments { get; private set; }
+
     /// <summary>True if the draft is not what stands there.</summary>
     public bool IsChanged => _isLoaded && !Draft.IsSame(_base);
 

@@ -27,17 +27,38 @@ public sealed partial class PointTable
         return new([.. rows.Where(r => r.Length > 2 == hasLabels).Select(r => hasLabels ? new PointDraft(r[0], r[1], r[2], r.Length > 3 ? r[3] : "") : new PointDraft("", r[0], r[1]))], hasLabels);
     }
 
-    /// <summary>The draft with these coordinates: by their labels, points that it has not become points of no feature; or without labels in the order of its points.</summary>
+    /// <summary>
+    /// The draft with these coordinates: by their labels, points that it has not become points of no feature; or without labels in the order of its points. Where it has as many points, none of them with a coordinate yet,
+    /// and other labels, its points become those of the table in its order.
+    /// </summary>
     public MatingDraft Into(MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(draft);
-        var byLabel = _points.GroupBy(p => p.Label, StringComparer.Ordinal).ToDictionary(g => g.Key, g => g.Last(), StringComparer.Ordinal);
-        var next = 0;
-        PointDraft Filled(PointDraft point) => (_hasLabels ? byLabel.GetValueOrDefault(point.Label.Trim()) : next < _points.Count ? _points[next++] : null) is { } found
-            ? point with { X = found.X, Y = found.Y, Z = found.Z.Length > 0 ? found.Z : point.Z }
-            : point;
+        return IsWholeOf(draft) ? With(draft, Labeled) : Filled(draft);
+    }
 
-        var filled = draft with { Features = [.. draft.Features.Select(f => f with { Flanks = [.. f.Flanks.Select(k => (IReadOnlyList<PointDraft>)[.. k.Select(Filled)])] })], OtherPoints = [.. draft.OtherPoints.Select(Filled)] };
+    // Labels that a count of points gave are nobody's choice yet.
+    private bool IsWholeOf(MatingDraft draft)
+    {
+        var points = draft.Points.ToArray();
+        var labels = _points.Select(p => p.Label).ToHashSet(StringComparer.Ordinal);
+        return _hasLabels && points.Length == _points.Count && labels.Count == _points.Count && points.All(p => p.X.Length + p.Y.Length + p.Z.Length == 0) && !labels.SetEquals(points.Select(p => p.Label.Trim()));
+    }
+
+    private static MatingDraft With(MatingDraft draft, Func<int, PointDraft, PointDraft> point)
+    {
+        var next = 0;
+        return draft with { Features = [.. draft.Features.Select(f => f with { Flanks = [.. f.Flanks.Select(k => (IReadOnlyList<PointDraft>)[.. k.Select(p => point(next++, p))])] })], OtherPoints = [.. draft.OtherPoints.Select(p => point(next++, p))] };
+    }
+
+    private PointDraft Labeled(int index, PointDraft was) => _points[index];
+
+    private MatingDraft Filled(MatingDraft draft)
+    {
+        var byLabel = _points.GroupBy(p => p.Label, StringComparer.Ordinal).ToDictionary(g => g.Key, g => g.Last(), StringComparer.Ordinal);
+        var filled = With(draft, (index, point) => (_hasLabels ? byLabel.GetValueOrDefault(point.Label.Trim()) : index < _points.Count ? _points[index] : null) is { } found
+            ? point with { X = found.X, Y = found.Y, Z = found.Z.Length > 0 ? found.Z : point.Z }
+            : point);
         var known = draft.Points.Select(p => p.Label.Trim()).ToHashSet(StringComparer.Ordinal);
         return _hasLabels ? filled with { OtherPoints = [.. filled.OtherPoints, .. byLabel.Values.Where(p => !known.Contains(p.Label))] } : filled;
     }

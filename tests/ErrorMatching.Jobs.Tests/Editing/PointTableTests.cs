@@ -23,6 +23,19 @@ public sealed class PointTableTests
     public void A_label_that_no_feature_has_is_another_point() =>
         Assert.Equal([new PointDraft("O", "0", "0", "5")], PointTable.Read("O\t0\t0\t5\n1\t1\t1\t5").Into(Draft).OtherPoints);
 
+    [Fact]
+    public void A_whole_table_gives_its_labels_to_points_that_have_no_coordinates_yet()
+    {
+        var counted = Draft with { Features = [new() { Name = "L", Flanks = [[new("1"), new("2")]] }, new() { Name = "C", Flanks = [[new("3")]] }] };
+        var table = PointTable.Read("A\t1\t2\n2a\t3\t4\n3\t5\t6");
+        Assert.Equal([("A", "1"), ("2a", "3"), ("3", "5")], table.Into(counted).Points.Select(p => (p.Label, p.X)));
+
+        // With one coordinate it is a table like any other, and so it is with the same labels in another order.
+        var begun = counted with { Features = [counted.Features[0], new() { Name = "C", Flanks = [[new("3", "9")]] }] };
+        Assert.Equal([("1", ""), ("2", ""), ("3", "5"), ("A", "1"), ("2a", "3")], table.Into(begun).Points.Select(p => (p.Label, p.X)));
+        Assert.Equal([("1", "1"), ("2", "2"), ("3", "3")], PointTable.Read("3\t3\t0\n2\t2\t0\n1\t1\t0").Into(counted).Points.Select(p => (p.Label, p.X)));
+    }
+
     [Theory]
     [InlineData("")]
     [InlineData("hello")]
