@@ -38,7 +38,7 @@ public static class MatingDraftCheck
         if (job is not null)
         {
             var dialect = Find(job, problems);
-            Read(draft, job, out var program, problems);
+            Read(draft, file, out var program, problems);
             if (problems.Count == 0 && theoretical is not null && program is { } bytes)
             {
                 Map(draft, new(job, theoretical, theoretical, theoretical, Path.GetFileName(job.Counterpart.Program), bytes) { OwnDialect = dialect }, problems);
@@ -46,18 +46,6 @@ public static class MatingDraftCheck
         }
 
         return new(problems, job);
-    }
-
-    /// <summary>The program of a draft: the imported one, else the job's.</summary>
-    /// <param name="draft">The draft.</param>
-    /// <param name="job">Its job.</param>
-    /// <exception cref="InputException">The job's cannot be opened.</exception>
-    /// <exception cref="NcException">It is larger than any program that is read.</exception>
-    public static ReadOnlyMemory<byte> ProgramOf(MatingDraft draft, MatingJob job)
-    {
-        ArgumentNullException.ThrowIfNull(draft);
-        ArgumentNullException.ThrowIfNull(job);
-        return draft.Program?.Bytes ?? InputFile.Program(job.PathOf(job.Counterpart.Program));
     }
 
     /// <summary>The program of a draft that may be wrong elsewhere: the imported one, else the job's.</summary>
@@ -100,12 +88,12 @@ public static class MatingDraftCheck
         }
     }
 
-    private static void Read(MatingDraft draft, MatingJob job, out ReadOnlyMemory<byte>? program, List<DraftProblem> problems)
+    private static void Read(MatingDraft draft, string file, out ReadOnlyMemory<byte>? program, List<DraftProblem> problems)
     {
         program = null;
         try
         {
-            program = ProgramOf(draft, job);
+            program = ProgramOf(draft, file);
         }
         catch (Exception e) when (e is InputException or NcException)
         {
