@@ -22,7 +22,6 @@ public sealed class GapPlot : PlotArea
     private const double Thick = 2, Dot = 3.5, LabelAway = 8;
     private static readonly DashStyle Dashes = new([4, 2], 0);
     private PlotBox _extent = PlotBox.Empty;
-    private PlotIndex _index = new([]);
 
     static GapPlot() => AffectsRender<GapPlot>(PartBrushProperty, CounterpartBrushProperty, GapBrushProperty);
 
@@ -68,13 +67,9 @@ public sealed class GapPlot : PlotArea
         if (change.Property == DrawingProperty)
         {
             _extent = PlotBox.Of(Drawing?.Part.Concat(Drawing.Counterpart).SelectMany(l => l) ?? []);
-            _index = new([.. Drawing?.Points.Select(p => p.At) ?? []]);
-            Renew();
+            Renew([]);
         }
     }
-
-    /// <inheritdoc/>
-    protected override PlotDatum? DatumNear(Point2 screen, double reach) => DatumAt(_index.Nearest(View.ToPlot(screen), View.ScaleX, View.ScaleY, reach));
 
     /// <inheritdoc/>
     protected override PlotDatum? DatumAt(int index) => index >= 0 && Drawing?.Points[index] is var (label, at, gap, part)

@@ -17,7 +17,6 @@ public sealed class PartPlot : PlotArea
     private static readonly DashStyle Dashes = new([4, 3], 0);
     private (string Label, Point2 At)[] _points = [];
     private PlotBox _extent = PlotBox.Empty;
-    private PlotIndex _index = new([]);
 
     static PartPlot() => AffectsRender<PartPlot>(PartBrushProperty);
 
@@ -50,13 +49,9 @@ public sealed class PartPlot : PlotArea
         {
             _points = [.. Drawing?.Lines.SelectMany(l => l.Points) ?? []];
             _extent = PlotBox.Of(_points.Select(p => p.At));
-            _index = new([.. _points.Select(p => p.At)]);
-            Renew();
+            Renew([]);
         }
     }
-
-    /// <inheritdoc/>
-    protected override PlotDatum? DatumNear(Point2 screen, double reach) => DatumAt(_index.Nearest(View.ToPlot(screen), View.ScaleX, View.ScaleY, reach));
 
     /// <inheritdoc/>
     protected override PlotDatum? DatumAt(int index) => index < 0 ? null

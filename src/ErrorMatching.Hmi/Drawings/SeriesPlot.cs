@@ -72,7 +72,7 @@ public sealed class SeriesPlot : PlotArea
         if (change.Property == DrawingProperty)
         {
             _extent = Drawing?.Extent ?? PlotBox.Empty;
-            Renew();
+            Renew([]);
         }
     }
 

@@ -23,7 +23,6 @@ public sealed class SurfacePlot : PlotArea
     private const double Dot = 3.5, First = 7, Thick = 2, Hairline = 0.6, Away = 5;
     private static readonly ImmutableSolidColorBrush[] Colors = [.. Enumerable.Range(0, DivergingColors.Count).Select(i => new ImmutableSolidColorBrush(Color.Parse(DivergingColors.Hex(i))))];
     private PlotBox _extent = PlotBox.Empty;
-    private PlotIndex _index = new([]);
     private IReadOnlyList<(int Color, StreamGeometry Geometry)> _cells = [];
 
     static SurfacePlot() => AffectsRender<SurfacePlot>(AreaBrushProperty, WayBrushProperty);
@@ -63,14 +62,10 @@ public sealed class SurfacePlot : PlotArea
         if (change.Property == DrawingProperty)
         {
             _extent = Drawing?.Extent ?? PlotBox.Empty;
-            _index = new([.. Drawing?.Points.Select(p => p.At) ?? []]);
             _cells = Drawing is null ? [] : CellsOf(Drawing);
-            Renew();
+            Renew([]);
         }
     }
-
-    /// <inheritdoc/>
-    protected override PlotDatum? DatumNear(Point2 screen, double reach) => DatumAt(_index.Nearest(View.ToPlot(screen), View.ScaleX, View.ScaleY, reach));
 
     /// <inheritdoc/>
     protected override PlotDatum? DatumAt(int index) => index >= 0 && Drawing is { } drawing ? new(drawing.Points[index].At, drawing.Points[index].Values, index) : null;

@@ -37,6 +37,7 @@ public abstract partial class PlotArea : Control
 
     private readonly StackPanel _buttons;
     private PlotDatum? _datum;
+    private PlotIndex _index = new([]);
     private PlotView _view;
     private PlotView _whole;
 
@@ -185,9 +186,9 @@ public abstract partial class PlotArea : Control
     /// <summary>What is nearest to a point of the screen; null if nothing is within reach.</summary>
     /// <param name="screen">Where the finger is.</param>
     /// <param name="reach">How far it may be, in units of the screen.</param>
-    protected virtual PlotDatum? DatumNear(Point2 screen, double reach) => null;
+    protected virtual PlotDatum? DatumNear(Point2 screen, double reach) => DatumAt(_index.Nearest(View.ToPlot(screen), View.ScaleX, View.ScaleY, reach));
 
-    /// <summary>A datum by its number, from 0.</summary>
+    /// <summary>A datum by its number, from 0; null if there is none, as for -1.</summary>
     protected virtual PlotDatum? DatumAt(int index) => null;
 
     /// <summary>Called when a person has asked for a datum.</summary>
@@ -206,8 +207,10 @@ public abstract partial class PlotArea : Control
     }
 
     /// <summary>Says that the data are others. Whoever sees all goes on seeing all; whoever looks closely goes on looking there, as long as there is something.</summary>
-    protected void Renew()
+    /// <param name="places">Where the data are, each at its number: they are found under a finger. None where <see cref="DatumNear"/> finds them in its own way.</param>
+    protected void Renew(IReadOnlyList<Point2> places)
     {
+        _index = new(places);
         var (isWhole, view) = (ShowsAll, View);
         Ask(null);
         ShowAll();

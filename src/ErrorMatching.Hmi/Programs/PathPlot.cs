@@ -73,7 +73,7 @@ public sealed class PathPlot : PlotArea
             }
 
             Sort();
-            Renew();
+            Renew([]);
         }
     }
 
