@@ -111,15 +111,12 @@ public sealed partial class JobEditing
     private async Task<bool> TryAsync(Action work)
     {
         Message = null;
-        try
+        if (await Failures.OfAsync(work, _station.Clock) is not { } failure)
         {
-            await Task.Run(work);
             return true;
         }
-        catch (Exception e) when (Failures.IsKnown(e))
-        {
-            Message = Failures.Of(e, _station.Clock);
-            return false;
-        }
+
+        Message = failure;
+        return false;
     }
 }

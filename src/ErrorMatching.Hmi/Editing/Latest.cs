@@ -2,7 +2,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>Work beside the screen on the latest of what it is given: what comes while it works takes the place of what waits.</summary>
 /// <typeparam name="T">What it is given.</typeparam>
-/// <param name="work">The work. Whatever may fail in it, it says itself.</param>
+/// <param name="work">The work. Whatever may fail in it, it says itself: a defect in it ends the program.</param>
 internal sealed class Latest<T>(Action<T> work)
     where T : class
 {
@@ -46,19 +46,7 @@ internal sealed class Latest<T>(Action<T> work)
                 (item, _next) = (_next, null);
             }
 
-            try
-            {
-                work(item);
-            }
-            catch
-            {
-                lock (_gate)
-                {
-                    _isRunning = false;
-                }
-
-                throw;
-            }
+            work(item);
         }
     }
 }

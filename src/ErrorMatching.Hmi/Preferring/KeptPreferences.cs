@@ -89,13 +89,9 @@ public sealed class KeptPreferences : Observable, IDisposable
     private async Task KeepAsync(Task before, PreferenceFiles files, string user, Preferences preferences)
     {
         await before;
-        try
+        if (await Failures.OfAsync(() => files.Keep(user, preferences), _station.Clock) is { } failure)
         {
-            await Task.Run(() => files.Keep(user, preferences));
-        }
-        catch (Exception e) when (Failures.IsKnown(e))
-        {
-            Notice = Texts.Current.With("Preferences.NotKept", Failures.Of(e, _station.Clock));
+            Notice = Texts.Current.With("Preferences.NotKept", failure);
         }
     }
 

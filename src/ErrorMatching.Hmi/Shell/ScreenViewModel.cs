@@ -48,15 +48,12 @@ public abstract class ScreenViewModel : Observable, IDisposable
     protected async Task<bool> TryAsync(Action work)
     {
         Message = null;
-        try
+        if (await Failures.OfAsync(work, Station.Clock) is not { } failure)
         {
-            await Task.Run(work);
             return true;
         }
-        catch (Exception e) when (Failures.IsKnown(e))
-        {
-            Message = Failures.Of(e, Station.Clock);
-            return false;
-        }
+
+        Message = failure;
+        return false;
     }
 }

@@ -11,6 +11,21 @@ public static class Failures
     public static bool IsKnown(Exception failure) =>
         failure is PeopleException or DecisionException or StoreException or TransportException or DuplicateCorrectionException or SlotTakenException or InputException or OutputException or JsonDocumentException or JobEditException or IOException or UnauthorizedAccessException;
 
+    /// <summary>Does something beside the screen.</summary>
+    /// <returns>What did not work, in words; null if it worked.</returns>
+    public static async Task<string?> OfAsync(Action work, TimeProvider clock)
+    {
+        try
+        {
+            await Task.Run(work);
+            return null;
+        }
+        catch (Exception e) when (IsKnown(e))
+        {
+            return Of(e, clock);
+        }
+    }
+
     /// <summary>What to say.</summary>
     public static string Of(Exception failure, TimeProvider clock)
     {
