@@ -22,6 +22,10 @@ public sealed class FreeformTests
         var drawing = ((SurfacePlot)seat.See("plan")).Drawing!;
         Assert.Equal(plan.Points.Select(p => (p.Position.X, p.Position.Y)), drawing.Points.Select(p => (p.At.X, p.At.Y)));
         Assert.Equal($"Point 3\nx {Shown.Mm(plan.Points[2].Position.X)} mm\ny {Shown.Mm(plan.Points[2].Position.Y)} mm\nz {Shown.Mm(plan.Points[2].Position.Z)} mm", drawing.Points[2].Values);
+        var plot = (SurfacePlot)seat.See("plan");
+        var third = plot.View.ToScreen(drawing.Points[2].At);
+        seat.User.Click(plot, new(third.X + 3, third.Y - 2));
+        Assert.Equal(drawing.Points[2].Values, plot.Values);
 
         seat.Cell.DeliverSurface(1, 0);
         seat.WaitFor(() => seat.Find("surface-title") is not null, "The measured surface does not appear by itself.");

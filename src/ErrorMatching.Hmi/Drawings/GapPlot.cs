@@ -67,7 +67,7 @@ public sealed class GapPlot : PlotArea
         if (change.Property == DrawingProperty)
         {
             _extent = PlotBox.Of(Drawing?.Part.Concat(Drawing.Counterpart).SelectMany(l => l) ?? []);
-            Renew([]);
+            Renew([.. Drawing?.Points.Select(p => p.At) ?? []]);
         }
     }
 

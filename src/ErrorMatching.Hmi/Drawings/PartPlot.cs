@@ -49,7 +49,7 @@ public sealed class PartPlot : PlotArea
         {
             _points = [.. Drawing?.Lines.SelectMany(l => l.Points) ?? []];
             _extent = PlotBox.Of(_points.Select(p => p.At));
-            Renew([]);
+            Renew([.. _points.Select(p => p.At)]);
         }
     }
 

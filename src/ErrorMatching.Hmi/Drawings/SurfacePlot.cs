@@ -63,7 +63,7 @@ public sealed class SurfacePlot : PlotArea
         {
             _extent = Drawing?.Extent ?? PlotBox.Empty;
             _cells = Drawing is null ? [] : CellsOf(Drawing);
-            Renew([]);
+            Renew([.. Drawing?.Points.Select(p => p.At) ?? []]);
         }
     }
 

@@ -14,6 +14,12 @@ public sealed class PointSetupTests
         Assert.Equal(("WO-2021-02", "Complex mating", "anna"), (seat.Setup.WorkOrder.Text, seat.Setup.Workpiece.Text, seat.Seat.TextOf("points-operator")));
         Assert.Equal([("L1", "2"), ("L2L3", "2 2"), ("C1", "10")], seat.Setup.Features.Select(f => (f.Name.Text, string.Join(' ', f.Flanks.Select(k => k.Count.Text)))));
         Assert.Equal((false, 16, 16), (seat.Setup.Drawing.IsSchematic, seat.Setup.Drawing.Known, seat.Setup.Drawing.Total));
+
+        // The first point under the finger: the sample's own place.
+        var plot = (PartPlot)seat.Seat.See("points-drawing");
+        var first = plot.View.ToScreen(new(-31.95, 76.008));
+        seat.Seat.User.Click(plot, new(first.X + 3, first.Y - 2));
+        Assert.Equal("1  x −31.9500  y 76.0080 mm", plot.Values);
     });
 
     [Fact]
