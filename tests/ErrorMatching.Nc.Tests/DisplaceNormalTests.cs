@@ -76,6 +76,20 @@ public sealed class DisplaceNormalTests
         Assert.Equal([("line 2", NeighborRole.Positioning), ("N20", NeighborRole.Fillet), ("N40", NeighborRole.Slides)], proof.Neighbors.Select(n => (n.Block, n.Role)));
     }
 
+    // Both touch the flanks y = 0.1 and x = 14.7 of the test above, but the radius that was asked for is 4.8.
+    [Theory]
+    [InlineData("X10. Y0.1", "X14.7 Y4.8 I0. J4.7")]
+    [InlineData("X9.89 Y0.1", "X14.7 Y4.91 I0. J4.81")]
+    public void A_fillet_of_another_radius_than_was_asked_for_is_not_proved(string start, string arc)
+    {
+        var path = Bench.Read("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X15. Y5. I0. J5.\nN30 G1 X15. Y20.\nN40 X0. Y20.\n");
+        var wish = DisplacementWish.OfElements([ElementWish.AlongNormals(path, 1, 0.1, 0.1, 0.1), ElementWish.AlongNormals(path, 3, 0.3, 0.3, 0.3)]);
+        var program = NcProgram.FromText($"G90 G17\nG0 X0. Y0.1\nN10 G1 {start} F100\nN20 G3 {arc}\nN30 G1 X14.7 Y20.\nN40 X0. Y20.\n");
+
+        var failure = Assert.Single(Prover.Check(path, program, wish, 0.001).Failures.DistinctBy(f => f.Block));
+        Assert.Equal("N20", failure.Block);
+    }
+
     [Fact]
     public void Arc_that_would_shrink_to_nothing_is_refused()
     {

@@ -1,4 +1,3 @@
-using System.Globalization;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
@@ -73,7 +72,7 @@ internal static class Decider
 
     private static MatingRefusal Implausible(string feature, BoundaryPoint point, double limit) => new(
         ImplausibleDeviation,
-        string.Create(CultureInfo.InvariantCulture, $"Point {point.Label} of {feature} is {point.Displacement.Length:0.000} mm off, more than the {limit:0.###} mm that are plausible: check part, probe and files before raising \"limitMm\"."),
+        RefusalForms.ImplausibleDeviation.With(point.Label, feature, point.Displacement.Length, limit),
         feature,
         point.Label);
 }

@@ -87,7 +87,7 @@ internal static class FeatureEvaluator
         var (wanted, found) = (Fit(curve, theoretical, options), Fit(curve, actual, options));
         if (wanted is null || found is null)
         {
-            return new(curve.Name, curve.Kind, [chord], [], null, null, [.. Sparse(curve, Polyline(theoretical)), new("folded-curve", $"{curve.Name} turns back over its chord, so no polynomial describes it; its compensation does not need one.", curve.Name)]);
+            return new(curve.Name, curve.Kind, [chord], [], null, null, [.. Sparse(curve, Polyline(theoretical)), WarningForms.Warning(WarningForms.FoldedCurve, curve.Name)]);
         }
 
         var length = ArcLength(wanted);
@@ -128,6 +128,6 @@ internal static class FeatureEvaluator
         }
 
         var (count, length, spacing) = (curve.Points.Count.ToString(CultureInfo.InvariantCulture), lengthMm.ToString("0.#", CultureInfo.InvariantCulture), RecommendedSpacingMm.ToString(CultureInfo.InvariantCulture));
-        return [new("sparse-points", $"{curve.Name} has {count} key points on {length} mm; one per {spacing} mm is recommended.", curve.Name, count, length, spacing)];
+        return [WarningForms.Warning(WarningForms.SparsePoints, curve.Name, count, length, spacing)];
     }
 }

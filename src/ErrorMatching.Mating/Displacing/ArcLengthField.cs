@@ -5,6 +5,12 @@ namespace ErrorMatching.Mating;
 /// <summary>A quantity along a pass as a function of its length: a few coefficients through the values at the key points.</summary>
 internal sealed class ArcLengthField
 {
+    /// <summary>How many times its largest value a course may go: smooth deviations were seen to reach 1.4 one point's distance behind the last point, those that follow scatter 17.</summary>
+    private const double Calm = 2;
+
+    /// <summary>At so many places it is looked at: a polynomial of degree 10 turns at most 9 times.</summary>
+    private const int Looks = 200;
+
     private readonly PolynomialFit _fit;
     private readonly double _first;
     private readonly double _last;
@@ -27,14 +33,27 @@ internal sealed class ArcLengthField
 
     /// <summary>
     /// A smooth course; degree and ridge as given, or chosen by the leave-one-out error. Beyond its first and last point it goes on straight for one mean
-    /// distance of the points and stays there, since a polynomial says nothing outside its data.
+    /// distance of the points and stays there, since a polynomial says nothing outside its data. A degree that was chosen makes way for a lower one where the course goes further than
+    /// <see cref="Calm"/> times its largest value: then it follows the scatter of its points and swings between and behind them, which the errors at the points do not show.
     /// </summary>
     public static ArcLengthField Smooth(IReadOnlyList<double> along, IReadOnlyList<double> values, int? degree, double? ridge, double uncertaintyMm)
     {
+        var options = new PolynomialFitOptions { Degree = degree, Ridge = ridge, PointUncertaintyMm = uncertaintyMm };
         var (from, to) = (along.Min(), along.Max());
-        return new(
-            PolynomialFit.Fit(along, values, new() { Degree = degree, Ridge = ridge, PointUncertaintyMm = uncertaintyMm }), from, to, (to - from) / (along.Count - 1));
+        var (reach, largest) = ((to - from) / (along.Count - 1), values.Max(Math.Abs));
+        while (true)
+        {
+            var field = new ArcLengthField(PolynomialFit.Fit(along, values, options), from, to, reach);
+            if (degree is not null || field.Fit.Degree <= 1 || field.Largest() <= Calm * largest)
+            {
+                return field;
+            }
+
+            options = options with { MaxDegree = field.Fit.Degree - 1 };
+        }
     }
+
+    private double Largest() => Enumerable.Range(0, Looks + 1).Max(i => Math.Abs(At(_first - _reach + ((_last - _first + (2 * _reach)) * i / Looks))));
 
     /// <summary>The value at a length.</summary>
     public double At(double along)

@@ -12,6 +12,9 @@ internal static class FeatureWish
     /// <summary>Leave-one-out errors below half the usual least increment are all alike, mm.</summary>
     private const double Rounding = 0.0005;
 
+    /// <summary>Sine of the angle up to which two lines count as pieces of one polyline: 5.7 degrees, as in the rewriting of the program.</summary>
+    private const double PolylineSine = 0.1;
+
     /// <summary>The wishes for one pass, in the order of its motions.</summary>
     /// <param name="job">The job, for the frame, the direction and the gauge's uncertainty.</param>
     /// <param name="path">The program's path.</param>
@@ -79,7 +82,27 @@ internal static class FeatureWish
     {
         var motion = path.Motions[index];
         var (from, to) = (pass.Starts[index - pass.First], pass.Starts[index - pass.First + 1]);
-        return new(index, course(from, motion.TangentAt(0).Left), course((from + to) / 2, motion.TangentAt(0.5).Left), course(to, motion.TangentAt(1).Left));
+        return new(index, course(from, NormalAt(path, pass, index, -1)), course((from + to) / 2, motion.TangentAt(0.5).Left), course(to, NormalAt(path, pass, index, 1)));
+    }
+
+    // Where two lines of a polyline run into each other both ends get one displacement, of the same component along either normal: else lines that tilt would meet beside the place that each of them wants.
+    private static Vector2 NormalAt(NcPath path, FeaturePass pass, int index, int step)
+    {
+        var motion = path.Motions[index];
+        var tangent = motion.TangentAt(step > 0 ? 1 : 0);
+        var next = index + step;
+        while (next >= pass.First && next <= pass.Last && !path.Motions[next].MovesInPlane)
+        {
+            next += step;
+        }
+
+        if (motion.IsArc || next < pass.First || next > pass.Last || path.Motions[next].IsArc)
+        {
+            return tangent.Left;
+        }
+
+        var other = path.Motions[next].TangentAt(step > 0 ? 0 : 1);
+        return Math.Abs(tangent.Cross(other)) < PolylineSine && tangent.Dot(other) > 0 ? (tangent.Left + other.Left) / (1 + tangent.Dot(other)) : tangent.Left;
     }
 
     // Each flank has its own shift and tilt; what lies between them leads from the one to the other and, where it is an arc, stays tangent to both.

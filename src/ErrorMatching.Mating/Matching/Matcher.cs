@@ -87,6 +87,11 @@ public static class Matcher
         }
 
         var wish = DisplacementWish.OfElements([.. elements.OrderBy(e => e.Motion)]);
+        if (BeyondLimit(input, path, maps, wish) is { } wild)
+        {
+            return MatchOutcome.Refused(wild);
+        }
+
         var rewrite = Rewriter.Apply(path, wish);
         if (!rewrite.IsUsable)
         {
@@ -105,6 +110,25 @@ public static class Matcher
         return proof.Holds
             ? new(new(input, path, NcInterpreter.Run(program, path.Dialect), maps, part, counterpart, decision, wish, rewrite.Value, marker, proof), [])
             : MatchOutcome.Refused([.. proof.Failures.Select(f => Named(f, maps))]);
+    }
+
+    // The limit holds between the points and behind them as well: a course that swings out there is nothing that anybody measured.
+    private static MatingRefusal? BeyondLimit(MatchInput input, NcPath path, IReadOnlyList<FeatureMap> maps, DisplacementWish wish)
+    {
+        var compensation = input.Job.Compensation;
+        var limit = compensation.LimitMm * Math.Max(1, compensation.Gain);
+        var worst = wish.Elements.MaxBy(Largest)!;
+        if (Largest(worst) <= limit)
+        {
+            return null;
+        }
+
+        var block = path.Motions[worst.Motion].Block;
+        var name = path.Program.NameOf(path.Program[block]);
+        var feature = maps.First(m => m.Blocks.Contains(block)).Feature.Name;
+        return new(RefusalForms.ImplausibleCourse.Name, RefusalForms.ImplausibleCourse.With(name, feature, Largest(worst), limit), feature, Block: name, Line: block + 1);
+
+        static double Largest(ElementWish element) => Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));
     }
 
     // With the name of the feature whose block it is about, if it is about one.

@@ -150,14 +150,14 @@ public static class MatchReporter
         foreach (var foot in result.Maps.SelectMany(m => m.Passes[0].Feet).Where(f => f.OnCorner && result.Decision.Compensates))
         {
             var block = result.Before.Program.NameOf(result.Before.Program[result.Before.Motions[foot.Motion].Block]);
-            yield return new("point-on-corner", $"Point {foot.Label} lies on a rounded corner at an end of {block}: there the boundary follows both elements, so its own deviation cannot be met exactly. Probe it further from the corner.", foot.Label, block);
+            yield return WarningForms.Warning(WarningForms.PointOnCorner, foot.Label, block);
         }
 
         var rms = result.Part.Alignment.Rms;
         if (result.Input.Job.Alignment.Kind != JobAlignmentKind.None && result.Decision.Compensates)
         {
             var (kind, left) = (ReportWords.Of(result.Input.Job.Alignment.Kind), rms.ToString("0.000", CultureInfo.InvariantCulture));
-            yield return new("aligned", $"The part was aligned ({kind}) before it was compared: what the alignment took away is not compensated. {left} mm (root mean square) are left.", kind, left);
+            yield return WarningForms.Warning(WarningForms.Aligned, kind, left);
         }
     }
 

@@ -17,5 +17,8 @@ public sealed record VerificationResult(IReadOnlyList<VerifiedPoint> Points, IRe
     /// <summary>The root mean square of the mating errors along the normals after.</summary>
     public double RmsAfterMm => Rms(p => p.AfterError);
 
+    /// <summary>By how much the root mean square became smaller, in percent; negative where it grew, null where there was none.</summary>
+    public double? RmsImprovementPercent => RmsBeforeMm > 0 ? 100 * (RmsBeforeMm - RmsAfterMm) / RmsBeforeMm : null;
+
     private double Rms(Func<VerifiedPoint, MatingError> error) => Math.Sqrt(Points.Average(p => error(p).NormalMm * error(p).NormalMm));
 }

@@ -75,20 +75,38 @@ public sealed partial class Prover
         ? Line2.Through(m.PlaneStart + _wish.Elements[index].Start, m.PlaneEnd + _wish.Elements[index].End)
         : null;
 
-    // The lines beside a fillet touch its circle, and it begins and ends there. A joint between two of its arcs keeps its direction from the center.
+    // A fillet is the arc that touches both lines beside it; its radius changed by the mean of what these were offset by. It is measured where it cuts, and ends where it touches; a joint between two of its arcs
+    // keeps its direction from the center.
     private void CheckFillet(int motion, in NcMotion was, in NcMotion now)
     {
         var (first, last) = Fillet.Around(_before, motion)!.Value;
-        var (lineBefore, behind) = (Flank(first - 1)!.Value, Flank(last + 1)!.Value);
+        var (before, behind) = (Flank(first - 1)!.Value, Flank(last + 1)!.Value);
+        if (Wanted(first, last, before, behind) is not { } wanted)
+        {
+            Fail(was.Block, "no arc of the radius that the fillet must have touches the lines beside it.");
+            return;
+        }
+
+        var allowed = ArcTolerance + Mismatch(was) + Math.Abs(was.Arc.Radius - _before.Motions[first].Arc.Radius);
+        Measure(was.Block, Math.Abs(wanted.SignedDistance(now.PlaneStart)), allowed);
+        Measure(was.Block, Math.Abs(wanted.SignedDistance(now.Arc.Middle)), allowed);
+        Measure(was.Block, Math.Abs(wanted.SignedDistance(now.PlaneEnd)), allowed);
         var circle = now.Arc.Circle;
-        Measure(was.Block, Math.Abs(Math.Abs(lineBefore.SignedDistance(circle.Center)) - circle.Radius), ArcTolerance);
-        Measure(was.Block, Math.Abs(Math.Abs(behind.SignedDistance(circle.Center)) - circle.Radius), ArcTolerance);
-        var start = motion == first ? lineBefore.Foot(circle.Center) : circle.Center + ((was.PlaneStart - was.Center).Normalize() * circle.Radius);
+        var start = motion == first ? before.Foot(circle.Center) : circle.Center + ((was.PlaneStart - was.Center).Normalize() * circle.Radius);
         var end = motion == last ? behind.Foot(circle.Center) : circle.Center + ((was.PlaneEnd - was.Center).Normalize() * circle.Radius);
         if (now.PlaneStart.DistanceTo(start) > FootTolerance || now.PlaneEnd.DistanceTo(end) > FootTolerance)
         {
             Fail(was.Block, "the fillet does not end where it touches the lines beside it.");
         }
+    }
+
+    private Circle2? Wanted(int first, int last, Line2 before, Line2 behind)
+    {
+        var arc = _before.Motions[first].Arc;
+        var side = arc.IsCounterClockwise ? 1 : -1;
+        var offset = (_wish.Elements[_elements.IndexOf(first - 1)].End.Dot(before.Normal) + _wish.Elements[_elements.IndexOf(last + 1)].Start.Dot(behind.Normal)) / 2;
+        var radius = arc.Radius - (side * offset);
+        return radius > 0 && Intersect.Lines(before.Offset(side * radius), behind.Offset(side * radius)).Nearest(arc.Center) is { } center ? new(center, radius) : null;
     }
 
     private void CheckArc(in NcMotion was, in NcMotion now)

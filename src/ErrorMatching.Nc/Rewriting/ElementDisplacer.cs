@@ -158,7 +158,7 @@ internal sealed partial class ElementDisplacer
             return null;
         }
 
-        var motion = _path.Motions[element.Motion];
+        var motion = _path.Motions[fillet.First];
         var arc = motion.Arc;
         var left = (WishOf(fillet.First - 1).End.Dot(first.Normal) + WishOf(fillet.Last + 1).Start.Dot(second.Normal)) / 2;
         var towardCenter = arc.IsCounterClockwise ? 1 : -1;

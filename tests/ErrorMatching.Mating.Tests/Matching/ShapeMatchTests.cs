@@ -119,6 +119,18 @@ public sealed class ShapeMatchTests
         Assert.Equal(up, new[] { "N40", "N50", "N60", "N70", "N80" }.Select(n => match.Motion(n).End.Y), (expected, found) => Math.Abs(expected - found) < 0.0006);
     }
 
+    // Lagrange's polynomials through 0, 10 .. 40 have the signs + + - + - between the first two places, so these values add up there: at 5 to 0.9 (35 + 140 + 70 + 28 + 5) / 128.
+    [Fact]
+    public void A_course_that_swings_beyond_the_limit_between_its_points_is_refused_by_its_block()
+    {
+        var program = "N20 G0 X0. Y40.\nN30 G1 G41 D1 Y20. F300\nN40 Y0.\nN50 X10.\nN60 X20.\nN70 X30.\nN80 X40.\nN90 Y20.\nN100 G40 Y40.\nN110 M30\n";
+        var match = Curve(program, "N50..N80", 5, i => (10 * i, new[] { 0.9, 0.9, -0.9, 0.9, -0.9 }[i]), i => (10 * i, 0), """ "degree": 4, "ridge": 0 """) with { Compensation = """{ "limitMm": 1 }""" };
+
+        var refusal = match.Refusal();
+        Assert.Equal(("implausible-course", "N50", 4), (refusal.Code, refusal.Block, refusal.Line));
+        Assert.Contains("1.955 mm, more than the 1 mm", refusal.Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Along_the_vector_the_vertices_of_a_polyline_move_by_it()
     {

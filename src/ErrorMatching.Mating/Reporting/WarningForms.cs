@@ -1,0 +1,25 @@
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>The sentences of a report's warnings. They go into the cell's records as well, and are read back from there by the same forms; each is named by its warning's code.</summary>
+public static class WarningForms
+{
+    /// <summary>Feature, count of key points, length and recommended spacing in mm.</summary>
+    public static SentenceForm SparsePoints { get; } = new("sparse-points", "{0} has {1} key points on {2} mm; one per {3} mm is recommended.");
+
+    /// <summary>Feature.</summary>
+    public static SentenceForm FoldedCurve { get; } = new("folded-curve", "{0} turns back over its chord, so no polynomial describes it; its compensation does not need one.");
+
+    /// <summary>Point and block.</summary>
+    public static SentenceForm PointOnCorner { get; } = new(
+        "point-on-corner", "Point {0} lies on a rounded corner at an end of {1}: there the boundary follows both elements, so its own deviation cannot be met exactly. Probe it further from the corner.");
+
+    /// <summary>Kind of alignment, and what is left in mm.</summary>
+    public static SentenceForm Aligned { get; } = new("aligned", "The part was aligned ({0}) before it was compared: what the alignment took away is not compensated. {1} mm (root mean square) are left.");
+
+    /// <summary>All of them.</summary>
+    public static IReadOnlyList<SentenceForm> All { get; } = [SparsePoints, FoldedCurve, PointOnCorner, Aligned];
+
+    internal static ReportWarning Warning(SentenceForm form, params string[] values) => new(form.Name, form.With(values), values);
+}
