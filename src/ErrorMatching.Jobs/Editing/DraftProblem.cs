@@ -5,4 +5,5 @@ namespace ErrorMatching.Jobs;
 /// <param name="Code">Stable word of the reader that says so.</param>
 /// <param name="Found">What was found, as the middle of a sentence; empty where <paramref name="Message"/> says all.</param>
 /// <param name="Message">What was found and what is expected, as a sentence.</param>
-public sealed record DraftProblem(string Field, string Code, string Found, string Message);
+/// <param name="Expected">What is expected instead, as the middle of a sentence; empty where <paramref name="Message"/> says all.</param>
+public sealed record DraftProblem(string Field, string Code, string Found, string Message, string Expected = "");

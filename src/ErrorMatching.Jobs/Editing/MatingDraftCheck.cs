@@ -1,3 +1,4 @@
+using System.Text.RegularExpressions;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
@@ -10,7 +11,7 @@ namespace ErrorMatching.Jobs;
 /// Says what is wrong with a draft by the readers of its files, at the fields of the draft: first the job's, then the theoretical points', and where both can be used the mapping of every key point to the program, for a
 /// part that is measured where it is designed.
 /// </summary>
-public static class MatingDraftCheck
+public static partial class MatingDraftCheck
 {
     /// <summary>Field of what is wrong with the program itself.</summary>
     public const string Program = "$.counterpart.program";
@@ -31,18 +32,25 @@ public static class MatingDraftCheck
         }
         catch (JobException e)
         {
-            problems.AddRange(e.Problems.Select(p => new DraftProblem(FieldOf(p), p.Code, p.Found, p.Message)));
+            problems.AddRange(e.Problems.Select(p => new DraftProblem(FieldOf(p), p.Code, p.Found, p.Message, p.Expected)));
         }
 
         var theoretical = DraftPoints.Check(draft, job, problems);
-        if (job is not null)
+        var dialect = job is null ? null : Find(job, problems);
+        ReadOnlyMemory<byte>? program = null;
+        if (job is not null || draft.Program is not null)
         {
-            var dialect = Find(job, problems);
-            Read(draft, file, out var program, problems);
-            if (problems.Count == 0 && theoretical is not null && program is { } bytes)
-            {
-                Map(draft, new(job, theoretical, theoretical, theoretical, Path.GetFileName(job.Counterpart.Program), bytes) { OwnDialect = dialect }, problems);
-            }
+            Read(draft, file, out program, problems);
+        }
+
+        if (problems.Count == 0 && job is not null && theoretical is not null && program is { } bytes)
+        {
+            Map(draft, new(job, theoretical, theoretical, theoretical, Path.GetFileName(job.Counterpart.Program), bytes) { OwnDialect = dialect }, problems);
+        }
+        else if (program is { } given)
+        {
+            // What the program says about itself and about blocks need not wait until everything else is right.
+            problems.AddRange(DraftBlocks.Check(draft, file, given));
         }
 
         return new(problems, job);
@@ -107,7 +115,7 @@ public static class MatingDraftCheck
         {
             foreach (var refusal in Matcher.Match(input).Refusals)
             {
-                problems.Add(new(FieldOf(draft, refusal), refusal.Code, "", refusal.Message));
+                problems.Add(new(FieldOf(draft, refusal), refusal.Code, FoundBy(draft, refusal), refusal.Message));
             }
         }
         catch (NcException e)
@@ -134,9 +142,21 @@ public static class MatingDraftCheck
 
     private static string FieldOf(MatingDraft draft, MatingRefusal refusal)
     {
-        var feature = draft.Features.ToList().FindIndex(f => f.Name.Trim() == refusal.Feature);
-        return feature >= 0 ? DraftPaths.Feature(feature, "blocks") : Program;
+        var feature = IndexOf(draft, refusal);
+        return feature >= 0 ? DraftPaths.Feature(feature, "blocks") : refusal.Code == "alignment-needs-one-plane" ? "$.alignment.kind" : Program;
     }
+
+    // The point or block that it is about, of a point how far away it is, of a block that is not there the name that was asked for.
+    private static string FoundBy(MatingDraft draft, MatingRefusal refusal) => refusal is { Code: "point-off-path", Point: { } point } && Length().Match(refusal.Message) is { Success: true } length
+        ? $"{point} ({length.Value})"
+        : refusal.Point ?? refusal.Block ?? (IndexOf(draft, refusal) is >= 0 and var feature
+        ? draft.Features[feature].BlockList.SelectMany(b => b.StartsWith('/') ? [b] : b.Split("..")).Where(b => refusal.Message.Contains(b, StringComparison.Ordinal)).MaxBy(b => b.Length)
+        : null) ?? "";
+
+    private static int IndexOf(MatingDraft draft, MatingRefusal refusal) => draft.Features.ToList().FindIndex(f => f.Name.Trim() == refusal.Feature);
+
+    [GeneratedRegex("[0-9.]+ mm", RegexOptions.CultureInvariant, 1000)]
+    private static partial Regex Length();
 
     private static DraftProblem At(string field, ErrorItem item) => new(field, item.Code, "", item.Problem ?? item.Message);
 }

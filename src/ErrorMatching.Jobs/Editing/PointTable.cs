@@ -9,22 +9,32 @@ public sealed partial class PointTable
     private readonly IReadOnlyList<PointDraft> _points;
     private readonly bool _hasLabels;
 
-    private PointTable(IReadOnlyList<PointDraft> points, bool hasLabels) => (_points, _hasLabels) = (points, hasLabels);
+    private PointTable(IReadOnlyList<PointDraft> points, bool hasLabels, PointTableFault? fault) => (_points, _hasLabels, Fault) = (points, hasLabels, fault);
 
     /// <summary>How many points it has.</summary>
     public int Count => _points.Count;
 
-    /// <summary>Reads a text. Lines that hold no coordinates, such as a heading, are left out; decimal commas become points where no comma separates.</summary>
+    /// <summary>The first line that should hold coordinates and does not; null if there is none. Of a table with one nothing is taken: a point would keep what it had, and nobody would see it.</summary>
+    public PointTableFault? Fault { get; }
+
+    /// <summary>Reads a text. Headings, empty lines and lines that begin with # are left out; decimal commas become points where no comma separates.</summary>
     public static PointTable Read(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
         var separator = text.Contains('\t', StringComparison.Ordinal) ? '\t' : text.Contains(';', StringComparison.Ordinal) ? ';' : ',';
-        var rows = text.Split('\n').Select(l => l.Trim('\r', ' ').TrimEnd('\t').Split(separator).Select(c => Cell(c, separator)).ToArray())
-            .Where(r => r.Length is >= 2 and <= 4 && IsNumber(r[^1]) && IsNumber(r[^2])).ToArray();
+        var lines = text.Split('\n').Select((l, i) => (Number: i + 1, Text: l.Trim('\r', ' ').TrimEnd('\t'))).Where(l => l.Text.Trim(separator, ' ').Length > 0 && l.Text[0] != '#')
+            .Select(l => (l.Number, l.Text, Cells: l.Text.Split(separator).Select(c => Cell(c, separator)).ToArray())).ToArray();
 
         // Three cells are a label and two coordinates: a label may be a number as well.
-        var hasLabels = rows.Any(r => r.Length > 2);
-        return new([.. rows.Where(r => r.Length > 2 == hasLabels).Select(r => hasLabels ? new PointDraft(r[0], r[1], r[2], r.Length > 3 ? r[3] : "") : new PointDraft("", r[0], r[1]))], hasLabels);
+        var hasLabels = lines.Any(l => IsPoint(l.Cells) && l.Cells.Length > 2);
+        var headings = lines.TakeWhile(l => IsHeading(l.Cells)).Count();
+        var table = lines.Skip(headings).ToArray();
+        if (table.FirstOrDefault(l => !IsPoint(l.Cells) || (l.Cells.Length > 2) != hasLabels) is { Text: not null } wrong)
+        {
+            return new([], false, new(wrong.Number, wrong.Text));
+        }
+
+        return new([.. table.Select(l => l.Cells).Select(r => hasLabels ? new PointDraft(r[0], r[1], r[2], r.Length > 3 ? r[3] : "") : new PointDraft("", r[0], r[1]))], hasLabels, null);
     }
 
     /// <summary>
@@ -35,6 +45,23 @@ public sealed partial class PointTable
     {
         ArgumentNullException.ThrowIfNull(draft);
         return IsWholeOf(draft) ? With(draft, Labeled) : Filled(draft);
+    }
+
+    /// <summary>What a table and a draft do not have in common, before the one is put into the other.</summary>
+    /// <param name="draft">The draft.</param>
+    /// <returns>The table's points that no point of a feature is named like, and the points of features that the table says nothing about, each in their order. Rows without labels are named by their number.</returns>
+    public (IReadOnlyList<string> NotInFeatures, IReadOnlyList<string> NotInTable) Differences(MatingDraft draft)
+    {
+        ArgumentNullException.ThrowIfNull(draft);
+        string[] wanted = [.. draft.Features.SelectMany(f => f.Flanks).SelectMany(k => k).Select(p => p.Label.Trim())];
+        if (IsWholeOf(draft))
+        {
+            return ([], []);
+        }
+
+        return _hasLabels
+            ? ([.. _points.Select(p => p.Label).Except(wanted, StringComparer.Ordinal)], [.. wanted.Except(_points.Select(p => p.Label), StringComparer.Ordinal)])
+            : ([.. Enumerable.Range(draft.Points.Count() + 1, Math.Max(0, _points.Count - draft.Points.Count())).Select(n => n.ToString(CultureInfo.InvariantCulture))], [.. wanted.Skip(_points.Count)]);
     }
 
     // Labels that a count of points gave are nobody's choice yet.
@@ -62,6 +89,11 @@ public sealed partial class PointTable
         var known = draft.Points.Select(p => p.Label.Trim()).ToHashSet(StringComparer.Ordinal);
         return _hasLabels ? filled with { OtherPoints = [.. filled.OtherPoints, .. byLabel.Values.Where(p => !known.Contains(p.Label))] } : filled;
     }
+
+    private static bool IsPoint(string[] cells) => cells.Length is >= 2 and <= 4 && cells.Skip(cells.Length > 2 ? 1 : 0).All(IsNumber);
+
+    // A point with one coordinate that cannot be read is none.
+    private static bool IsHeading(string[] cells) => !IsPoint(cells) && (cells.Length < 3 || !(IsNumber(cells[^1]) || IsNumber(cells[^2])));
 
     private static string Cell(string cell, char separator)
     {

@@ -8,6 +8,10 @@ public sealed class MatingDraftCheckTests
 {
     private static readonly string File = Repository.PathTo("samples", "complex-mating", "job.json");
 
+    private static readonly DraftProgram NoProgram = DraftProgram.Of("point,x_mm,y_mm\n1,2,3\n"u8.ToArray());
+
+    private static readonly DraftProgram Own = DraftProgram.Of(System.IO.File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")));
+
     private static readonly Dictionary<string, (Func<MatingDraft, MatingDraft> Mistake, string Field, string Code)> Mistakes = new()
     {
         ["no name"] = (d => d with { Name = " " }, "$.name", "too-short"),
@@ -44,6 +48,9 @@ public sealed class MatingDraftCheckTests
         ["expression wrong"] = (d => d.WithFeature(0, f => f with { Blocks = "/(/" }), "$.features[0].blocks[0]", "bad-pattern"),
         ["block not there"] = (d => d.WithFeature(0, f => f with { Blocks = "N121" }), "$.features[0].blocks", "block-not-found"),
         ["block of two features"] = (d => d.WithFeature(0, f => f with { Blocks = "N120, N130" }), "$.features[1].blocks", "blocks-overlap"),
+        ["block not there, beside another mistake"] = (d => d.WithFeature(0, f => f with { Blocks = "N121" }) with { Name = "", Program = Own }, "$.features[0].blocks", "block-not-found"),
+        ["block of two features, beside another mistake"] = (d => d.WithFeature(0, f => f with { Blocks = "N120, N130", Lower = "9" }) with { Program = Own }, "$.features[1].blocks", "blocks-overlap"),
+        ["no program, beside another mistake"] = (d => d with { Name = "", Program = NoProgram }, "$.counterpart.program", "no-cutting-motion"),
         ["chain link without a name"] = (d => d with { Chain = [new("", "1", "0", "0")] }, "$.toleranceChain[0].name", "too-short"),
         ["chain limits reversed"] = (d => d with { Chain = [new("a", "1", "1", "0")] }, "$.toleranceChain[0].toleranceMm", "reversed-tolerance"),
         ["comparison of an unknown element"] = (d => d with { Comparisons = [new("a", "angle", "L1, L9")] }, "$.verify[0].between[1]", "unknown-element"),

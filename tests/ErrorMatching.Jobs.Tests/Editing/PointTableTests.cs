@@ -36,6 +36,24 @@ public sealed class PointTableTests
         Assert.Equal([("1", "1"), ("2", "2"), ("3", "3")], PointTable.Read("3\t3\t0\n2\t2\t0\n1\t1\t0").Into(counted).Points.Select(p => (p.Label, p.X)));
     }
 
+    [Fact]
+    public void What_table_and_features_do_not_have_in_common_is_named()
+    {
+        Assert.Equal("O | 2 3 4 5", Differences("O\t0\t0\n1\t1\t1", Draft));
+        Assert.Equal(" | 5", Differences("1\t2\n3\t4\n5\t6\n7\t8", Draft));
+        Assert.Equal("6 7 | ", Differences("1\t1\n1\t1\n1\t1\n1\t1\n1\t1\n1\t1\n1\t1", Draft));
+
+        // A whole table gives its labels.
+        var counted = Draft with { Features = [new() { Name = "L", Flanks = [[new("1"), new("2")]] }] };
+        Assert.Equal(" | ", Differences("A\t1\t2\n2a\t3\t4", counted));
+
+        static string Differences(string text, MatingDraft draft)
+        {
+            var (other, missing) = PointTable.Read(text).Differences(draft);
+            return $"{string.Join(' ', other)} | {string.Join(' ', missing)}";
+        }
+    }
+
     [Theory]
     [InlineData("")]
     [InlineData("hello")]
@@ -47,4 +65,22 @@ public sealed class PointTableTests
         Assert.Equal(0, PointTable.Read(text).Count);
         Assert.True(Draft.IsSame(PointTable.Read(text).Into(Draft)));
     }
+
+    [Theory]
+    [InlineData("point,x,y\n1,-31.95,76.008\n2,-32.3O,58\n3,1,2\n", 3, "2,-32.3O,58")]
+    [InlineData("1;-31,95O;76,008\n3;+1;2", 1, "1;-31,95O;76,008")]
+    [InlineData("1\t-31.95\t76\n\n# measured twice\n3\n", 4, "3")]
+    [InlineData("1\t2\t3\n4\t5\n", 2, "4\t5")]
+    [InlineData("1,0,0,0\n2,x,1,2\n", 2, "2,x,1,2")]
+    public void A_line_that_cannot_be_read_is_named_and_nothing_is_taken(string text, int line, string words)
+    {
+        var table = PointTable.Read(text);
+        Assert.Equal(new PointTableFault(line, words), table.Fault);
+        Assert.Equal(0, table.Count);
+        Assert.True(Draft.IsSame(table.Into(Draft)));
+    }
+
+    [Fact]
+    public void Headings_of_several_lines_are_none_of_the_points() =>
+        Assert.Equal(1, PointTable.Read("Housing;\nRev 2;4711\nlabel;x;y\n;;\n1;2;3\n").Count);
 }
