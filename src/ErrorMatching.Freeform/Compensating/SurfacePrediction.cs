@@ -2,8 +2,9 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>What the finished surface is expected to show when it is measured like the one before, if nothing but the compensation changes.</summary>
 /// <remarks>
-/// At each measured point the compensation takes its part off the systematic error; what the field does not explain (cutting and probing do not repeat) comes again, with the same spread. The expected error is therefore
-/// the systematic error that is left, and its uncertainty is that of the field; scatter is added to the spread by root sum of squares.
+/// At each measured point the compensation takes its part off the systematic error. Two things come on top, independent of each other and of what is left, and are added to the spread by root sum of squares: what the field does
+/// not explain (cutting and probing do not repeat) comes again, drawn anew; and the field is itself off by its uncertainty, which was cut into the surface. The residuals of a fit tell less than the first, because it follows
+/// part of the noise: they count by the degrees of freedom that it left, where it knows them. A fit that goes through every point has no residuals at all; its uncertainty is then all there is.
 /// </remarks>
 /// <param name="Method">Name of the compensation: <c>mirror</c> or <c>tool-radius</c>.</param>
 /// <param name="Errors">Expected systematic error at each measured point, in the order of the samples, in millimetres.</param>
@@ -24,23 +25,25 @@ public sealed record SurfacePrediction(string Method, IReadOnlyList<double> Erro
     internal static SurfacePrediction Of(string method, IReadOnlyList<ErrorSample> samples, ErrorField systematic, ErrorField compensation, double gain)
     {
         double[] left = [.. samples.Select(s => systematic.At(s.U, s.V) - (gain * compensation.At(s.U, s.V)))];
-        double[] scatter = [.. samples.Select(s => s.ErrorMm - systematic.At(s.U, s.V))];
-        var spread = Math.Sqrt(scatter.Sum(r => r * r) / Math.Max(1, scatter.Length - 1));
+        var noise = systematic is FittedField { ResidualStandardDeviationMm: >= 0 } fitted ? fitted.ResidualStandardDeviationMm : Math.Sqrt(samples.Sum(s => Square(s.ErrorMm - systematic.At(s.U, s.V))) / Math.Max(1, samples.Count - 1));
         var field = Math.Sqrt(samples.Sum(s => Square(systematic.StandardUncertaintyAt(s.U, s.V))) / samples.Count);
+        var spread = Hypot(noise, field);
         var statistics = DeviationStatistics.Of(left);
-        var outermost = spread * NormalQuantile((samples.Count - BlomShift) / (samples.Count + 1 - (2 * BlomShift)));
         return new(
             method,
             left,
             statistics with
             {
                 StandardDeviationMm = Hypot(statistics.StandardDeviationMm, spread),
-                ProfileIsoMm = 2 * Hypot(statistics.ProfileIsoMm / 2, outermost),
-                ProfileRangeMm = Hypot(statistics.ProfileRangeMm, 2 * outermost),
+                // The largest on either side is the largest of twice as many on one.
+                ProfileIsoMm = 2 * Hypot(statistics.ProfileIsoMm / 2, spread * Outermost(2 * samples.Count)),
+                ProfileRangeMm = Hypot(statistics.ProfileRangeMm, 2 * spread * Outermost(samples.Count)),
             },
-            Hypot(field, spread / Math.Sqrt(samples.Count)),
-            Hypot(field, spread));
+            Hypot(field, noise / Math.Sqrt(samples.Count)),
+            spread);
     }
+
+    private static double Outermost(int count) => NormalQuantile((count - BlomShift) / (count + 1 - (2 * BlomShift)));
 
     private static double Hypot(double a, double b) => Math.Sqrt((a * a) + (b * b));
 

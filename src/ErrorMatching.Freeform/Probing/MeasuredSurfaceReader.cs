@@ -69,7 +69,7 @@ public static class MeasuredSurfaceReader
 
     private static IReadOnlyList<RawPoint> Lines(ReadOnlySpan<byte> bytes, string[] lines, string file, MeasuringPlan plan, JobMeasuring measuring)
     {
-        var first = lines.FirstOrDefault(l => l.Trim().Length > 0 && l.TrimStart()[0] is not ('%' or ';'))?.Trim() ?? throw new FreeformException("empty-file", file, "the file has no points.");
+        var first = lines.FirstOrDefault(l => l.Trim().Length > 0 && l.TrimStart()[0] is not ('%' or ';'))?.Trim() ?? throw new FreeformException("empty-file", file, "the file is empty; a log, or a table with a header, is expected.");
         if (first.StartsWith(ProbingLogReader.FirstWord, StringComparison.Ordinal))
         {
             return new ProbingLogReader(file, plan).Read(lines);

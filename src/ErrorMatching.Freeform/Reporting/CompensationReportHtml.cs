@@ -46,7 +46,7 @@ public static class CompensationReportHtml
     private static void WritePredictions(HtmlText html, CompensationResult result)
     {
         SurfaceTables.WriteStatistics(html, "predictions", "Measured, and expected by either way of compensating", [("Measured", result.Before), ("Expected, mirrored", result.Mirror.Statistics), ("Expected, tool radius", result.ToolRadius.Statistics)]);
-        html.Put("p", $"Standard uncertainty of the expected error: {Micrometres.OfMm(result.Mirror.PointUncertaintyMm)} µm at a point, {Micrometres.OfMm(result.Mirror.MeanUncertaintyMm)} µm for the mean. What did not fit the field is expected to come again, as scatter: cutting and probing do not repeat exactly.");
+        html.Put("p", $"Standard uncertainty of the expected error: {Micrometres.OfMm(result.Mirror.PointUncertaintyMm)} µm at a point, {Micrometres.OfMm(result.Mirror.MeanUncertaintyMm)} µm for the mean. The noise is expected to come again, because cutting and probing do not repeat exactly, and the field to be off by its uncertainty; both are in the spread.");
     }
 
     private static void WriteMaps(HtmlText html, CompensationResult result)

@@ -9,6 +9,10 @@ internal sealed partial class PathPlanning
     /// <summary>Most points of a path: beyond it a tolerance or a unit is wrong.</summary>
     private const int MostPoints = 50_000_000;
 
+    /// <summary>After so many passes it is told how many points come of all of them, and given up if these are far too many: a surface in meters that are millimeters is not followed for minutes.</summary>
+    private const int FirstPasses = 50;
+    private const double FarTooMany = 10.0 * MostPoints;
+
     /// <summary>So many points are kept as they are; those of a longer path are made again when they are written.</summary>
     private const int MostKept = 100_000;
 
@@ -154,6 +158,10 @@ internal sealed partial class PathPlanning
             pass.Lines.Clear();
             (pass, v) = (next, next.V);
             Keep(pass);
+            if (passes.Count == FirstPasses && _points * ((last - first) / (v - first)) is > FarTooMany and var all)
+            {
+                _refusal = TooLong($"about {all.ToString("0.#E+0", CultureInfo.InvariantCulture)}");
+            }
         }
 
         return passes;
@@ -296,7 +304,7 @@ internal sealed partial class PathPlanning
         _points += line.Count;
         if (_points > MostPoints)
         {
-            _refusal ??= new("path-too-long", string.Create(CultureInfo.InvariantCulture, $"the path would have more than {MostPoints} points. Check the units of the surface, and scallopMm and chordMm."));
+            _refusal ??= TooLong("more");
         }
 
         var (chord, at) = line.Chord;
@@ -312,6 +320,9 @@ internal sealed partial class PathPlanning
             _length += i > 0 ? (line.Centers[i] - line.Centers[i - 1]).Length : 0;
         }
     }
+
+    private static FreeformRefusal TooLong(string points) =>
+        new("path-too-long", string.Create(CultureInfo.InvariantCulture, $"the path would have {points} points; at most {MostPoints} are made. Check the units of the surface, and scallopMm and chordMm."));
 
     private FreeformRefusal NotReached(string what, double found, double wanted, Point2 at) => new(
         "tolerance-not-reached",

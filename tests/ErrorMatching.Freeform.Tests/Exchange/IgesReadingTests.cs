@@ -124,7 +124,7 @@ public sealed class IgesReadingTests
         Assert.Equal("no-such-surface", Assert.Throws<FreeformException>(() => file.Read("4")).Code);
         var several = Assert.Throws<FreeformException>(() => file.Read());
         Assert.Equal("several-surfaces", several.Code);
-        Assert.Contains("1 \"BASE\", 2 \"UPPER SHELL\", 3", several.Problem, StringComparison.Ordinal);
+        Assert.Contains("1 \"BASE\" (x 0 to 1, y 0 to 1, z 0 to 0), 2 \"UPPER SHELL\" (x 0 to 2, y 0 to 1, z 0 to 0), 3 (x 0 to 3", several.Problem, StringComparison.Ordinal);
     }
 
     [Fact]

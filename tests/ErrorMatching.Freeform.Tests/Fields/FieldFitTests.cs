@@ -151,6 +151,9 @@ public sealed class FieldFitTests
     public void Samples_that_are_none_are_refused()
     {
         Assert.Equal("no-samples", Assert.Throws<FreeformException>(() => FieldFit.Fit([])).Code);
+        var many = Assert.Throws<FreeformException>(() => FieldFit.Fit(new ErrorSample[FieldFit.MostSamples + 1]));
+        Assert.Equal("too-many-samples", many.Code);
+        Assert.Contains("200001 measured points; at most 200000", many.Problem, StringComparison.Ordinal);
         var samples = TrueShape.MachineError.Samples();
         samples[3] = samples[3] with { ErrorMm = double.PositiveInfinity };
         var refused = Assert.Throws<FreeformException>(() => FieldFit.Fit(samples));

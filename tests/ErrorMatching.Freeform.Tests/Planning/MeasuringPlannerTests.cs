@@ -179,6 +179,15 @@ public sealed class MeasuringPlannerTests
     }
 
     [Fact]
+    public void A_strip_narrower_than_what_is_kept_from_its_edges_is_refused()
+    {
+        var region = new SurfaceRegion([[new(0, 0.5), new(1, 0.5), new(1, 0.51), new(0, 0.51)]]);
+        var refusal = Assert.Single(MeasuringPlanner.Plan(Surfaces.One with { Region = region }, Surfaces.Measuring(7, 10, null)).Refusals);
+        Assert.Equal("no-room", refusal.Code);
+        Assert.Contains("less than twice the 0.5 mm", refusal.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Normals_point_out_of_the_material()
     {
         Assert.All(MeasuringPlanner.Plan(Surfaces.One, Surfaces.Measuring(4, 4)).Points, p => Assert.True(p.Normal.Z > 0.3));

@@ -98,11 +98,7 @@ public sealed class MeasuredSurfaceReaderTests
     [Fact]
     public void Gauge_tables_of_features_are_read()
     {
-        var text = "feature,item,nominal,actual,deviation\n" + string.Concat(Plan.Points.SelectMany(p => "XYZ".Select(axis =>
-        {
-            var value = Math.Round(axis == 'X' ? Plan.ContactOf(p).X : axis == 'Y' ? Plan.ContactOf(p).Y : Plan.ContactOf(p).Z, 4);
-            return FormattableString.Invariant($"P{p.Number},{axis},{value:0.0000},{value:0.0000},0\n");
-        })));
+        var text = GaugeTable();
         Assert.All(Read(text).Points, p => Assert.True((p.Contact - Plan.ContactOf(p.Planned)).Length < 1e-4));
     }
 
@@ -150,18 +146,35 @@ public sealed class MeasuredSurfaceReaderTests
     public void Two_runs_in_one_log_are_refused() => Refused(Log() + Log(), "two-runs", 22, "began in line 1");
 
     [Theory]
-    [InlineData("", "empty-file")]
-    [InlineData("hello", "missing-column")]
-    [InlineData("point,x,y\n1,2,3\n", "missing-column")]
-    [InlineData("point,x,y,z\n1,2,3\n", "short-row")]
-    [InlineData("point,x,y,z\n1,2,3,NaN\n", "bad-number")]
-    [InlineData("point,x,y,z\none,2,3,4\n", "bad-number")]
-    [InlineData("point,x,x,y,z\n1,2,3,4,5\n", "duplicate-column")]
-    [InlineData("ERRORMATCH PROBE\n", "bad-log")]
-    [InlineData("ERRORMATCH PROBE PLAN 0 INCH\n", "bad-log")]
-    [InlineData("i,j,x,y,z\n99,0,2,3,4\n", "unknown-point")]
-    [InlineData("point,x,y,z\n\0", "binary-file")]
-    public void What_is_no_measurement_is_refused(string text, string code) => Assert.Equal(code, Assert.Throws<FreeformException>(() => Read(text)).Code);
+    [InlineData("", "empty-file", null, null, "the file is empty", "a log, or a table with a header, is expected")]
+    [InlineData("\n% \n", "empty-file", null, null, "the file is empty", "a log, or a table with a header, is expected")]
+    [InlineData("hello", "missing-column", 1, null, "the columns \"hello\"", "expected x among them")]
+    [InlineData("x,y,z\n1,2,3\n", "missing-column", 1, null, "the columns \"x\", \"y\", \"z\"", "expected point, or i and j")]
+    [InlineData("point,x,y\n1,2,3\n", "missing-column", 1, null, "the columns \"point\", \"x\", \"y\"", "expected z among them")]
+    [InlineData("point,x,y,z\n1,2,3\n", "short-row", 2, null, "a line of 3 cells", "expected 4 as in the header")]
+    [InlineData("point,x,y,z\n1,2,3,4,5\n", "long-row", 2, null, "a line of 5 cells", "expected 4 as in the header, and numbers with a decimal point")]
+    [InlineData("point,x,y,z\n1,2,3,NaN\n", "bad-number", 2, 4, "found \"NaN\"", "expected a coordinate in millimetres")]
+    [InlineData("point,x,y,z\none,2,3,4\n", "bad-number", 2, 1, "found \"one\"", "expected the number of a point of the plan")]
+    [InlineData("i,j,x,y,z\n0,0.5,2,3,4\n", "bad-number", 2, 2, "found \"0.5\"", "expected a whole number as in plan.csv")]
+    [InlineData("point,x,x,y,z\n1,2,3,4,5\n", "duplicate-column", 1, null, "two columns for x", "expected it once")]
+    [InlineData("feature,item,nominal,actual,deviation\nA,X,1,1,0\nA,Y,1,1,0\nA,Z,1,1,0\n", "bad-number", 2, null, "the feature \"A\"", "expected the number of a point of the plan")]
+    [InlineData("feature,item,nominal,actual,deviation\nP1,X,1,1,0\nP1,Y,1,1,0\n", "missing-coordinate", 2, null, "no Z of the feature \"P1\"", "expected X, Y and Z")]
+    [InlineData("ERRORMATCH PROBE\n", "bad-log", 1, null, "found \"ERRORMATCH PROBE\"", "expected ERRORMATCH PROBE PLAN, the plan's number, and MM")]
+    [InlineData("ERRORMATCH PROBE PLAN 0 INCH\n", "bad-log", 1, null, "the unit \"INCH\"", "expected MM")]
+    [InlineData("i,j,x,y,z\n99,0,2,3,4\n", "unknown-point", 2, null, "the point i 99, j 0", "the plan has i from 0 to 4 and j from 0 to 3")]
+    [InlineData("point,x,y,z\n\0", "binary-file", null, null, "a NUL character", "expected text")]
+    [InlineData("point,x,y,z\n\u00ff", "invalid-encoding", null, null, "bytes that are no UTF-8 text", "expected UTF-8")]
+    public void What_is_no_measurement_is_refused(string text, string code, int? line, int? column, string found, string expected)
+    {
+        var error = Assert.Throws<FreeformException>(() => MeasuredSurfaceReader.Read(Encoding.Latin1.GetBytes(text), "measured.csv", Plan, Plan.Measuring));
+        Assert.Equal((code, "measured.csv", line, column), (error.Code, error.File, error.Line, error.Column));
+        Assert.Contains(found, error.Message, StringComparison.Ordinal);
+        Assert.Contains(expected, error.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_file_larger_than_any_measurement_is_refused() =>
+        Assert.Equal("file-too-large", Assert.Throws<FreeformException>(() => MeasuredSurfaceReader.Read(new byte[MeasuredSurfaceReader.MaxBytes + 1], "measured.csv", Plan, Plan.Measuring)).Code);
 
     [Theory]
     [InlineData("P1 C X1 Y2")]
@@ -172,23 +185,45 @@ public sealed class MeasuredSurfaceReaderTests
     public void A_line_of_a_log_that_is_no_point_is_refused_with_its_line(string line) => Refused(Log().Split('\n')[0] + "\n" + line, "bad-log", 2, "expected a point such as");
 
     [Fact]
-    public void Whatever_bytes_come_nothing_but_the_library_s_errors_does() => Check.One(Config.QuickThrowOnFailure.WithMaxTest(200), Prop.ForAll<byte[]>(Survives));
+    public void Whatever_bytes_come_nothing_but_the_library_s_errors_does() => Check.One(Config.QuickThrowOnFailure.WithMaxTest(200), Prop.ForAll<byte[]>(bytes => { Survives(bytes); }));
 
-    private static void Survives(byte[] bytes)
+    [Theory]
+    [InlineData("log")]
+    [InlineData("table")]
+    [InlineData("gauge")]
+    public void A_damaged_file_is_read_or_refused(string kind)
+    {
+        var good = Encoding.UTF8.GetBytes(kind == "log" ? Log() + "END\n" : kind == "gauge" ? GaugeTable() : "point,x,y,z\n" + string.Concat(Plan.Points.Select(p => FormattableString.Invariant($"{p.Number},{Plan.ContactOf(p).X:0.0000},{Plan.ContactOf(p).Y:0.0000},{Plan.ContactOf(p).Z:0.0000}\n"))));
+        Assert.True(Survives(good));
+        var random = new Random(1);
+        var read = Enumerable.Range(0, 400).Count(_ => Survives(Damaged.Of(good, random)));
+        Assert.InRange(read, 1, 390);
+    }
+
+    // True if it was read.
+    private static bool Survives(byte[] bytes)
     {
         try
         {
-            MeasuredSurfaceReader.Read(bytes, "any", Plan, Plan.Measuring);
+            return MeasuredSurfaceReader.Read(bytes, "any", Plan, Plan.Measuring).Points.Count == Plan.Points.Count;
         }
         catch (FreeformException e)
         {
             Assert.NotEmpty(e.Problem);
+            return false;
         }
         catch (MeasurementException e)
         {
             Assert.NotEmpty(e.Problem);
+            return false;
         }
     }
+
+    private static string GaugeTable() => "feature,item,nominal,actual,deviation\n" + string.Concat(Plan.Points.SelectMany(p => "XYZ".Select(axis =>
+        {
+            var value = Math.Round(axis == 'X' ? Plan.ContactOf(p).X : axis == 'Y' ? Plan.ContactOf(p).Y : Plan.ContactOf(p).Z, 4);
+            return FormattableString.Invariant($"P{p.Number},{axis},{value:0.0000},{value:0.0000},0\n");
+        })));
 
     private static string Log() => Programs.Log(Plan, Plan.CenterOf);
 

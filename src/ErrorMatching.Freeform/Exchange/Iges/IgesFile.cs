@@ -120,7 +120,7 @@ internal sealed class IgesFile
         var tokens = reader.Split(mustEnd: false);
         var text = reader.Text;
         string Value(int number) => number <= tokens.Count ? text.Slice(tokens[number - 1].Start, tokens[number - 1].Length).Span.Trim().ToString() : "";
-        var scale = Value(13) is { Length: > 0 } spelled && double.TryParse(spelled.Replace('D', 'E'), NumberStyles.Float, CultureInfo.InvariantCulture, out var s) ? s : 1;
+        var scale = Value(13) is { Length: > 0 } spelled ? double.TryParse(spelled.Replace('D', 'E'), NumberStyles.Float, CultureInfo.InvariantCulture, out var s) ? s : double.NaN : 1;
         var flag = Value(14) is { Length: > 0 } f ? int.TryParse(f, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var n) ? n : -1 : 1;
         var millimeters = IgesUnit.Millimeters(flag, Value(15))
             ?? throw Fail("bad-unit", $"unit flag {ExchangeLimits.Quote(Value(14))} with unit {ExchangeLimits.Quote(Value(15))} (parameters 14 and 15 of the global section); 1 with INCH, 2 with MM or another pair of IGES is expected", _sections.GlobalLine(0));

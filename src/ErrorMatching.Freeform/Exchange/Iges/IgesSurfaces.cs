@@ -27,8 +27,13 @@ internal sealed class IgesSurfaces
     public ReadSurface Read(string? entity)
     {
         var names = _candidates.Select(c => IgesName.Of(_file, c)).ToList();
-        var index = SurfaceChoice.Of(_file.Name, names, entity);
+        return Read(names, SurfaceChoice.Of(_file.Name, names, entity, i => Read(names, i)));
+    }
+
+    private ReadSurface Read(List<string> names, int index)
+    {
         var chosen = _candidates[index];
+        IgesPlacedParts.ThrowIfMoved(_file, chosen);
         var (spline, region) = chosen.Type switch
         {
             144 or 143 => Trimmed(chosen),

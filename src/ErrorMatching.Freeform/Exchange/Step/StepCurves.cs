@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
@@ -100,7 +101,7 @@ internal static class StepCurves
         var frame = StepPlacement.Of(record.Instance(1));
         if (!(first > 0 && second > 0))
         {
-            throw record.Fail("bad-value", "a radius that is not positive");
+            throw record.Fail("bad-value", string.Create(CultureInfo.InvariantCulture, $"a radius of {Math.Min(first, second)}; a positive one is expected"));
         }
 
         var center = frame.Origin * scale;

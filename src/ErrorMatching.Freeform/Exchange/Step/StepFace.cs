@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
@@ -47,7 +48,7 @@ internal static class StepFace
         }
 
         var radius = record.Real(2) * scale;
-        var cylinder = new CylinderPatch(origin, frame.X, frame.Y, frame.Z, radius > 0 ? radius : throw record.Fail("bad-value", "a radius that is not positive"));
+        var cylinder = new CylinderPatch(origin, frame.X, frame.Y, frame.Z, radius > 0 ? radius : throw record.Fail("bad-value", string.Create(CultureInfo.InvariantCulture, $"a radius of {radius}; a positive one is expected")));
         var (bent, region) = cylinder.Inside(Trace(owner, surface, scale, cylinder.Map, hasParameters: false), owner.Fail);
         return new(name, bent, region);
     }

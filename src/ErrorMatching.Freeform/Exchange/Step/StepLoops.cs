@@ -34,7 +34,7 @@ internal sealed class StepLoops(StepInstance surface, double scale, SurfaceMap m
                 var points = StepCurves.Points(record, 1, scale);
                 if (points.Length < 3)
                 {
-                    throw record.Fail("bad-loop", $"a loop of {points.Length} points");
+                    throw record.Fail("bad-loop", $"a loop of {points.Length} points; three are expected at least");
                 }
 
                 tracer.Space(StepCurves.Polygon([.. points, points[0]]));

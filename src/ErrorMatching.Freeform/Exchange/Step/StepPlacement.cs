@@ -25,7 +25,7 @@ internal sealed record StepPlacement(Vector3 Origin, Vector3 X, Vector3 Y, Vecto
         }
         catch (GeometryException)
         {
-            throw record.Fail("bad-value", "axes of length zero or parallel to each other");
+            throw record.Fail("bad-value", "axes of length zero or parallel to each other; two that span a plane are expected");
         }
     }
 }

@@ -50,7 +50,7 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
         var numbers = new double[list.Count];
         for (var i = 0; i < numbers.Length; i++)
         {
-            numbers[i] = list[i].Kind == StepValueKind.Number ? list[i].Number : throw Fail("bad-value", $"attribute {index + 1} has an item that is no number");
+            numbers[i] = list[i].Kind == StepValueKind.Number ? list[i].Number : throw Fail("bad-value", $"attribute {index + 1} has an item that is no number; numbers are expected");
         }
 
         return numbers;
@@ -65,7 +65,7 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
     /// <summary>The instance that an item of an attribute refers to.</summary>
     public StepInstance Instance(StepValue value, int index) => value.Kind == StepValueKind.Reference
         ? File.At((long)value.Number) ?? throw Fail("bad-reference", string.Create(CultureInfo.InvariantCulture, $"attribute {index + 1} refers to #{(long)value.Number}, which the file does not have"))
-        : throw Fail("bad-value", $"attribute {index + 1} is no reference (#...)");
+        : throw Fail("bad-value", $"attribute {index + 1} is no reference; one (#...) is expected");
 
     /// <summary>The attributes of the one type that an attribute must refer to.</summary>
     public StepRecord Record(int index, string keyword)

@@ -20,7 +20,7 @@ internal static class StepSplineSurface
         var first = simple is null ? 0 : 1;
         var (degreeU, degreeV) = (shape.Int(first, 1, KnotVector.MaxDegree), shape.Int(first + 1, 1, KnotVector.MaxDegree));
         var rows = shape.List(first + 2);
-        var countV = rows is [{ Kind: StepValueKind.List, Items.Count: var n }, ..] ? n : throw shape.Fail("bad-value", "no lists of poles");
+        var countV = rows is [{ Kind: StepValueKind.List, Items.Count: var n }, ..] ? n : throw shape.Fail("bad-value", "no lists of poles; rows of references to points are expected");
         if ((long)rows.Count * countV > ExchangeLimits.MaxPoles || rows.Any(r => r.Kind != StepValueKind.List || r.Items.Count != countV))
         {
             throw shape.Fail("bad-value", $"rows of poles of different lengths, or more than {ExchangeLimits.MaxPoles} poles");
@@ -60,12 +60,12 @@ internal static class StepSplineSurface
         {
             if (row.Kind != StepValueKind.List || row.Items.Count != countV || weights.Count >= count)
             {
-                throw rational.Fail("bad-value", "weights that are not in rows as the poles are");
+                throw rational.Fail("bad-value", "weights that are not in rows; rows as of the poles are expected");
             }
 
             weights.AddRange(rational.Reals(row.Items, 0));
         }
 
-        return weights.Count == count ? [.. weights] : throw rational.Fail("bad-value", $"{weights.Count} weights for {count} poles");
+        return weights.Count == count ? [.. weights] : throw rational.Fail("bad-value", $"{weights.Count} weights for {count} poles; one for each is expected");
     }
 }

@@ -25,8 +25,9 @@ internal sealed class StepSurfaces
     public ReadSurface Read(string? entity)
     {
         var names = _items.Select(NameOf).ToList();
-        var index = SurfaceChoice.Of(_file.Name, names, entity);
-        return StepFace.Read(_items[index], SurfaceChoice.NameOf(names, index));
+        return Read(SurfaceChoice.Of(_file.Name, names, entity, Read));
+
+        ReadSurface Read(int index) => StepFace.Read(_items[index], SurfaceChoice.NameOf(names, index));
     }
 
     // A face without a name has its surface's.

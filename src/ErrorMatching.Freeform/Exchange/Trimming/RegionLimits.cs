@@ -15,7 +15,8 @@ internal static class RegionLimits
     /// <exception cref="FreeformException">A polygon leaves the surface.</exception>
     public static SurfaceRegion Of(SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
     {
-        var inside = loops.Select(l => (IReadOnlyList<Point2>)[.. l.Select(q => Clamp(surface, q, fail))]).ToList();
+        var seam = SurfaceSeam.Of(surface);
+        var inside = loops.Select(l => (IReadOnlyList<Point2>)[.. (seam.Within(surface, l) ?? throw Crossing(surface, l, fail)).Select(q => Clamp(surface, q, fail))]).ToList();
         return inside is [var only] && IsBorder(surface, only) ? SurfaceRegion.Whole : new(inside);
     }
 
@@ -24,6 +25,13 @@ internal static class RegionLimits
     {
         var (u, v) = (surface.KnotsU, surface.KnotsV);
         return [new(u.Start, v.Start), new(u.End, v.Start), new(u.End, v.End), new(u.Start, v.End)];
+    }
+
+    private static FreeformException Crossing(SplineSurface surface, IReadOnlyList<Point2> loop, Func<string, string, FreeformException> fail)
+    {
+        var at = SurfaceSeam.Of(surface).Within(surface, loop[0]);
+        var p = surface.PointAt(at.X, at.Y);
+        return fail("bad-loop", string.Create(CultureInfo.InvariantCulture, $"the limits, one of them through ({p.X:0.###}, {p.Y:0.###}, {p.Z:0.###}), cross the line where the surface closes on itself. Export the part that is cut as a surface of its own, or turn that line to its other side"));
     }
 
     private static Point2 Clamp(SplineSurface surface, Point2 q, Func<string, string, FreeformException> fail)

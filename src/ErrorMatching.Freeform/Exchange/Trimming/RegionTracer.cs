@@ -38,11 +38,16 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
     /// <summary>Continues the loop along a curve of the parameters.</summary>
     /// <param name="curve">The curve; x is u, y is v.</param>
     /// <exception cref="FreeformException">The curve does not begin where the one before ended.</exception>
-    public void Parameters(SplineCurve curve) => Trace(curve.Knots.Breaks, straight: curve.Knots.Degree == 1, (t, _) =>
+    public void Parameters(SplineCurve curve)
     {
-        var p = curve.PointAt(t);
-        return new(p.X, p.Y);
-    });
+        var start = curve.PointAt(curve.Knots.Start);
+        var turned = _loop.Count > 0 ? map.Seam.Beside(new(start.X, start.Y), _loop[^1]) - new Point2(start.X, start.Y) : default;
+        Trace(curve.Knots.Breaks, straight: curve.Knots.Degree == 1, (t, _) =>
+        {
+            var p = curve.PointAt(t);
+            return new Point2(p.X, p.Y) + turned;
+        });
+    }
 
     /// <summary>Ends the loop.</summary>
     /// <exception cref="FreeformException">It is not closed or encloses nothing.</exception>
@@ -51,6 +56,11 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
         if (_loop.Count > 0)
         {
             Join(_loop[0]);
+            if (map.Seam.IsBetween(_loop[0], _loop[^1]))
+            {
+                throw fail("bad-loop", $"a limit that goes round the surface, which closes on itself, and passes {Place(map.PointAt(_loop[0]))} again from the other side; loops that enclose a part of it are expected. Export the part that is cut as a surface of its own");
+            }
+
             if (_loop.Count > 1 && Near(_loop[^1], _loop[0]))
             {
                 _loop.RemoveAt(_loop.Count - 1);

@@ -5,16 +5,33 @@ namespace ErrorMatching.Freeform;
 /// <summary>Between a surface and its parameters: what is needed to bring curves in space to (u, v).</summary>
 /// <param name="PointAt">The point at a pair of parameters, in millimetres.</param>
 /// <param name="FootOf">The parameters of the place closest to a point; the second argument is a place near it, where one is known, so that a path stays on its side of a seam.</param>
-internal sealed record SurfaceMap(Func<Point2, Point3> PointAt, Func<Point3, Point2?, Point2> FootOf)
+/// <param name="Seam">Where a surface of the file's own parameters closes on itself; parameters of others go on beyond a turn.</param>
+internal sealed record SurfaceMap(Func<Point2, Point3> PointAt, Func<Point3, Point2?, Point2> FootOf, SurfaceSeam Seam = default)
 {
     private const double FootToleranceMm = 1e-6;
 
-    /// <summary>The parameters of a B-spline surface.</summary>
-    public static SurfaceMap Of(SplineSurface surface) => new(
-        q => surface.PointAt(q.X, q.Y),
-        (p, near) =>
-        {
-            var foot = near is { } n ? surface.ClosestPoint(p, n.X, n.Y, FootToleranceMm) : surface.ClosestPoint(p, FootToleranceMm);
-            return new(foot.At.U, foot.At.V);
-        });
+    /// <summary>The parameters of a B-spline surface. Where it closes on itself they continue those of the place before, so that a path may reach or cross the seam.</summary>
+    public static SurfaceMap Of(SplineSurface surface)
+    {
+        var seam = SurfaceSeam.Of(surface);
+        return new(
+            q =>
+            {
+                var at = seam.Within(surface, q);
+                return surface.PointAt(at.X, at.Y);
+            },
+            (p, near) =>
+            {
+                if (near is not { } n)
+                {
+                    var first = surface.ClosestPoint(p, FootToleranceMm);
+                    return new(first.At.U, first.At.V);
+                }
+
+                var start = seam.Within(surface, n);
+                var foot = surface.ClosestPoint(p, start.X, start.Y, FootToleranceMm);
+                return seam.Beside(new(foot.At.U, foot.At.V), n);
+            },
+            seam);
+    }
 }
