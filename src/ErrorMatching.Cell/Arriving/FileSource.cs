@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
@@ -193,9 +192,7 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
         return false;
     }
 
-    private string Reason(long length) => string.Create(
-        CultureInfo.InvariantCulture,
-        $"The file has {length} bytes, and \"{gauge.Name}\" takes at most {gauge.MostBytes}. It lies in {ClaimFolder.Name} under its hash. Is it a measurement at all? If so, raise mostMB of the gauge and put it into {_folder} again.");
+    private string Reason(long length) => Recorded.TooLarge.With(length, gauge.Name, gauge.MostBytes, ClaimFolder.Name, _folder);
 
     private void Guarded(Action act) => Guarded(() =>
     {

@@ -30,11 +30,11 @@ internal sealed class FoundWords
 
         if (group.Length is 0 or > Most || group.Value != ShownName.Of(group.Value))
         {
-            Contradiction ??= $"its {what} is empty, longer than {Most} characters, or no printable text";
+            Contradiction ??= Recorded.SaysNoName.With(what, Most);
         }
         else if (before is not null)
         {
-            Contradiction ??= $"the {what}s \"{before}\" and \"{group.Value}\"";
+            Contradiction ??= Recorded.SaysTwo.With(what, before, group.Value);
         }
 
         return before ?? group.Value;

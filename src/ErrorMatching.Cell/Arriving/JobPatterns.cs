@@ -31,12 +31,12 @@ internal sealed class JobPatterns
     }
 
     /// <summary>The patterns in words.</summary>
-    public override string ToString() => string.Join(" and ", new[]
+    public override string ToString() => new[]
     {
-        _fileName is null ? null : $"a file name like {_fileName}",
-        _headerField is { } field ? $"a field {field.Name} like {field.Pattern}" : null,
-        _column is { } column ? $"a column {column.Name} like {column.Pattern}" : null,
-    }.OfType<string>());
+        _fileName is null ? null : Recorded.LikeName.With(_fileName),
+        _headerField is { } field ? Recorded.LikeField.With(field.Name, field.Pattern) : null,
+        _column is { } column ? Recorded.LikeColumn.With(column.Name, column.Pattern) : null,
+    }.OfType<string>().DefaultIfEmpty("").Aggregate((first, second) => Recorded.LikeAll.With(first, second));
 
     private static (string, Regex)? Named((string Name, string Pattern)? rule) => rule is { } r ? (r.Name, RecognitionReader.Expression(r.Pattern)) : null;
 

@@ -32,18 +32,18 @@ public sealed class Recognizer
             var takers = _patterns.Where(p => p.Job.Gauges.Contains(gauge, StringComparer.Ordinal)).Select(p => (p.Job, Found: p.Match(content))).Where(m => m.Found is not null).ToArray();
             return takers switch
             {
-                [] => Recognition.Refused(Recognition.UnknownPiece, $"No job takes {Shown(fileName)} from \"{gauge}\": {Asked(gauge)}."),
+                [] => Recognition.Refused(Recognition.UnknownPiece, Recorded.UnknownPiece.With(Shown(fileName), gauge, Asked(gauge))),
                 [var (job, found)] => Of(job, found!, fileName, bytes),
-                _ => Recognition.Refused(Recognition.AmbiguousPiece, $"Several jobs take {Shown(fileName)}: {string.Join(", ", takers.Select(t => $"\"{t.Job.Name}\""))}. Make their patterns narrower."),
+                _ => Recognition.Refused(Recognition.AmbiguousPiece, Recorded.AmbiguousPiece.With(Shown(fileName), string.Join(", ", takers.Select(t => $"\"{t.Job.Name}\"")))),
             };
         }
         catch (MeasurementException e)
         {
-            return Recognition.Refused(e.Code, $"The patterns of the jobs must look into {Shown(fileName)}, which cannot be read: {e.Message}");
+            return Recognition.Refused(e.Code, Recorded.UnreadableInside.With(Shown(fileName), e.Message));
         }
         catch (RegexMatchTimeoutException e)
         {
-            return Recognition.Refused(MeasurementError.BadPattern, $"A pattern takes too long on {Shown(fileName)}: {e.Pattern}. Make it simpler.");
+            return Recognition.Refused(MeasurementError.BadPattern, Recorded.SlowPattern.With(Shown(fileName), e.Pattern));
         }
     }
 
@@ -51,7 +51,7 @@ public sealed class Recognizer
     {
         if (found.Contradiction is { } contradiction)
         {
-            return Recognition.Refused(Recognition.ContradictoryPiece, $"{Shown(fileName)} says two things about its piece: {contradiction}.");
+            return Recognition.Refused(Recognition.ContradictoryPiece, Recorded.ContradictoryPiece.With(Shown(fileName), contradiction));
         }
 
         string piece;
@@ -61,7 +61,7 @@ public sealed class Recognizer
         }
         catch (Exception e) when (e is JsonDocumentException or IOException or UnauthorizedAccessException)
         {
-            return Recognition.Refused(Recognition.UnusableJob, $"The job {job.File} cannot be used any more, so nobody can tell whose measurement {Shown(fileName)} is: {e.Message}");
+            return Recognition.Refused(Recognition.UnusableJob, Recorded.UnusableJob.With(job.File, Shown(fileName), e.Message));
         }
 
         return new() { Job = job, Piece = piece, Serial = found.Serial, WorkOrder = found.WorkOrder };
@@ -75,8 +75,8 @@ public sealed class Recognizer
     };
 
     private string Asked(string gauge) => _patterns.Where(p => p.Job.Gauges.Contains(gauge, StringComparer.Ordinal)).ToArray() is { Length: > 0 } asked
-        ? string.Join("; ", asked.Select(p => $"\"{p.Job.Name}\" wants {p}"))
-        : "no job listens to this gauge";
+        ? string.Join("; ", asked.Select(p => Recorded.AskedWants.With(p.Job.Name, p)))
+        : Recorded.AskedNobody.With();
 
-    private static string Shown(string fileName) => $"\"{(fileName.Length <= MostShown ? fileName : fileName[..MostShown] + "...")}\"";
+    private static string Shown(string fileName) => fileName.Length <= MostShown ? fileName : fileName[..MostShown] + "...";
 }

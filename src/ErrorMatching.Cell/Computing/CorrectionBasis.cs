@@ -6,4 +6,5 @@ namespace ErrorMatching.Cell;
 /// <param name="Job">Its content.</param>
 /// <param name="BaseSha256">The program that the correction starts from; null where a program is made anew.</param>
 /// <param name="Base">Its content; null where a program is made anew.</param>
-public sealed record CorrectionBasis(string Identity, string JobSha256, ReadOnlyMemory<byte> Job, string? BaseSha256, ReadOnlyMemory<byte>? Base);
+/// <param name="WorkOrder">The work order that the job names; null if it names none.</param>
+public sealed record CorrectionBasis(string Identity, string JobSha256, ReadOnlyMemory<byte> Job, string? BaseSha256, ReadOnlyMemory<byte>? Base, string? WorkOrder);

@@ -1,4 +1,3 @@
-using System.Globalization;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
@@ -52,7 +51,7 @@ public sealed class CorrectionComputer(PolicySettings policy)
                 _ => throw new ArgumentException($"Found the piece {request.Piece}; expected part, counterpart or surface.", nameof(request)),
             };
             return request.Identity is { } known && IdentityOf(computation) is { } now && known != now
-                ? new RefusedComputation(CorrectionCodes.JobChanged, $"The files of the job {request.Job.Name} were changed after the measurement was recognized. Give the measurement again.")
+                ? new RefusedComputation(CorrectionCodes.JobChanged, Recorded.JobChanged.With(request.Job.Name))
                 : computation;
         }
         catch (Exception e) when (ErrorItems.OfInput(e) is { } items)
@@ -64,7 +63,7 @@ public sealed class CorrectionComputer(PolicySettings policy)
     /// <summary>A refusal by what is wrong: the first code, and the reasons in their order.</summary>
     internal static RefusedComputation Refused(IReadOnlyList<ErrorItem> items) => new(
         items[0].Code,
-        string.Join(' ', items.Take(MostReasons).Select(i => i.Message)) + (items.Count > MostReasons ? string.Create(CultureInfo.InvariantCulture, $" And {items.Count - MostReasons} more.") : ""))
+        string.Join(' ', items.Take(MostReasons).Select(i => i.Message)) + (items.Count > MostReasons ? " " + Recorded.AndMore.With(items.Count - MostReasons) : ""))
     {
         Block = items[0].Block,
         MayPass = items[0].Code == MeasurementError.FileUnreadable,

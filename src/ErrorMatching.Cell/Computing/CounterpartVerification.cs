@@ -18,7 +18,7 @@ internal sealed record CounterpartVerification(VerifyReport? Report, string Othe
     {
         if (part is null)
         {
-            return new(null, "It was compared with nothing, for no program was sent for a part of its number.");
+            return new(null, Recorded.NotCompared.With());
         }
 
         try
@@ -39,5 +39,5 @@ internal sealed record CounterpartVerification(VerifyReport? Report, string Othe
     }
 
     // A measurement is evidence, whatever it can be compared with.
-    private static CounterpartVerification Failed(string why) => new(null, "It could not be compared with its part: " + why);
+    private static CounterpartVerification Failed(string why) => new(null, Recorded.NotComparable.With(why));
 }

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace ErrorMatching.Cell;
 
 /// <summary>The limits of the policy for one correction.</summary>
@@ -12,9 +10,7 @@ internal sealed class DisplacementLimits(PolicySettings policy, double jobLimitM
     /// <param name="at">Where that is.</param>
     /// <param name="block">The block concerned, or null.</param>
     public RefusedComputation? OfStep(double mm, string at, string? block) => policy.LimitMm is { } limit && !(mm <= limit)
-        ? new(CorrectionCodes.OverLimit, string.Create(
-            CultureInfo.InvariantCulture,
-            $"At {at} the program would move by {mm:0.0000} mm; the policy allows {limit:0.####} mm in one step. Look for a wrong part, a chip or a wrong probe; if the piece really is so, a setter raises limitMm."))
+        ? new(CorrectionCodes.OverLimit, Recorded.OverLimit.With(at, mm, limit))
         { Block = block }
         : null;
 
@@ -26,9 +22,7 @@ internal sealed class DisplacementLimits(PolicySettings policy, double jobLimitM
     {
         var limit = policy.SumLimitMm ?? policy.LimitMm ?? jobLimitMm;
         return !(mm <= limit)
-            ? new(CorrectionCodes.OverSumLimit, string.Create(
-                CultureInfo.InvariantCulture,
-                $"At {at} the program would lie {mm:0.0000} mm from the original one; the policy allows {limit:0.####} mm in sum. Find out why errors add up: worn tool, drift, wrong clamping. If it is meant, a setter raises sumLimitMm."))
+            ? new(CorrectionCodes.OverSumLimit, Recorded.OverSumLimit.With(at, mm, limit))
             { Block = block }
             : null;
     }

@@ -7,8 +7,6 @@ namespace ErrorMatching.Cell;
 /// <summary>A correction of a mating: the part's measurement makes the counterpart's program, or in feedback the counterpart's own does.</summary>
 internal sealed class MatingCorrection
 {
-    private const string FirstArticle = "A counterpart is measured: this verifies what was sent, and sends nothing.";
-
     private readonly CorrectionRequest _request;
     private readonly PolicySettings _policy;
     private readonly byte[] _job;
@@ -58,11 +56,11 @@ internal sealed class MatingCorrection
     {
         if (_request.Job.Accumulates && !IsFeedback)
         {
-            return new(CorrectionCodes.NotFeedback, $"The job {_request.Job.Name} shall accumulate, but it compensates the part: only what the program itself cut adds up. Take accumulates out, or let compensation.from be the counterpart.");
+            return new(CorrectionCodes.NotFeedback, Recorded.NotFeedback.With(_request.Job.Name));
         }
 
         return MakesProgram && IsFeedback && _request.Part is null
-            ? new(CorrectionCodes.PartUnmeasured, $"The counterpart is compared with its part, and no measurement of the part is there. Measure the part, then give {_request.Measurement.Name} again.")
+            ? new(CorrectionCodes.PartUnmeasured, Recorded.PartUnmeasured.With(_request.Measurement.Name))
             : null;
     }
 
@@ -73,11 +71,11 @@ internal sealed class MatingCorrection
         measured.Require(_files.Job.NeededPoints);
         var basis = ((Identified)Identify()).Basis;
         return IsOfPart
-            ? new NothingToSend(basis, CorrectionCodes.PartRecorded, "The part is measured; its counterparts are compared with it.")
+            ? new NothingToSend(basis, CorrectionCodes.PartRecorded, Recorded.PartRecorded.With())
             : CounterpartVerification.Of(_files, _request.Part, measured) switch
             {
-                { Report: { } report } => new(basis, CorrectionCodes.FirstArticle, FirstArticle) { Report = VerifyReportJson.Write(report), Page = VerifyReportHtml.Write(report) },
-                var none => new(basis, CorrectionCodes.FirstArticle, $"{FirstArticle} {none.Otherwise}"),
+                { Report: { } report } => new(basis, CorrectionCodes.FirstArticle, Recorded.FirstArticle.With()) { Report = VerifyReportJson.Write(report), Page = VerifyReportHtml.Write(report) },
+                var none => new(basis, CorrectionCodes.FirstArticle, $"{Recorded.FirstArticle.With()} {none.Otherwise}"),
             };
     }
 
@@ -110,7 +108,7 @@ internal sealed class MatingCorrection
 
         if (SinceOriginal(matched, sums, (mm, at, block)) is not { } sum)
         {
-            return new RefusedComputation(CorrectionCodes.JobChanged, $"The original program {_files.Job.Counterpart.Program} has other motions than the one that cut the piece, so nobody can tell by how much that one is corrected in all: the original was changed since. Revert the corrections that were sent, and begin from the new original.");
+            return new RefusedComputation(CorrectionCodes.JobChanged, Recorded.OriginalChanged.With(_files.Job.Counterpart.Program));
         }
 
         return (_request.Job.Accumulates ? limits.OfSum(sum.Mm, sum.At, sum.Block) : null) ?? (Computation)new Computed
@@ -135,7 +133,7 @@ internal sealed class MatingCorrection
     {
         var baseSha256 = new KeptFile("", program).Sha256;
         string[] measurements = MakesProgram && IsFeedback ? [_request.Measurement.Sha256, _request.Part!.Sha256] : [_request.Measurement.Sha256];
-        return new(CorrectionIdentity.Of(measurements, CorrectionIdentity.OfJob(_files.Job.Sha256, inputs), baseSha256, _policy.Gain), _files.Job.Sha256, _job, baseSha256, program);
+        return new(CorrectionIdentity.Of(measurements, CorrectionIdentity.OfJob(_files.Job.Sha256, inputs), baseSha256, _policy.Gain), _files.Job.Sha256, _job, baseSha256, program, _files.Job.WorkOrder);
     }
 
     // Corrections of less than half an increment change no word, and what is not in the program adds to no sum.
@@ -147,7 +145,7 @@ internal sealed class MatingCorrection
         var largest = (Mm: 0.0, At: "", Block: default(string));
         foreach (var (point, step) in matched.Report.KeyPoints.Zip(steps))
         {
-            largest = step.LengthMm > largest.Mm ? (step.LengthMm, $"point {point.Point} of {point.Feature}", point.Blocks.Count > 0 ? point.Blocks[0] : null) : largest;
+            largest = step.LengthMm > largest.Mm ? (step.LengthMm, Recorded.AtPointOf.With(point.Point, point.Feature), point.Blocks.Count > 0 ? point.Blocks[0] : null) : largest;
         }
 
         // Between and beside the points a block may be asked to move further than they do. Rounding alone is no further.
@@ -158,7 +156,7 @@ internal sealed class MatingCorrection
             if (mm > largest.Mm + increment)
             {
                 var name = before.Program.NameOf(before.Program[before.Motions[element.Motion].Block]);
-                largest = (mm, $"block {name}", name);
+                largest = (mm, Recorded.AtBlock.With(name), name);
             }
         }
 
@@ -179,14 +177,14 @@ internal sealed class MatingCorrection
             return null;
         }
 
-        var atPoints = sums.Largest is { } largest ? (largest.LengthMm, $"point {largest.Point}") : (0, "");
+        var atPoints = sums.Largest is { } largest ? (largest.LengthMm, Recorded.AtPoint.With(largest.Point)) : (0, "");
         if (elsewhere.Mm <= atPoints.Item1 + LeastIncrement(match))
         {
             return (atPoints.Item1, atPoints.Item2, null);
         }
 
         var name = match.After.Program.NameOf(match.After.Program[elsewhere.Block]);
-        return (elsewhere.Mm, $"block {name}", name);
+        return (elsewhere.Mm, Recorded.AtBlock.With(name), name);
     }
 
     private static double LeastIncrement(MatchResult match) => match.Rewrite?.LeastIncrementMm ?? Math.Pow(10, -match.Before.Dialect.MetricDecimals);

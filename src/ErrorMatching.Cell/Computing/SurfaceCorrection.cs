@@ -47,7 +47,7 @@ internal sealed class SurfaceCorrection
     }
 
     private RefusedComputation? Refusal() => _request.Job.Accumulates
-        ? new(CorrectionCodes.NotFeedback, $"The job {_request.Job.Name} shall accumulate, but a surface is always compensated from its nominal shape. Take accumulates out.")
+        ? new(CorrectionCodes.NotFeedback, Recorded.NotFeedbackSurface.With(_request.Job.Name))
         : null;
 
     private Computation Compensate(SurfaceRequest measured, CancellationToken cancellation)
@@ -108,14 +108,14 @@ internal sealed class SurfaceCorrection
     private Computation Within(CompensationResult result, PointCorrection[] steps, double largestMm, Func<PointCorrection[], string, Computed> computed)
     {
         var worst = steps.MaxBy(s => s.LengthMm)!;
-        var at = largestMm > 0 ? $"point {worst.Point}" + (largestMm > worst.LengthMm ? " and beside it" : "") : "";
+        var at = largestMm > 0 ? (largestMm > worst.LengthMm ? Recorded.AtPointAndBeside : Recorded.AtPoint).With(worst.Point) : "";
         return new DisplacementLimits(_policy, result.Input.Job.Compensation.LimitMm).OfStep(largestMm, at, block: null) ?? (Computation)computed(steps, at);
     }
 
     private CorrectionBasis Basis(ReadOnlyMemory<byte>? program)
     {
         var baseSha256 = program is { } bytes ? new KeptFile("", bytes).Sha256 : null;
-        return new(CorrectionIdentity.Of([_request.Measurement.Sha256], CorrectionIdentity.OfJob(_files.Job.Sha256, _files.Inputs), baseSha256, _policy.Gain), _files.Job.Sha256, _job, baseSha256, program);
+        return new(CorrectionIdentity.Of([_request.Measurement.Sha256], CorrectionIdentity.OfJob(_files.Job.Sha256, _files.Inputs), baseSha256, _policy.Gain), _files.Job.Sha256, _job, baseSha256, program, _files.Job.WorkOrder);
     }
 
     private static PointCorrection[] Steps(CompensationResult result) => [.. result.Samples.Select(s =>

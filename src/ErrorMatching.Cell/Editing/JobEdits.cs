@@ -66,7 +66,8 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
         var files = FilesOf(job, draft);
         DemandOwn(job, files);
         var hash = HashOf(files[^1].Bytes);
-        var basis = string.Join(", ", files.Select(f => $"{Path.GetFileName(f.Path)} {HashOf(f.Bytes)}")) + (baseSha256.Length > 0 ? $", in place of the job {baseSha256}" : "");
+        var written = string.Join(", ", files.Select(f => $"{Path.GetFileName(f.Path)} {HashOf(f.Bytes)}"));
+        var basis = baseSha256.Length > 0 ? Recorded.JobInPlace.With(written, baseSha256) : written;
         var isToldOf = false;
         try
         {

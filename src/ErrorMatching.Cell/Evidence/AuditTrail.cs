@@ -59,7 +59,7 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
             return;
         }
 
-        store.Audit(by, "trail-set-back", string.Create(CultureInfo.InvariantCulture, $"{basis} It had gone to entry {witness.Seq} with the hash {witness.Hash}."));
+        store.Audit(by, "trail-set-back", Recorded.SetBack.With(basis, witness.Seq, witness.Hash));
         head = store.AuditHead();
         new AuditWitness(head.Seq, head.Hash).Keep(keysFolder);
     }

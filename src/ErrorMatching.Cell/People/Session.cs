@@ -21,7 +21,7 @@ public sealed class Session(UserBook users, TimeProvider clock, TimeSpan idle)
                 // By both clocks: one stands still while a computer sleeps, the other may be set back.
                 if (_who is not null && (clock.GetElapsedTime(_touched) >= idle || clock.GetUtcNow() - _touchedAt >= idle))
                 {
-                    Leave("idle");
+                    Leave(Recorded.Idle.With());
                 }
 
                 return _who;
@@ -74,7 +74,7 @@ public sealed class Session(UserBook users, TimeProvider clock, TimeSpan idle)
         {
             if (Who is not null)
             {
-                Leave("by hand");
+                Leave(Recorded.ByHand.With());
             }
         }
     }

@@ -34,7 +34,7 @@ public sealed class UserBook
     {
         var hash = HashOf(name, password);
         return _store.Write(t => Person.All(t).Count == 0
-            ? Insert(t, "console", name, Role.Administrator, hash, "the first administrator, made by who can write the store")
+            ? Insert(t, "console", name, Role.Administrator, hash, Recorded.FirstAdministrator.With())
             : throw new PeopleException(PeopleError.NotSigned, "This cell has users: an administrator has to sign for another one."));
     }
 
@@ -52,7 +52,7 @@ public sealed class UserBook
             Demand(t, by, Act.ManageUsers);
             return Person.Find(t, name) is { } other
                 ? throw new PeopleException(PeopleError.UserExists, $"There is a user {other.Name}. Names that differ in large and small letters only are the same.")
-                : Insert(t, by.Name, name, role, hash, $"as {Word(role)}");
+                : Insert(t, by.Name, name, role, hash, Recorded.AsRole.With(Word(role)));
         });
     }
 
@@ -66,7 +66,7 @@ public sealed class UserBook
 
     /// <summary>Gives a user another role.</summary>
     /// <exception cref="PeopleException">There is no such user, it is the last administrator, or <paramref name="by"/> may not do that.</exception>
-    public User SetRole(SignedIn by, string name, Role role) => Change(by, name, "role-set", $"to {Word(role)}", p => p with { Role = role });
+    public User SetRole(SignedIn by, string name, Role role) => Change(by, name, "role-set", Recorded.ToRole.With(Word(role)), p => p with { Role = role });
 
     /// <summary>Sets a password: one's own, or as an administrator anybody's, who is unlocked with it.</summary>
     /// <exception cref="PeopleException">There is no such user, the password is too weak, or <paramref name="by"/> may not do that.</exception>
@@ -149,7 +149,7 @@ public sealed class UserBook
             (person with { Password = freshHash }).Update(t);
         }
 
-        t.Audit(person.Name, "signed-in", null, $"by password, as {Word(person.Role)}");
+        t.Audit(person.Name, "signed-in", null, Recorded.SignedIn.With(Word(person.Role)));
         return new SignedIn(Known(t, person), _clock);
     }
 
@@ -159,12 +159,12 @@ public sealed class UserBook
         var strangers = SignInFailures.ForgetStrangers(t);
         if (person is not null)
         {
-            var basis = isRight ? "the user is disabled" : string.Create(CultureInfo.InvariantCulture, $"wrong password, {failures.Failures} in a row");
-            t.Audit(person.Name, until is null ? "sign-in-failed" : "locked", null, until is null ? basis : string.Create(CultureInfo.InvariantCulture, $"{basis}; until {until:yyyy-MM-dd HH:mm:ss} UTC"));
+            var basis = isRight ? Recorded.WrongDisabled.With() : Recorded.WrongPassword.With(failures.Failures);
+            t.Audit(person.Name, until is null ? "sign-in-failed" : "locked", null, until is null ? basis : Recorded.UntilUtc.With(basis, until));
         }
         else if (strangers <= SignInFailures.MostStrangersInTrail)
         {
-            t.Audit("unknown", "sign-in-failed", null, strangers < SignInFailures.MostStrangersInTrail ? "no user has this name" : "no user has this name; further names of nobody are not recorded within the hour");
+            t.Audit("unknown", "sign-in-failed", null, (strangers < SignInFailures.MostStrangersInTrail ? Recorded.NoSuchName : Recorded.NoSuchNames).With());
         }
 
         return until;

@@ -102,7 +102,7 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
         catch (Exception e) when (e is not (StoreException or OperationCanceledException))
         {
             log.Error(e, "{FileName} ({Correction}): a defect of errormatch", correction.FileName, correction.Id);
-            Fail(correction, CellCodes.Defect, $"This is a defect of errormatch: please report it with the file. {e.GetType().Name}: {e.Message}");
+            Fail(correction, CellCodes.Defect, Recorded.Defect.With(e.GetType().Name, e.Message));
         }
     }
 

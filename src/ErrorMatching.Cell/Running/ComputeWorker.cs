@@ -85,11 +85,11 @@ internal sealed class ComputeWorker(CellFlow flow)
     private void Keep(Correction recognized, CellJobSettings job, Computed computed)
     {
         ReadOnlyMemory<byte>? sums = job.Accumulates ? computed.Sums.ToJson() : null;
-        var basis = computed.LargestMm > 0 ? FormattableString.Invariant($"displaced by at most {computed.LargestMm:0.0000} mm at {computed.LargestAt}") : "nothing is to be displaced";
+        var basis = computed.LargestMm > 0 ? Recorded.DisplacedAt.With(computed.LargestMm, computed.LargestAt) : Recorded.DisplacedNothing.With();
         flow.Step(
             recognized,
             CorrectionState.Computed,
-            string.Join(" ", computed.Warnings.Prepend(basis + ".")),
+            string.Join(" ", computed.Warnings.Prepend(basis)),
             c => c with
             {
                 ProgramSha256 = HashOf(computed.Program),

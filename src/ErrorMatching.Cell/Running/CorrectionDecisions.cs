@@ -19,7 +19,7 @@ public sealed class CorrectionDecisions(CellStore store)
             throw new DecisionException(DecisionException.NothingToSend, Sentence($"Correction {id} failed before it had a program: {correction.Reason} Reject it, put that right and measure again."));
         }
 
-        return Step(correction, CorrectionState.Approved, by, reason ?? "approved", c => c with { Code = null, Reason = null });
+        return Step(correction, CorrectionState.Approved, by, reason ?? Recorded.Approved.With(), c => c with { Code = null, Reason = null });
     }
 
     /// <summary>Decides against a correction that is not at its machine.</summary>
@@ -43,7 +43,7 @@ public sealed class CorrectionDecisions(CellStore store)
         var correction = Demand(id, "released", CorrectionState.Verified, CorrectionState.Reverted);
         if (correction.State == CorrectionState.Verified)
         {
-            return Step(correction, CorrectionState.Released, by, reason ?? "the piece is cut", null);
+            return Step(correction, CorrectionState.Released, by, reason ?? Recorded.PieceCut.With(), null);
         }
 
         if (store.Slot(correction.Machine!, correction.Slot!).Correction != id)
@@ -51,7 +51,7 @@ public sealed class CorrectionDecisions(CellStore store)
             throw new DecisionException(DecisionException.WrongState, Sentence($"Correction {id} is reverted and does not have its slot any more: there is nothing to release."));
         }
 
-        store.FreeSlot(correction.Machine!, correction.Slot!, id, by, reason ?? "the slot may be used again");
+        store.FreeSlot(correction.Machine!, correction.Slot!, id, by, reason ?? Recorded.SlotUsable.With());
         return correction;
     }
 

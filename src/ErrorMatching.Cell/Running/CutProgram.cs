@@ -27,6 +27,6 @@ internal sealed record CutProgram(Correction? By, Correction? Undecided)
 
     /// <summary>Why nothing is computed while it is not known, and what to do.</summary>
     public string Reason => Undecided is not { } held ? "" : held.State == CorrectionState.Reverted
-        ? FormattableString.Invariant($"Correction {held.Id} was reverted and still has slot {held.Slot} of {held.Machine}: nobody knows whether its program cut the measured piece or the one that was brought back. Release it when a piece is cut with what is there now (errormatch cell release CONFIG {held.Id}), then measure that piece.")
-        : FormattableString.Invariant($"Correction {held.Id} has slot {held.Slot} of {held.Machine}, and nobody has said that its piece is cut: nobody knows whether its program cut the measured piece or the one before. When its piece is cut, release it (errormatch cell release CONFIG {held.Id}), then give the measurement again.");
+        ? Recorded.NotReleasedReverted.With(held.Id, held.Slot, held.Machine, held.Id)
+        : Recorded.NotReleased.With(held.Id, held.Slot, held.Machine, held.Id);
 }

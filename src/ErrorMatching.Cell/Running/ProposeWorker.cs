@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace ErrorMatching.Cell;
 
 /// <summary>Proposes what is computed, lets a newer measurement take the place of older ones of the same piece, and approves where the policy says so.</summary>
@@ -68,8 +66,7 @@ internal sealed class ProposeWorker(CellFlow flow)
         // The limits may have become narrower since it was computed: then a person decides.
         if (flow.PolicyOf(proposed) is { Automatic: true } policy && IsWithin(proposed, policy))
         {
-            var limit = policy.LimitMm is { } mm ? string.Create(CultureInfo.InvariantCulture, $" within {mm} mm") : "";
-            flow.Step(proposed, CorrectionState.Approved, $"policy: automatic{limit}");
+            flow.Step(proposed, CorrectionState.Approved, policy.LimitMm is { } mm ? Recorded.PolicyWithin.With(mm) : Recorded.Policy.With());
         }
     }
 
@@ -90,13 +87,13 @@ internal sealed class ProposeWorker(CellFlow flow)
     private void Supersede(Correction older, Correction newer) => flow.Step(
         older,
         CorrectionState.Superseded,
-        string.Create(CultureInfo.InvariantCulture, $"correction {newer.Id} is a newer measurement of {newer.Serial}"),
-        c => c with { Code = CellCodes.Superseded, Reason = string.Create(CultureInfo.InvariantCulture, $"Correction {newer.Id} ({newer.FileName}) is a newer measurement of the same piece.") });
+        Recorded.NewerMeasurement.With(newer.Id, newer.Serial),
+        c => c with { Code = CellCodes.Superseded, Reason = Recorded.NewerOfSamePiece.With(newer.Id, newer.FileName) });
 
     private static string Millimeters(Correction computed) => (computed.LargestMm, computed.SumMm) switch
     {
-        ({ } largest, { } sum) when sum > largest => string.Create(CultureInfo.InvariantCulture, $"displaced by at most {largest:0.0000} mm, {sum:0.0000} mm since the original"),
-        ({ } largest, _) => string.Create(CultureInfo.InvariantCulture, $"displaced by at most {largest:0.0000} mm"),
-        _ => "computed",
+        ({ } largest, { } sum) when sum > largest => Recorded.DisplacedInSum.With(largest, sum),
+        ({ } largest, _) => Recorded.Displaced.With(largest),
+        _ => Recorded.Computed.With(),
     };
 }

@@ -56,7 +56,7 @@ internal sealed class RecognizeWorker(CellFlow flow)
 
         if (cutBy is { SumsSha256: null })
         {
-            Refuse(known, CellCodes.SumsUnknown, FormattableString.Invariant($"The piece was cut by the program of correction {cutBy.Id}, which was made when the job {job.Name} did not accumulate: nobody knows its sums. Revert that correction, and begin from the original."));
+            Refuse(known, CellCodes.SumsUnknown, Recorded.SumsUnknown.With(cutBy.Id, job.Name));
             return;
         }
 
@@ -66,7 +66,7 @@ internal sealed class RecognizeWorker(CellFlow flow)
                 Begin(archived, known, basis, cutBy, part);
                 break;
             case RefusedComputation { Code: CorrectionCodes.PartUnmeasured } when Named(known) is { } piece:
-                Refuse(known, CorrectionCodes.PartUnmeasured, $"The counterpart with {piece} is compared with its part, and no part with {piece} is measured. Measure that part, then give {known.FileName} again; if the two pieces have other numbers, let the job's patterns read only what both of them say.");
+                Refuse(known, CorrectionCodes.PartUnmeasured, Recorded.PartOfNumberUnmeasured.With(piece, piece, known.FileName));
                 break;
             case RefusedComputation refused:
                 Refuse(known, refused.Code, refused.Reason);
@@ -78,16 +78,20 @@ internal sealed class RecognizeWorker(CellFlow flow)
 
     private void Begin(Correction archived, Correction known, CorrectionBasis basis, Correction? cutBy, Correction? part)
     {
-        var words = $"{known.Piece} of {known.Job}"
-            + (cutBy is null ? "" : FormattableString.Invariant($", cut by the program of correction {cutBy.Id}"))
-            + (part is null ? "" : FormattableString.Invariant($", to be compared with the part of correction {part.Id}"));
+        var words = (cutBy, part) switch
+        {
+            ({ } cut, { } other) => Recorded.OfCutAndPart.With(known.Piece, known.Job, cut.Id, other.Id),
+            ({ } cut, null) => Recorded.OfCut.With(known.Piece, known.Job, cut.Id),
+            (null, { } other) => Recorded.OfPart.With(known.Piece, known.Job, other.Id),
+            _ => Recorded.Of.With(known.Piece, known.Job),
+        };
         try
         {
             flow.Step(
                 archived,
                 CorrectionState.Recognized,
                 words,
-                _ => known with { Identity = basis.Identity, JobSha256 = basis.JobSha256, BaseSha256 = basis.BaseSha256 },
+                _ => known with { Identity = basis.Identity, JobSha256 = basis.JobSha256, JobWorkOrder = basis.WorkOrder, BaseSha256 = basis.BaseSha256 },
                 [basis.Job, .. basis.Base is { } program ? new[] { program } : []]);
         }
         catch (DuplicateCorrectionException e)
@@ -110,14 +114,13 @@ internal sealed class RecognizeWorker(CellFlow flow)
 
     private static string? Named(Correction piece) => (piece.Serial, piece.WorkOrder) switch
     {
-        ({ } serial, { } order) => $"serial number {serial} and work order {order}",
-        ({ } serial, null) => $"serial number {serial}",
-        (null, { } order) => $"work order {order}",
+        ({ } serial, { } order) => Recorded.NamedBoth.With(serial, order),
+        ({ } serial, null) => Recorded.NamedSerial.With(serial),
+        (null, { } order) => Recorded.NamedOrder.With(order),
         _ => null,
     };
 
-    private static string AlreadyKnown(Correction other) => FormattableString.Invariant(
-        $"Correction {other.Id} ({other.FileName}, {other.State.ToString().ToLowerInvariant()}) has the same measurement, job and program: a correction is applied once.");
+    private static string AlreadyKnown(Correction other) => Recorded.AlreadyKnown.With(other.Id, other.FileName, other.State.ToString().ToLowerInvariant());
 
     private void Refuse(Correction known, string code, string reason) =>
         flow.Step(known, CorrectionState.Refused, reason, c => c with { Code = code, Reason = reason, BaseSha256 = null, PartSha256 = null, SumsSha256 = null });

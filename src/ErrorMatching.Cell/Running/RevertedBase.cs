@@ -9,8 +9,7 @@ namespace ErrorMatching.Cell;
 internal sealed record RevertedBase(Correction By)
 {
     /// <summary>Why the correction is not sent, and what to do.</summary>
-    public string Reason => FormattableString.Invariant(
-        $"It adds to the program of correction {By.Id}, which was reverted meanwhile ({By.Reason}). Nothing that is built on it is sent: reject this one if it still waits, and measure a piece that was cut with the program that is there now.");
+    public string Reason => Recorded.BaseReverted.With(By.Id, By.Reason);
 
     /// <summary>The reverted program that a correction adds to; null where it adds to none, or to one that was not reverted.</summary>
     /// <param name="flow">What workers share.</param>

@@ -74,7 +74,7 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
         }
 
         // Before anything changes at the machine: should this be cut, the trail names who began it.
-        store.Audit(by, "reverting", reason, Sentence($"correction {correction.Id}"));
+        store.Audit(by, "reverting", reason, Recorded.Correction.With(correction.Id));
         await sender.SendAsync(slot.Program, store.Content(previous), Sentence($"revert{correction.Id}"), cancellation);
     }
 

@@ -74,7 +74,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
     {
         if (RevertedBase.Of(flow, approved) is { } reverted)
         {
-            Fail(flow.Step(approved, CorrectionState.Uploading, "looked at what it adds to"), CellCodes.BaseReverted, reverted.Reason);
+            Fail(flow.Step(approved, CorrectionState.Uploading, Recorded.LookedAtBase.With()), CellCodes.BaseReverted, reverted.Reason);
             return null;
         }
 
@@ -85,7 +85,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         }
         catch (TransportException e) when (!e.IsWorthAnotherTry)
         {
-            Fail(flow.Step(approved, CorrectionState.Uploading, "tried to read what the slot holds"), CellCodes.Of(e.Error), e.Message);
+            Fail(flow.Step(approved, CorrectionState.Uploading, Recorded.TriedToRead.With()), CellCodes.Of(e.Error), e.Message);
             return null;
         }
 
@@ -94,7 +94,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         var uploading = flow.Step(
             approved,
             CorrectionState.Uploading,
-            hash is null ? "the slot was empty" : $"the slot held {hash}",
+            hash is null ? Recorded.SlotEmpty.With() : Recorded.SlotHeld.With(hash),
             // A stranger's program is named by the step that refuses it: should the process end in between, the next one finds a stranger again.
             c => isKnown ? c with { PreviousSha256 = hash } : c,
             isKnown && found is not null ? [found] : null);
@@ -103,7 +103,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
             return uploading;
         }
 
-        Fail(uploading, CellCodes.ChangedAtMachine, $"{slot.Program} at {machine.Name} is neither what the cell put there nor an original: somebody changed it. It is kept as {hash}. Look at it, then approve again to replace it, or reject.", found);
+        Fail(uploading, CellCodes.ChangedAtMachine, Recorded.ChangedBefore.With(slot.Program, machine.Name, hash), found);
         return null;
     }
 
@@ -140,7 +140,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         catch (OperationCanceledException) when (flow.Finish.IsCancellationRequested)
         {
             using var soon = new CancellationTokenSource(flow.Pace.GiveBack, flow.Clock);
-            await GiveBackAsync(uploading, null, "the cell was stopped", soon.Token);
+            await GiveBackAsync(uploading, null, Recorded.CellStopped.With(), soon.Token);
             throw;
         }
         catch (TransportException e)
@@ -162,12 +162,12 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
             // Where old and new are the same, a ready file may still tell of the old one: then it is sent again.
             if (hash == uploading.ProgramSha256 && hash != uploading.PreviousSha256)
             {
-                return "the machine held it after a cut";
+                return Recorded.HeldAfterCut.With();
             }
 
             if (hash != uploading.PreviousSha256)
             {
-                throw new ChangedAtMachineException(found, $"{slot.Program} at {machine.Name} changed while it was being replaced: it is neither the program before nor the one to send. It is kept as {hash}. Look at it, then approve again to replace it, or reject.");
+                throw new ChangedAtMachineException(found, Recorded.ChangedMeanwhile.With(slot.Program, machine.Name, hash ?? "missing"));
             }
         }
 
@@ -187,7 +187,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         var program = flow.Store.Content(uploading.ProgramSha256!);
         await _sender.SendAsync(slot.Program, program, string.Create(CultureInfo.InvariantCulture, $"{uploading.Id}"), flow.Finish);
         _isInOrder = true;
-        return "read back from the machine, the same to the last bit";
+        return Recorded.ReadBack.With();
     }
 
     private void Verify(Correction uploading, string basis)
@@ -208,7 +208,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         }
         catch (TransportException) when (cause is { IsWorthAnotherTry: false })
         {
-            Fail(uploading, CellCodes.Of(cause.Error), cause.Message + " The slot may hold the program before or this one.");
+            Fail(uploading, CellCodes.Of(cause.Error), Recorded.EitherProgram.With(cause.Message));
             return;
         }
         catch (TransportException e)
@@ -219,11 +219,11 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
 
         if (hash == uploading.ProgramSha256 && hash != uploading.PreviousSha256)
         {
-            Verify(uploading, "the machine held it after a cut");
+            Verify(uploading, Recorded.HeldAfterCut.With());
         }
         else if (hash == uploading.PreviousSha256 && cause is null or { Error: TransportError.Away or TransportError.Slow })
         {
-            flow.Step(uploading, CorrectionState.Approved, "given back: " + basis);
+            flow.Step(uploading, CorrectionState.Approved, Recorded.GivenBack.With(basis));
         }
         else if (cause is not null)
         {
@@ -266,7 +266,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
             return flow.Pace.Ready;
         }
 
-        var basis = $"the machine wrote {ready}";
+        var basis = Recorded.MachineWrote.With(ready);
         if (held.State == CorrectionState.Verified)
         {
             flow.Step(held, CorrectionState.Released, basis);

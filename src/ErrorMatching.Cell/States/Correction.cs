@@ -24,8 +24,11 @@ public sealed record Correction(
     /// <summary>Serial number of the piece; null if nothing says it.</summary>
     public string? Serial { get; init; }
 
-    /// <summary>The work order; null if nothing says it.</summary>
+    /// <summary>The work order that came with the measurement; null if it says none.</summary>
     public string? WorkOrder { get; init; }
+
+    /// <summary>The work order that the job names; null if it names none, and before it is recognized.</summary>
+    public string? JobWorkOrder { get; init; }
 
     /// <summary>SHA-256 over measurement, job and base program: a correction of one identity is applied once. Null before it is recognized.</summary>
     public string? Identity { get; init; }

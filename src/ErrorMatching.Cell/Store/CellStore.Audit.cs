@@ -38,29 +38,35 @@ public sealed partial class CellStore
     {
         ArgumentNullException.ThrowIfNull(query);
         var conditions = new List<string>();
-        if (query.Serial is not null) conditions.Add("serial = @Serial");
-        if (query.WorkOrder is not null) conditions.Add("work_order = @WorkOrder");
+        if (query.Serial is not null) conditions.Add(Is("serial", "@Serial"));
+        if (query.WorkOrder is not null) conditions.Add(Is("COALESCE(work_order, job_work_order)", "@WorkOrder"));
         if (query.From is not null) conditions.Add("arrived_at >= @From");
         if (query.To is not null) conditions.Add("arrived_at < @To");
-        if (query.Program is not null) conditions.Add(Hash(query.Program) is null ? "program = @Program" : "(program = @Program OR program_sha256 BETWEEN @Hash AND @HashEnd)");
-        if (query.User is not null) conditions.Add("id IN (SELECT correction FROM step WHERE who = @User)");
+        if (query.Program is not null) conditions.Add(Hash(query.Program) is null ? Is("program", "@Program") : $"({Is("program", "@Program")} OR program_sha256 BETWEEN @Hash AND @HashEnd)");
+        if (query.User is not null) conditions.Add($"id IN (SELECT correction FROM step WHERE {Is("who", "@User")})");
         if (query.State is not null) conditions.Add("state = @State");
         if (query.Machine is not null) conditions.Add("machine = @Machine");
         var where = conditions.Count == 0 ? "" : " WHERE " + string.Join(" AND ", conditions);
         return Read(CorrectionRow.Select + where + " ORDER BY id DESC LIMIT @Most", CorrectionRow.Read, new
         {
-            Serial = StoredText.NameOrNull(query.Serial),
-            WorkOrder = StoredText.NameOrNull(query.WorkOrder),
+            Serial = Looked(query.Serial),
+            WorkOrder = Looked(query.WorkOrder),
             From = query.From is { } from ? StoredTime.Of(from) : 0,
             To = query.To is { } to ? StoredTime.Of(to) : 0,
-            Program = StoredText.NameOrNull(query.Program),
+            Program = Looked(query.Program),
             Hash = Hash(query.Program),
             HashEnd = Hash(query.Program)?.PadRight(64, 'f'),
-            User = StoredText.NameOrNull(query.User),
+            User = Looked(query.User),
             State = query.State is { } state ? CorrectionRow.Word(state) : null,
             Machine = StoredText.NameOrNull(query.Machine),
             query.Most,
         });
+
+        string Is(string column, string parameter) => query.IsLoose ? $"LOWER({column}) LIKE LOWER({parameter}) ESCAPE '!'" : $"{column} = {parameter}";
+
+        string? Looked(string? name) => StoredText.NameOrNull(name) is { } text && query.IsLoose
+            ? $"%{text.Replace("!", "!!", StringComparison.Ordinal).Replace("%", "!%", StringComparison.Ordinal).Replace("_", "!_", StringComparison.Ordinal)}%"
+            : StoredText.NameOrNull(name);
     }
 
     // The first digits of a hash, if that is what a program was looked for by.

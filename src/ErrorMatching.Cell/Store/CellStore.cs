@@ -156,7 +156,7 @@ public sealed partial class CellStore : IDisposable
     public void FreeSlot(string machine, string slot, long correction, string by, string basis) => Write(transaction =>
     {
         var freed = transaction.Execute("UPDATE slot SET correction = NULL WHERE machine = @machine AND slot = @slot AND correction = @correction", new { machine, slot, correction });
-        if (freed == 1) transaction.Audit(by, "freed", $"slot {slot} of {machine}", basis);
+        if (freed == 1) transaction.Audit(by, "freed", Recorded.Slot.With(slot, machine), basis);
         return freed;
     });
 
@@ -214,7 +214,7 @@ public sealed partial class CellStore : IDisposable
 
         var aside = SqliteRestore.Restore(sqlite.File, backup, opened => Migrations.Apply(opened, clock, auditKey), progress, cancellation);
         using var store = Open(settings, clock, auditKey);
-        store.Audit(by, "restored", $"from the backup {Path.GetFileName(backup)}", aside is null ? null : $"what was there before is {Path.GetFileName(aside)}");
+        store.Audit(by, "restored", Recorded.FromBackup.With(Path.GetFileName(backup)), aside is null ? null : Recorded.KeptAside.With(Path.GetFileName(aside)));
         return aside;
     }
 
@@ -276,7 +276,7 @@ public sealed partial class CellStore : IDisposable
             arrived.Trace,
         });
         arrived = arrived with { Id = id };
-        Note(transaction, arrived, null, "cell", arrived.Reason ?? $"arrived from {arrived.Gauge} as {arrived.FileName}");
+        Note(transaction, arrived, null, "cell", arrived.Reason ?? Recorded.Arrived.With(arrived.Gauge, arrived.FileName));
         return arrived;
     }
 
@@ -293,8 +293,8 @@ public sealed partial class CellStore : IDisposable
                 By = StoredText.Name(by),
                 Basis = StoredText.Sentence(basis),
             });
-        var what = from is null ? $"file {after.MeasurementSha256}" : after.ProgramSha256 is { } program ? $"program {program}" : null;
-        transaction.Audit(by, CorrectionRow.Word(after.State), string.Create(CultureInfo.InvariantCulture, $"correction {after.Id}{(what is null ? "" : " ")}{what}"), basis);
+        var subject = from is null ? Recorded.File.With(after.Id, after.MeasurementSha256) : after.ProgramSha256 is { } program ? Recorded.Program.With(after.Id, program) : Recorded.Correction.With(after.Id);
+        transaction.Audit(by, CorrectionRow.Word(after.State), subject, basis);
     }
 
     private static StoreException Conflict(StoreTransaction transaction, Correction from, CorrectionState to)

@@ -7,14 +7,14 @@ internal static class CorrectionRow
 {
     public const string Columns =
         "id, state, version, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, job, piece, serial, work_order, identity, "
-        + "job_sha256, base_sha256, machine, slot, program, program_sha256, report_sha256, page_sha256, largest_mm, sum_mm, previous_sha256, code, reason, trace, part_sha256, sums_sha256";
+        + "job_sha256, base_sha256, machine, slot, program, program_sha256, report_sha256, page_sha256, largest_mm, sum_mm, previous_sha256, code, reason, trace, part_sha256, sums_sha256, job_work_order";
 
     public const string Select = "SELECT " + Columns + " FROM correction";
 
     public const string Update =
         "UPDATE correction SET state = @State, version = @Version, changed_at = @ChangedAt, job = @Job, piece = @Piece, serial = @Serial, work_order = @WorkOrder, identity = @Identity, "
         + "job_sha256 = @JobSha256, base_sha256 = @BaseSha256, machine = @Machine, slot = @Slot, program = @Program, program_sha256 = @ProgramSha256, report_sha256 = @ReportSha256, "
-        + "page_sha256 = @PageSha256, largest_mm = @LargestMm, sum_mm = @SumMm, previous_sha256 = @PreviousSha256, code = @Code, reason = @Reason, trace = @Trace, part_sha256 = @PartSha256, sums_sha256 = @SumsSha256 "
+        + "page_sha256 = @PageSha256, largest_mm = @LargestMm, sum_mm = @SumMm, previous_sha256 = @PreviousSha256, code = @Code, reason = @Reason, trace = @Trace, part_sha256 = @PartSha256, sums_sha256 = @SumsSha256, job_work_order = @JobWorkOrder "
         + "WHERE id = @Id AND version = @Version - 1 AND state = @From";
 
     public const string Insert =
@@ -54,6 +54,7 @@ internal static class CorrectionRow
         Trace = row.TextOrNull(27),
         PartSha256 = row.TextOrNull(28),
         SumsSha256 = row.TextOrNull(29),
+        JobWorkOrder = row.TextOrNull(30),
     };
 
     /// <summary>The correction as it comes back from the store: texts that a database refuses are made such that it does not.</summary>
@@ -63,6 +64,7 @@ internal static class CorrectionRow
         Piece = StoredText.NameOrNull(correction.Piece),
         Serial = StoredText.NameOrNull(correction.Serial),
         WorkOrder = StoredText.NameOrNull(correction.WorkOrder),
+        JobWorkOrder = StoredText.NameOrNull(correction.JobWorkOrder),
         Identity = StoredText.NameOrNull(correction.Identity),
         Machine = StoredText.NameOrNull(correction.Machine),
         Slot = StoredText.NameOrNull(correction.Slot),
@@ -101,6 +103,7 @@ internal static class CorrectionRow
         to.Trace,
         to.PartSha256,
         to.SumsSha256,
+        to.JobWorkOrder,
     };
 
     public static CorrectionStep ReadStep(DbDataReader row) => new(

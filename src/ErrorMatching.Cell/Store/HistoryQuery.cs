@@ -3,10 +3,13 @@ namespace ErrorMatching.Cell;
 /// <summary>What is looked for in the history. What is null is not asked about; all that is given must hold.</summary>
 public sealed record HistoryQuery
 {
+    /// <summary>True if a serial number, a work order, a program's name and a user are found by a part of them as well, in capitals or not: what a person types.</summary>
+    public bool IsLoose { get; init; }
+
     /// <summary>Serial number of the piece.</summary>
     public string? Serial { get; init; }
 
-    /// <summary>The work order.</summary>
+    /// <summary>The work order of the piece, or of its job where the piece says none.</summary>
     public string? WorkOrder { get; init; }
 
     /// <summary>Arrived at this time or later.</summary>

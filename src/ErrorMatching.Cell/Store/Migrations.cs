@@ -49,7 +49,7 @@ internal static partial class Migrations
         if (number == 0)
         {
             var first = StoreTransaction.Begin(connection, transaction, "", clock, auditKey);
-            first.Audit("cell", "created", null, "The store was made.");
+            first.Audit("cell", "created", null, Recorded.StoreMade.With());
             first.Finish();
         }
 

@@ -34,7 +34,20 @@ public abstract partial class StoreTests
         Is([], new HistoryQuery { Serial = "one", State = CorrectionState.Approved });
         Is([], new HistoryQuery { Serial = "' OR 1 = 1 --" });
         Is([third, second], new HistoryQuery { Most = 2 });
+        Is([second, first], new HistoryQuery { IsLoose = true, WorkOrder = "o-1" });
+        Is([third, second, first], new HistoryQuery { IsLoose = true, WorkOrder = "WO" });
+        Is([], new HistoryQuery { IsLoose = true, WorkOrder = "W_-1" });
+        Is([], new HistoryQuery { IsLoose = true, WorkOrder = "%" });
+        Is([second, first], new HistoryQuery { IsLoose = true, User = "ANN" });
+        Is([second, first], new HistoryQuery { IsLoose = true, Program = "o1" });
         Is([third, second, first], new HistoryQuery());
+
+        // A piece that says no work order is found by that of its job, another only by its own.
+        var fourth = store.Archive(Arrival("four", "4")).Correction;
+        fourth = store.Step(fourth, CorrectionState.Recognized, "cell", "by name", c => c with { JobWorkOrder = "JOB-1" });
+        third = store.Step(third, CorrectionState.Refused, "cell", "no", c => c with { JobWorkOrder = "JOB-1" });
+        Is([fourth], new HistoryQuery { WorkOrder = "JOB-1" });
+        Is([third], new HistoryQuery { WorkOrder = "WO-9" });
 
         void Is(Correction[] wanted, HistoryQuery query) => Assert.Equal(wanted, store.Search(query));
     }
