@@ -17,6 +17,14 @@ public class ContractTests
     public static TheoryData<string> DemandingVerbNames => [.. Verbs.Where(v => v.Arguments.Any(a => a.Arity.MinimumNumberOfValues > 0)).Select(WordsOf)];
 
     [Fact]
+    public void A_command_line_s_first_word_makes_the_command_of_that_name_and_no_other()
+    {
+        Assert.Equal(CommandTree.FirstWords, CommandTree.Build().Subcommands.Select(c => c.Name));
+        Assert.All(CommandTree.FirstWords, w => Assert.Equal(w, Assert.Single(CommandTree.Build(w).Subcommands).Name));
+        Assert.Equal(CommandTree.FirstWords, CommandTree.Build("matches").Subcommands.Select(c => c.Name));
+    }
+
+    [Fact]
     public void Version_prints_the_version_alone() => Assert.Equal((0, "0.1.0\n", ""), Shell.Run("--version"));
 
     [Theory]

@@ -13,27 +13,22 @@ internal static class CommandTree
         EnablePosixBundling = false,
     };
 
+    /// <summary>The words that a command line begins with, in the order of the help.</summary>
+    internal static IReadOnlyList<string> FirstWords { get; } = ["match", "verify", "job", "nc", "surface", "cell", "user", "audit", "fit"];
+
     /// <summary>Parses a command line.</summary>
-    public static ParseResult Parse(IReadOnlyList<string> args) => Build().Parse(args, Configuration);
+    public static ParseResult Parse(IReadOnlyList<string> args) => Build(args.Count > 0 ? args[0] : null).Parse(args, Configuration);
 
     /// <summary>The root command.</summary>
-    public static RootCommand Build()
+    /// <param name="first">The word that the command line begins with: where it is that of a command, only that one is made. Null for all.</param>
+    public static RootCommand Build(string? first = null)
     {
-        var root = new RootCommand("Measures a machined piece and rewrites the NC program of its counterpart so that the two fit.")
+        var root = new RootCommand("Measures a machined piece and rewrites the NC program of its counterpart so that the two fit.");
+        foreach (var word in first is not null && FirstWords.Contains(first) ? [first] : FirstWords)
         {
-            new MatchVerb(),
-            new VerifyVerb(),
-            new Command("job", "Writes and checks jobs.") { new JobCheck(), new JobNew(), new JobSchema() },
-            new Command("nc", "Looks at NC programs, displaces blocks, compares and proves programs.") { new NcCheck(), new NcMotionVerb(), new NcLocate(), new NcDisplace(), new NcDiff(), new NcProve(), new NcDialectsVerb() },
-            new SurfaceVerb(),
-            new Command("cell", "Runs beside gauges and machines.")
-            {
-                new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellSecret(),
-            },
-            new Command("user", "Says who may do what at a cell.") { new UserAdd(), new UserList(), new UserDisable(), new UserEnable(), new UserRole(), new UserPassword() },
-            new Command("audit", "Proves and hands out what was done at a cell, and by whom.") { new AuditVerify(), new AuditExport() },
-            new Command("fit", "Fits curves to measured points.") { new FitLine(), new FitPolynomial(), new FitCircle() },
-        };
+            root.Add(Make(word));
+        }
+
         root.Directives.Clear();
         root.Options.Add(new Option<bool>("--json") { Description = "Print one JSON document and nothing else.", Recursive = true, Arity = ArgumentArity.Zero });
         var help = root.Options.OfType<HelpOption>().Single();
@@ -41,4 +36,21 @@ internal static class CommandTree
         root.Options.OfType<VersionOption>().Single().Action = new PrintVersion();
         return root;
     }
+
+    private static Command Make(string word) => word switch
+    {
+        "match" => new MatchVerb(),
+        "verify" => new VerifyVerb(),
+        "job" => new Command(word, "Writes and checks jobs.") { new JobCheck(), new JobNew(), new JobSchema() },
+        "nc" => new Command(word, "Looks at NC programs, displaces blocks, compares and proves programs.") { new NcCheck(), new NcMotionVerb(), new NcLocate(), new NcDisplace(), new NcDiff(), new NcProve(), new NcDialectsVerb() },
+        "surface" => new SurfaceVerb(),
+        "cell" => new Command(word, "Runs beside gauges and machines.")
+        {
+            new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellSecret(),
+        },
+        "user" => new Command(word, "Says who may do what at a cell.") { new UserAdd(), new UserList(), new UserDisable(), new UserEnable(), new UserRole(), new UserPassword() },
+        "audit" => new Command(word, "Proves and hands out what was done at a cell, and by whom.") { new AuditVerify(), new AuditExport() },
+        "fit" => new Command(word, "Fits curves to measured points.") { new FitLine(), new FitPolynomial(), new FitCircle() },
+        _ => throw new ArgumentOutOfRangeException(nameof(word), word, "No command begins so."),
+    };
 }

@@ -38,19 +38,19 @@ internal sealed class SurfaceLoop
     public int Points => _plan.Points.Count;
 
     /// <summary>The statistics before and after, on a machine of its own.</summary>
-    public (DeviationStatistics Before, DeviationStatistics After) Run(int seed) => Run(seed, repeats: false);
+    public SurfaceLoopRun Run(int seed) => Run(seed, repeats: false);
 
     /// <summary>The same.</summary>
     /// <param name="seed">Of the machine.</param>
     /// <param name="repeats">True for a machine whose cuts and a probe whose touches are always the same.</param>
-    public (DeviationStatistics Before, DeviationStatistics After) Run(int seed, bool repeats)
+    public SurfaceLoopRun Run(int seed, bool repeats)
     {
-        var (before, after) = Measure(seed, repeats);
-        return (SurfaceEvaluation.Of(_job, _surface, [before]).Together, SurfaceEvaluation.Of(_finished, _surface, [after]).Together);
+        var (before, after, expected) = Measure(seed, repeats);
+        return new(SurfaceEvaluation.Of(_job, _surface, [before]).Together, SurfaceEvaluation.Of(_finished, _surface, [after]).Together, expected);
     }
 
-    /// <summary>What was measured after semi-finishing and after finishing, on a machine of its own.</summary>
-    public (MeasuredPoints Before, MeasuredPoints After) Measure(int seed, bool repeats = false)
+    /// <summary>What was measured after semi-finishing and after finishing, on a machine of its own, and what was expected between.</summary>
+    public (MeasuredPoints Before, MeasuredPoints After, SurfacePrediction Expected) Measure(int seed, bool repeats = false)
     {
         var random = new Random(seed);
         var machine = MachineError.Systematic(random);
@@ -61,7 +61,7 @@ internal sealed class SurfaceLoop
         var result = outcome.Result!;
         var finishing = Moves(result.Surface, CuttingStage.Finishing);
         var after = Measure(Cut(finishing), _finishedProbing, _finishedPlan, _finished);
-        return (before, after);
+        return (before, after, result.Predicted);
 
         CutSurface Cut(IReadOnlyList<AxisMove> moves) => new(moves, radius, repeats ? machine : machine.NextCut(random));
 

@@ -23,6 +23,7 @@ public sealed class SurfaceLoopTests
         Assert.True(Reduction(runs, s => s.ProfileIsoMm) >= profilePercent, $"profile: {Reduction(runs, s => s.ProfileIsoMm)} %");
         Assert.All(runs, r => Assert.InRange(r.Before.MeanMm, 0.008, 0.022));
         Assert.All(runs, r => Assert.True(Math.Abs(r.After.MeanMm) < 0.001, $"mean {r.After.MeanMm}"));
+        ExpectedIsWhatCame(runs);
     }
 
     [Theory]
@@ -36,6 +37,7 @@ public sealed class SurfaceLoopTests
 
         Assert.InRange(Reduction(runs, s => s.StandardDeviationMm), -1, 1);
         Assert.All(runs, r => Assert.True(Math.Abs(r.After.MeanMm) < 0.001, $"mean {r.After.MeanMm}"));
+        ExpectedIsWhatCame(runs);
     }
 
     [Theory]
@@ -44,7 +46,7 @@ public sealed class SurfaceLoopTests
     [InlineData("surface-three")]
     public void Tool_radius_modification_leaves_the_spread_to_a_tenth_of_a_micrometer_where_everything_repeats(string sample)
     {
-        var (before, after) = new SurfaceLoop(sample, mirror: false).Run(1, repeats: true);
+        var (before, after, _) = new SurfaceLoop(sample, mirror: false).Run(1, repeats: true);
 
         // Passes lie elsewhere than before, so the ridges of 1 um that they leave do too.
         Assert.Equal(before.StandardDeviationMm, after.StandardDeviationMm, 0.0001);
@@ -57,7 +59,7 @@ public sealed class SurfaceLoopTests
     [InlineData("surface-three")]
     public void Measured_points_of_the_samples_are_those_of_the_virtual_machine(string sample)
     {
-        var (before, after) = new SurfaceLoop(sample, mirror: true).Measure(seed: 2019);
+        var (before, after, _) = new SurfaceLoop(sample, mirror: true).Measure(seed: 2019);
         foreach (var (name, points) in new[] { ("measured.csv", before), ("after.csv", after) })
         {
             var file = Repository.PathTo("samples", sample, name);
@@ -75,7 +77,16 @@ public sealed class SurfaceLoopTests
         }
     }
 
+    // Over all machines: the spread and the profile that were said before finishing are those that came, and the means lie within what was said of their uncertainty.
+    private static void ExpectedIsWhatCame(SurfaceLoopRun[] runs)
+    {
+        var (spread, profile, mean) = (Share(r => r.StandardDeviationMm), Share(r => r.ProfileIsoMm), Math.Sqrt(runs.Average(r => Math.Pow((r.After.MeanMm - r.Expected.Statistics.MeanMm) / r.Expected.MeanUncertaintyMm, 2))));
+        Assert.True(spread is > 0.9 and < 1.1 && profile is > 0.85 and < 1.15 && mean is > 0.1 and < 1.2, $"came over expected: standard deviation {spread:0.000}, profile {profile:0.000}; means in standard uncertainties {mean:0.00}");
+
+        double Share(Func<DeviationStatistics, double> figure) => Math.Sqrt(runs.Sum(r => Math.Pow(figure(r.After), 2)) / runs.Sum(r => Math.Pow(figure(r.Expected.Statistics), 2)));
+    }
+
     /// <summary>Share in percent by which a figure became smaller, over all runs as one: root mean square before and after.</summary>
-    private static double Reduction((DeviationStatistics Before, DeviationStatistics After)[] runs, Func<DeviationStatistics, double> figure) =>
+    private static double Reduction(SurfaceLoopRun[] runs, Func<DeviationStatistics, double> figure) =>
         100 * (1 - Math.Sqrt(runs.Sum(r => Math.Pow(figure(r.After), 2)) / runs.Sum(r => Math.Pow(figure(r.Before), 2))));
 }

@@ -25,7 +25,7 @@ internal sealed class CellRestore : CellVerb
 
         using (var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Open(settings.KeysFolder), inspect: false))
         {
-            new AuditTrail(store, settings.KeysFolder).TakeOver(by, $"A backup was brought back: {file}.");
+            new AuditTrail(store, settings.KeysFolder).TakeOver(by, Recorded.BackupBroughtBack.With(file));
         }
 
         return new CellFileAnswer("restore", file, $"The store is the one of {file} again.{(kept is null ? "" : $" What was there is {kept}.")} Start the cell: programs at machines that this store does not know are not overwritten without a setter.");

@@ -54,19 +54,25 @@ internal sealed class CellRun() : CellVerb(
         store.Audit("cell", "started", InForce(settings), settings.Name);
         notice.Ready();
         await runner.RunAsync(cancellation);
-        store.Audit("cell", "stopped", "told to stop", settings.Name);
+        store.Audit("cell", "stopped", Recorded.Stopped.With(), settings.Name);
         new AuditTrail(store, settings.KeysFolder).Remember();
         return new CellRunAnswer(settings, since, clock.GetUtcNow());
     }
 
     // Who approves, and within what, is part of the evidence: a limit that somebody raised shows in the trail.
-    private static string InForce(CellSettings settings) => string.Create(
-        CultureInfo.InvariantCulture,
-        $"configuration {Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(settings.File)))}; policy {Words(settings.Policy)}{string.Concat(settings.Jobs.Where(j => j.Policy is not null).Select(j => $"; {j.Name}: {Words(j.Policy!)}"))}");
+    private static string InForce(CellSettings settings) => Recorded.Started.With(
+        Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(settings.File))),
+        string.Join("; ", settings.Jobs.Where(j => j.Policy is not null).Select(j => Recorded.PoliciesOfJob.With([j.Name, .. Words(j.Policy!)])).Prepend(Recorded.PoliciesOfCell.With(Words(settings.Policy)))));
 
-    private static string Words(PolicySettings policy) => string.Create(
-        CultureInfo.InvariantCulture,
-        $"{(policy.Automatic ? "automatic" : "a person")}, limit {(policy.LimitMm is { } limit ? $"{limit} mm" : "the job's")}, sum {(policy.SumLimitMm is { } sum ? $"{sum} mm" : "none of its own")}, gain {(policy.Gain is { } gain ? $"{gain}" : "the job's")}");
+    private static object[] Words(PolicySettings policy) =>
+    [
+        policy.Automatic ? "automatic" : "a person",
+        policy.LimitMm is { } limit ? Mm(limit) : "the job's",
+        policy.SumLimitMm is { } sum ? Mm(sum) : "none of its own",
+        policy.Gain is { } gain ? gain : "the job's",
+    ];
+
+    private static string Mm(double mm) => string.Create(CultureInfo.InvariantCulture, $"{mm} mm");
 
     // A server that starts after the cell is waited for; what waiting does not mend ends the run.
     private static async Task<CellStore> OpenAsync(CellSettings settings, ILogger log, TimeProvider clock, CancellationToken cancellation)
