@@ -36,6 +36,11 @@ if (args is ["station", .. var station])
     return await StationFrames.RunAsync(station.FirstOrDefault());
 }
 
+if (args is ["screens", .. var screens])
+{
+    return await StationScreens.RunAsync(screens);
+}
+
 if (args is ["fit-once", var shape, var count, var noise])
 {
     return SurfaceFitTimes.Once(shape, count, noise);

@@ -47,9 +47,14 @@ internal static class StationFrames
 
     private static async Task MeasureAsync(Size size, string file)
     {
-        var window = new Window { Width = size.Width, Height = size.Height };
+        // Text is on the screen before a program is, and a small program was rehearsed: the station begins with its login.
+        var window = new Window { Width = size.Width, Height = size.Height, Content = new TextBlock { Text = "Sample cell" } };
         window.Show();
         var user = new ScreenUser(window).Settle();
+        var stage = new Panel { Opacity = 0, IsEnabled = false };
+        window.Content = stage;
+        stage.Children.Add(new ContentControl { Content = new ProgramPicture(OpenedProgram.Read("N10 G0 X0. Y0. Z5.\nN20 G1 Z0. F500.\nN30 X9.\n"u8.ToArray(), NcDialects.FanucMill)) });
+        user.Settle();
         try
         {
             await OpenAsync(window, user, size, file, "first ");
