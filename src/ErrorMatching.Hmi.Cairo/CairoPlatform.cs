@@ -33,15 +33,16 @@ public static class CairoPlatform
     {
         ArgumentNullException.ThrowIfNull(builder);
         NativeLibraries.Demand(NativeLibraries.ForDrawing);
+        var fonts = new FontconfigFontManager();
         return builder
             .UseStandardRuntimePlatformSubsystem()
-            .With(new FontManagerOptions { DefaultFamilyName = FontFamily })
+            .With(new FontManagerOptions { DefaultFamilyName = FontFamily, FontFallbacks = fonts.HanFallbacks })
             .WithInterFont()
             .UseTextShapingSubsystem(() => AvaloniaLocator.CurrentMutable.Bind<ITextShaperImpl>().ToConstant(new HarfBuzzShaper()), "HarfBuzz")
             .UseRenderingSubsystem(
                 () => AvaloniaLocator.CurrentMutable
                     .Bind<IPlatformRenderInterface>().ToConstant(new CairoRenderInterface())
-                    .Bind<IFontManagerImpl>().ToConstant(new FontconfigFontManager()),
+                    .Bind<IFontManagerImpl>().ToConstant(fonts),
                 "Cairo");
     }
 }

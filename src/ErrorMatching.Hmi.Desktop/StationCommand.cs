@@ -57,7 +57,7 @@ internal static class StationCommand
             using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Leave);
             try
             {
-                var builder = AppBuilder.Configure(() => new App { Open = () => Open(settings ?? demonstration!.GetAwaiter().GetResult().Settings, isDemo), Look = look });
+                var builder = AppBuilder.Configure(() => new App { Open = () => Open(settings ?? demonstration!.GetAwaiter().GetResult().Settings, isDemo), Look = look, Busy = TellBusy });
                 return (OperatingSystem.IsWindows() ? builder.UseWindows() : builder.UseX11(scaling)).StartWithClassicDesktopLifetime([]);
             }
             finally
@@ -72,7 +72,7 @@ internal static class StationCommand
         }
     }
 
-    private static Station Open(CellSettings settings, bool isDemo) => new(settings, TimeProvider.System, Station.DefaultIdle) { Preferences = Preferences(settings, isDemo) };
+    private static Station Open(CellSettings settings, bool isDemo) => new(settings, TimeProvider.System, Station.DefaultIdle) { Preferences = Preferences(settings, isDemo), IsDemonstration = isDemo };
 
     // A demonstration leaves nothing behind. A service without a home of its own keeps nothing.
     private static PreferenceFiles? Preferences(CellSettings settings, bool isDemo)
@@ -80,6 +80,9 @@ internal static class StationCommand
         var folder = isDemo ? Path.GetDirectoryName(Path.GetFullPath(settings.File)) : Environment.GetFolderPath(Environment.SpecialFolder.ApplicationData, Environment.SpecialFolderOption.DoNotVerify);
         return string.IsNullOrEmpty(folder) ? null : new(Path.Combine(folder, "errormatch"));
     }
+
+    // In the log of whatever runs the station: somebody waited, and this is when.
+    private static void TellBusy(TimeSpan time) => Console.Error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{TimeProvider.System.GetLocalNow():HH:mm:ss} wrn The screen was busy for {time.TotalMilliseconds:0} ms"));
 
     // As if the window were closed: the seat is left in order, and the demonstration takes its folder away.
     private static void Leave(PosixSignalContext signal)

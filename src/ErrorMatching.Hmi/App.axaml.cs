@@ -14,8 +14,15 @@ public sealed partial class App : Application
     /// <summary>How it begins.</summary>
     public StationLook Look { get; init; } = new(Language.English, IsDark: false, IsFullScreen: false);
 
+    /// <summary>Is told how long the screen's thread was busy at one stretch, wherever that was too long; null if nobody wants to know.</summary>
+    public Action<TimeSpan>? Busy { get; init; }
+
     /// <inheritdoc/>
-    public override void Initialize() => AvaloniaXamlLoader.Load(this);
+    public override void Initialize()
+    {
+        AvaloniaXamlLoader.Load(this);
+        TabRow.Mend();
+    }
 
     /// <inheritdoc/>
     public override void OnFrameworkInitializationCompleted()
@@ -29,8 +36,18 @@ public sealed partial class App : Application
             var shell = new ShellViewModel(station) { IsDark = Look.IsDark };
             window.DataContext = shell;
             desktop.MainWindow = window;
+            var end = new CancellationTokenSource();
+            if (Busy is not null)
+            {
+                // What it takes to make the window is no news.
+                window.Opened += (_, _) => _ = new ScreenWatch(SynchronizationContext.Current!, TimeProvider.System, Busy).RunAsync(end.Token).Watched();
+            }
+
+            window.Opened += (_, _) => _ = window.RehearseAsync(end.Token).Watched();
             desktop.Exit += (_, _) =>
             {
+                end.Cancel();
+                end.Dispose();
                 shell.Dispose();
                 station.Dispose();
             };

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Runtime.ExceptionServices;
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
@@ -22,31 +23,16 @@ public sealed class ScreenUser(Window window)
         return this;
     }
 
-    /// <summary>Lets real time pass: transitions and timers follow the real clock, not the frames.</summary>
+    /// <summary>Lets real time pass: transitions and timers follow the real clock, not the frames. Frames are drawn before keys and taps are taken, as on a screen.</summary>
     public ScreenUser Wait(TimeSpan time)
     {
         var watch = Stopwatch.StartNew();
-        return WaitFor(() => watch.Elapsed >= time, TimeSpan.MaxValue);
+        return WaitFor(() => watch.Elapsed >= time, TimeSpan.MaxValue, DispatcherPriority.Render);
     }
 
     /// <summary>Lets time pass until something is so.</summary>
     /// <exception cref="TimeoutException">It did not become so in time.</exception>
-    public ScreenUser WaitFor(Func<bool> condition, TimeSpan most)
-    {
-        ArgumentNullException.ThrowIfNull(condition);
-        var watch = Stopwatch.StartNew();
-        var frame = new DispatcherFrame();
-        var isSo = false;
-        var timer = new DispatcherTimer(TimeSpan.FromMilliseconds(16), DispatcherPriority.Background, (_, _) =>
-        {
-            OffScreenClock.Current.Frame();
-            frame.Continue = !(isSo = condition()) && watch.Elapsed < most;
-        });
-        timer.Start();
-        Dispatcher.UIThread.PushFrame(frame);
-        timer.Stop();
-        return isSo ? Settle() : throw new TimeoutException($"What was waited for did not come within {most}.");
-    }
+    public ScreenUser WaitFor(Func<bool> condition, TimeSpan most) => WaitFor(condition, most, DispatcherPriority.Background);
 
     /// <summary>Moves the pointer to the middle of a control.</summary>
     public ScreenUser MoveTo(Visual target) => MoveTo(target, Middle(target));
@@ -165,6 +151,35 @@ public sealed class ScreenUser(Window window)
         using var frame = Platform.Frame!.Lock();
         var p = (byte*)frame.Address + (pixel.Y * frame.RowBytes) + (pixel.X * 4);
         return Color.FromArgb(p[3], p[2], p[1], p[0]);
+    }
+
+    private ScreenUser WaitFor(Func<bool> condition, TimeSpan most, DispatcherPriority priority)
+    {
+        ArgumentNullException.ThrowIfNull(condition);
+        var watch = Stopwatch.StartNew();
+        var frame = new DispatcherFrame();
+        var isSo = false;
+        ExceptionDispatchInfo? failure = null;
+        var timer = new DispatcherTimer(TimeSpan.FromMilliseconds(16), priority, (_, _) =>
+        {
+            try
+            {
+                OffScreenClock.Current.Frame();
+                isSo = condition();
+            }
+            catch (Exception e)
+            {
+                // Thrown on where it was asked: after an exception out of this timer the next wait was seen never to end.
+                failure = ExceptionDispatchInfo.Capture(e);
+            }
+
+            frame.Continue = failure is null && !isSo && watch.Elapsed < most;
+        });
+        timer.Start();
+        Dispatcher.UIThread.PushFrame(frame);
+        timer.Stop();
+        failure?.Throw();
+        return isSo ? Settle() : throw new TimeoutException($"What was waited for did not come within {most}.");
     }
 
     private static Point Middle(Visual target) => new Rect(target.Bounds.Size).Center;

@@ -17,6 +17,11 @@ internal sealed unsafe class FontconfigFontManager : IFontManagerImpl
     /// <summary>Which regional Han forms to prefer when falling back.</summary>
     public string HanLanguage { get; init; } = "zh-tw";
 
+    /// <summary>
+    /// The family for Han characters, by name: of a family that it knows, Avalonia asks for each weight; of one that it was given for a character, it takes the first weight that it came across for all others.
+    /// </summary>
+    public IReadOnlyList<FontFallback> HanFallbacks => HanFamily() is { } family ? [new() { FontFamily = new(family), UnicodeRange = new([new(0x2E80, 0x9FFF), new(0xF900, 0xFAFF), new(0xFE30, 0xFE4F), new(0xFF00, 0xFFEF)]) }] : [];
+
     public string GetDefaultFontFamilyName() => "DejaVu Sans";
 
     public string[] GetInstalledFontFamilyNames(bool checkForUpdates = false)
@@ -53,6 +58,29 @@ internal sealed unsafe class FontconfigFontManager : IFontManagerImpl
     {
         familyTypefaces = null;
         return false;
+    }
+
+    // Only the name: no file is read for it.
+    private string? HanFamily()
+    {
+        const uint sample = '誤';
+        var pattern = FontConfig.FcPatternCreate();
+        nint match = 0;
+        try
+        {
+            FontConfig.FcPatternAddString(pattern, "family", "sans-serif");
+            FontConfig.FcPatternAddString(pattern, "lang", HanLanguage);
+            _ = FontConfig.FcConfigSubstitute(_config, pattern, 0);
+            FontConfig.FcDefaultSubstitute(pattern);
+            match = FontConfig.FcFontMatch(_config, pattern, out _);
+            return match != 0 && FontConfig.FcPatternGetCharSet(match, "charset", 0, out var covered) == 0 && FontConfig.FcCharSetHasChar(covered, sample) != 0
+                && FontConfig.FcPatternGetString(match, "family", 0, out var name) == 0 ? Marshal.PtrToStringUTF8(name) : null;
+        }
+        finally
+        {
+            if (match != 0) FontConfig.FcPatternDestroy(match);
+            FontConfig.FcPatternDestroy(pattern);
+        }
     }
 
     private bool TryMatch(string? family, int? codepoint, FontStyle style, FontWeight weight, [NotNullWhen(true)] out IPlatformTypeface? typeface)
@@ -96,7 +124,8 @@ internal sealed unsafe class FontconfigFontManager : IFontManagerImpl
                 var simulate = FontSimulations.None;
                 if ((int)weight >= 600 && (int)actual < 600) simulate |= FontSimulations.Bold;
                 if (style != FontStyle.Normal && slant == 0) simulate |= FontSimulations.Oblique;
-                typeface = new NativeTypeface(data, index & 0xFFFF, simulate, Marshal.PtrToStringUTF8(name), actual, slant == 0 ? FontStyle.Normal : FontStyle.Italic);
+                // What was asked for, with what is simulated: for another weight or style Avalonia would open the file's first face and simulate the rest itself.
+                typeface = new NativeTypeface(data, index & 0xFFFF, simulate, Marshal.PtrToStringUTF8(name), weight, style);
                 return true;
             }
             finally

@@ -27,7 +27,7 @@ public sealed class FileChooserViewModel : Observable
         (_choice, _clock) = (choice ?? throw new ArgumentNullException(nameof(choice)), clock);
         Up = new(() => Enter(Path.GetDirectoryName(Folder)!), () => Path.GetDirectoryName(Folder) is not null);
         Leave = new(() => End(null));
-        Confirm = new(_ => ConfirmAsync(), () => Typed.Trim().Length > 0);
+        Confirm = new(_ => ConfirmAsync(), CanConfirm);
         ShowAll = new(() =>
         {
             _isAll = !_isAll;
@@ -174,6 +174,7 @@ public sealed class FileChooserViewModel : Observable
                     ? Path.Combine(listing.Folder, name)
                     : listing.Folder;
                 Up.Refresh();
+                Confirm.Refresh();
                 Say();
             }
         }
@@ -190,6 +191,9 @@ public sealed class FileChooserViewModel : Observable
             _looking = _looking == looking ? null : _looking;
         }
     }
+
+    // The folder that is shown is no file: there is nothing chosen yet.
+    private bool CanConfirm() => Typed.Trim() is { Length: > 0 } typed && (_choice.Kind == FileChoiceKind.Folder || typed.TrimEnd(Path.DirectorySeparatorChar) != Folder.TrimEnd(Path.DirectorySeparatorChar));
 
     private async Task ConfirmAsync()
     {
@@ -272,9 +276,9 @@ public sealed class FileChooserViewModel : Observable
         var texts = Texts.Current;
         var folders = listing.Entries.Count(e => e.IsFolder);
         yield return _choice.Kind == FileChoiceKind.Folder ? texts.With("Chooser.Folders", Shown.Count(folders)) : texts.With("Chooser.Both", Shown.Count(folders), Shown.Count(listing.Entries.Count - folders));
-        if (listing.Others > 0 && _choice.Kind != FileChoiceKind.Folder)
+        if (listing.Others > 0)
         {
-            yield return texts.With("Chooser.Others", Shown.Count(listing.Others));
+            yield return texts.With(_choice.Kind == FileChoiceKind.Folder ? "Chooser.Files" : "Chooser.Others", Shown.Count(listing.Others));
         }
 
         if (listing.Hidden > 0)

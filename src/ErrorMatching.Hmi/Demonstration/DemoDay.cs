@@ -11,10 +11,11 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
     private const int MostWaiting = 3;
     internal const double SpreadMm = 0.003, SurfaceSpreadMm = 0.0005;
     private static readonly TimeSpan First = TimeSpan.FromSeconds(3);
-    private static readonly TimeSpan BetweenParts = TimeSpan.FromSeconds(20);
+    private static readonly TimeSpan BetweenParts = TimeSpan.FromSeconds(40);
     private static readonly TimeSpan FirstSurface = TimeSpan.FromSeconds(8);
     private static readonly TimeSpan BetweenSurfaces = TimeSpan.FromMinutes(2);
-    private static readonly TimeSpan Cutting = TimeSpan.FromSeconds(15);
+    // Long enough to look at what is at the machine, and short enough to wait for.
+    private static readonly TimeSpan Cutting = TimeSpan.FromSeconds(60);
 
     private readonly HashSet<int> _measured = [];
 
@@ -67,14 +68,24 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
             await Task.Delay(TimeSpan.FromSeconds(1), clock, end);
             foreach (var held in store.InState(CorrectionState.Verified).Where(c => clock.GetUtcNow() - c.ChangedAt >= Cutting))
             {
-                // Whoever measured the part measures the counterpart that was cut for it: before the slot is free, so that it is known whose it is.
-                if (held is { Piece: "part", Serial: { } serial } && int.TryParse(serial, NumberStyles.None, CultureInfo.InvariantCulture, out var number) && _measured.Add(number))
-                {
-                    cell.DeliverCounterpart(number, SpreadOf(number));
-                }
-
+                Measure(held);
                 cell.FinishPiece(held.Machine);
             }
+
+            // Somebody at the screen said that it is cut.
+            foreach (var cut in store.InState(CorrectionState.Released))
+            {
+                Measure(cut);
+            }
+        }
+    }
+
+    // Whoever measured the part measures the counterpart that was cut for it, once.
+    private void Measure(Correction cut)
+    {
+        if (cut is { Piece: "part", Serial: { } serial } && int.TryParse(serial, NumberStyles.None, CultureInfo.InvariantCulture, out var number) && _measured.Add(number))
+        {
+            cell.DeliverCounterpart(number, SpreadOf(number));
         }
     }
 

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Avalonia;
+using Avalonia.Automation.Peers;
 using Avalonia.Controls;
 using Avalonia.Media;
 using Avalonia.Media.Immutable;
@@ -65,6 +66,12 @@ public sealed class ColorLegend : Control
             context.FillRectangle(new ImmutableSolidColorBrush(Color.Parse(DivergingColors.Hex(i))), new Rect(left + (width * i / DivergingColors.Count), 0, (width / DivergingColors.Count) + 0.5, Bar));
         }
 
+        // The color of zero is that of paper.
+        using (context.PushOpacity(0.4))
+        {
+            context.DrawRectangle(null, new Pen(Ink), new Rect(left, 0.5, width, Bar - 0.5));
+        }
+
         foreach (var tick in Ticks)
         {
             // The first and the last color reach half a step beyond their values.
@@ -76,8 +83,13 @@ public sealed class ColorLegend : Control
     }
 
     /// <inheritdoc/>
+    protected override AutomationPeer OnCreateAutomationPeer() => new DrawnPeer(this, AutomationControlType.Image, () => $"{Words(-1)}, {Words(1)}");
+
+    /// <inheritdoc/>
     protected override Size MeasureOverride(Size availableSize) => new(0, Bar + Below + Text(1).Height);
 
+    private string Words(double share) => (1000 * LimitMm * share).ToString("+0.#;−0.#;0", CultureInfo.InvariantCulture) + (share == 0 ? "" : " µm");
+
     private FormattedText Text(double share) => new(
-        (1000 * LimitMm * share).ToString("+0.#;−0.#;0", CultureInfo.InvariantCulture) + (share == 0 ? "" : " µm"), CultureInfo.InvariantCulture, FlowDirection.LeftToRight, Typeface.Default, LabelSize, Ink);
+        Words(share), CultureInfo.InvariantCulture, FlowDirection.LeftToRight, Typeface.Default, LabelSize, Ink);
 }

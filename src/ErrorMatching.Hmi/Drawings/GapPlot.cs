@@ -90,19 +90,14 @@ public sealed class GapPlot : PlotArea
             Line(context, pen, line, view);
         }
 
-        var labels = new List<Rect>();
+        var labels = new PlotLabels(Drawing.Part.Concat(Drawing.Counterpart).Select(l => (IReadOnlyList<Point>)[.. l.Select(p => view.At(p))]), [.. Drawing.Points.Select(p => view.At(p.At))], Dot);
         foreach (var (name, at, _, _) in Drawing.Points)
         {
-            var place = view.At(at);
-            context.DrawEllipse(PartBrush, null, place, Dot, Dot);
+            context.DrawEllipse(PartBrush, null, view.At(at), Dot, Dot);
             var text = Label(name);
-            Rect[] sides = [new(place.X + LabelAway, place.Y - (text.Height / 2), text.Width, text.Height), new(place.X - LabelAway - text.Width, place.Y - (text.Height / 2), text.Width, text.Height)];
-
-            // To the right or to the left, where no other label is; a label that finds no room appears when one goes nearer.
-            if (sides.FirstOrDefault(s => !labels.Exists(l => l.Intersects(s))) is { Width: > 0 } free)
+            if (labels.Place(text, view.At(at), LabelAway) is { } room)
             {
-                labels.Add(free);
-                context.DrawText(text, free.TopLeft);
+                context.DrawText(text, room);
             }
         }
     }

@@ -1,4 +1,5 @@
 using Avalonia;
+using Avalonia.Automation.Peers;
 using Avalonia.Controls;
 using Avalonia.Controls.Documents;
 using Avalonia.Media;
@@ -39,8 +40,14 @@ public sealed class MarkedText : TextBlock
         set => SetValue(MarkProperty, value);
     }
 
+    /// <summary>The words that are marked.</summary>
+    internal IReadOnlyList<string> Marked => Line is { } line && Spans is { } spans ? [.. spans.Where(s => s.Start + s.Length <= line.Length).Select(s => line.Substring(s.Start, s.Length))] : [];
+
     /// <inheritdoc/>
     protected override Type StyleKeyOverride => typeof(TextBlock);
+
+    /// <inheritdoc/>
+    protected override AutomationPeer OnCreateAutomationPeer() => new MarkedTextPeer(this);
 
     /// <inheritdoc/>
     protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)

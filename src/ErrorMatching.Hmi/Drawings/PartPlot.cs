@@ -61,7 +61,7 @@ public sealed class PartPlot : PlotArea
     protected override void Draw(DrawingContext context, PlotView view)
     {
         ArgumentNullException.ThrowIfNull(context);
-        var (pen, taken) = (new Pen(PartBrush, Thick, Drawing!.IsSchematic ? Dashes : null), new List<Rect>());
+        var pen = new Pen(PartBrush, Thick, Drawing!.IsSchematic ? Dashes : null);
         foreach (var line in Drawing.Lines.Where(l => l.Points.Count > 0))
         {
             if (line.Points.Count > 1)
@@ -75,28 +75,24 @@ public sealed class PartPlot : PlotArea
             }
         }
 
+        var labels = new PlotLabels(Drawing.Lines.Select(l => (IReadOnlyList<Point>)[.. l.Points.Select(p => view.At(p.At))]), [.. _points.Select(p => view.At(p.At))], Dot);
         foreach (var line in Drawing.Lines.Where(l => l.Points.Count > 0))
         {
-            Write(context, line.Name, view.At(line.Points[line.Points.Count / 2].At), isStrong: true, taken);
+            Write(context, labels, line.Name, view.At(line.Points[line.Points.Count / 2].At), isName: true);
         }
 
         foreach (var (label, at) in _points)
         {
-            Write(context, label, view.At(at), isStrong: false, taken);
+            Write(context, labels, label, view.At(at), isName: false);
         }
     }
 
-    // Around the place, where nothing else is written; what finds no room appears when one goes nearer.
-    private void Write(DrawingContext context, string words, Point place, bool isStrong, List<Rect> taken)
+    private void Write(DrawingContext context, PlotLabels labels, string words, Point place, bool isName)
     {
-        var text = Label(words, isStrong);
-        var (w, h) = (text.Width, text.Height);
-        Rect[] right = [new(place.X + LabelAway, place.Y - (h / 2), w, h), new(place.X - LabelAway - w, place.Y - (h / 2), w, h)];
-        Rect[] above = [new(place.X - (w / 2), place.Y - LabelAway - h, w, h), new(place.X - (w / 2), place.Y + LabelAway, w, h)];
-        if ((isStrong ? above.Reverse().Concat(right.Reverse()) : right.Concat(above)).FirstOrDefault(s => !taken.Exists(t => t.Intersects(s))) is { Width: > 0 } free)
+        var text = Label(words, isStrong: isName);
+        if (labels.Place(text, place, LabelAway, isBelow: isName) is { } room)
         {
-            taken.Add(free);
-            context.DrawText(text, free.TopLeft);
+            context.DrawText(text, room);
         }
     }
 }

@@ -21,7 +21,7 @@ public sealed class SeriesPlot : PlotArea
     /// <summary>What lies between limits.</summary>
     public static readonly StyledProperty<IBrush?> BandBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(BandBrush));
 
-    private const double Thick = 2, Thin = 1, Mark = 5, SmallMark = 1.5, LeftStrip = 62, BottomStrip = 30, TicksApart = 44, LabelsApart = 14, LegendMark = 34, LegendApart = 24;
+    private const double Thick = 2, Thin = 1, Mark = 5, SmallMark = 1.5, LeftStrip = 62, BottomStrip = 30, TicksApart = 44, LabelsApart = 14, LegendMark = 34, LegendApart = 24, NearButtons = 66;
     private static readonly DashStyle Dashes = new([4, 3], 0);
     private PlotBox _extent = PlotBox.Empty;
 
@@ -55,11 +55,17 @@ public sealed class SeriesPlot : PlotArea
         set => SetValue(BandBrushProperty, value);
     }
 
+    /// <summary>Where lines and marks are drawn, within numbers and names.</summary>
+    public Rect Inside => new Rect(Bounds.Size).Deflate(Frame);
+
     /// <inheritdoc/>
     protected override PlotBox Extent => _extent;
 
     /// <inheritdoc/>
     protected override bool IsTrueToScale => false;
+
+    /// <inheritdoc/>
+    protected override Thickness Frame => Drawing is { Lines.Count: > 0 } drawing ? new(LeftStrip, LegendHeight(drawing), 0, BottomStrip) : default;
 
     /// <inheritdoc/>
     protected override int DatumCount => Drawing?.Labels.Count ?? 0;
@@ -94,8 +100,7 @@ public sealed class SeriesPlot : PlotArea
     {
         ArgumentNullException.ThrowIfNull(context);
         var drawing = Drawing!;
-        var legend = LegendHeight(drawing);
-        var inside = new Rect(LeftStrip, legend, Math.Max(view.Width - LeftStrip, 1), Math.Max(view.Height - legend - BottomStrip, 1));
+        var inside = Inside;
         using (context.PushClip(inside))
         {
             foreach (var band in drawing.Bands)
@@ -116,7 +121,7 @@ public sealed class SeriesPlot : PlotArea
             }
         }
 
-        Legend(context, drawing, legend);
+        Legend(context, drawing);
     }
 
     private static Point To(PlotView view, double index, double value)
@@ -216,7 +221,7 @@ public sealed class SeriesPlot : PlotArea
         {
             var name = Label(line.Name);
             var width = LegendMark + 8 + name.Width;
-            if (x > LeftStrip && x + width > View.Width - Around)
+            if (x > LeftStrip && x + width > Bounds.Width - NearButtons)
             {
                 (x, y) = (LeftStrip, y + name.Height + 6);
             }
@@ -228,7 +233,7 @@ public sealed class SeriesPlot : PlotArea
 
     private double LegendHeight(SeriesDrawing drawing) => Named(drawing).Max(n => n.At.Y + n.Name.Height) + 8;
 
-    private void Legend(DrawingContext context, SeriesDrawing drawing, double height)
+    private void Legend(DrawingContext context, SeriesDrawing drawing)
     {
         foreach (var (line, name, at) in Named(drawing))
         {

@@ -20,8 +20,8 @@ public sealed class SurfacePlot : PlotArea
 
     // Each cell of the net is drawn in so many by so many: colors change little from one to the next.
     private const int Parts = 3;
-    private const double Dot = 3.5, First = 7, Thick = 2, Hairline = 0.6, Away = 5;
-    private static readonly ImmutableSolidColorBrush[] Colors = [.. Enumerable.Range(0, DivergingColors.Count).Select(i => new ImmutableSolidColorBrush(Color.Parse(DivergingColors.Hex(i))))];
+    private const double Dot = 3.5, First = 7, Thick = 2, Hairline = 0.6, Away = 5, Beside = 2;
+    private static readonly ImmutableSolidColorBrush[] Scale = [.. Enumerable.Range(0, DivergingColors.Count).Select(i => new ImmutableSolidColorBrush(Color.Parse(DivergingColors.Hex(i))))];
     private PlotBox _extent = PlotBox.Empty;
     private IReadOnlyList<(int Color, StreamGeometry Geometry)> _cells = [];
 
@@ -81,7 +81,7 @@ public sealed class SurfacePlot : PlotArea
             foreach (var (color, geometry) in _cells)
             {
                 // The stroke closes the hairlines between neighbors.
-                var brush = color < 0 ? AreaBrush : Colors[color];
+                var brush = color < 0 ? AreaBrush : Scale[color];
                 context.DrawGeometry(brush, new Pen(brush, Hairline / view.ScaleX), geometry);
             }
         }
@@ -191,23 +191,18 @@ public sealed class SurfacePlot : PlotArea
             context.DrawEllipse(isMap ? ink : WayBrush, null, place, Dot, Dot);
             var text = Label(label);
             text.SetForegroundBrush(ink ?? Brushes.Gray);
-            labels.Add((text, new Rect(place.X - (text.Width / 2), place.Y - text.Height - Away, text.Width, text.Height)));
+            labels.Add((text, new Rect(place.X - (text.Width / 2), place.Y - text.Height - Away, text.Width, text.Height).Inflate(new Thickness(Beside, 0))));
         }
 
-        // All or none: labels that find no room appear when one goes nearer.
+        // All or none: labels that find no room appear when one goes nearer. A brush that shows through is drawn at once; a group that does takes a picture of its own for each label.
+        var veil = new ImmutableSolidColorBrush(isMap ? Colors.White : (Ground as ISolidColorBrush)?.Color ?? Colors.Transparent, isMap ? 0.65 : 0.85);
         if (HaveRoom(labels, new Rect(Bounds.Size)))
         {
             foreach (var (text, room) in labels)
             {
-                if (isMap)
-                {
-                    using (context.PushOpacity(0.65))
-                    {
-                        context.FillRectangle(Brushes.White, room.Inflate(new Thickness(2, 0)), 3);
-                    }
-                }
-
-                context.DrawText(text, room.TopLeft);
+                // What lies behind shows through; on a line it would cross the number.
+                context.FillRectangle(veil, room, 3);
+                context.DrawText(text, new(room.X + Beside, room.Y));
             }
         }
     }

@@ -3,8 +3,11 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A field that something is chosen in, with its name above and what is wrong below.</summary>
-public sealed partial class ChoiceFieldView : UserControl
+public sealed partial class ChoiceFieldView : StackPanel
 {
     /// <summary>The view.</summary>
     public ChoiceFieldView() => InitializeComponent();
+
+    /// <inheritdoc/>
+    protected override Type StyleKeyOverride => typeof(StackPanel);
 }

@@ -52,9 +52,10 @@ public abstract class EditField(JobEditing editing, string path, string label) :
     /// <param name="problems">The problems at this field.</param>
     public void Show(IEnumerable<DraftProblem> problems)
     {
-        var texts = problems.Select(ProblemText.Of).Distinct(StringComparer.Ordinal).ToArray();
-        Problem = texts.Length > 0 && (editing.IsTold || _isTouched || !IsEmpty) ? string.Join(" ", texts) : null;
+        // First what stands there: fields that were made anew are empty until then.
         Refresh();
+        var texts = problems.Select(p => ProblemText.Of(p, IsEmpty)).Distinct(StringComparer.Ordinal).ToArray();
+        Problem = texts.Length > 0 && (editing.IsTold || _isTouched || !IsEmpty) ? string.Join(" ", texts) : null;
         Say(nameof(CanEdit));
         Say(nameof(Label));
     }
@@ -66,6 +67,14 @@ public abstract class EditField(JobEditing editing, string path, string label) :
     protected void Change(Func<MatingDraft, MatingDraft> change)
     {
         _isTouched = true;
+        editing.Typed = null;
         editing.Change(path, change);
+    }
+
+    /// <summary>Says that what was typed cannot be meant.</summary>
+    protected void Mistyped(DraftProblem problem)
+    {
+        _isTouched = true;
+        editing.Typed = problem;
     }
 }

@@ -86,17 +86,20 @@ public sealed partial class JobEditing
             return;
         }
 
-        var saved = "";
-        if (await TryAsync(() => saved = new JobEdits(_station.Settings, _station.Store, _station.Users).Save(job, draft, sha256, by)))
+        var (saved, isOtherProgram) = ("", false);
+        if (await TryAsync(() =>
+        {
+            isOtherProgram = IsOtherProgram(job, draft);
+            saved = new JobEdits(_station.Settings, _station.Store, _station.Users).Save(job, draft, sha256, by);
+        }))
         {
             // The imported program is the job's own now.
-            var isOtherProgram = draft.Program is not null;
             (_base, _baseSha256, HasComments) = (draft with { Program = null }, saved, false);
             _history.Begin(_base);
             await _keeping.Running;
             await TryAsync(() => _drafts.Forget(job.Name));
             var waiting = _station.State.Status?.Proposed.Count(c => c.Job == job.Name) ?? 0;
-            Notice = string.Join(" ", new[]
+            _notice = () => string.Join(" ", new[]
             {
                 Texts.Current["Setup.Saved"],
                 isOtherProgram ? Texts.Current["Setup.SavedProgram"] : "",
@@ -106,6 +109,18 @@ public sealed partial class JobEditing
         }
 
         Refresh();
+    }
+
+    // By its bytes: the same program imported again is the same.
+    private bool IsOtherProgram(CellJobSettings job, MatingDraft draft)
+    {
+        if (draft.Program is not { } imported)
+        {
+            return draft.Counterpart.Program != _base.Counterpart.Program;
+        }
+
+        var before = Path.GetFullPath(Path.Combine(Path.GetDirectoryName(job.File)!, _base.Counterpart.Program));
+        return !File.Exists(before) || !InputFile.Program(before).Span.SequenceEqual(imported.Bytes.Span);
     }
 
     private async Task<bool> TryAsync(Action work)

@@ -16,8 +16,11 @@ public sealed partial class JobEditing : Observable, IDisposable
     private MatingDraft _base = new();
     private string _baseSha256 = "";
     private string? _message;
+    private Func<string>? _notice;
     private bool _isLoaded;
     private bool _isTold;
+    private IReadOnlyList<DraftProblem> _found = [];
+    private DraftProblem? _typed;
 
     /// <summary>No job yet.</summary>
     /// <param name="station">The station.</param>
@@ -62,7 +65,21 @@ public sealed partial class JobEditing : Observable, IDisposable
     public MatingDraft Draft => _history.Draft;
 
     /// <summary>What is wrong with the draft, as far as it is known.</summary>
-    public IReadOnlyList<DraftProblem> Problems { get; private set; } = [];
+    public IReadOnlyList<DraftProblem> Problems => _typed is { } typed ? [typed, .. _found] : _found;
+
+    /// <summary>What is wrong with what was typed last, where the draft has no place for it: a count that is no number. It goes with the next change.</summary>
+    public DraftProblem? Typed
+    {
+        get => _typed;
+        set
+        {
+            if (_typed != value)
+            {
+                _typed = value;
+                Refresh();
+            }
+        }
+    }
 
     /// <summary>True once <see cref="Problems"/> are those of the draft as it is now.</summary>
     public bool IsChecked { get; private set; }
@@ -84,7 +101,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     }
 
     /// <summary>What was saved and what follows, in words; null for nothing.</summary>
-    public string? Notice { get; private set; }
+    public string? Notice => _notice?.Invoke();
 
     /// <summary>True if the job's file has comments, which are lost when a draft takes its place.</summary>
     public bool HasComments { get; private set; }
@@ -130,7 +147,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     {
         if (job is not null && job != Job)
         {
-            (Job, _isLoaded, Kept, IsKeptBroken, Notice, Problems) = (job, false, null, false, null, []);
+            (Job, _isLoaded, Kept, IsKeptBroken, _notice, _found, _typed) = (job, false, null, false, null, [], null);
             Refresh();
             Loading = LoadAsync(job).Watched();
         }
@@ -145,9 +162,16 @@ public sealed partial class JobEditing : Observable, IDisposable
         if (CanEdit && change(Draft) is var draft && !draft.IsSame(Draft))
         {
             _history.Change(draft, field);
-            Notice = null;
+            (_notice, _typed) = (null, null);
             Follow();
         }
+    }
+
+    /// <summary>Says what came of the last change; it goes with the next.</summary>
+    public void Note(Func<string>? notice)
+    {
+        _notice = notice;
+        Refresh();
     }
 
     /// <summary>Tells mistakes at every field, and goes to the first.</summary>
@@ -175,13 +199,20 @@ public sealed partial class JobEditing : Observable, IDisposable
         Shown?.Invoke();
     }
 
+    /// <summary>Takes back what was said about saving: something else is done now.</summary>
+    internal void ForgetNotice()
+    {
+        _notice = null;
+        Say(nameof(Notice));
+    }
+
     /// <summary>Waits for what is being kept: what was typed last is not lost.</summary>
     public void Dispose() => _keeping.Running.GetAwaiter().GetResult();
 
     private void Go(Action way)
     {
         way();
-        Notice = null;
+        (_notice, _typed) = (null, null);
         Follow();
     }
 
@@ -203,7 +234,7 @@ public sealed partial class JobEditing : Observable, IDisposable
             {
                 if (ReferenceEquals(snapshot.Draft, Draft))
                 {
-                    (Problems, IsChecked) = (check.Problems, true);
+                    (_found, IsChecked) = (check.Problems, true);
                     Refresh();
                 }
             },

@@ -71,7 +71,7 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>Begins to follow the draft, once the fields are made.</summary>
     protected void Begin()
     {
-        Editing.Changed += Show;
+        Editing.Changed += Forget;
         Editing.Shown += Show;
         Editing.Wanted += GoTo;
         Editing.Choose(Editing.Job ?? (Editing.Jobs is [var first, ..] ? first : null));
@@ -81,7 +81,8 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <inheritdoc/>
     protected override void Dispose(bool isDisposing)
     {
-        Editing.Changed -= Show;
+        Editing.Changed -= Forget;
+        Editing.ForgetNotice();
         Editing.Shown -= Show;
         Editing.Wanted -= GoTo;
         base.Dispose(isDisposing);
@@ -130,6 +131,13 @@ public abstract class SetupViewModel : ScreenViewModel
         ShowMore();
         TellProblems.Refresh();
         Say();
+    }
+
+    // What was said of the draft as it was is over.
+    private void Forget()
+    {
+        Message = null;
+        Show();
     }
 
     // Each problem stands at the field with the longest path that leads to it.

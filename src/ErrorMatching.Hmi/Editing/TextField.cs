@@ -8,9 +8,19 @@ namespace ErrorMatching.Hmi;
 /// <param name="label">Key of its name.</param>
 /// <param name="get">What the draft has there.</param>
 /// <param name="set">The draft with something else there.</param>
-public sealed class TextField(JobEditing editing, string path, string label, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set) : EditField(editing, path, label)
+/// <param name="misread">Code of what is wrong with a text that the draft has no place for, null for every other; null if it has a place for all of them.</param>
+public sealed class TextField(JobEditing editing, string path, string label, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set, Func<string, string?>? misread = null) : EditField(editing, path, label)
 {
     private string _shown = "";
+
+    /// <summary>What holds while it is empty: a value; null where nothing does.</summary>
+    public string? Default { get; init; }
+
+    /// <summary>Whether it may stay empty in a draft; null if it never may.</summary>
+    public Func<MatingDraft, bool>? MayBeEmpty { get; init; }
+
+    /// <summary>What stands in the empty field.</summary>
+    public string Placeholder => MayBeEmpty?.Invoke(Editing.Draft) != true ? "" : Default is { } value ? Texts.Current.With("Setup.Default", value) : Texts.Current["Setup.Optional"];
 
     /// <summary>What stands there.</summary>
     public string Text
@@ -21,7 +31,14 @@ public sealed class TextField(JobEditing editing, string path, string label, Fun
             if (value is not null && value != _shown)
             {
                 _shown = value;
-                Change(d => set(d, value));
+                if (misread?.Invoke(value) is { } code)
+                {
+                    Mistyped(new(Path, code, value, value));
+                }
+                else
+                {
+                    Change(d => set(d, value));
+                }
             }
         }
     }
@@ -32,6 +49,12 @@ public sealed class TextField(JobEditing editing, string path, string label, Fun
     /// <inheritdoc/>
     protected override void Refresh()
     {
-        Set(ref _shown, get(Editing.Draft), nameof(Text));
+        // What was typed and cannot be meant stays to be mended.
+        if (Editing.Typed?.Field != Path)
+        {
+            Set(ref _shown, get(Editing.Draft), nameof(Text));
+        }
+
+        Say(nameof(Placeholder));
     }
 }

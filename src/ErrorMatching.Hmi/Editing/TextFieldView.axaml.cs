@@ -3,8 +3,11 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A field that is typed into, with its name above and what is wrong below.</summary>
-public sealed partial class TextFieldView : UserControl
+public sealed partial class TextFieldView : StackPanel
 {
     /// <summary>The view.</summary>
     public TextFieldView() => InitializeComponent();
+
+    /// <inheritdoc/>
+    protected override Type StyleKeyOverride => typeof(StackPanel);
 }

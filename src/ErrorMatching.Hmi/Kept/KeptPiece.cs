@@ -19,7 +19,32 @@ public sealed record KeptPiece(Correction Correction, Correction? Counterpart, s
     public long LastId => Counterpart?.Id ?? Correction.Id;
 
     /// <summary>True if every mating error with compensation is within its limits.</summary>
-    public bool IsWithin => Result.Points.All(p => BandOf(p.Label) is not { } band || band.Contains(p.AfterError.NormalMm));
+    public bool IsWithin => Outside.Count == 0;
+
+    /// <summary>The key points whose mating error with compensation is outside of its limits, in the order of cutting.</summary>
+    public IReadOnlyList<string> Outside => [.. Result.Points.Where(p => IsOutside(p.Label, p.AfterError.NormalMm)).Select(p => p.Label)];
+
+    /// <summary>True if a mating error is outside of the limits of its key point.</summary>
+    public bool IsOutside(string point, double errorMm) => BandOf(point) is { } band && !band.Contains(errorMm);
+
+    /// <summary>The match that it was cut by; null where the store does not keep it.</summary>
+    public KeptReport? Match { get; init; }
+
+    /// <summary>What was measured against what was predicted, in the order of cutting; empty while nothing is measured, or no prediction is known.</summary>
+    public IReadOnlyList<PredictionMiss> Misses
+    {
+        get
+        {
+            if (!IsMeasured || Match is null)
+            {
+                return [];
+            }
+
+            var measured = Result.Points.ToDictionary(p => p.Label, p => p.AfterError.NormalMm, StringComparer.Ordinal);
+            var uncertainty = Match.Features.ToDictionary(f => f.Name, f => f.UncertaintyMm, StringComparer.Ordinal);
+            return [.. Match.Points.Where(p => measured.ContainsKey(p.Point)).Select(p => new PredictionMiss(p.Point, p.PredictedMm, measured[p.Point], uncertainty[p.Feature]))];
+        }
+    }
 
     /// <summary>The boundary that a key point is on.</summary>
     public VerifiedBoundary? BoundaryOf(string point) => Boundaries.FirstOrDefault(b => b.Points.Any(p => p.Label == point));
@@ -37,6 +62,9 @@ public sealed record KeptPiece(Correction Correction, Correction? Counterpart, s
             .Select(f => new VerifiedBoundary(f.Name, new(f.LowerMm, f.UpperMm), [.. report.Points.Where(p => p.Feature == f.Name).Select(p => (p.Point, p.Theoretical))], f.Outline))
             .ToArray();
         return new(
-            correction, null, report.JobName, new(points, [.. boundaries.Select(b => VerifiedFeature.DeviationOf(b.Name, [.. b.Points.Select(p => byLabel[p.Label])]))]), boundaries, correction.Piece == "counterpart");
+            correction, null, report.JobName, new(points, [.. boundaries.Select(b => VerifiedFeature.DeviationOf(b.Name, [.. b.Points.Select(p => byLabel[p.Label])]))]), boundaries, correction.Piece == "counterpart")
+        {
+            Match = report,
+        };
     }
 }

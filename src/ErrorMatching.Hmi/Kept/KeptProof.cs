@@ -10,11 +10,17 @@ namespace ErrorMatching.Hmi;
 /// <param name="UntouchedBytesIdentical">True if every byte outside the edits is the original one.</param>
 public sealed record KeptProof(bool Holds, int Motions, int MovedMotions, double MaxDeviationFromWantedMm, bool UntouchedBytesIdentical)
 {
+    /// <summary>The comment that says what the program was made of, as it stands in it; null where it has none.</summary>
+    public string? Marker { get; init; }
+
     /// <summary>Reads a proof.</summary>
     internal static KeptProof Read(JsonElement json) => new(
         json.GetProperty("holds").GetBoolean(),
         json.GetProperty("motions").GetInt32(),
         json.GetProperty("movedMotions").GetInt32(),
         json.GetProperty("maxDeviationFromWantedMm").GetDouble(),
-        json.GetProperty("untouchedBytesIdentical").GetBoolean());
+        json.GetProperty("untouchedBytesIdentical").GetBoolean())
+    {
+        Marker = json.TryGetProperty("marker", out var marker) ? marker.GetString() : null,
+    };
 }

@@ -16,15 +16,16 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
     /// <param name="original">The bytes of the original program.</param>
     /// <param name="modified">The bytes of the new one.</param>
     /// <param name="blocks">The blocks that differ, of the report.</param>
-    public ProgramLines(ReadOnlyMemory<byte> original, ReadOnlyMemory<byte> modified, IReadOnlyList<KeptBlock> blocks)
+    /// <param name="marker">The inserted comment that says what the new program was made of; null if there is none.</param>
+    public ProgramLines(ReadOnlyMemory<byte> original, ReadOnlyMemory<byte> modified, IReadOnlyList<KeptBlock> blocks, string? marker = null)
     {
         (_original, _modified, Bytes) = (NcProgram.Read(original), NcProgram.Read(modified), modified.Length);
         _changed = blocks.Where(b => b.Original.Length > 0).ToDictionary(b => b.Line - 1);
         _inserted = [.. Inserted()];
-        Changes = [.. _changed.Keys.Select(RowOf).Concat(_inserted).Order()];
+        Changes = [.. _changed.Keys.Select(RowOf).Concat(_inserted.Where(i => Text(_modified, i).Trim() != marker?.Trim())).Order()];
     }
 
-    /// <summary>Numbers of the lines that differ.</summary>
+    /// <summary>Numbers of the lines that differ, but for the marker, which changes no motion.</summary>
     public IReadOnlyList<int> Changes { get; }
 
     /// <summary>Length of the new program.</summary>

@@ -133,9 +133,9 @@ public abstract partial class PlotArea
                 ZoomStep(-1);
                 return true;
             case Key.D0 or Key.NumPad0:
-                ShowAll();
+                ShowAllInBoth();
                 return true;
-            case Key.Space:
+            case Key.Space or Key.Enter:
                 AskFor(DatumNear(new(Bounds.Width / 2, Bounds.Height / 2), double.PositiveInfinity));
                 return true;
             case Key.PageDown or Key.PageUp when DatumCount > 0:

@@ -1,5 +1,6 @@
 using Avalonia;
 using Avalonia.Automation;
+using Avalonia.Automation.Peers;
 using Avalonia.Controls;
 using Avalonia.Layout;
 using Avalonia.Media;
@@ -12,7 +13,7 @@ namespace ErrorMatching.Hmi;
 /// </summary>
 /// <remarks>
 /// What derives from it says how much there is (<see cref="Extent"/>), draws what a <see cref="PlotView"/> shows of it (<see cref="Draw"/>), and what is near a place (<see cref="DatumNear"/>); it calls <see cref="Renew"/> when its data
-/// are others. The data themselves belong to view models. Keys: arrows move, plus and minus zoom, 0 shows all, space asks for the values nearest to the middle, page up and down go to the datum before and behind.
+/// are others. The data themselves belong to view models. Keys: arrows move, plus and minus zoom, 0 shows all, space or Enter asks for the values nearest to the middle, page up and down go to the datum before and behind.
 /// </remarks>
 [System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "The layer is let go when the plot leaves the screen.")]
 public abstract partial class PlotArea : Control
@@ -31,6 +32,9 @@ public abstract partial class PlotArea : Control
 
     /// <summary>Room around what is drawn when all is shown.</summary>
     public static readonly StyledProperty<double> AroundProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(Around), 28);
+
+    /// <summary>The plot beside it that shows the same place, as of before and after; null if there is none.</summary>
+    public static readonly StyledProperty<PlotArea?> TwinProperty = AvaloniaProperty.Register<PlotArea, PlotArea?>(nameof(Twin));
 
     /// <summary>The exact values under the finger; null while none are asked for.</summary>
     public static readonly DirectProperty<PlotArea, string?> ValuesProperty = AvaloniaProperty.RegisterDirect<PlotArea, string?>(nameof(Values), p => p.Values);
@@ -52,7 +56,7 @@ public abstract partial class PlotArea : Control
     protected PlotArea()
     {
         _buttons = new StackPanel { Classes = { "near" }, HorizontalAlignment = HorizontalAlignment.Right, VerticalAlignment = VerticalAlignment.Top };
-        _buttons.Children.AddRange([MakeButton("Plot.Nearer", "plus", () => ZoomStep(1)), MakeButton("Plot.Further", "minus", () => ZoomStep(-1)), MakeButton("Plot.All", "all", ShowAll)]);
+        _buttons.Children.AddRange([MakeButton("Plot.Nearer", "plus", () => ZoomStep(1)), MakeButton("Plot.Further", "minus", () => ZoomStep(-1)), MakeButton("Plot.All", "all", ShowAllInBoth)]);
         LogicalChildren.Add(_buttons);
         VisualChildren.Add(_buttons);
     }
@@ -92,6 +96,13 @@ public abstract partial class PlotArea : Control
         set => SetValue(AroundProperty, value);
     }
 
+    /// <summary>The plot beside it that shows the same place, as of before and after; null if there is none.</summary>
+    public PlotArea? Twin
+    {
+        get => GetValue(TwinProperty);
+        set => SetValue(TwinProperty, value);
+    }
+
     /// <summary>The exact values under the finger; null while none are asked for.</summary>
     public string? Values => _datum?.Text;
 
@@ -121,16 +132,19 @@ public abstract partial class PlotArea : Control
     /// <summary>True if both directions have the same scale.</summary>
     protected virtual bool IsTrueToScale => true;
 
+    /// <summary>Room at the sides that numbers and names take, where nothing is drawn.</summary>
+    protected virtual Thickness Frame => default;
+
     /// <summary>How many data there are that can be asked for one after the other.</summary>
     protected virtual int DatumCount => 0;
 
     /// <summary>Shows all there is.</summary>
     public void ShowAll()
     {
-        // The buttons hide nothing of it.
-        var buttons = _buttons.Bounds.Width;
-        _whole = PlotView.Fit(Extent, Math.Max(Bounds.Width - buttons, 1), Bounds.Height, Around, IsTrueToScale);
-        _whole = (_whole with { Width = Bounds.Width }).Pan(new(-buttons / 2, 0));
+        // Neither the buttons nor what stands at the side hide anything of it.
+        var (left, top, right, bottom) = (Frame.Left, Frame.Top, Frame.Right + _buttons.Bounds.Width, Frame.Bottom);
+        var fit = PlotView.Fit(Extent, Math.Max(Bounds.Width - left - right, 1), Math.Max(Bounds.Height - top - bottom, 1), Around, IsTrueToScale);
+        _whole = (fit with { Width = Bounds.Width, Height = Bounds.Height }).Pan(new((left - right) / 2, (top - bottom) / 2));
         View = _whole;
     }
 
@@ -140,10 +154,15 @@ public abstract partial class PlotArea : Control
         // Not further than to a quarter of all, and not nearer than a micrometer of a meter takes.
         var (least, most) = (_whole.ScaleX / 4, _whole.ScaleX * 1000);
         View = Kept(View.Zoom(Math.Clamp(View.ScaleX * factor, least, most) / View.ScaleX, new(about.X, about.Y)));
+        Lead();
     }
 
     /// <summary>Moves what is seen, in units of the screen.</summary>
-    public void Pan(Vector by) => View = Kept(View.Pan(new(by.X, by.Y)));
+    public void Pan(Vector by)
+    {
+        View = Kept(View.Pan(new(by.X, by.Y)));
+        Lead();
+    }
 
     /// <summary>Shows the values of a datum with a crosshair, and moves there if it is not seen; null shows none.</summary>
     public void Ask(PlotDatum? datum)
@@ -156,6 +175,7 @@ public abstract partial class PlotArea : Control
         }
 
         RaisePropertyChanged(ValuesProperty, old, Values);
+        DrawnPeer.Tell(this, old, Values);
         AutomationProperties.SetHelpText(this, Values ?? "");
         InvalidateVisual();
     }
@@ -226,10 +246,29 @@ public abstract partial class PlotArea : Control
     protected FormattedText Label(string text, bool isStrong = false) => new(
         text, System.Globalization.CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(FontFamily.Default, FontStyle.Normal, isStrong ? FontWeight.SemiBold : FontWeight.Normal), LabelSize, Ink);
 
+    // What is looked at closely here is looked at closely there.
+    private void Lead()
+    {
+        if (Twin is { } twin)
+        {
+            twin.View = View with { Width = twin.Bounds.Width, Height = twin.Bounds.Height };
+        }
+    }
+
+    // A person who wants to see all wants it in both.
+    private void ShowAllInBoth()
+    {
+        ShowAll();
+        Twin?.ShowAll();
+    }
+
     // The drawing cannot be lost: its box holds the middle of the view.
     private PlotView Kept(PlotView view) => Extent is { IsEmpty: false } extent
         ? view with { Middle = new(Math.Clamp(view.Middle.X, extent.Left, extent.Right), Math.Clamp(view.Middle.Y, extent.Low, extent.High)) }
         : view;
+
+    /// <inheritdoc/>
+    protected override AutomationPeer OnCreateAutomationPeer() => new DrawnPeer(this, AutomationControlType.Image, () => Values);
 
     /// <inheritdoc/>
     protected override void OnSizeChanged(SizeChangedEventArgs e)

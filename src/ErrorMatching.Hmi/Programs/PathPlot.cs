@@ -293,7 +293,9 @@ public sealed class PathPlot : PlotArea
         while (_wanted is { } frame)
         {
             (_wanted, _painting) = (null, frame);
-            await Task.Run(() => frame.Paint(_layer.Canvas));
+
+            // Begun while a frame is drawn, in which nothing may be asked to be drawn anew: what follows waits even where the painting is done at once.
+            await Task.Run(() => frame.Paint(_layer.Canvas)).ConfigureAwait(ConfigureAwaitOptions.ForceYielding | ConfigureAwaitOptions.ContinueOnCapturedContext);
             _painting = null;
             if (!_isSeen)
             {

@@ -1,3 +1,4 @@
+using ErrorMatching.Jobs;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Hmi;
@@ -181,7 +182,7 @@ public sealed class ProgramPicture : Observable
         }
         catch (NcException e)
         {
-            return new(feature.Name, [], e.Message);
+            return new(feature.Name, [], CodeText.Of(ErrorItems.Of(e).Code, e.Message));
         }
     }
 
@@ -195,7 +196,7 @@ public sealed class ProgramPicture : Observable
             var (first, last) = program.Trimmed(range);
             return BlockNames.Of(program.Path.Program, first, last);
         });
-        Message = words.IsUsable ? null : words.Refusal.Message;
+        Message = words.IsUsable ? null : CodeText.Of(words.Refusal.Code, words.Refusal.Message);
         if (words.IsUsable)
         {
             RangeChosen?.Invoke(new(feature, words.Value, isMore));

@@ -165,6 +165,11 @@ public sealed partial class ProgramText : ILogicalScrollable
             picture.Move(by, e.KeyModifiers == KeyModifiers.Shift);
             e.Handled = true;
         }
+        else if (e.Key == Key.Enter && picture.Take.CanExecute(null))
+        {
+            picture.Take.Execute(null);
+            e.Handled = true;
+        }
     }
 
     // As long as the finger is beyond the border the text goes on, the faster the further.

@@ -2,6 +2,7 @@ using System.ComponentModel;
 using System.Globalization;
 using Avalonia;
 using Avalonia.Automation;
+using Avalonia.Automation.Peers;
 using Avalonia.Controls;
 using Avalonia.Media;
 using Avalonia.Media.Imaging;
@@ -9,7 +10,7 @@ using Avalonia.Media.Imaging;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The text of a program, block by block: only the rows that are seen are made. A tap lights a block; dragging over the line numbers, with a mouse anywhere, lights all blocks on the way.</summary>
-/// <remarks>It scrolls within a <see cref="ScrollViewer"/>. Keys: up, down, page, home and end light another block; with Shift they light all blocks up to there.</remarks>
+/// <remarks>It scrolls within a <see cref="ScrollViewer"/>. Keys: up, down, page, home and end light another block; with Shift they light all blocks up to there; Enter takes what is lit for the feature that blocks are picked for.</remarks>
 public sealed partial class ProgramText : Control
 {
     /// <summary>The program.</summary>
@@ -116,6 +117,9 @@ public sealed partial class ProgramText : Control
 
     private double Pixel => 1 / (TopLevel.GetTopLevel(this)?.RenderScaling ?? 1);
 
+    // The line that the keys have gone to.
+    private string? Said => Picture is { Selection: not null } picture ? picture.Program.LineAt(picture.Cursor) : null;
+
     /// <summary>How many rows exist.</summary>
     internal int RowsMade => _rows.Count;
 
@@ -140,6 +144,9 @@ public sealed partial class ProgramText : Control
             Draw(context, picture, block, (block * RowHeight) - Offset.Y, block == first);
         }
     }
+
+    /// <inheritdoc/>
+    protected override AutomationPeer OnCreateAutomationPeer() => new DrawnPeer(this, AutomationControlType.Document, () => Said);
 
     /// <inheritdoc/>
     protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
@@ -248,6 +255,7 @@ public sealed partial class ProgramText : Control
         if (e.PropertyName == nameof(ProgramPicture.Selection))
         {
             Show(Picture!.Cursor);
+            DrawnPeer.Tell(this, null, Said);
         }
         else if (e.PropertyName is nameof(ProgramPicture.Marks) or null)
         {

@@ -3,27 +3,41 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Interactivity;
+using Avalonia.Layout;
 using Avalonia.Styling;
 using Avalonia.Threading;
+using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
 /// <summary>The station's window.</summary>
 public sealed partial class MainWindow : Window
 {
+    private static readonly TimeSpan Quiet = TimeSpan.FromMilliseconds(200);
     private ShellViewModel? _shell;
     private InputElement? _focused;
     private ScannedCode? _code;
+    private readonly DispatcherTimer _tidying;
 
     /// <summary>A window of 1280 by 800, which is the smallest that everything fits into.</summary>
     public MainWindow()
     {
         InitializeComponent();
-        AddHandler(PointerPressedEvent, (_, _) => _shell?.Touch(), RoutingStrategies.Tunnel, handledEventsToo: true);
-        AddHandler(KeyDownEvent, (_, _) => _shell?.Touch(), RoutingStrategies.Tunnel, handledEventsToo: true);
+        _tidying = new(Quiet, DispatcherPriority.ApplicationIdle, (_, _) => Tidy());
+        _tidying.Stop();
+        AddHandler(PointerPressedEvent, (_, _) => Touch(isByKeyboard: false), RoutingStrategies.Tunnel, handledEventsToo: true);
+        AddHandler(KeyDownEvent, (_, _) => Touch(isByKeyboard: true), RoutingStrategies.Tunnel, handledEventsToo: true);
         AddHandler(TextInputEvent, OnScannedText, RoutingStrategies.Tunnel);
         AddHandler(KeyDownEvent, OnScannedKey, RoutingStrategies.Tunnel);
+        Texts.Current.LanguageChanged += LayOutAnew;
     }
+
+    /// <summary>True if whoever sits here pressed a key last, and no pointer or finger.</summary>
+    internal bool IsByKeyboard { get; private set; }
+
+    /// <summary>Opens all screens of its shell once behind everything, so that the first opening of each is as quick as the next.</summary>
+    /// <param name="end">Ends it where it is.</param>
+    public Task RehearseAsync(CancellationToken end) => new Rehearsal(Stage, _shell!).RunAsync(end);
 
     /// <inheritdoc/>
     protected override void OnDataContextChanged(EventArgs e)
@@ -52,6 +66,8 @@ public sealed partial class MainWindow : Window
             _shell.PropertyChanged -= OnShell;
         }
 
+        Texts.Current.LanguageChanged -= LayOutAnew;
+        _tidying.Stop();
         base.OnClosed(e);
     }
 
@@ -68,6 +84,33 @@ public sealed partial class MainWindow : Window
         else if (e.PropertyName is nameof(ShellViewModel.IsFree))
         {
             KeepFocus();
+        }
+        else if (e.PropertyName is nameof(ShellViewModel.Current))
+        {
+            _tidying.Stop();
+            _tidying.Start();
+        }
+    }
+
+    // Memory is collected once a screen is there and nobody waits, or it is in the middle of opening the next one, where it takes as long as half of that.
+    private void Tidy()
+    {
+        _tidying.Stop();
+        GC.Collect(1, GCCollectionMode.Forced, blocking: true);
+    }
+
+    private void Touch(bool isByKeyboard)
+    {
+        IsByKeyboard = isByKeyboard;
+        _shell?.Touch();
+    }
+
+    // A panel that is measured again because its own room changed, while texts in it did, does not arrange its children again (Avalonia 12.1): tabs and cards would keep the widths of the language before.
+    private void LayOutAnew()
+    {
+        foreach (var control in this.GetVisualDescendants().OfType<Layoutable>())
+        {
+            control.InvalidateMeasure();
         }
     }
 

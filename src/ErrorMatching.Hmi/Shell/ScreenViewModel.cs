@@ -4,6 +4,8 @@ namespace ErrorMatching.Hmi;
 public abstract class ScreenViewModel : Observable, IDisposable
 {
     private string? _message;
+    private Func<string>? _words;
+    private bool _isLeft;
 
     /// <summary>A screen of a station, which follows what happens in the cell and the language.</summary>
     protected ScreenViewModel(Station station)
@@ -19,8 +21,20 @@ public abstract class ScreenViewModel : Observable, IDisposable
     /// <summary>What did not work, in words; null if nothing is to be said.</summary>
     public string? Message
     {
-        get => _message;
-        protected set => Set(ref _message, value);
+        get => _words?.Invoke() ?? _message;
+        protected set
+        {
+            _words = null;
+            _message = value;
+            Say(nameof(Message));
+        }
+    }
+
+    /// <summary>Says something that is said anew in another language.</summary>
+    protected void Tell(Func<string>? words)
+    {
+        (_words, _message) = (words, null);
+        Say(nameof(Message));
     }
 
     /// <inheritdoc/>
@@ -33,6 +47,7 @@ public abstract class ScreenViewModel : Observable, IDisposable
     /// <summary>Lets go of the station.</summary>
     protected virtual void Dispose(bool isDisposing)
     {
+        _isLeft = true;
         Station.Changed -= Follow;
         Texts.Current.LanguageChanged -= Translate;
     }
@@ -48,12 +63,20 @@ public abstract class ScreenViewModel : Observable, IDisposable
     protected async Task<bool> TryAsync(Action work)
     {
         Message = null;
-        if (await Failures.OfAsync(work, Station.Clock) is not { } failure)
+        try
         {
-            return true;
+            if (await Failures.OfAsync(work, Station.Clock) is not { } failure)
+            {
+                return true;
+            }
+
+            Message = failure;
+        }
+        catch (ObjectDisposedException) when (_isLeft)
+        {
+            // The station was closed while a screen that is not there any more was being read for: nobody waits for that.
         }
 
-        Message = failure;
         return false;
     }
 }

@@ -149,6 +149,9 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// <summary>Who is signed in; null if nobody is.</summary>
     internal SignedIn? Who => _who;
 
+    /// <summary>What they chose last on each screen.</summary>
+    internal LastLooked Looked { get; private set; } = new();
+
     /// <summary>Goes to where a correction is looked at.</summary>
     public void Look(long correction)
     {
@@ -269,6 +272,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         (_login, _who) = (null, who);
         Preferences.Take(who.Name);
         Editing.Refresh();
+        Looked = isOther ? new() : Looked;
         if (isOther || _current is null)
         {
             Show(Items[0], Items[0].Screen.Open(this));
@@ -335,6 +339,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
 
         Choosing?.Translate();
+        Signing?.Translate();
         Say(nameof(Banner));
         Say(nameof(UserRole));
     }

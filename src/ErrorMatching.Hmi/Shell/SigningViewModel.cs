@@ -43,8 +43,17 @@ public sealed class SigningViewModel : Observable
     /// <summary>True where what is carried out demands the right and the signature itself: a signature is good for one act.</summary>
     public bool IsDemandedElsewhere { get; init; }
 
+    /// <summary>Gives what else there is to know, in words; null if nothing.</summary>
+    public Func<string>? Told { get; init; }
+
     /// <summary>What it is done to.</summary>
     public string Subject { get; }
+
+    /// <summary>The correction that it is done to; null for anything else.</summary>
+    public Correction? Correction { get; init; }
+
+    /// <summary>Where its program goes or is; null where none goes to a machine.</summary>
+    public string? Target => Correction is { } correction ? CorrectionLabel.Target(correction) : null;
 
     /// <summary>Who signs.</summary>
     public string UserName { get; }
@@ -62,7 +71,7 @@ public sealed class SigningViewModel : Observable
     public string PasswordLabel => Texts.Current.With("Signing.Password", UserName);
 
     /// <summary>What follows, in words.</summary>
-    public string Consequence => Texts.Current[Key + ".Consequence"];
+    public string Consequence => Texts.Current[Key + ".Consequence"] + (Told is { } told ? " " + told() : "");
 
     /// <summary>Does it.</summary>
     public LongCommand Confirm { get; }
@@ -101,6 +110,15 @@ public sealed class SigningViewModel : Observable
     {
         get => _message;
         private set => Set(ref _message, value);
+    }
+
+    /// <summary>Says that the language is another one.</summary>
+    internal void Translate()
+    {
+        Say(nameof(Title));
+        Say(nameof(Consequence));
+        Say(nameof(PasswordLabel));
+        Say(nameof(Target));
     }
 
     private SignedIn Who { get; }

@@ -33,11 +33,15 @@ public sealed class Views : IRecyclingDataTemplate
         [typeof(LookViewModel)] = (typeof(LookView), () => new LookView()),
         [typeof(AboutViewModel)] = (typeof(AboutView), () => new AboutView()),
         [typeof(FileChooserViewModel)] = (typeof(FileChooserView), () => new FileChooserView()),
+        [typeof(LongCommand)] = (typeof(WorkingView), () => new WorkingView()),
         [typeof(SigningViewModel)] = (typeof(SigningView), () => new SigningView()),
     };
 
     /// <summary>The view models that have a view.</summary>
     internal static IEnumerable<Type> ViewModels => All.Keys;
+
+    /// <summary>Makes each of the views.</summary>
+    internal static IEnumerable<Func<Control>> Makers => All.Values.Select(v => v.Make);
 
     /// <inheritdoc/>
     public bool Match(object? data) => data is not null && All.ContainsKey(data.GetType());

@@ -48,8 +48,14 @@ public sealed class Station : IDisposable
     /// <summary>Who sits here.</summary>
     public Session Session { get; }
 
+    /// <summary>What people call the workpieces.</summary>
+    public JobNames JobNames { get; } = new();
+
     /// <summary>Where people's preferences are kept; null if they are not.</summary>
     public PreferenceFiles? Preferences { get; init; }
+
+    /// <summary>True for a demonstration, whose password everybody is told.</summary>
+    public bool IsDemonstration { get; init; }
 
     /// <summary>What is known of the cell.</summary>
     public StationState State { get; private set; } = StationState.Unknown;

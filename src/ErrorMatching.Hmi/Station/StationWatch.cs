@@ -2,10 +2,10 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Looks at a cell: at once when the store has changed, and every two seconds for its sign of life.</summary>
+/// <summary>Looks at a cell: at once when the store has changed, and every two seconds for its sign of life; oftener where there is none, so that nobody reads of a cell that stands when it has just begun to run.</summary>
 internal sealed class StationWatch(Station station)
 {
-    private const int LooksBetween = 8;
+    private const int LooksBetween = 8, LooksBetweenIfStill = 2;
     private static readonly TimeSpan Every = TimeSpan.FromMilliseconds(250);
     private long _seen = -1;
     private CellStatus? _last;
@@ -18,7 +18,7 @@ internal sealed class StationWatch(Station station)
     {
         for (var look = 0; !end.IsCancellationRequested; look++)
         {
-            if (Look(isDue: look % LooksBetween == 0) is { } state)
+            if (Look(isDue: look % (_last is { IsRunning: false } ? LooksBetweenIfStill : LooksBetween) == 0) is { } state)
             {
                 show(state);
             }
@@ -39,6 +39,7 @@ internal sealed class StationWatch(Station station)
             }
 
             _last = CellStatus.Of(station.Settings, station.Store, station.Clock);
+            station.JobNames.Learn(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.InWork, .. _last.Slots.SelectMany(s => s.Next), .. _last.Slots.Select(s => s.Held).OfType<Correction>()]);
             _seen = count;
             return new(++_version, _last, null);
         }

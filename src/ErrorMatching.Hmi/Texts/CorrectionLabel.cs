@@ -11,4 +11,19 @@ public static class CorrectionLabel
         ArgumentNullException.ThrowIfNull(correction);
         return $"#{Shown.Id(correction.Id)} · {correction.Serial ?? correction.FileName}";
     }
+
+    /// <summary>Where its program goes, is or was, in a sentence: machine, slot and file; null where none goes to a machine.</summary>
+    public static string? Target(Correction correction)
+    {
+        ArgumentNullException.ThrowIfNull(correction);
+        var key = correction.State switch
+        {
+            CorrectionState.Proposed or CorrectionState.Approved or CorrectionState.Uploading or CorrectionState.Failed => "Target.Goes",
+            CorrectionState.Verified => "Target.Is",
+            CorrectionState.Released => "Target.Was",
+            CorrectionState.Reverted => "Target.TakenBack",
+            _ => null,
+        };
+        return key is null || correction.ProgramSha256 is null ? null : Texts.Current.With(key, $"{correction.Machine}/{correction.Slot}", correction.Program ?? "");
+    }
 }

@@ -6,8 +6,13 @@ namespace ErrorMatching.Hmi;
 public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 {
     private readonly ShellViewModel _shell;
+    private readonly Pause _pause;
     private CorrectionRow? _chosen;
     private long? _looked;
+    private long? _byItself;
+    private HashSet<long> _waiting = [];
+    private bool _isOpened;
+    private bool _isExpected = true;
     private CorrectionDetail? _detail;
     private (long Id, int Version) _shown = (0, -1);
     private int _tab;
@@ -17,10 +22,12 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
         _shell = shell;
+        _looked = shell.Looked.Correction;
+        _pause = new(Station.Clock, SayDecisions);
         Approve = Decision(Act.Approve, needsReason: false, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Approve(id, by, reason)));
         Reject = Decision(Act.Reject, needsReason: true, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Reject(id, by, reason!)));
         Release = Decision(Act.Release, needsReason: false, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Release(id, by, reason)));
-        Revert = Decision(Act.Revert, needsReason: true, (id, by, reason, cancellation) => new SlotReversal(Station.Settings, Station.Store, Station.Open, Station.Clock).RevertAsync(id, by, reason!, cancellation));
+        Revert = new(() => Sign(k => RevertSigning.Of(_shell, k)), () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, Act.Revert) && RevertSigning.IsPossible(Detail?.Kept));
         Refresh();
     }
 
@@ -30,7 +37,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     /// <summary>True if there is nothing in <see cref="Rows"/>.</summary>
     public bool IsEmpty => Rows.Count == 0;
 
-    /// <summary>The correction that is looked at. Until a person chooses one, it is the one that came last.</summary>
+    /// <summary>The correction that is looked at. Until a person chooses one or decides, it is the oldest that waits for them; while another one is shown, nothing takes its place by itself.</summary>
     public CorrectionRow? Chosen
     {
         get => _chosen;
@@ -38,8 +45,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         {
             if (value is not null && value != _chosen)
             {
-                _looked = value.Id;
-                Choose(value);
+                Look(value.Id);
+                Choose(value.Id);
             }
         }
     }
@@ -74,12 +81,14 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     public bool IsUndecided => State is CorrectionState.Proposed or CorrectionState.Failed or CorrectionState.Approved;
 
     /// <summary>True where it is at its machine.</summary>
-    public bool IsAtMachine => State is CorrectionState.Verified or CorrectionState.Reverted;
+    public bool IsAtMachine => State is CorrectionState.Verified || (State is CorrectionState.Reverted && HasSlot(Detail!.Kept.Correction.Id));
 
-    /// <summary>Why a button cannot be pressed by who sits here; null if none is.</summary>
+    /// <summary>Why a button cannot be pressed, or there is none; null if that needs no words.</summary>
     public string? Forbidden => Detail is null || _shell.Who is not { } who ? null
+        : _pause.IsOn ? Texts.Current["Compensation.Changed"]
         : State is CorrectionState.Proposed or CorrectionState.Failed && !Rights.Allows(who.Role, Act.Approve) ? Texts.Current["Compensation.ApproveTakesSetter"]
         : State is CorrectionState.Verified && !Rights.Allows(who.Role, Act.Revert) ? Texts.Current["Compensation.RevertTakesSetter"]
+        : !IsUndecided && !IsAtMachine && State is not CorrectionState.Uploading ? Texts.Current["Compensation.Done"]
         : null;
 
     /// <summary>Done when what is chosen is shown.</summary>
@@ -90,8 +99,16 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     /// <inheritdoc/>
     public void LookAt(long correction)
     {
-        _looked = correction;
+        _isOpened = true;
+        Look(correction);
         Refresh();
+    }
+
+    /// <inheritdoc/>
+    protected override void Dispose(bool isDisposing)
+    {
+        base.Dispose(isDisposing);
+        _pause.Dispose();
     }
 
     /// <inheritdoc/>
@@ -112,18 +129,24 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     }
 
     private Command Decision(Act act, bool needsReason, Func<long, string, string?, CancellationToken, Task> carryOut) => new(
-        () =>
-        {
-            var correction = Detail!.Kept.Correction;
-            _shell.Sign(new(Station, _shell.Who!, act, CorrectionLabel.Of(correction), needsReason, (by, reason, cancellation) => carryOut(correction.Id, by.Name, reason, cancellation)));
-        },
-        () => _shell.Who is { } who && Rights.Allows(who.Role, act) && Detail?.Kept.Correction is { } c && act switch
+        () => Sign(kept => new(Station, _shell.Who!, act, kept.Subject, needsReason, (by, reason, cancellation) => carryOut(kept.Correction.Id, by.Name, reason, cancellation)) { Correction = kept.Correction }),
+        () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, act) && Detail!.Kept.Correction is var c && act switch
         {
             Act.Approve => c.State is CorrectionState.Proposed || (c.State is CorrectionState.Failed && c.ProgramSha256 is not null),
             Act.Reject => IsUndecided,
-            Act.Revert => c is { State: CorrectionState.Verified, PreviousSha256: not null },
             _ => IsAtMachine,
         });
+
+    // What is decided about is what is shown, and it stays to be seen what becomes of it.
+    private void Sign(Func<KeptCorrection, SigningViewModel> signing)
+    {
+        var kept = Detail!.Kept;
+        _shell.Looked.Correction = _looked = kept.Correction.Id;
+        _shell.Sign(signing(kept));
+    }
+
+    // What was chosen is shown, and was there for a while.
+    private bool IsDecidable => !_pause.IsOn && Detail is { } detail && detail.Kept.Correction.Id == Current;
 
     private void Refresh()
     {
@@ -132,51 +155,99 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             return;
         }
 
-        Rows.Show([.. status.Failed.Select(c => Row(c, Severity.Alarm)), .. status.Proposed.Select(c => Row(c, Severity.Attention)), .. status.Slots.SelectMany(s => s.Next.Where(c => c.State == CorrectionState.Approved)).Select(c => Row(c, Severity.Quiet)), .. status.Slots.Where(s => s.Held is not null).Select(s => Row(s.Held!, Severity.Quiet))]);
+        // In order of arrival, whatever becomes of them: a row does not leave its place under a finger.
+        Correction[] undecided = [.. status.Failed, .. status.Proposed], held = [.. status.Slots.Select(s => s.Held).OfType<Correction>()];
+        Rows.Show([.. undecided.Concat(held).Concat(status.Slots.SelectMany(s => s.Next.Where(c => c.State == CorrectionState.Approved))).OrderBy(c => c.Id).Select(Row)]);
         Say(nameof(IsEmpty));
+        _waiting = [.. (_shell.Who is { } who && !Rights.Allows(who.Role, Act.Approve) ? undecided.Concat(held) : undecided).Select(c => c.Id)];
 
-        // What a person looks at stays, also when it has left the list; else it is what the gauge delivered last.
-        var row = Rows.FirstOrDefault(r => r.Id == _looked) ?? (_looked is null ? Rows.Where(r => r.Severity != Severity.Quiet).MaxBy(r => r.Id) ?? Rows.FirstOrDefault() : null);
-        Choose(row);
+        // Whoever comes back finds what they chose, unless it is gone meanwhile.
+        _looked = _isOpened || Rows.Any(r => r.Id == _looked) ? _looked : null;
+        _isOpened = true;
+        Choose(_looked ?? ByItself());
     }
 
-    private void Choose(CorrectionRow? row)
+    // What waits stays until it is decided about; then comes the next one. Where nothing is left, the last one stays to be seen.
+    private long? ByItself()
     {
-        _chosen = row;
+        var now = Rows.FirstOrDefault(r => r.Id == _byItself);
+        var row = now is not null && _waiting.Contains(now.Id) ? now : Rows.FirstOrDefault(r => _waiting.Contains(r.Id)) ?? now ?? (_byItself is null ? Rows.FirstOrDefault() : null);
+        return _byItself = row?.Id ?? _byItself;
+    }
+
+    private long? Current => _looked ?? _byItself;
+
+    private bool HasSlot(long id) => Station.State.Status?.Slots.Any(s => s.Held?.Id == id) == true;
+
+    // A person's own choice is no surprise.
+    private void Look(long id) => (_shell.Looked.Correction, _looked, _isExpected) = (id, id, true);
+
+    private void Choose(long? id)
+    {
+        _chosen = Rows.FirstOrDefault(r => r.Id == id);
         Say(nameof(Chosen));
-        if ((row?.Id ?? _looked) is { } id)
+        SayDecisions();
+        if (id is { } shown)
         {
-            Loading = LoadAsync(id).Watched();
+            Loading = LoadAsync(shown).Watched();
+        }
+        else
+        {
+            // The first to arrive appears where nothing was.
+            _isExpected = false;
         }
     }
 
     private async Task LoadAsync(long id)
     {
-        KeptCorrection? kept = null;
+        CorrectionDetail? read = null;
         var (shown, detail) = (_shown, Detail);
         var isRead = await TryAsync(() =>
         {
             if (Station.Store.Find(id) is { } correction && (correction.Id, correction.Version) != shown)
             {
-                kept = detail?.Kept is { } known && known.Correction.Id == id && known.Correction.Version == correction.Version ? known : KeptCorrection.Read(Station.Store, correction);
+                var kept = detail?.Kept is { } known && known.Correction.Id == id && known.Correction.Version == correction.Version ? known : KeptCorrection.Read(Station.Store, correction);
+                read = new(kept, Station.Clock);
             }
         });
 
         // Somebody may have chosen another one meanwhile.
-        if (isRead && kept is not null && (_chosen?.Id ?? _looked) == id)
+        if (!isRead || Current != id)
         {
-            _shown = (id, kept.Correction.Version);
-            Detail = new(kept, Station.Clock);
-            Say(nameof(IsUndecided));
-            Say(nameof(IsAtMachine));
-            Say(nameof(Forbidden));
-            foreach (var command in new[] { Approve, Reject, Release, Revert })
+            return;
+        }
+
+        if (read is not null)
+        {
+            _shown = (id, read.Kept.Correction.Version);
+            if (!_isExpected && (Detail is not { Kept.Correction: var was } || (was.Id, was.Version) != _shown))
             {
-                command.Refresh();
+                _pause.Begin();
             }
+
+            Detail = read.Now();
+        }
+
+        _isExpected = false;
+        SayDecisions();
+    }
+
+    private void SayDecisions()
+    {
+        Say(nameof(IsUndecided));
+        Say(nameof(IsAtMachine));
+        Say(nameof(Forbidden));
+        foreach (var command in new[] { Approve, Reject, Release, Revert })
+        {
+            command.Refresh();
         }
     }
 
-    private static CorrectionRow Row(Correction c, Severity severity) =>
-        new(c.Id, CorrectionLabel.Of(c), Texts.Current.Word(c.State), c.LargestMm is { } mm ? Shown.Mm(mm) + " mm" : "", severity);
+    private CorrectionRow Row(Correction c) => new(
+        c.Id,
+        CorrectionLabel.Of(c),
+        Station.JobNames.Of(c) ?? "",
+        Texts.Current.Word(c.State),
+        c.LargestMm is { } mm ? Shown.Mm(mm) + " mm" : "",
+        c.State switch { CorrectionState.Failed => Severity.Alarm, CorrectionState.Proposed => Severity.Attention, _ => Severity.Quiet });
 }

@@ -1,24 +1,27 @@
+using ErrorMatching.Mating;
+
 namespace ErrorMatching.Hmi;
 
 /// <summary>One correction with all that is known of it, in the words and figures of the screen.</summary>
 public sealed class CorrectionDetail
 {
     private readonly TimeProvider _clock;
+    private readonly KeptPiece? _piece;
 
-    /// <summary>Puts it into words.</summary>
+    /// <summary>Puts it into words. This takes its time, and may be done beside the screen.</summary>
     public CorrectionDetail(KeptCorrection kept, TimeProvider clock)
     {
         Kept = kept ?? throw new ArgumentNullException(nameof(kept));
         _clock = clock;
         var report = kept.Report;
-        Points = [.. report?.Points.Select(Row) ?? []];
         Quantities = [.. report?.Features.SelectMany(f => f.Quantities.Select(q => Row(f, q))) ?? []];
         Decisions = [.. report?.Features.Select(f => Row(report, f)) ?? []];
-        Steps = [.. kept.Steps.Select(s => new StepRow(Shown.Time(s.At, clock), Texts.Current.Word(s.To), s.By, s.Basis))];
+        Steps = [.. kept.Steps.Select(s => new StepRow(Shown.Time(s.At, clock), Texts.Current.Word(s.To), RecordedText.Who(s.By), RecordedText.Of(s.Basis, kept.Correction)))];
         if (report is not null)
         {
-            var piece = KeptPiece.Predicted(kept.Correction, report);
-            (Before, After) = (GapDrawing.Before(piece), GapDrawing.After(piece));
+            _piece = KeptPiece.Predicted(kept.Correction, report);
+            Points = [.. report.Points.Zip(_piece.Result.Points, Row)];
+            (Before, After) = (GapDrawing.Before(_piece), GapDrawing.After(_piece));
         }
 
         Surface = kept.Surface is { } surface ? new(surface) : null;
@@ -26,6 +29,12 @@ public sealed class CorrectionDetail
 
     /// <summary>What the store keeps of it.</summary>
     public KeptCorrection Kept { get; }
+
+    /// <summary>The language of its words.</summary>
+    public Language Language { get; } = Texts.Current.Language;
+
+    /// <summary>The same in the language of the screen, which may have changed while this was put into words.</summary>
+    public CorrectionDetail Now() => Language == Texts.Current.Language ? this : new(Kept, _clock);
 
     /// <summary>Number and serial number or file.</summary>
     public string Title => CorrectionLabel.Of(Kept.Correction);
@@ -36,14 +45,50 @@ public sealed class CorrectionDetail
     /// <summary>Why it came to that; null where there is no reason.</summary>
     public string? Reason => Kept.Correction.Code is { } code ? CodeText.Of(code, Kept.Correction.Reason) : null;
 
-    /// <summary>Job, work order, gauge and file in a line.</summary>
-    public string Origin => string.Join(" · ", new[] { Kept.Report?.JobName ?? Kept.Surface?.JobName ?? Kept.Correction.Job, Kept.Correction.WorkOrder ?? Kept.Report?.WorkOrder, Kept.Correction.Gauge, Kept.Correction.FileName, Shown.Time(Kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
+    /// <summary>What people call the job: the workpiece.</summary>
+    public string? Job => Kept.JobName;
 
-    /// <summary>The largest displacement.</summary>
-    public string Largest => Kept.Correction.LargestMm is { } mm ? Texts.Current.With("Detail.Largest", Shown.Mm(mm)) : "";
+    /// <summary>Machine, slot and file of its program in a sentence; null where none goes to a machine.</summary>
+    public string? Target => CorrectionLabel.Target(Kept.Correction);
+
+    /// <summary>Work order, gauge and file in a line.</summary>
+    public string Origin => string.Join(" · ", new[] { Kept.Correction.WorkOrder ?? Kept.Report?.WorkOrder, Kept.Correction.Gauge, Kept.Correction.FileName, Shown.Time(Kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
+
+    /// <summary>By how much the program moves at most, and where; null before it is computed.</summary>
+    public string? Largest => Kept.Correction.LargestMm is not > 0 ? null : KeptMove.PlaceOf(Kept.Steps) is { } place
+        ? Texts.Current.With("Head.LargestAt", Shown.Mm(Kept.Correction.LargestMm), place)
+        : Texts.Current.With("Head.Largest", Shown.Mm(Kept.Correction.LargestMm));
+
+    /// <summary>What is predicted to be left over, at most, and which points will be outside of their limits; null where nothing is predicted.</summary>
+    public string? LeftOver
+    {
+        get
+        {
+            if (_piece is null)
+            {
+                return null;
+            }
+
+            var worst = _piece.Result.Points.MaxBy(p => Math.Abs(p.AfterError.NormalMm))!;
+            var most = Texts.Current.With("Head.LeftOver", Shown.Mm(Math.Abs(worst.AfterError.NormalMm)), worst.Label);
+            return most + (_piece.Outside is { Count: > 0 } outside ? Texts.Current.With("Head.Outside", outside.Count, string.Join(", ", outside)) : Texts.Current["Head.NoneOutside"]);
+        }
+    }
+
+    /// <summary>A point that will be outside of its limits asks for attention.</summary>
+    public Severity LeftOverSeverity => IsWithin ? Severity.Quiet : Severity.Attention;
+
+    /// <summary>True unless a point will be outside of its limits.</summary>
+    public bool IsWithin => _piece?.IsWithin ?? true;
+
+    /// <summary>What the program does not have and the machine needs, in words; null if nothing.</summary>
+    public string? Missing => Kept.LacksToolCall ? Texts.Current["Head.NoToolCall"] : null;
 
     /// <summary>The key points.</summary>
-    public IReadOnlyList<PointRow> Points { get; }
+    public IReadOnlyList<PointRow> Points { get; } = [];
+
+    /// <summary>What the errors in <see cref="Points"/> mean.</summary>
+    public string PointsNote => Texts.Current[_piece?.IsBeforeMeasured == true ? "Detail.PointsNoteMeasured" : "Detail.PointsNote"];
 
     /// <summary>Lengths and angles.</summary>
     public IReadOnlyList<QuantityRow> Quantities { get; }
@@ -95,22 +140,24 @@ public sealed class CorrectionDetail
 
     /// <summary>What was proved, in a sentence or two.</summary>
     public string Proof => Kept.Report is not { Proof: var proof } ? Surface?.Proof ?? "" : Texts.Current.With(
-        proof.Holds ? "Detail.ProofHolds" : "Detail.ProofFails", Shown.Count(proof.Motions), Shown.Count(proof.MovedMotions), Shown.Mm(proof.MaxDeviationFromWantedMm));
+        proof.Holds ? "Head.Proved" : "Head.NotProved", Shown.Count(proof.Motions), Shown.Count(proof.MovedMotions), Shown.Mm(proof.MaxDeviationFromWantedMm));
 
     /// <summary>How much of the program differs.</summary>
     public string Changed => Kept.Report is not { } report ? "" : Texts.Current.With("Detail.Changed", Shown.Count(report.ChangedBlocks), Shown.Count(report.ChangedWords));
 
     /// <summary>What a person should know before using the program.</summary>
-    public IReadOnlyList<string> Warnings => [.. Kept.Report?.Warnings.Select(w => w.Text) ?? []];
+    public IReadOnlyList<string> Warnings => [.. Kept.Report?.Warnings.Select(w => w.Text) ?? Surface?.Warnings ?? []];
 
     /// <summary>True if there are warnings.</summary>
     public bool HasWarnings => Warnings.Count > 0;
 
     /// <summary>How many there are, and where.</summary>
-    public string WarningCount => Texts.Current.With("Detail.Warnings", Warnings.Count);
+    public string WarningCount => Texts.Current.With("Head.Warnings", Warnings.Count);
 
-    private static PointRow Row(KeptPoint p) => new(
-        p.Point, p.Feature, Shown.Mm(p.Theoretical.X), Shown.Mm(p.Theoretical.Y), Shown.Mm(p.Actual.X), Shown.Mm(p.Actual.Y), Shown.SignedMm(p.Correction.X), Shown.SignedMm(p.Correction.Y), Shown.SignedMm(p.NormalMm), Shown.SignedMm(p.PredictedMm));
+    // The errors are the piece's, as the verification has them: one convention for both screens.
+    private PointRow Row(KeptPoint p, VerifiedPoint errors) => new(
+        p.Point, p.Feature, Shown.Mm(p.Theoretical.X), Shown.Mm(p.Theoretical.Y), Shown.Mm(p.Actual.X), Shown.Mm(p.Actual.Y), Shown.SignedMm(p.Correction.X), Shown.SignedMm(p.Correction.Y),
+        Shown.SignedMm(errors.BeforeError.NormalMm), Shown.SignedMm(errors.AfterError.NormalMm), _piece!.IsOutside(p.Point, errors.AfterError.NormalMm));
 
     private static QuantityRow Row(KeptFeature feature, KeptQuantity q)
     {

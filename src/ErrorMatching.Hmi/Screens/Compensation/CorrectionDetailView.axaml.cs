@@ -1,3 +1,4 @@
+using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Interactivity;
 
@@ -7,17 +8,20 @@ namespace ErrorMatching.Hmi;
 public sealed partial class CorrectionDetailView : UserControl
 {
     /// <summary>The view.</summary>
-    public CorrectionDetailView() => InitializeComponent();
+    public CorrectionDetailView()
+    {
+        InitializeComponent();
+
+        // The last side has it when all have it: a side that is opened before shows what was there before.
+        CourseSide.DataContextChanged += (_, _) => OpenWhatIsThere();
+    }
 
     private ProgramLines? Lines => (DataContext as CorrectionDetail)?.Lines;
 
-    /// <inheritdoc/>
-    protected override void OnDataContextChanged(EventArgs e)
+    // A side that this correction lacks cannot stay open.
+    private void OpenWhatIsThere()
     {
-        base.OnDataContextChanged(e);
-
-        // A side that this correction lacks cannot stay open.
-        if (DataContext is CorrectionDetail detail && !Has(detail, Sides.SelectedItem))
+        if (CourseSide.DataContext is CorrectionDetail detail && !Has(detail, Sides.SelectedItem))
         {
             Sides.SelectedItem = detail.IsSurface ? SurfaceSide : Sides.Items[detail.HasReport ? 0 : Sides.ItemCount - 1];
         }
@@ -30,6 +34,8 @@ public sealed partial class CorrectionDetailView : UserControl
 
     private void OnNext(object? sender, RoutedEventArgs e) => Show(Lines?.Changes.Where(c => c > At()).Select(c => (int?)c).FirstOrDefault());
 
+    private void OnWarnings(object? sender, RoutedEventArgs e) => Sides.SelectedItem = DecisionsSide.IsVisible ? DecisionsSide : SurfaceSide;
+
     private int At() => ProgramList.SelectedIndex;
 
     private void Show(int? line)
@@ -37,7 +43,18 @@ public sealed partial class CorrectionDetailView : UserControl
         if (line is { } index)
         {
             ProgramList.SelectedIndex = index;
-            ProgramList.ScrollIntoView(index);
+            ShowInTheMiddle(index);
+        }
+    }
+
+    // What stands before and behind a change is as much to be seen as the change.
+    private void ShowInTheMiddle(int index)
+    {
+        ProgramList.ScrollIntoView(index);
+        ProgramList.UpdateLayout();
+        if (ProgramList.ContainerFromIndex(index) is { } row && ProgramList.Scroll is ScrollViewer scroll && row.TranslatePoint(new(0, row.Bounds.Height / 2), scroll) is { } middle)
+        {
+            scroll.Offset = scroll.Offset.WithY(Math.Max(0, scroll.Offset.Y + middle.Y - (scroll.Viewport.Height / 2)));
         }
     }
 }

@@ -9,7 +9,8 @@ namespace ErrorMatching.Hmi;
 /// <param name="ActualY">Where it was measured, y.</param>
 /// <param name="CompensationX">What is added to the program, x.</param>
 /// <param name="CompensationY">What is added to the program, y.</param>
-/// <param name="Deviation">The deviation along the normal.</param>
-/// <param name="Predicted">What of it is left.</param>
+/// <param name="Without">The mating error without compensation: counterpart - part along the normal.</param>
+/// <param name="LeftOver">The mating error with it, as predicted, by the same convention.</param>
+/// <param name="IsOutside">True if what is left over is outside of its limits.</param>
 public sealed record PointRow(
-    string Point, string Feature, string TheoreticalX, string TheoreticalY, string ActualX, string ActualY, string CompensationX, string CompensationY, string Deviation, string Predicted);
+    string Point, string Feature, string TheoreticalX, string TheoreticalY, string ActualX, string ActualY, string CompensationX, string CompensationY, string Without, string LeftOver, bool IsOutside);

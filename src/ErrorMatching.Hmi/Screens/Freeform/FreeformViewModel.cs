@@ -10,6 +10,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
 {
     private const int Most = 60;
     private readonly Dictionary<string, KeptSurface?> _read = new(StringComparer.Ordinal);
+    private readonly ShellViewModel _shell;
     private SurfaceJobChoice? _job;
     private SurfaceRow? _chosen;
     private long? _looked;
@@ -19,11 +20,13 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     private int _load;
 
     /// <summary>The screen.</summary>
-    public FreeformViewModel(Station station)
-        : base(station)
+    public FreeformViewModel(ShellViewModel shell)
+        : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
+        _shell = shell;
         Jobs = [.. Station.Settings.Jobs.Where(j => j.IsFreeform).Select(j => new SurfaceJobChoice(j.Name, j))];
-        _job = Jobs is [var first, ..] ? first : null;
+        _job = Jobs.FirstOrDefault(j => j.Name == shell.Looked.SurfaceJob) ?? (Jobs is [var first, ..] ? first : null);
+        _looked = shell.Looked.Surface;
         Refresh();
     }
 
@@ -45,6 +48,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
             if (value is not null && Set(ref _job, value))
             {
                 (_looked, _shown) = (null, (0, -1));
+                (_shell.Looked.SurfaceJob, _shell.Looked.Surface) = (value.Name, null);
                 (Detail, Plan) = (null, null);
                 Refresh();
             }
@@ -65,7 +69,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         {
             if (value is not null && value != _chosen)
             {
-                _looked = value.Id;
+                _shell.Looked.Surface = _looked = value.Id;
                 Refresh();
             }
         }
@@ -117,7 +121,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     private async Task LoadAsync(CellJobSettings job, int load)
     {
         IReadOnlyList<(Correction Correction, KeptSurface Surface)> measured = [];
-        KeptCorrection? kept = null;
+        (KeptCorrection Kept, SurfaceDetail Detail)? read = null;
         SurfacePlan? plan = null;
         string? trouble = null;
         var (looked, shown, isPlanned) = (_looked, _shown, Plan is not null);
@@ -127,7 +131,11 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
             var correction = measured.FirstOrDefault(m => m.Correction.Id == looked).Correction ?? (measured is [var newest, ..] ? newest.Correction : null);
             if (correction is not null)
             {
-                kept = (correction.Id, correction.Version) == shown ? null : KeptCorrection.Read(Station.Store, correction);
+                if ((correction.Id, correction.Version) != shown)
+                {
+                    var kept = KeptCorrection.Read(Station.Store, correction);
+                    read = (kept, new(kept, Station.Clock));
+                }
             }
             else if (!isPlanned)
             {
@@ -144,10 +152,10 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         Rows.Show([.. measured.Select(m => Row(m.Correction, m.Surface))]);
         Say(nameof(IsEmpty));
         Message = trouble;
-        if (kept is not null)
+        if (read is { } it)
         {
-            _shown = (kept.Correction.Id, kept.Correction.Version);
-            (Detail, Plan) = (new(kept, Station.Clock), null);
+            _shown = (it.Kept.Correction.Id, it.Kept.Correction.Version);
+            (Detail, Plan) = (it.Detail, null);
         }
 
         Plan = plan ?? Plan;
@@ -188,5 +196,5 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     }
 
     private static SurfaceRow Row(Correction c, KeptSurface surface) =>
-        new(c.Id, CorrectionLabel.Of(c), Texts.Current.Word(c.State), Shown.Micrometers(surface.Before.ProfileIsoMm) + " µm");
+        new(c.Id, CorrectionLabel.Of(c), surface.JobName, Texts.Current.Word(c.State), Shown.Micrometers(surface.Before.ProfileIsoMm) + " µm");
 }

@@ -6,7 +6,7 @@ public sealed class SurfaceDetail
     private readonly KeptCorrection _kept;
     private readonly TimeProvider _clock;
 
-    /// <summary>Puts it into words.</summary>
+    /// <summary>Puts it into words. This takes its time, and may be done beside the screen.</summary>
     /// <param name="kept">What the store keeps of it, with the report of a surface.</param>
     /// <param name="clock">Says in which zone times are shown.</param>
     public SurfaceDetail(KeptCorrection kept, TimeProvider clock)
@@ -21,8 +21,11 @@ public sealed class SurfaceDetail
     /// <summary>How far it has come, in a word.</summary>
     public string State => Texts.Current.Word(_kept.Correction.State);
 
-    /// <summary>Job, work order, gauge, file and time in a line.</summary>
-    public string Origin => string.Join(" · ", new[] { _kept.Surface!.JobName, _kept.Correction.WorkOrder, _kept.Correction.Gauge, _kept.Correction.FileName, Shown.Time(_kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
+    /// <summary>What people call the workpiece.</summary>
+    public string Job => _kept.Surface!.JobName;
+
+    /// <summary>Work order, gauge, file and time in a line.</summary>
+    public string Origin => string.Join(" · ", new[] { _kept.Correction.WorkOrder, _kept.Correction.Gauge, _kept.Correction.FileName, Shown.Time(_kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
 
     /// <summary>Its figures and drawings.</summary>
     public SurfaceFigures Figures { get; }

@@ -22,6 +22,6 @@ public sealed record SurfacePlan(SurfaceDrawing Drawing, string Caption, string?
         return new(
             new(SurfaceNet.Of(surface), null, 0, [.. points], ShowsWay: true),
             Texts.Current.With("Freeform.PlanCaption", Shown.Count(plan.Points.Count), Shown.Count(plan.Curves), Shown.Count((long)Math.Round(plan.TravelMm))),
-            plan.Refusals.Count > 0 ? plan.Refusals[0].Message : null);
+            plan.Refusals.Count > 0 ? CodeText.Of(plan.Refusals[0].Code, plan.Refusals[0].Message) : null);
     }
 }

@@ -17,7 +17,12 @@ public sealed partial class HistoryView : UserControl
         base.OnLoaded(e);
 
         // A barcode scanner types into what has the focus, and ends with Enter: that searches, and the next code takes the place of this one.
-        SerialBox.Focus();
+        // Whoever goes through the screens by keyboard goes on from where they are.
+        if (TopLevel.GetTopLevel(this) is not MainWindow { IsByKeyboard: true })
+        {
+            SerialBox.Focus();
+        }
+
         SerialBox.AddHandler(KeyDownEvent, OnSerialKey, RoutingStrategies.Bubble, handledEventsToo: true);
     }
 

@@ -28,6 +28,15 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         _folder = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(Station.Settings.File))!, "exports");
         Search = new(_ => SearchAsync());
         Back = new(() => Detail = null);
+        Revert = new(
+            () =>
+            {
+                var signing = RevertSigning.Of(shell, Detail!.Kept);
+                var id = Detail.Kept.Correction.Id;
+                signing.Signed += () => Loading = OpenAsync(id).Watched();
+                shell.Sign(signing);
+            },
+            () => shell.Who is { } who && Rights.Allows(who.Role, Act.Revert) && RevertSigning.IsPossible(Detail?.Kept));
         Export = new(ExportAsync, () => Detail is not null && !string.IsNullOrWhiteSpace(Folder));
         ChooseFolder = new(async _ => Folder = await shell.ChooseAsync(new(FileChoiceKind.Folder, "History.Folder", []) { Start = Folder }) ?? Folder);
         Search.Execute(null);
@@ -108,7 +117,9 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
             {
                 Exported = null;
                 Export.Refresh();
+                Revert.Refresh();
                 Say(nameof(IsList));
+                Say(nameof(CanRevert));
             }
         }
     }
@@ -141,6 +152,12 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
 
     /// <summary>Back to the list.</summary>
     public Command Back { get; }
+
+    /// <summary>Brings back the program that the slot held before the one that is opened.</summary>
+    public Command Revert { get; }
+
+    /// <summary>True where that can be done, and by who sits here.</summary>
+    public bool CanRevert => Revert.CanExecute(null);
 
     /// <summary>Writes measurement, job, programs and report to <see cref="Folder"/>.</summary>
     public LongCommand Export { get; }
@@ -182,7 +199,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     private static string? Given(string text) => string.IsNullOrWhiteSpace(text) ? null : text.Trim();
 
     private HistoryRow Row(Correction c) => new(
-        c.Id, Shown.Time(c.ArrivedAt, Station.Clock), c.Serial ?? c.FileName, c.WorkOrder ?? Shown.Nothing, c.Job ?? Shown.Nothing, Texts.Current.Word(c.State), c.LargestMm is { } mm ? Shown.Mm(mm) : Shown.Nothing);
+        c.Id, Shown.Time(c.ArrivedAt, Station.Clock), c.Serial ?? c.FileName, c.WorkOrder ?? c.JobWorkOrder ?? Shown.Nothing, c.Job ?? Shown.Nothing, Texts.Current.Word(c.State), c.LargestMm is { } mm ? Shown.Mm(mm) : Shown.Nothing);
 
     private async Task ScanAsync(string code)
     {
@@ -200,23 +217,30 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         }
     }
 
+    // What the fields say when a search ends is what was sought: a scanner does not wait for the search before.
     private async Task SearchAsync()
     {
-        if (!TryDay(From, 0, out var from) || !TryDay(To, 1, out var to))
+        var query = Query();
+        Message = query is null ? Texts.Current["History.BadDay"] : Message;
+        while (query is not null)
         {
-            Message = Texts.Current["History.BadDay"];
-            return;
-        }
+            var sought = query;
+            IReadOnlyList<Correction> found = [];
+            if (await TryAsync(() => found = Station.Store.Search(sought)))
+            {
+                _found = [.. found.OrderByDescending(c => c.Id)];
+                Rows.Show([.. _found.Select(Row)]);
+                Say(nameof(Found));
+            }
 
-        var query = new HistoryQuery { Serial = Given(Serial), WorkOrder = Given(WorkOrder), From = from, To = to, Program = Given(Program), User = Given(UserName), State = State.State, Most = Most };
-        IReadOnlyList<Correction> found = [];
-        if (await TryAsync(() => found = Station.Store.Search(query)))
-        {
-            _found = [.. found.OrderByDescending(c => c.Id)];
-            Rows.Show([.. _found.Select(Row)]);
-            Say(nameof(Found));
+            query = Query() is { } now && now != sought ? now : null;
         }
     }
+
+    // Null if a day is none.
+    private HistoryQuery? Query() => TryDay(From, 0, out var from) && TryDay(To, 1, out var to)
+        ? new() { IsLoose = true, Serial = Given(Serial), WorkOrder = Given(WorkOrder), From = from, To = to, Program = Given(Program), User = Given(UserName), State = State.State, Most = Most }
+        : null;
 
     // The day begins where the computer stands; the last one is meant with all its hours.
     private bool TryDay(string text, int more, out DateTimeOffset? time)
@@ -239,10 +263,10 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
 
     private async Task OpenAsync(long id)
     {
-        KeptCorrection? kept = null;
-        if (await TryAsync(() => kept = KeptCorrection.Read(Station.Store, new CorrectionDecisions(Station.Store).Demand(id))))
+        CorrectionDetail? read = null;
+        if (await TryAsync(() => read = new(KeptCorrection.Read(Station.Store, new CorrectionDecisions(Station.Store).Demand(id)), Station.Clock)))
         {
-            Detail = new(kept!, Station.Clock);
+            Detail = read!.Now();
         }
     }
 

@@ -9,6 +9,7 @@ public sealed class LoginViewModel : ScreenViewModel
     private IReadOnlyList<UserTile> _users = [];
     private string _name;
     private string _password = "";
+    private bool _isListed;
 
     /// <summary>A locked station.</summary>
     /// <param name="station">The station.</param>
@@ -22,6 +23,9 @@ public sealed class LoginViewModel : ScreenViewModel
         Live = new OverviewViewModel(station, null);
         Loading = LoadAsync().Watched();
     }
+
+    /// <summary>How to get in where everybody may, in words; null at a station that is none to play with.</summary>
+    public string? Hint => Station.IsDemonstration ? Texts.Current.With("Login.Demonstration", DemoCell.Password, DemoCell.Setter) : null;
 
     /// <summary>Who sat there last; empty if nobody did.</summary>
     public string LastName { get; }
@@ -89,7 +93,7 @@ public sealed class LoginViewModel : ScreenViewModel
     public string FirstUserCommand => $"errormatch user add {Path.GetFileName(Station.Settings.File)} NAME --role administrator";
 
     /// <summary>Done when the users are listed.</summary>
-    internal Task Loading { get; }
+    internal Task Loading { get; private set; }
 
     /// <inheritdoc/>
     protected override void Dispose(bool isDisposing)
@@ -101,7 +105,11 @@ public sealed class LoginViewModel : ScreenViewModel
     /// <inheritdoc/>
     protected override void Follow()
     {
-        // What follows the cell is in Live.
+        // What follows the cell is in Live. A list that could not be read is read when the store is back.
+        if (!_isListed && Loading.IsCompleted && Station.State.StoreTrouble is null)
+        {
+            Loading = LoadAsync().Watched();
+        }
     }
 
     /// <inheritdoc/>
@@ -117,7 +125,7 @@ public sealed class LoginViewModel : ScreenViewModel
         if (await TryAsync(() => users = Station.Users.List()))
         {
             Users = [.. users.Where(u => !u.IsDisabled).Select(u => new UserTile(u.Name, u.Role, Texts.Current.Word(u.Role)))];
-            HasNoUsers = users.Count == 0;
+            (_isListed, HasNoUsers) = (true, users.Count == 0);
             Say(nameof(HasNoUsers));
             Say(nameof(Chosen));
         }

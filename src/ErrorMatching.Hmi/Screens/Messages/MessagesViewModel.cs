@@ -21,10 +21,10 @@ public sealed partial class MessagesViewModel : ScreenViewModel
         : base(station)
     {
         _look = look;
-        Verify = new(async _ =>
+        Verify = new(async cancellation =>
         {
             AuditFinding? finding = null;
-            if (await TryAsync(() => finding = new AuditTrail(Station.Store, Station.Settings.KeysFolder).Verify()))
+            if (await TryAsync(() => finding = new AuditTrail(Station.Store, Station.Settings.KeysFolder).Verify(null, cancellation)))
             {
                 _finding = finding;
                 Say(nameof(Finding));
@@ -155,7 +155,7 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     }
 
     private AuditRow Row(AuditEntry entry) => new(
-        Shown.Id(entry.Seq), Shown.Time(entry.At, Station.Clock), entry.Who, Texts.Current.Or("Audited." + entry.What, entry.What), Short(entry.Subject ?? ""), Short(entry.Basis));
+        Shown.Id(entry.Seq), Shown.Time(entry.At, Station.Clock), RecordedText.Who(entry.Who), Texts.Current.Or("Audited." + entry.What, entry.What), Short(RecordedText.Of(entry.Subject ?? "")), Short(RecordedText.Of(entry.Basis)));
 
     // Of a hash the first digits tell it from others; the whole one is in the export.
     private static string Short(string text) => Hash().Replace(text, m => m.Value[..Digits] + "…");

@@ -78,7 +78,7 @@ public sealed class OverviewViewModel : ScreenViewModel
         return (trouble, slot.Held) switch
         {
             ({ } t, var held) => new(name, slot.Slot.Program, texts["Overview.SlotTrouble"], CodeText.Of(t.Code, t.Message), waiting, Severity.Alarm, held?.Id),
-            (_, { } held) => new(name, slot.Slot.Program, texts.Word(held.State), $"{Label(held)} · {Shown.Time(held.ChangedAt, Station.Clock)}", waiting, Severity.Quiet, held.Id),
+            (_, { } held) => new(name, slot.Slot.Program, texts.Word(held.State), $"{Label(held)}\n{Shown.Time(held.ChangedAt, Station.Clock)}", waiting, Severity.Quiet, held.Id),
             _ => new(name, slot.Slot.Program, texts["Overview.Free"], texts[slot.Holding.ProgramSha256 is null ? "Overview.NothingSent" : "Overview.LastReleased"], waiting, Severity.Quiet, null),
         };
     }
@@ -95,11 +95,12 @@ public sealed class OverviewViewModel : ScreenViewModel
 
     private WaitingTile Tile(Correction correction, Severity severity) => new(
         correction.Id,
-        Label(correction),
+        Station.JobNames.Of(correction) ?? "",
+        CorrectionLabel.Of(correction),
         severity == Severity.Alarm && correction.Code is { } code ? CodeText.Of(code, correction.Reason) : Texts.Current["Waiting." + correction.State],
         correction.LargestMm is { } mm ? Shown.Mm(mm) + " mm" : "",
         Shown.Time(correction.ChangedAt, Station.Clock),
         severity);
 
-    private static string Label(Correction correction) => CorrectionLabel.Of(correction);
+    private string Label(Correction correction) => string.Join(" · ", new[] { Station.JobNames.Of(correction), CorrectionLabel.Of(correction) }.OfType<string>());
 }

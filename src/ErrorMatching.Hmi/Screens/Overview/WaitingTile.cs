@@ -2,13 +2,20 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>A correction that waits for a person, or is on its way, in the overview.</summary>
 /// <param name="Id">Its number.</param>
-/// <param name="Title">Job and serial number.</param>
+/// <param name="Job">What people call the workpiece; empty before it is recognized.</param>
+/// <param name="Title">Number and serial number or file.</param>
 /// <param name="State">What it waits for.</param>
 /// <param name="Largest">Its largest displacement in mm.</param>
 /// <param name="Since">Since when.</param>
 /// <param name="Severity">How much it asks for attention.</param>
-public sealed record WaitingTile(long Id, string Title, string State, string Largest, string Since, Severity Severity)
+public sealed record WaitingTile(long Id, string Job, string Title, string State, string Largest, string Since, Severity Severity)
 {
+    /// <summary>True once it is known by how much it moves.</summary>
+    public bool HasLargest => Largest.Length > 0;
+
+    /// <summary>What it is called aloud.</summary>
+    public string Name => Job.Length > 0 ? $"{Job} · {Title}" : Title;
+
     /// <summary>Identifies the tile.</summary>
     public string AutomationId => "waiting-" + Shown.Id(Id);
 }

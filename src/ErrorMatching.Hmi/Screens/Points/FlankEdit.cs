@@ -25,7 +25,8 @@ public sealed class FlankEdit : Observable
             path,
             _isOne ? "Points.Count" : flank == 0 ? "Points.CountFirst" : "Points.CountSecond",
             d => CountOf(d).ToString(CultureInfo.InvariantCulture),
-            (d, t) => int.TryParse(t, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count <= Most ? d.WithPoints(feature, flank, count) : d);
+            (d, t) => IsCount(t, out var count) ? d.WithPoints(feature, flank, count) : d,
+            t => IsCount(t, out _) ? null : "not-a-count");
         Less = new(() => editing.Change("", d => d.WithPoints(feature, flank, CountOf(d) - 1)), () => editing.CanEdit && CountOf(editing.Draft) > 0);
         More = new(() => editing.Change("", d => d.WithPoints(feature, flank, CountOf(d) + 1)), () => editing.CanEdit && CountOf(editing.Draft) < Most);
     }
@@ -51,6 +52,8 @@ public sealed class FlankEdit : Observable
         Less.Refresh();
         More.Refresh();
     }
+
+    private static bool IsCount(string text, out int count) => int.TryParse(text.Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out count) && count <= Most;
 
     private int CountOf(MatingDraft draft) => _feature < draft.Features.Count && _flank < draft.Features[_feature].Flanks.Count ? draft.Features[_feature].Flanks[_flank].Count : 0;
 }

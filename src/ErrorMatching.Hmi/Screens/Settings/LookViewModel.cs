@@ -14,13 +14,13 @@ public sealed class LookViewModel : ScreenViewModel
     }
 
     /// <summary>The languages, each in its own words.</summary>
-    public IReadOnlyList<LookChoice> Languages { get; } = [.. Enum.GetValues<Language>().Select(l => new LookChoice(l.ToString(), Texts.Of(l)["Language.Name"]))];
+    public IReadOnlyList<LookChoice> Languages { get; } = [.. Enum.GetValues<Language>().Select(l => new LookChoice(l.ToString(), () => Texts.Of(l)["Language.Name"]))];
 
     /// <summary>Light and dark.</summary>
-    public IReadOnlyList<LookChoice> Themes { get; private set; } = LightAndDark();
+    public IReadOnlyList<LookChoice> Themes { get; } = [new("light", () => Texts.Current["Look.Light"]), new("dark", () => Texts.Current["Look.Dark"])];
 
     /// <summary>The sizes of what is touched.</summary>
-    public IReadOnlyList<LookChoice> Sizes { get; private set; } = Heights();
+    public IReadOnlyList<LookChoice> Sizes { get; } = [.. Enum.GetValues<TouchSize>().Select(s => new LookChoice(s.ToString(), () => Texts.Current.Word(s)))];
 
     /// <summary>The language.</summary>
     public LookChoice? Language
@@ -80,17 +80,14 @@ public sealed class LookViewModel : ScreenViewModel
     /// <inheritdoc/>
     protected override void Translate()
     {
-        // The list of languages stays: it is in the middle of being tapped.
-        (Themes, Sizes) = (LightAndDark(), Heights());
-        foreach (var name in new[] { nameof(Language), nameof(Themes), nameof(Theme), nameof(Sizes), nameof(Size), nameof(Kept) })
+        foreach (var choice in Themes.Concat(Sizes))
         {
-            Say(name);
+            choice.Rename();
         }
+
+        Say(nameof(Language));
+        Say(nameof(Kept));
     }
-
-    private static LookChoice[] LightAndDark() => [new("light", Texts.Current["Look.Light"]), new("dark", Texts.Current["Look.Dark"])];
-
-    private static LookChoice[] Heights() => [.. Enum.GetValues<TouchSize>().Select(s => new LookChoice(s.ToString(), Texts.Current.Word(s)))];
 
     private void OnPreferences(object? sender, System.ComponentModel.PropertyChangedEventArgs e)
     {

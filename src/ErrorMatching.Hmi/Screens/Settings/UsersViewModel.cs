@@ -17,7 +17,6 @@ public sealed class UsersViewModel : ScreenViewModel
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
         _shell = shell;
-        Roles = Choices();
         _role = Roles[0];
         New = new(() => Chosen = null, () => IsManaging && !IsNew);
         Add = Change("Users.Add", () => Name.Trim(), () => IsManaging && Name.Trim().Length > 0 && HasPassword, (by, name) => (password, role) => Station.Users.Add(by, name, role, password));
@@ -32,7 +31,7 @@ public sealed class UsersViewModel : ScreenViewModel
     public RowList<UserRow> Rows { get; } = [];
 
     /// <summary>The roles, with the lowest first.</summary>
-    public IReadOnlyList<RoleChoice> Roles { get; private set; }
+    public IReadOnlyList<RoleChoice> Roles { get; } = [.. Enum.GetValues<Role>().Select(r => new RoleChoice(r))];
 
     /// <summary>True if who sits here may change users.</summary>
     public bool IsManaging => _shell.Who is { } who && Rights.Allows(who.Role, Act.ManageUsers);
@@ -84,7 +83,7 @@ public sealed class UsersViewModel : ScreenViewModel
         get => _role;
         set
         {
-            // A list that is made anew in another language has nothing chosen for a moment.
+            // A list that leaves the screen has nothing chosen any more.
             if (value is not null)
             {
                 Put(ref _role, value, nameof(Role));
@@ -141,13 +140,14 @@ public sealed class UsersViewModel : ScreenViewModel
     /// <inheritdoc/>
     protected override void Translate()
     {
-        Roles = Choices();
-        _role = Roles.First(r => r.Role == _role.Role);
+        foreach (var role in Roles)
+        {
+            role.Rename();
+        }
+
         Loading = LoadAsync(Chosen?.Name).Watched();
         Say();
     }
-
-    private static RoleChoice[] Choices() => [.. Enum.GetValues<Role>().Select(r => new RoleChoice(r, Texts.Current.Word(r)))];
 
     // The signature is good for one act, and the book of users is who demands it.
     private Command Change(string title, Func<string> name, Func<bool> can, Func<SignedIn, string, Func<string, Role, User>> change) => new(

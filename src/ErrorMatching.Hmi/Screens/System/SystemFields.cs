@@ -7,6 +7,9 @@ namespace ErrorMatching.Hmi;
 /// <summary>The fields of the system set-up, side by side, as they stand in the job.</summary>
 internal sealed class SystemFields(JobEditing editing)
 {
+    // Those of a curve, which has most.
+    private const int ToleranceColumns = 6;
+
     /// <summary>The blocks of each feature.</summary>
     public IReadOnlyList<FieldRow> Blocks() => [.. Features().Select(f => new FieldRow(editing.Draft.Features[f].Name, [Text(DraftPaths.Feature(f, "blocks"), "System.Blocks", d => d.Features[f].Blocks, (d, t) => d.WithFeature(f, x => x with { Blocks = t }))]))];
 
@@ -31,11 +34,11 @@ internal sealed class SystemFields(JobEditing editing)
     public IReadOnlyList<EditField> Frame() =>
     [
         Text("$.counterpart.toolDiameterMm", "System.ToolDiameter", d => d.Counterpart.ToolDiameter, (d, t) => d with { Counterpart = d.Counterpart with { ToolDiameter = t } }),
-        Text("$.counterpart.mapMm", "System.Map", d => d.Counterpart.Map, (d, t) => d with { Counterpart = d.Counterpart with { Map = t } }),
+        Text("$.counterpart.mapMm", "System.Map", "0.5", d => d.Counterpart.Map, (d, t) => d with { Counterpart = d.Counterpart with { Map = t } }),
         Choice("$.counterpart.frame.mirror", "System.Mirror", ["none", "x", "y"], d => d.Counterpart.Mirror, (d, t) => d with { Counterpart = d.Counterpart with { Mirror = t } }),
-        Text("$.counterpart.frame.rotateDeg", "System.Rotate", d => d.Counterpart.Rotate, (d, t) => d with { Counterpart = d.Counterpart with { Rotate = t } }),
-        Text("$.counterpart.frame.translateMm[0]", "System.TranslateX", d => d.Counterpart.TranslateX, (d, t) => d with { Counterpart = d.Counterpart with { TranslateX = t } }),
-        Text("$.counterpart.frame.translateMm[1]", "System.TranslateY", d => d.Counterpart.TranslateY, (d, t) => d with { Counterpart = d.Counterpart with { TranslateY = t } }),
+        Text("$.counterpart.frame.rotateDeg", "System.Rotate", "0", d => d.Counterpart.Rotate, (d, t) => d with { Counterpart = d.Counterpart with { Rotate = t } }),
+        Text("$.counterpart.frame.translateMm[0]", "System.TranslateX", "0", d => d.Counterpart.TranslateX, (d, t) => d with { Counterpart = d.Counterpart with { TranslateX = t } }),
+        Text("$.counterpart.frame.translateMm[1]", "System.TranslateY", "0", d => d.Counterpart.TranslateY, (d, t) => d with { Counterpart = d.Counterpart with { TranslateY = t } }),
     ];
 
     /// <summary>Alignment and the check of the origin.</summary>
@@ -57,16 +60,16 @@ internal sealed class SystemFields(JobEditing editing)
             ],
             _ => [],
         },
-        Text("$.originCheck.point", "System.OriginPoint", d => d.OriginPoint, (d, t) => d with { OriginPoint = t }),
-        Text("$.originCheck.limitMm", "System.OriginLimit", d => d.OriginLimit, (d, t) => d with { OriginLimit = t }),
+        Text("$.originCheck.point", "System.OriginPoint", otherwise: null, d => d.OriginPoint, (d, t) => d with { OriginPoint = t }),
+        Text("$.originCheck.limitMm", "System.OriginLimit", otherwise: null, d => d.OriginLimit, (d, t) => d with { OriginLimit = t }),
     ];
 
     /// <summary>What is made of the deviations.</summary>
     public IReadOnlyList<EditField> Compensation() =>
     [
         Choice("$.compensation.from", "System.From", ["part", "counterpart"], d => d.Compensation.From, (d, t) => d with { Compensation = d.Compensation with { From = t } }),
-        Text("$.compensation.gain", "System.Gain", d => d.Compensation.Gain, (d, t) => d with { Compensation = d.Compensation with { Gain = t } }),
-        Text("$.compensation.limitMm", "System.Limit", d => d.Compensation.Limit, (d, t) => d with { Compensation = d.Compensation with { Limit = t } }),
+        Text("$.compensation.gain", "System.Gain", "1", d => d.Compensation.Gain, (d, t) => d with { Compensation = d.Compensation with { Gain = t } }),
+        Text("$.compensation.limitMm", "System.Limit", "1", d => d.Compensation.Limit, (d, t) => d with { Compensation = d.Compensation with { Limit = t } }),
         Choice("$.compensation.amount", "System.Amount", ["whole", "excess"], d => d.Compensation.Amount, (d, t) => d with { Compensation = d.Compensation with { Amount = t } }),
         Choice("$.compensation.along", "System.Along", ["normal", "vector"], d => d.Compensation.Along, (d, t) => d with { Compensation = d.Compensation with { Along = t } }),
         .. editing.Draft.Compensation.From == "counterpart" ? new EditField[] { Text("$.counterpart.measured", "System.CounterpartMeasured", d => d.Counterpart.Measured, (d, t) => d with { Counterpart = d.Counterpart with { Measured = t } }) } : [],
@@ -78,11 +81,11 @@ internal sealed class SystemFields(JobEditing editing)
         .. editing.Draft.Gauge.FormatJson.Length > 0 ? [] : new EditField[] { Choice("$.gauge.format", "System.Format", ["points", "feature-table"], d => d.Gauge.Format, (d, t) => d with { Gauge = d.Gauge with { Format = t } }) },
         .. editing.Draft.Gauge.Contributions.Count > 0 ? [] : new EditField[] { Text("$.gauge.uncertaintyMm", "System.Uncertainty", d => d.Gauge.Uncertainty, (d, t) => d with { Gauge = d.Gauge with { Uncertainty = t } }) },
         Choice("$.gauge.reports", "System.Reports", ["contact", "stylus-center"], d => d.Gauge.Reports, (d, t) => d with { Gauge = d.Gauge with { Reports = t } }),
-        Text("$.gauge.stylusDiameterMm", "System.Stylus", d => d.Gauge.StylusDiameter, (d, t) => d with { Gauge = d.Gauge with { StylusDiameter = t } }),
-        Text("$.gauge.measuring.touches", "System.Touches", d => d.Gauge.Touches, (d, t) => d with { Gauge = d.Gauge with { Touches = t } }),
-        Text("$.gauge.measuring.probingSpeedMmPerS", "System.ProbingSpeed", d => d.Gauge.ProbingSpeed, (d, t) => d with { Gauge = d.Gauge with { ProbingSpeed = t } }),
-        Text("$.gauge.measuring.probingDistanceMm", "System.ProbingDistance", d => d.Gauge.ProbingDistance, (d, t) => d with { Gauge = d.Gauge with { ProbingDistance = t } }),
-        Text("$.gauge.measuring.calculatingS", "System.Calculating", d => d.Gauge.Calculating, (d, t) => d with { Gauge = d.Gauge with { Calculating = t } }),
+        Text("$.gauge.stylusDiameterMm", "System.Stylus", otherwise: null, d => d.Gauge.StylusDiameter, (d, t) => d with { Gauge = d.Gauge with { StylusDiameter = t } }),
+        Text("$.gauge.measuring.touches", "System.Touches", otherwise: null, d => d.Gauge.Touches, (d, t) => d with { Gauge = d.Gauge with { Touches = t } }),
+        Text("$.gauge.measuring.probingSpeedMmPerS", "System.ProbingSpeed", "10", d => d.Gauge.ProbingSpeed, (d, t) => d with { Gauge = d.Gauge with { ProbingSpeed = t } }),
+        Text("$.gauge.measuring.probingDistanceMm", "System.ProbingDistance", "5", d => d.Gauge.ProbingDistance, (d, t) => d with { Gauge = d.Gauge with { ProbingDistance = t } }),
+        Text("$.gauge.measuring.calculatingS", "System.Calculating", "1", d => d.Gauge.Calculating, (d, t) => d with { Gauge = d.Gauge with { Calculating = t } }),
     ];
 
     /// <summary>Contributions to the uncertainty.</summary>
@@ -119,6 +122,12 @@ internal sealed class SystemFields(JobEditing editing)
             cells.Add(Text("toleranceMm[0]", "System.Lower", x => x.Lower, (x, t) => x with { Lower = t }));
             cells.Add(Text("toleranceMm[1]", "System.Upper", x => x.Upper, (x, t) => x with { Upper = t }));
         }
+        else
+        {
+            // Empty places: what follows stands under that of other features.
+            cells.Add(new NoteField(editing, DraftPaths.Feature(f, "toleranceMm[0]"), "System.Lower"));
+            cells.Add(new NoteField(editing, DraftPaths.Feature(f, "toleranceMm[1]"), "System.Upper"));
+        }
 
         cells.Add(Choice("plane", "System.Plane", ["XY", "ZX", "YZ"], x => x.Plane, (x, t) => x with { Plane = t }));
         if (feature.Kind == FeatureKind.Line)
@@ -127,11 +136,14 @@ internal sealed class SystemFields(JobEditing editing)
         }
         else if (feature.Kind == FeatureKind.Curve)
         {
-            cells.Add(Text("degree", "System.Degree", x => x.Degree, (x, t) => x with { Degree = t }));
-            cells.Add(Text("ridge", "System.Ridge", x => x.Ridge, (x, t) => x with { Ridge = t }));
+            cells.Add(Automatic("degree", "System.Degree", x => x.Degree, (x, t) => x with { Degree = t }));
+            cells.Add(Automatic("ridge", "System.Ridge", x => x.Ridge, (x, t) => x with { Ridge = t }));
         }
 
-        return new(feature.Name, cells);
+        return new(feature.Name, cells) { Columns = ToleranceColumns };
+
+        TextField Automatic(string field, string label, Func<FeatureDraft, string> get, Func<FeatureDraft, string, FeatureDraft> set) =>
+            new(editing, DraftPaths.Feature(f, field), label, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t))) { Default = "auto", MayBeEmpty = _ => true };
 
         TextField Text(string field, string label, Func<FeatureDraft, string> get, Func<FeatureDraft, string, FeatureDraft> set) =>
             new(editing, DraftPaths.Feature(f, field), label, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t)));
@@ -150,6 +162,19 @@ internal sealed class SystemFields(JobEditing editing)
         Text(At("verify", i, field), label, d => get(d.Comparisons[i]), (d, t) => d with { Comparisons = d.Comparisons.Replaced(i, set(d.Comparisons[i], t)) });
 
     private TextField Text(string path, string label, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set) => new(editing, path, label, get, set);
+
+    // The defaults are those of the job's schema.
+    private TextField Text(string path, string label, string? otherwise, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set) =>
+        new(editing, path, label, get, set) { Default = otherwise, MayBeEmpty = d => MayBeEmpty(d, path) };
+
+    // One coordinate goes with the other, and a point with its limit.
+    private static bool MayBeEmpty(MatingDraft draft, string path) => path switch
+    {
+        "$.counterpart.frame.translateMm[0]" or "$.counterpart.frame.translateMm[1]" => draft.Counterpart.TranslateX.Length + draft.Counterpart.TranslateY.Length == 0,
+        "$.originCheck.point" or "$.originCheck.limitMm" => draft.OriginPoint.Length + draft.OriginLimit.Length == 0,
+        "$.gauge.stylusDiameterMm" => draft.Gauge.Reports == "contact",
+        _ => true,
+    };
 
     private ChoiceField Choice(string path, string label, IReadOnlyList<string> words, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set) => new(editing, path, label, words, get, set);
 

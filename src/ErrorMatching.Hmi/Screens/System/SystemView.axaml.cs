@@ -1,6 +1,7 @@
 using Avalonia.Controls;
 using Avalonia.Input.Platform;
 using Avalonia.Interactivity;
+using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
@@ -19,7 +20,8 @@ public sealed partial class SystemView : SetupView
     {
         if (DataContext is SystemViewModel system && system.RowOf(id) is >= 0 and var row)
         {
-            PointList.ScrollIntoView(row);
+            // The side with the list may only just have been opened, and its rows come later.
+            Dispatcher.UIThread.Post(() => PointList.ScrollIntoView(row), DispatcherPriority.ContextIdle);
         }
 
         base.GoTo(id);

@@ -46,6 +46,7 @@ public sealed partial class SystemViewModel
 
     private async Task DryRunAsync(CancellationToken cancellation)
     {
+        Editing.ForgetNotice();
         var piece = Editing.Draft.Compensation.From;
         (Correction Correction, byte[] Bytes, GivenFile? Part)? last = null;
         var job = Editing.Job!;
@@ -65,7 +66,7 @@ public sealed partial class SystemViewModel
         }
         else
         {
-            Message = Texts.Current["System.NoMeasurement"];
+            Tell(() => Texts.Current["System.NoMeasurement"]);
             Show();
         }
     }
@@ -77,6 +78,7 @@ public sealed partial class SystemViewModel
             return;
         }
 
+        Editing.ForgetNotice();
         byte[] bytes = [];
         if (await TryAsync(() => bytes = InputFile.Bytes(path, JsonLimits.Default.MaxBytes)))
         {
@@ -94,21 +96,25 @@ public sealed partial class SystemViewModel
         var isOfPart = draft.Compensation.From == "part";
         var request = new MatingRequest { Part = isOfPart ? measurement : part, Counterpart = isOfPart ? null : measurement, Gain = (job.Policy ?? Station.Settings.Policy).Gain };
         KeptCorrection? kept = null;
-        string? refusal = null;
+        Func<string>? refusal = null;
         await TryAsync(() =>
         {
             try
             {
                 var outcome = MatingDraftRun.Of(draft, job.File, request, cancellation);
-                refusal = outcome.Result is null ? string.Join(" ", outcome.Refusals.Select(r => CodeText.Of(r.Code, r.Message))) : null;
+                refusal = outcome.Result is null ? () => string.Join(" ", outcome.Refusals.Select(r => CodeText.Of(r.Code, r.Message))) : null;
                 kept = outcome.Result is { } matched ? Kept(correction, matched) : null;
             }
             catch (Exception e) when (ErrorItems.OfInput(e) is { } items)
             {
-                refusal = string.Join(" ", items.Select(i => i.Message));
+                refusal = () => string.Join(" ", items.Select(i => CodeText.Of(i.Code, i.Message)));
             }
         });
-        Message = refusal is null ? Message : Texts.Current.With("System.DryRunRefused", refusal);
+        if (refusal is not null)
+        {
+            Tell(() => Texts.Current.With("System.DryRunRefused", refusal()));
+        }
+
         Detail = kept is null ? null : new(kept, Station.Clock);
         Show();
     }

@@ -8,6 +8,9 @@ namespace ErrorMatching.Hmi;
 /// <summary>System set-up: where each point is designed, which blocks cut each feature, and how deviations are judged and followed; tried out before it is saved.</summary>
 public sealed partial class SystemViewModel : SetupViewModel
 {
+    // So much of a line tells which one it is.
+    private const int MostShown = 60;
+
     private readonly SystemFields _fields;
     private int _side;
 
@@ -15,6 +18,7 @@ public sealed partial class SystemViewModel : SetupViewModel
     public SystemViewModel(ShellViewModel shell)
         : base(shell)
     {
+        _side = Shell.Looked.SystemSide;
         _fields = new(Editing);
         Points = new(Editing, "$.part.theoretical", "System.Coordinates");
         Program = new(Editing, MatingDraftCheck.Program, "System.Program");
@@ -37,7 +41,13 @@ public sealed partial class SystemViewModel : SetupViewModel
     public int Side
     {
         get => _side;
-        set => Set(ref _side, value);
+        set
+        {
+            if (Set(ref _side, value))
+            {
+                Shell.Looked.SystemSide = value;
+            }
+        }
     }
 
     /// <summary>The theoretical points.</summary>
@@ -213,8 +223,26 @@ public sealed partial class SystemViewModel : SetupViewModel
 
     private void Take(PointTable table)
     {
-        Message = table.Count == 0 ? Texts.Current["System.NoCoordinates"] : null;
+        var (other, missing) = table.Differences(Editing.Draft);
         Editing.Change("", table.Into);
+        Tell(table.Fault is { } fault ? () => Texts.Current.With("System.BadRow", fault.Line, fault.Text.Length > MostShown ? fault.Text[..MostShown] + "…" : fault.Text)
+            : table.Count == 0 ? () => Texts.Current["System.NoCoordinates"] : null);
+        if (table.Count > 0)
+        {
+            Editing.Note(() => string.Join(" ", new[]
+            {
+                Texts.Current.With("System.Table", table.Count),
+                other.Count > 0 ? Texts.Current.With("System.TableOther", Listed(other)) : "",
+                missing.Count > 0 ? Texts.Current.With("System.TableMissing", Listed(missing)) : "",
+            }.Where(t => t.Length > 0)));
+        }
+
         Show();
+    }
+
+    private static string Listed(IReadOnlyList<string> labels)
+    {
+        const int Most = 12;
+        return string.Join(", ", labels.Take(Most)) + (labels.Count > Most ? " …" : "");
     }
 }

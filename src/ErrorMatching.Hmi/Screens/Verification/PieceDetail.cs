@@ -25,6 +25,9 @@ public sealed class PieceDetail
     /// <summary>Number and serial number or file.</summary>
     public string Title => CorrectionLabel.Of(_piece.Correction);
 
+    /// <summary>What people call the workpiece.</summary>
+    public string Job => _piece.JobName;
+
     /// <summary>Measured or predicted.</summary>
     public string Kind => KindOf(_piece);
 
@@ -34,16 +37,49 @@ public sealed class PieceDetail
         _piece.Counterpart is { } counterpart ? Texts.Current.With("Verify.Measured", CorrectionLabel.Of(counterpart)) : Texts.Current["Verify.Predicted"],
         Texts.Current[_piece.IsBeforeMeasured ? "Verify.BeforeMeasured" : "Verify.BeforeDesigned"]);
 
-    /// <summary>Largest and mean error, before and after.</summary>
-    public string Summary => Texts.Current.With("Verify.Summary", Shown.Mm(_piece.Result.MaxBeforeMm), Shown.Mm(_piece.Result.MaxAfterMm), Shown.Mm(_piece.Result.RmsBeforeMm), Shown.Mm(_piece.Result.RmsAfterMm));
-
-    /// <summary>Whether everything is within its limits, and where not.</summary>
-    public string Verdict
+    /// <summary>By how much it is better, in a sentence with the figures.</summary>
+    public string Summary
     {
         get
         {
-            var outside = Points.Where(p => p.IsOutside).ToArray();
-            return outside.Length == 0 ? Texts.Current["Verify.AllWithin"] : Texts.Current.With("Verify.Outside", outside.Length, string.Join(", ", outside.Select(p => p.Point)));
+            var (result, texts) = (_piece.Result, Texts.Current);
+            var better = result.RmsImprovementPercent;
+            var word = better is null ? "Verdict.Same" : IsWorse ? "Verdict.Worse" : _piece.IsMeasured ? "Verdict.Better" : "Verdict.BetterPredicted";
+            return texts.With(word, Shown.Percent(Math.Abs(better ?? 0))) + texts.With("Verdict.Figures", Shown.Mm(result.RmsBeforeMm), Shown.Mm(result.RmsAfterMm), Shown.Mm(result.MaxBeforeMm), Shown.Mm(result.MaxAfterMm));
+        }
+    }
+
+    /// <summary>Whether everything is within its limits, and where not.</summary>
+    public string Verdict => _piece.Outside is { Count: > 0 } outside ? Texts.Current.With("Verify.Outside", outside.Count, Listed(outside)) : Texts.Current["Verify.AllWithin"];
+
+    /// <summary>Where the prediction was missed by more than the gauge's uncertainty tells; null where there is nothing to compare.</summary>
+    public string? Missed => _piece.Misses is not { Count: > 0 } all ? null
+        : Significant is { Count: > 0 } missed && missed.MaxBy(m => Math.Abs(m.Mm)) is var worst
+            ? Texts.Current.With("Verdict.Missed", missed.Count, Listed(missed.Select(m => m.Point)), Shown.Mm(Math.Abs(worst.Mm)), worst.Point)
+            : Texts.Current.With("Verdict.Met", Shown.Mm(all.Max(m => Math.Abs(m.Mm))));
+
+    /// <summary>True where the prediction was missed.</summary>
+    public bool IsMissed => Significant.Count > 0;
+
+    /// <summary>A prediction that was missed asks for attention.</summary>
+    public Severity MissedSeverity => IsMissed ? Severity.Attention : Severity.Quiet;
+
+    /// <summary>What a person should do now, in a sentence.</summary>
+    public string ToDo
+    {
+        get
+        {
+            var (texts, outside) = (Texts.Current, _piece.Outside);
+            var missed = outside.Intersect(Significant.Select(m => m.Point), StringComparer.Ordinal).ToArray();
+            return (_piece.IsMeasured, IsWorse, outside.Count, missed.Length) switch
+            {
+                (false, _, 0, _) => texts["Verdict.DoMeasure"],
+                (false, _, _, _) => texts.With("Verdict.DoRead", Listed(outside)),
+                (true, true, _, _) => texts["Verdict.DoStop"],
+                (true, _, 0, _) => texts["Verdict.DoNothing"],
+                (true, _, _, 0) => texts.With("Verdict.DoReach", Listed(outside)),
+                _ => texts.With("Verdict.DoLook", Listed(missed)),
+            };
         }
     }
 
@@ -85,6 +121,12 @@ public sealed class PieceDetail
 
     /// <summary>How much a piece asks for attention.</summary>
     internal static Severity SeverityOf(KeptPiece piece) => piece.IsWithin ? Severity.Quiet : Severity.Attention;
+
+    private bool IsWorse => _piece.Result.RmsImprovementPercent < 0;
+
+    private IReadOnlyList<PredictionMiss> Significant => [.. _piece.Misses.Where(m => m.IsSignificant)];
+
+    private static string Listed(IEnumerable<string> labels) => string.Join(", ", labels);
 
     private SeriesDrawing ErrorsOf()
     {
@@ -134,7 +176,7 @@ public sealed class PieceDetail
     private MatingErrorRow Row(VerifiedPoint p)
     {
         var band = _piece.BandOf(p.Label);
-        var isOutside = band is { } limits && !limits.Contains(p.AfterError.NormalMm);
+        var isOutside = _piece.IsOutside(p.Label, p.AfterError.NormalMm);
         return new(
             p.Label, _features.GetValueOrDefault(p.Label, ""), Shown.SignedMm(band?.LowerMm), Shown.SignedMm(band?.UpperMm), Shown.SignedMm(p.BeforeError.NormalMm), Shown.SignedMm(p.AfterError.NormalMm),
             Texts.Current[isOutside ? "Verify.PointOutside" : "Verify.PointWithin"], isOutside);

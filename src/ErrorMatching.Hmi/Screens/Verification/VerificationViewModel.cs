@@ -5,6 +5,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
 {
     private const int Most = 60;
     private readonly KeptPieces _kept = new();
+    private readonly ShellViewModel _shell;
     private MatingChoice? _mating;
     private PieceRow? _chosen;
     private long? _looked;
@@ -14,11 +15,13 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     private int _load;
 
     /// <summary>The screen.</summary>
-    public VerificationViewModel(Station station)
-        : base(station)
+    public VerificationViewModel(ShellViewModel shell)
+        : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
+        _shell = shell;
         Matings = [.. Station.Settings.Jobs.Where(j => !j.IsFreeform).GroupBy(j => j.File, StringComparer.Ordinal).Select(g => new MatingChoice(g.First().Name, [.. g.Select(j => j.Name)]))];
-        _mating = Matings is [var first, ..] ? first : null;
+        _mating = Matings.FirstOrDefault(m => m.Name == shell.Looked.Mating) ?? (Matings is [var first, ..] ? first : null);
+        _looked = shell.Looked.Piece;
         Refresh();
     }
 
@@ -37,6 +40,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
             if (value is not null && Set(ref _mating, value))
             {
                 (_looked, _shown) = (null, "");
+                (_shell.Looked.Mating, _shell.Looked.Piece) = (value.Name, null);
                 Refresh();
             }
         }
@@ -48,7 +52,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     /// <summary>True once it is known that there is none.</summary>
     public bool IsEmpty { get; private set; }
 
-    /// <summary>The piece that is looked at. Until a person chooses one, it is the one that was measured last.</summary>
+    /// <summary>The piece that is looked at. Until a person chooses one, it is the one whose counterpart was measured last, or while there is none the one that arrived last.</summary>
     public PieceRow? Chosen
     {
         get => _chosen;
@@ -56,7 +60,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         {
             if (value is not null && value != _chosen)
             {
-                _looked = value.Id;
+                _shell.Looked.Piece = _looked = value.Id;
                 Show(_pieces);
             }
         }
@@ -108,7 +112,8 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         Rows.Show([.. pieces.Reverse().Select(Row)]);
         IsEmpty = pieces.Count == 0;
         Say(nameof(IsEmpty));
-        var piece = pieces.FirstOrDefault(p => p.Correction.Id == _looked || p.Counterpart?.Id == _looked) ?? pieces.MaxBy(p => p.LastId);
+        var chosen = _looked is { } looked ? pieces.FirstOrDefault(p => p.Correction.Id == looked || p.Counterpart?.Id == looked) : null;
+        var piece = chosen ?? pieces.Where(p => p.IsMeasured).MaxBy(p => p.LastId) ?? pieces.MaxBy(p => p.LastId);
         _chosen = piece is null ? null : Rows.First(r => r.Id == piece.Correction.Id);
         Say(nameof(Chosen));
 
@@ -122,5 +127,5 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     }
 
     private static PieceRow Row(KeptPiece piece) =>
-        new(piece.Correction.Id, CorrectionLabel.Of(piece.Correction), PieceDetail.KindOf(piece), Shown.Mm(piece.Result.MaxAfterMm) + " mm", PieceDetail.SeverityOf(piece));
+        new(piece.Correction.Id, CorrectionLabel.Of(piece.Correction), piece.JobName, PieceDetail.KindOf(piece), Shown.Mm(piece.Result.MaxAfterMm) + " mm", PieceDetail.SeverityOf(piece));
 }

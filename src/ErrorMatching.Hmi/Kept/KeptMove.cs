@@ -1,0 +1,26 @@
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Where a correction moves its program most, as the step that computed it says: at a key point or in a block.</summary>
+public static class KeptMove
+{
+    private const string Block = "block ", Of = " of ";
+
+    /// <summary>The place in the language of the screen; null where the step names none.</summary>
+    /// <param name="steps">What became of the correction, step by step.</param>
+    public static string? PlaceOf(IReadOnlyList<CorrectionStep> steps)
+    {
+        ArgumentNullException.ThrowIfNull(steps);
+        if (steps.LastOrDefault(s => s.To == CorrectionState.Computed) is not { Basis: var basis })
+        {
+            return null;
+        }
+
+        // Warnings follow it, a sentence each.
+        var first = basis.IndexOf(". ", StringComparison.Ordinal) is >= 0 and var end ? basis[..(end + 1)] : basis;
+        return Recorded.DisplacedAt.Read(first) is not [_, var place] ? null
+            : place.StartsWith(Block, StringComparison.Ordinal) ? place[Block.Length..]
+            : RecordedText.Of(place.Split(Of)[0]);
+    }
+}

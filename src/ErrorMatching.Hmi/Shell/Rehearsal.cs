@@ -1,0 +1,77 @@
+using System.Text;
+using Avalonia.Controls;
+using Avalonia.Layout;
+using Avalonia.Threading;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>
+/// Opens every screen once while nobody waits, behind everything and seen by nobody: what a process does for the first time takes two or three times as long as the next, and whoever opens a screen need not wait for it.
+/// </summary>
+/// <param name="stage">Where they are opened, one at a time; it is empty before and after.</param>
+/// <param name="shell">The frame whose screens they are. Opening one reads; all that stays is the first job, loaded into the set-up as it is when somebody opens that first.</param>
+internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
+{
+    // Until what is read beside the screen has come.
+    private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(150);
+    private static readonly byte[] Program = Encoding.ASCII.GetBytes("N10 G21 G90\nN20 G0 X0. Y0. Z5.\nN30 G1 Z0. F500.\nN40 G2 X10. Y10. I5. J5.\nM30\n");
+
+    /// <summary>Opens them all, in small steps: keys, taps and drawing go before each of them.</summary>
+    public async Task RunAsync(CancellationToken end)
+    {
+        try
+        {
+            // Each view by itself first, or the first screen would be made in one long step.
+            foreach (var make in Views.Makers)
+            {
+                await ShowAsync(make, end);
+            }
+
+            foreach (var screen in Screens.All)
+            {
+                await OpenAsync(screen, end);
+            }
+
+            var program = await Task.Run(() => OpenedProgram.Read(Program, NcDialects.FanucMill, end), end);
+            await ShowAsync(() => Filled(new ProgramPicture(program)), end);
+        }
+        finally
+        {
+            stage.Children.Clear();
+        }
+    }
+
+    private static ContentControl Filled(object content) => new() { Content = content, HorizontalContentAlignment = HorizontalAlignment.Stretch, VerticalContentAlignment = VerticalAlignment.Stretch };
+
+    private static Task StepAsync(Action step, CancellationToken end) => Dispatcher.UIThread.InvokeAsync(step, DispatcherPriority.SystemIdle, end).GetTask();
+
+    private async Task OpenAsync(Screen screen, CancellationToken end)
+    {
+        ScreenViewModel? opened = null;
+        try
+        {
+            await StepAsync(() => opened = screen.Open(shell), end);
+            await ShowAsync(() => Filled(opened!), end);
+            await Task.Delay(Look, end);
+            await StepAsync(stage.UpdateLayout, end);
+        }
+        finally
+        {
+            stage.Children.Clear();
+            opened?.Dispose();
+        }
+    }
+
+    private async Task ShowAsync(Func<Control> make, CancellationToken end)
+    {
+        await StepAsync(
+            () =>
+            {
+                stage.Children.Clear();
+                stage.Children.Add(make());
+            },
+            end);
+        await StepAsync(stage.UpdateLayout, end);
+    }
+}
