@@ -25,8 +25,10 @@ public sealed class CompensationTests
             Same(json.GetProperty("actual").GetProperty("y"), row.ActualY);
             Same(json.GetProperty("correction").GetProperty("x"), row.CompensationX);
             Same(json.GetProperty("correction").GetProperty("y"), row.CompensationY);
-            Same(json.GetProperty("normalMm"), row.Deviation);
-            Same(json.GetProperty("predictedMm"), row.Predicted);
+            Same(json.GetProperty("predictedMm"), row.LeftOver);
+
+            // Feed-forward: what was decided about is part - counterpart as designed; a mating error is the other way round.
+            Assert.Equal(Shown.SignedMm(-json.GetProperty("decidedMm").GetDouble()), row.Without);
         }
 
         var quantities = report.RootElement.GetProperty("features").EnumerateArray().SelectMany(f => f.GetProperty("theoretical").EnumerateObject().Select(q => (Feature: f, q.Name))).ToArray();
@@ -129,7 +131,7 @@ public sealed class CompensationTests
         seat.Tap("revert").Type("signing-reason", "chatter").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         seat.WaitFor(1, CorrectionState.Reverted);
         Assert.Equal(before, File.ReadAllBytes(machine));
-        seat.WaitFor(() => seat.Find("signing-confirm") is null, "The signature stays open.").Tap("release").Tap("signing-confirm");
+        seat.WaitFor(() => seat.Find("signing-confirm") is null && seat.TextOf("detail-state") is "Reverted" && seat.See("release").IsEffectivelyEnabled, "It is not seen to be reverted.").Tap("release").Tap("signing-confirm");
         seat.WaitFor(() => seat.Station.Store.Slot("vmc1", "A").Correction is null, "The slot stays taken.");
     });
 

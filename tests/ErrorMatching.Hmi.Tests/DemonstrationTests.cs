@@ -7,13 +7,10 @@ namespace ErrorMatching.Hmi.Tests;
 public sealed class DemonstrationTests
 {
     [Fact]
-    public void Of_its_first_hundred_parts_one_is_refused_and_the_others_lead_to_proved_programs()
+    public void Each_of_its_first_hundred_parts_leads_to_a_proved_program()
     {
         var (job, part) = (Repository.PathTo("samples", "complex-mating", "job.json"), File.ReadAllText(Repository.PathTo("samples", "complex-mating", "part.csv")));
-        var refused = Enumerable.Range(1, 100).Where(serial => !Leads(serial)).ToArray();
-
-        // Whole thousandths cannot say the arc of N140 for part 97 closely enough: that is refused, and looks like it.
-        Assert.Equal([97], refused);
+        Assert.DoesNotContain(Enumerable.Range(1, 100), serial => !Leads(serial));
 
         bool Leads(int serial)
         {

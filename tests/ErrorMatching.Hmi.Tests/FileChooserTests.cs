@@ -25,6 +25,24 @@ public sealed class FileChooserTests
     });
 
     [Fact]
+    public Task Nothing_can_be_opened_before_something_is_chosen() => At((seat, folder) =>
+    {
+        _ = Open(seat, new(FileChoiceKind.Open, "History.Program", [".nc"]) { Start = Path.Combine(folder, "programs") });
+        seat.See("entry-a.nc");
+        Assert.False(seat.See("chooser-confirm").IsEffectivelyEnabled);
+        seat.Tap("entry-a.nc");
+        Assert.True(seat.See("chooser-confirm").IsEffectivelyEnabled);
+        seat.Tap("chooser-leave");
+
+        // A folder is chosen as it stands there, and says what it holds though files are not shown.
+        _ = Open(seat, new(FileChoiceKind.Folder, "History.Folder", []) { Start = Path.Combine(folder, "programs") });
+        seat.WaitFor(() => seat.Shell.Choosing!.Folder.Length > 0, "The folder does not appear.");
+        Assert.True(seat.See("chooser-confirm").IsEffectivelyEnabled);
+        Assert.Contains("Files in it, which are not shown: 3.", seat.TextOf("chooser-summary"), StringComparison.Ordinal);
+        return Task.CompletedTask;
+    });
+
+    [Fact]
     public Task Two_taps_on_a_file_choose_it() => At(async (seat, folder) =>
     {
         var chosen = Open(seat, new(FileChoiceKind.Open, "History.Program", [".nc"]) { Start = Path.Combine(folder, "programs") });
@@ -182,7 +200,7 @@ public sealed class FileChooserTests
     {
         var first = Open(seat, new(FileChoiceKind.Folder, "History.Folder", []) { Start = Path.Combine(folder, "programs") });
         seat.WaitFor(() => seat.Shell.Choosing!.Folder.Length > 0, "Nothing is shown.");
-        Assert.Equal("Folders: 0.", seat.TextOf("chooser-summary"));
+        Assert.Equal("Folders: 0. Files in it, which are not shown: 3.", seat.TextOf("chooser-summary"));
         seat.Tap("chooser-confirm");
         Assert.Equal(Path.Combine(folder, "programs"), await first);
         _ = Open(seat, new(FileChoiceKind.Open, "History.Program", []) { Start = folder });

@@ -76,12 +76,32 @@ public sealed class FreeformTests
         Assert.NotNull(seat.Find("detail-map"));
         Assert.Null(seat.Find("tab-points"));
         Assert.Contains("Chordal error at most", seat.TextOf("detail-proof"), StringComparison.Ordinal);
+        Assert.StartsWith("The program calls no tool", seat.TextOf("detail-missing"), StringComparison.Ordinal);
+        Texts.Current.Language = Language.TraditionalChinese;
+        seat.WaitFor(() => seat.TextOf("detail-largest") is "最大移動量 0.0248 mm，位於 點 9 及其附近", $"It says {seat.TextOf("detail-largest")}.");
+        Texts.Current.Language = Language.English;
 
         // A mating behind it has its own sides again.
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(() => seat.Find("correction-2") is not null, "The part is not listed.");
         seat.Tap("correction-2").See("points");
         Assert.Null(seat.Find("tab-surface"));
+        Assert.False(seat.Find("detail-missing") is { IsEffectivelyVisible: true });
+    });
+
+    [Fact]
+    public Task A_surface_that_is_chosen_after_a_mating_is_drawn() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.Cell.DeliverSurface(1, 0);
+        seat.WaitFor(2, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.Tap("tab-gap").Tap("correction-2").WaitFor(() => seat.TextOf("detail-title") == "#2 · 0001", "The surface is not shown.");
+        var map = (SurfacePlot)seat.See("detail-map");
+        seat.WaitFor(() => map.Drawing is not null && !string.IsNullOrEmpty(seat.TextOf("detail-surface-summary")), "The surface stays empty.");
+        Assert.Equal(((CompensationViewModel)seat.Shell.Current!).Detail!.Surface!.Measured, map.Drawing);
     });
 
     [Fact]

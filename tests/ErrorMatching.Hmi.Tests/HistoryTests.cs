@@ -32,6 +32,42 @@ public sealed class HistoryTests
         Assert.NotNull(seat.Find("found-2"));
     });
 
+    // The slot is free again, so the piece is in no list of the screen for compensation any more; its program is still at the machine.
+    [Fact]
+    public Task A_piece_that_is_cut_is_reverted_from_the_history_as_long_as_its_program_is_there() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        for (var i = 1; i <= 2; i++)
+        {
+            seat.Cell.Deliver(i, 0.003);
+            seat.WaitFor(i, CorrectionState.Proposed);
+            new CorrectionDecisions(seat.Station.Store).Approve(i, DemoCell.Setter, null);
+            seat.WaitFor(i, CorrectionState.Verified);
+            new CorrectionDecisions(seat.Station.Store).Release(i, DemoCell.Operator, null);
+        }
+
+        seat.SignIn(DemoCell.Setter).Tap("nav-history").See("found-1");
+        seat.Tap("found-1").See("history-back");
+        Assert.False(seat.Find("history-revert") is { IsEffectivelyVisible: true });
+        seat.Tap("history-back").Tap("found-2").See("history-revert");
+        seat.Tap("history-revert");
+        Assert.Contains("the slot held the program of #1 · 0001", ((SigningViewModel)seat.Shell.Signing!).Consequence, StringComparison.Ordinal);
+        seat.Type("signing-reason", "chatter").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
+        seat.WaitFor(2, CorrectionState.Reverted);
+        Assert.Equal(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ProgramSha256!), File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
+        seat.WaitFor(() => seat.Find("history-revert") is not { IsEffectivelyVisible: true }, "It is offered again.");
+    });
+
+    [Fact]
+    public Task A_work_order_of_the_job_finds_its_pieces_by_a_part_of_it() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0.003);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Operator).Tap("nav-history").Type("history-work-order", "wo-2021").Tap("history-search").See("found-1");
+        Assert.Equal("WO-2021-02", ((HistoryViewModel)seat.Shell.Current!).Rows[0].WorkOrder);
+    });
+
     [Fact]
     public Task A_day_that_is_none_is_said() => Seat.AtAsync(seat =>
     {
@@ -49,4 +85,58 @@ public sealed class HistoryTests
         seat.User.Settle();
         Assert.Equal("任何狀態", (states.SelectedItem as StateChoice)?.Name);
     });
+
+    [Fact]
+    public Task Each_field_finds_its_own_and_what_was_stays_as_it_was() => Seat.AtAsync(
+        seat =>
+        {
+            seat.Cell.Run();
+            seat.Cell.Deliver(1, 0);
+            seat.WaitFor(1, CorrectionState.Proposed);
+            new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
+            var sent = seat.WaitFor(1, CorrectionState.Verified);
+
+            // The next piece is of a work order that its file names, and of a job that was changed.
+            seat.SignIn(DemoCell.Setter).Tap("nav-points");
+            new SetupSeat(seat).Settle();
+            seat.Shell.Editing.Change("", d => d with { Compensation = d.Compensation with { Gain = "0.5" } });
+            new SetupSeat(seat).Settle();
+            seat.Tap("setup-save").WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
+            var (outside, incoming) = (Path.Combine(Path.GetDirectoryName(seat.Cell.Settings.File)!, "WO-4711_0002.csv"), seat.Cell.Settings.Gauges[0].Incoming!);
+            File.WriteAllText(outside, DemoPart.Near(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating", "part.csv")), 2, 0.02));
+            File.Move(outside, Path.Combine(incoming, Path.GetFileName(outside)));
+            seat.WaitFor(2, CorrectionState.Proposed);
+            seat.Tap("nav-history").See("found-2");
+            var today = seat.Clock.GetLocalNow();
+            Finds("history-serial", "0001", 1);
+            Finds("history-work-order", "WO-4711", 2);
+            Finds("history-program", sent.ProgramSha256![..10], 1);
+            Finds("history-program", "counterpart.nc", 1, 2);
+            Finds("history-user", DemoCell.Setter, 1);
+            Finds("history-user", "nobody");
+            Finds("history-from", today.AddDays(2).ToString("yyyy-MM-dd", System.Globalization.CultureInfo.InvariantCulture));
+            Finds("history-to", today.AddDays(2).ToString("yyyy-MM-dd", System.Globalization.CultureInfo.InvariantCulture), 1, 2);
+            Finds("history-to", today.AddDays(-2).ToString("yyyy-MM-dd", System.Globalization.CultureInfo.InvariantCulture));
+
+            // Reopened as it was: figures and program of then, though the job is another one now.
+            seat.Type("history-serial", "0001").Tap("history-search").WaitFor(() => seat.Find("found-2") is null && seat.Find("found-1") is not null, "It is not found.");
+            seat.Tap("found-1").See("detail-title");
+            var (history, kept) = ((HistoryViewModel)seat.Shell.Current!, KeptReport.Read(seat.Station.Store.Content(sent.ReportSha256!))!);
+            Assert.Equal(kept.Points.Select(p => p.Correction), history.Detail!.Kept.Report!.Points.Select(p => p.Correction));
+            Assert.Contains(history.Detail.Kept.Report.Points, p => p.Correction.Length > 0.1);
+            Assert.Equal(System.Text.Encoding.Latin1.GetString(seat.Station.Store.Content(sent.ProgramSha256!)).TrimEnd('\n').Split('\n').Select(l => l.TrimEnd('\r')), history.Detail.Lines!.Select(l => l.Modified));
+            Assert.Null(seat.Find("approve"));
+
+            void Finds(string field, string text, params int[] found)
+            {
+                seat.Type(field, text).Tap("history-search");
+                seat.WaitFor(() => !((HistoryViewModel)seat.Shell.Current!).Search.IsRunning && new[] { 1, 2 }.All(i => seat.Find("found-" + Shown.Id(i)) is not null == found.Contains(i)), $"{field} {text} does not find {string.Join(", ", found)}.");
+                seat.Type(field, "");
+            }
+        },
+        prepare: folder =>
+        {
+            var file = Path.Combine(folder, "cell", "cell.json");
+            File.WriteAllText(file, File.ReadAllText(file).Replace("^part-(?<serial>", "^(part-|(?<workOrder>WO-[0-9]+)_)(?<serial>", StringComparison.Ordinal));
+        });
 }

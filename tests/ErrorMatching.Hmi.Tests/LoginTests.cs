@@ -35,6 +35,15 @@ public sealed class LoginTests
     });
 
     [Fact]
+    public Task A_demonstration_tells_everybody_how_to_get_in() => Seat.AtAsync(seat =>
+    {
+        using var demonstration = new Station(seat.Station.Settings, seat.Station.Clock, Station.DefaultIdle) { IsDemonstration = true };
+        using var login = new LoginViewModel(demonstration, "", _ => { });
+        Assert.Equal("Demonstration: every password is “demonstration”. anna may set up and approve.", login.Hint);
+        Assert.Null(seat.Find("login-hint") is { IsEffectivelyVisible: true } ? "shown" : null);
+    });
+
+    [Fact]
     public Task A_password_is_never_on_the_screen() => Seat.AtAsync(seat =>
     {
         seat.Tap("login-user-anna").Type("login-password", DemoCell.Password);

@@ -33,6 +33,8 @@ public sealed class LostConnectionTests
 
         Move(seat, ".away", "");
         seat.WaitFor(() => seat.Shell.Banner is null, "The banner stays.");
+        seat.See("login-user-anna");
+        Assert.Null(seat.Find("login-message"));
         seat.Type("login-password", DemoCell.Password).Tap("login-sign-in");
         seat.WaitFor(() => !seat.Shell.IsLocked, "The station stays locked.");
         seat.Tap("nav-compensation").Tap("approve").Type("signing-password", DemoCell.Password).Tap("signing-confirm");

@@ -1,4 +1,5 @@
 using ErrorMatching.Cell;
+using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -11,6 +12,7 @@ public sealed class MessagesTests
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.SignIn(DemoCell.Setter).Tap("nav-messages").See("message-1");
+        Assert.Equal(("#1 · 0001 waits for an approval: largest displacement 0.2979 mm.", "Tap to see what will change, then approve or reject it."), ((MessagesViewModel)seat.Shell.Current!).Messages.Where(m => m.Severity == Severity.Attention).Select(m => (m.What, m.Next)).Single());
         seat.Tap("message-1");
         seat.WaitFor(() => seat.Find("detail-title") is not null, "The tap does not lead there.");
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
@@ -26,5 +28,59 @@ public sealed class MessagesTests
         Assert.Equal(seat.Station.Store.AuditEntries(0, 1000).Count, screen.Entries.Count);
         seat.Tap("audit-verify").See("audit-finding");
         Assert.Equal($"All {screen.Entries.Count} entries are as they were written.", seat.TextOf("audit-finding"));
+    });
+
+    [Fact]
+    public Task A_trail_that_somebody_changed_is_an_alarm_that_names_the_entry() => Seat.AtAsync(seat =>
+    {
+        using (var connection = new SqliteConnection($"Data Source={((SqliteSettings)seat.Cell.Settings.Store).File};Pooling=False"))
+        {
+            connection.Open();
+            using var command = connection.CreateCommand();
+            command.CommandText = "DROP TRIGGER audit_update; UPDATE audit SET basis = 'nothing to see' WHERE seq = 2";
+            Assert.Equal(1, command.ExecuteNonQuery());
+        }
+
+        seat.SignIn(DemoCell.Setter).Tap("nav-messages").Tap("audit-verify").See("audit-finding");
+        Assert.Equal("Entry 2: it is not what was written.", seat.TextOf("audit-finding"));
+        Assert.Equal(Severity.Alarm, ((MessagesViewModel)seat.Shell.Current!).FindingSeverity);
+    });
+
+    [Fact]
+    public Task Verifying_the_trail_is_cancelled_and_finds_nothing_then() => Seat.AtAsync(seat =>
+    {
+        seat.SignIn(DemoCell.Setter).Tap("nav-messages").See("audit-verify");
+        var screen = (MessagesViewModel)seat.Shell.Current!;
+
+        // A trail may be read before anybody can cancel that: then once more.
+        for (var i = 0; i < 100; i++)
+        {
+            screen.Verify.Execute(null);
+            screen.Verify.Cancel.Execute(null);
+            seat.WaitFor(() => !screen.Verify.IsRunning, "It does not end.");
+            if (screen.Finding is null)
+            {
+                break;
+            }
+
+            seat.Tap("nav-overview").Tap("nav-messages").See("audit-verify");
+            screen = (MessagesViewModel)seat.Shell.Current!;
+        }
+
+        Assert.Null(seat.Find("audit-finding"));
+        Assert.Null(seat.Find("messages-message"));
+        seat.Tap("audit-verify").See("audit-finding");
+    });
+
+    [Fact]
+    public Task A_cell_that_stands_is_said_with_what_to_do_until_it_runs() => Seat.AtAsync(seat =>
+    {
+        seat.SignIn(DemoCell.Operator).Tap("nav-messages");
+        var screen = (MessagesViewModel)seat.Shell.Current!;
+        seat.WaitFor(() => screen.Messages.Count == 1, "Nothing is said.");
+        Assert.Equal((Severity.Alarm, "Nothing is lost: start it again."), (screen.Messages[0].Severity, screen.Messages[0].Next));
+        Assert.Null(seat.Find("messages-quiet"));
+        seat.Cell.Run();
+        seat.See("messages-quiet");
     });
 }

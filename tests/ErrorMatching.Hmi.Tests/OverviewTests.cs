@@ -1,3 +1,5 @@
+using Avalonia.Controls;
+using Avalonia.VisualTree;
 using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
@@ -36,4 +38,49 @@ public sealed class OverviewTests
         Assert.Equal(Shown.Mm(kept.LargestMm) + " mm", tile.Largest);
         Assert.Equal(Severity.Attention, tile.Severity);
     });
+
+    [Fact]
+    public Task What_is_abnormal_is_one_tap_away_and_has_a_word_and_an_icon_beside_its_color() => Seat.AtAsync(seat =>
+    {
+        File.WriteAllText(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc"), "N10 G0 X0\n");
+        seat.Cell.Run();
+        seat.SignIn(DemoCell.Setter).WaitFor(() => seat.TextOf("overview-summary") == "All is well", "All is not well.");
+        Assert.Empty(Colored(seat));
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.See("waiting-1");
+        new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
+        seat.WaitFor(1, CorrectionState.Failed);
+        seat.WaitFor(() => ((OverviewViewModel)seat.Shell.Current!).Waiting is [{ Severity: Severity.Alarm }], "It is no alarm.");
+        Assert.Equal("Failed, and waiting for a setter: 1", seat.TextOf("overview-summary"));
+        Assert.Contains(Colored(seat), c => c is Avalonia.Controls.Shapes.Path);
+        Assert.Contains("The program at the machine was changed by somebody else.", seat.See("waiting-1").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text));
+        seat.Tap("waiting-1").See("detail-title");
+        Assert.Equal(("#1 · 0001", Screens.Compensation), (seat.TextOf("detail-title"), seat.Shell.Chosen!.Screen.Key));
+        Assert.Contains("changed by somebody else", seat.TextOf("detail-reason"), StringComparison.Ordinal);
+    });
+
+    [Fact]
+    public Task What_waits_for_a_slot_that_is_taken_is_counted_at_it() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.SignIn(DemoCell.Operator).WaitFor(() => Texts(seat).Contains("Nothing in line"), "Something waits for the slot.");
+        foreach (var serial in new[] { 1, 2, 3 })
+        {
+            seat.Cell.Deliver(serial, 0.02);
+            seat.WaitFor(serial, CorrectionState.Proposed);
+        }
+
+        foreach (var id in new[] { 1, 2, 3 })
+        {
+            new CorrectionDecisions(seat.Station.Store).Approve(id, DemoCell.Setter, null);
+        }
+
+        seat.WaitFor(() => Texts(seat).Contains("In line: 2"), "The two behind the first are not counted.");
+
+        static IEnumerable<string?> Texts(Seat seat) => seat.See("slot-vmc1/A").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text);
+    });
+
+    // What stands out: text, icons and borders in the colors of the abnormal.
+    private static IEnumerable<Control> Colored(Seat seat) => seat.Window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && (c.Classes.Contains("alarm") || c.Classes.Contains("attention")));
 }

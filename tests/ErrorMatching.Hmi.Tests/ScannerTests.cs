@@ -42,6 +42,26 @@ public sealed class ScannerTests
     });
 
     [Fact]
+    public Task A_code_that_comes_while_another_is_looked_for_is_not_lost() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Operator).Tap("nav-history").See("found-1");
+        var history = History(seat);
+        seat.WaitFor(() => !history.Search.IsRunning, "The first search does not end.");
+        history.Serial = "00020001";
+        history.Search.Execute(null);
+
+        // Nothing on the screen's thread has come in between.
+        history.Serial = "0001";
+        Assert.True(history.Search.IsRunning);
+        history.Search.Execute(null);
+        seat.WaitFor(() => !history.Search.IsRunning, "The second search does not end.");
+        Assert.Equal("Found: 1", seat.TextOf("history-found"));
+    });
+
+    [Fact]
     public Task Behind_a_dialog_and_a_lock_nothing_is_scanned() => Seat.AtAsync(seat =>
     {
         seat.User.Click(seat.See("login-user-anna"));

@@ -96,6 +96,21 @@ public sealed class SettingsTests
     });
 
     [Fact]
+    public Task A_gauge_whose_folder_is_away_is_named() => At(DemoCell.Operator, seat =>
+    {
+        var folder = seat.Cell.Settings.Gauges[0].Incoming!;
+        Directory.Move(folder, folder + "-away");
+        seat.Tap("tab-connections").See("connection-machine-vmc1");
+        var page = ((SettingsViewModel)seat.Shell.Current!).Connections;
+        seat.Tap("connections-test");
+        seat.WaitFor(() => !page.Test.IsRunning && page.Rows.All(r => r.Found is not null), "The test does not end.");
+        var alarm = page.Rows.Single(r => r.IsAlarm);
+        Assert.Equal(("gauge", seat.Cell.Settings.Gauges[0].Name), (alarm.Kind, alarm.Name));
+        Assert.StartsWith("The gauge's folder cannot be looked into.", alarm.Outcome, StringComparison.Ordinal);
+        Directory.Move(folder + "-away", folder);
+    });
+
+    [Fact]
     public Task A_test_is_cancelled() => At(DemoCell.Operator, seat =>
     {
         seat.Tap("tab-connections");

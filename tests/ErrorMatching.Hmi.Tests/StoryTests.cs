@@ -39,7 +39,7 @@ public sealed class StoryTests
         seat.Tap("nav-overview").See("waiting-1");
         seat.Tap("waiting-1").See("detail-title");
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
-        Assert.StartsWith(isChinese ? "已證明" : "Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
+        Assert.StartsWith(isChinese ? "已驗證" : "Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
         seat.Tap("approve").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         var sent = seat.WaitFor(1, CorrectionState.Verified);
         Assert.Equal(seat.Station.Store.Content(sent.ProgramSha256!), File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
@@ -53,7 +53,7 @@ public sealed class StoryTests
         seat.Tap("nav-history").See("found-1");
         seat.Type("history-serial", "0001").Tap("history-search").See("found-1");
         seat.Tap("found-1").WaitFor(() => seat.Find("detail-state") is not null, "It is not opened.");
-        Assert.Equal(isChinese ? "已加工並釋放" : "Cut and released", seat.TextOf("detail-state"));
+        Assert.Equal(isChinese ? "加工完成" : "Cut and released", seat.TextOf("detail-state"));
         seat.Tap("sign-out").WaitFor(() => seat.Shell.IsLocked, "The station does not lock.");
     });
 
@@ -77,7 +77,7 @@ public sealed class StoryTests
         here.Settle();
 
         // Blocks of three features, two limits each, the tool and the gauge's uncertainty.
-        Assert.Equal(isChinese ? "待修正 11 項" : "11 to mend", ((TextBlock)((Button)seat.See("setup-problems")).Content!).Text);
+        Assert.Equal(isChinese ? "待修正 11 項" : "To correct: 11", ((TextBlock)((Button)seat.See("setup-problems")).Content!).Text);
         Pick("N120", 0, "N120");
         Pick("N130", 3, "N130..N160");
         Pick("N170", 102, "N170..N1190");

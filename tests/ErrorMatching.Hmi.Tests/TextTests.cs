@@ -1,5 +1,8 @@
 using System.Text.RegularExpressions;
 using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
+using ErrorMatching.Nc;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
@@ -20,7 +23,7 @@ public sealed partial class TextTests
 
     [Fact]
     public void What_is_not_a_name_or_a_format_is_translated() => Assert.All(
-        Texts.Of(Language.TraditionalChinese).Where(t => t.Key is not ("Format.Time" or "Shell.OtherLanguage" or "Banner.Trouble")),
+        Texts.Of(Language.TraditionalChinese).Where(t => t.Key is not ("Format.Time" or "Shell.OtherLanguage" or "Banner.Trouble" or "Recorded.Between")),
         t => Assert.True(t.Value.Any(c => c is >= '\u4e00' and <= '\u9fff'), t.Key));
 
     [Fact]
@@ -33,7 +36,9 @@ public sealed partial class TextTests
             .. Enum.GetNames<FileChoiceKind>().Select(k => "Chooser." + k),
             .. new[] { Act.Approve, Act.Reject, Act.Release, Act.Revert }.SelectMany(a => new[] { "Act." + a, $"Act.{a}.Consequence" }),
             .. typeof(DecisionException).GetFields().Where(f => f.IsLiteral).Select(f => "Decision." + f.GetRawConstantValue()),
+            .. typeof(NcRefusalCodes).GetFields().Select(f => "Meaning." + f.GetRawConstantValue()), .. Enum.GetValues<NcErrorCode>().Select(c => "Meaning." + ErrorItems.Of(new NcException(c, "")).Code),
             .. Enum.GetNames<CorrectionState>().Select(s => "Audited." + s.ToLowerInvariant()),
+            .. Recorded.All.Select(f => "Recorded." + f.Name), .. WarningForms.All.Select(f => "Warning." + f.Name), .. RefusalForms.All.Select(f => "Refusal." + f.Name), .. Enum.GetNames<Role>().Select(r => "RecordedWord." + r.ToLowerInvariant()),
         ];
         Assert.All(keys, k => Assert.True(Texts.Of(Language.English).ContainsKey(k), k));
     }

@@ -19,7 +19,7 @@ public sealed class VerificationTests
         Assert.Equal(("#1 · 0001", "Measured"), (seat.TextOf("piece-title"), seat.TextOf("piece-kind")));
         Assert.Equal("With compensation: as measured on #2 · 0001. Without: as measured on a counterpart.", seat.TextOf("piece-origin"));
         Assert.Equal(
-            $"Largest mating error {Shown.Mm(console.Result.MaxBeforeMm)} mm without compensation, {Shown.Mm(console.Result.MaxAfterMm)} mm with it. Root mean square {Shown.Mm(console.Result.RmsBeforeMm)} mm and {Shown.Mm(console.Result.RmsAfterMm)} mm.",
+            $"Better by {Shown.Percent(100 * (1 - (console.Result.RmsAfterMm / console.Result.RmsBeforeMm)))}: root mean square {Shown.Mm(console.Result.RmsBeforeMm)} → {Shown.Mm(console.Result.RmsAfterMm)} mm, largest error {Shown.Mm(console.Result.MaxBeforeMm)} → {Shown.Mm(console.Result.MaxAfterMm)} mm.",
             seat.TextOf("piece-summary"));
 
         Assert.Equal(console.Result.Points.Select(p => (p.Label, Shown.SignedMm(p.BeforeError.NormalMm), Shown.SignedMm(p.AfterError.NormalMm))), detail.Points.Select(p => (p.Point, p.Before, p.After)));
@@ -36,6 +36,16 @@ public sealed class VerificationTests
         Assert.True(detail.Points.Single(p => p.Point == "4").IsOutside);
         Assert.Equal(console.Result.Points.Count(p => Math.Abs(p.AfterError.NormalMm) > 0.05), detail.Points.Count(p => p.IsOutside));
         Assert.StartsWith("Points outside of their limits: ", seat.TextOf("piece-verdict"), StringComparison.Ordinal);
+
+        // What the match predicted is missed where the counterpart lies elsewhere by more than twice the gauge's 5.4 um, which the job states.
+        using var match = System.Text.Json.JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
+        var predicted = match.RootElement.GetProperty("keyPoints").EnumerateArray().ToDictionary(p => p.GetProperty("point").GetString()!, p => p.GetProperty("predictedMm").GetDouble());
+        var missed = console.Result.Points.Select(p => (p.Label, Mm: Math.Abs(p.AfterError.NormalMm - predicted[p.Label]))).Where(p => p.Mm > 0.0108).ToArray();
+        var worst = missed.MaxBy(p => p.Mm);
+        Assert.Equal(
+            $"Prediction missed by more than the gauge's uncertainty: {missed.Length} ({string.Join(", ", missed.Select(p => p.Label))}); most by {Shown.Mm(worst.Mm)} mm at {worst.Label}.", seat.TextOf("piece-missed"));
+        var outside = detail.Points.Where(p => p.IsOutside).Select(p => p.Point).Intersect(missed.Select(p => p.Label));
+        Assert.Equal($"Before the next piece, look for what made {string.Join(", ", outside)} other than predicted: clamping, worn tool, chip under the probe.", seat.TextOf("piece-to-do"));
     });
 
     [Fact]
@@ -56,6 +66,9 @@ public sealed class VerificationTests
         // Two points on rounded corners cannot be followed, and the report warns of them.
         Assert.Equal(["2", "4"], detail.Points.Where(p => p.IsOutside).Select(p => p.Point));
         Assert.Equal("Points outside of their limits: 2 (2, 4).", seat.TextOf("piece-verdict"));
+        Assert.StartsWith("Expected to be better by ", seat.TextOf("piece-summary"), StringComparison.Ordinal);
+        Assert.Equal("Read the warnings of the correction before it is cut: 2, 4 will stay outside.", seat.TextOf("piece-to-do"));
+        Assert.Null(seat.Find("piece-missed"));
 
         new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
         seat.WaitFor(1, CorrectionState.Verified);
@@ -73,8 +86,10 @@ public sealed class VerificationTests
         seat.WaitFor(1, CorrectionState.Released);
         seat.Cell.Deliver(2, 0.02);
         seat.WaitFor(3, CorrectionState.Proposed);
-        seat.SignIn(DemoCell.Operator).Tap("nav-verification");
-        seat.WaitFor(() => seat.TextOf("piece-title") == "#3 · 0002", "The newest is not shown.");
+        seat.SignIn(DemoCell.Operator).Tap("nav-verification").See("piece-title");
+
+        // What is measured says more than what is predicted, though that is newer.
+        Assert.Equal(("#1 · 0001", "Measured"), (seat.TextOf("piece-title"), seat.TextOf("piece-kind")));
         var screen = (VerificationViewModel)seat.Shell.Current!;
         var trend = screen.Detail!.Trend;
         Assert.Equal(["0001", "0002"], trend.Labels);
@@ -82,11 +97,11 @@ public sealed class VerificationTests
         Assert.Equal(Math.Round(Console().Result.RmsAfterMm, 9), Math.Round(trend.Lines.Single(l => l.Kind == SeriesKind.AfterMean).Values[0]!.Value, 9));
         Assert.Equal(Math.Round(Console().Result.MaxBeforeMm, 9), Math.Round(trend.Lines.Single(l => l.Kind == SeriesKind.Before).Values[0]!.Value, 9));
 
-        seat.Tap("piece-1");
-        seat.WaitFor(() => seat.TextOf("piece-title") == "#1 · 0001", "The chosen one is not shown.");
+        seat.Tap("piece-3");
+        seat.WaitFor(() => seat.TextOf("piece-title") == "#3 · 0002", "The chosen one is not shown.");
         seat.Cell.Deliver(3, 0.02);
         seat.WaitFor(() => seat.Find("piece-4") is not null, "The next one is not listed.");
-        Assert.Equal("#1 · 0001", seat.TextOf("piece-title"));
+        Assert.Equal("#3 · 0002", seat.TextOf("piece-title"));
     });
 
     [Fact]
@@ -96,6 +111,8 @@ public sealed class VerificationTests
         CutAndMeasure(seat, 1, 0);
         seat.SignIn(DemoCell.Operator).Tap("nav-verification").See("plot-errors");
         var plot = (SeriesPlot)seat.See("plot-errors");
+        var places = plot.Drawing!.Lines.SelectMany(l => l.Values.Select((v, i) => plot.View.ToScreen(new(i, v ?? 0))));
+        Assert.All(places, p => Assert.True(plot.Inside.Deflate(5).Contains(new Avalonia.Point(p.X, p.Y)), $"A mark at {p} is cut off at {plot.Inside}."));
         var row = ((VerificationViewModel)seat.Shell.Current!).Detail!.Points[6];
         var at = plot.View.ToScreen(new(6, 0));
         seat.User.Click(plot, new(at.X + 3, at.Y - 20));

@@ -1,5 +1,6 @@
 using Avalonia;
 using Avalonia.Automation;
+using Avalonia.Automation.Peers;
 using Avalonia.Controls;
 using Avalonia.Controls.Presenters;
 using Avalonia.Controls.Primitives;
@@ -7,7 +8,7 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>What is wrong with a layout, measured from it: text that is cut off, things that lie over each other, targets that a gloved finger misses.</summary>
+/// <summary>What is wrong with a layout, measured from it: text that is cut off, things that lie over each other, targets that a gloved finger misses or that a screen reader has no words for.</summary>
 internal static class Layout
 {
     private const double Slack = 1;
@@ -17,10 +18,10 @@ internal static class Layout
     {
         var texts = window.GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible && !string.IsNullOrEmpty(t.Text ?? t.Inlines?.Text)).ToArray();
         var touched = window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && IsTouched(c)).ToArray();
-        return [.. texts.SelectMany(t => CutOff(t, window)), .. touched.SelectMany(c => TooSmall(c, window)), .. Overlaps(texts, window), .. Overlaps(touched, window)];
+        return [.. texts.SelectMany(t => CutOff(t, window)), .. touched.SelectMany(c => TooSmall(c, window)), .. Nameless(window), .. Overlaps(texts, window), .. Overlaps(touched, window)];
     }
 
-    private static bool IsTouched(Control control) =>
+    public static bool IsTouched(Control control) =>
         control is Button or TextBox or ComboBox or TabItem || (control is ListBoxItem item && item.FindAncestorOfType<ListBox>() is { } list && !list.Classes.Contains("figures"));
 
     private static IEnumerable<string> CutOff(TextBlock text, Window window)
@@ -66,6 +67,27 @@ internal static class Layout
             yield return $"{control.GetType().Name} {AutomationProperties.GetAutomationId(control)} is {size.Width:0} x {size.Height:0}";
         }
     }
+
+    // What a screen reader says of what is touched, and of each row; a name of a type is none.
+    private static IEnumerable<string> Nameless(Window window)
+    {
+        foreach (var control in window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && (IsTouched(c) || c is ListBoxItem or PlotArea or ProgramText or ColorLegend) && !IsPart(c)))
+        {
+            var peer = ControlAutomationPeer.CreatePeerForElement(control);
+            if (peer.GetName() is not { } name || string.IsNullOrWhiteSpace(name) || name.Contains("Avalonia.", StringComparison.Ordinal) || name.Contains(" { ", StringComparison.Ordinal) || name.StartsWith("ErrorMatching.", StringComparison.Ordinal))
+            {
+                yield return $"{control.GetType().Name} {AutomationProperties.GetAutomationId(control)} is called \"{peer.GetName()}\"";
+            }
+
+            if (peer.GetAutomationControlType() is AutomationControlType.None or AutomationControlType.Custom)
+            {
+                yield return $"{control.GetType().Name} {AutomationProperties.GetAutomationId(control)} has no role";
+            }
+        }
+    }
+
+    // The buttons inside of a field or of a scroll bar.
+    public static bool IsPart(Control control) => control.FindAncestorOfType<TextBox>() is not null || control.FindAncestorOfType<ScrollBar>() is not null || control.FindAncestorOfType<ComboBox>() is not null;
 
     private static IEnumerable<string> Overlaps(IReadOnlyList<Control> controls, Window window)
     {

@@ -29,10 +29,11 @@ internal sealed class Seat : IAsyncDisposable
 
     private readonly TemporaryFolder _folder = new();
 
-    private Seat(SeatClock clock, TimeSpan idle, Size size)
+    private Seat(SeatClock clock, TimeSpan idle, Size size, Action<string>? prepare)
     {
         Clock = clock;
         Copy(Template.Value, _folder.Path);
+        prepare?.Invoke(_folder.Path);
         Cell = DemoCell.At(_folder.Path, TimeProvider.System);
         Station = new(Cell.Settings, clock, idle) { Preferences = new(Path.Combine(_folder.Path, "preferences")) };
         Shell = new(Station);
@@ -54,25 +55,31 @@ internal sealed class Seat : IAsyncDisposable
     public ScreenUser User { get; }
 
     /// <summary>Does a test at a seat, on the screen's thread.</summary>
-    public static Task AtAsync(Func<Seat, Task> test, Size? size = null, TimeSpan? idle = null) => Drawing.Needed().RunAsync(async () =>
+    /// <param name="test">The test.</param>
+    /// <param name="size">The window's size; the smallest if null.</param>
+    /// <param name="idle">After how long the station locks.</param>
+    /// <param name="prepare">Does something to the cell's folder before it is opened.</param>
+    public static Task AtAsync(Func<Seat, Task> test, Size? size = null, TimeSpan? idle = null, Action<string>? prepare = null) => Drawing.Needed().RunAsync(async () =>
     {
         Texts.Current.Language = Language.English;
-        await using var seat = new Seat(new SeatClock(), idle ?? Station.DefaultIdle, size ?? new(1280, 800));
+        await using var seat = new Seat(new SeatClock(), idle ?? Station.DefaultIdle, size ?? new(1280, 800), prepare);
         await test(seat);
     });
 
     /// <summary>Does a test at a seat, on the screen's thread.</summary>
-    public static Task AtAsync(Action<Seat> test, Size? size = null, TimeSpan? idle = null) => AtAsync(
+    public static Task AtAsync(Action<Seat> test, Size? size = null, TimeSpan? idle = null, Action<string>? prepare = null) => AtAsync(
         seat =>
         {
             test(seat);
             return Task.CompletedTask;
         },
         size,
-        idle);
+        idle,
+        prepare);
 
-    /// <summary>What is on the screen by that AutomationId; null if nothing is, or it is hidden.</summary>
-    public Control? Find(string id) => Window.GetVisualDescendants().OfType<Control>().FirstOrDefault(c => c.IsEffectivelyVisible && AutomationProperties.GetAutomationId(c) == id);
+    /// <summary>What is on the screen by that AutomationId; null if nothing is, or it is hidden, or rehearsed where nobody sees it.</summary>
+    public Control? Find(string id) => Window.GetVisualDescendants().OfType<Control>()
+        .FirstOrDefault(c => c.IsEffectivelyVisible && AutomationProperties.GetAutomationId(c) == id && !Window.Stage.IsVisualAncestorOf(c));
 
     /// <summary>What is on the screen by that AutomationId, waited for.</summary>
     public Control See(string id)
@@ -84,13 +91,16 @@ internal sealed class Seat : IAsyncDisposable
     /// <summary>The text that stands under an AutomationId.</summary>
     public string? TextOf(string id) => (See(id) as TextBlock)?.Text;
 
-    /// <summary>Taps with the pointer.</summary>
+    /// <summary>Taps with the pointer, where something is: what follows the cell may be made anew meanwhile, and then the new one is tapped, as by a person.</summary>
     public Seat Tap(string id)
     {
-        var control = See(id);
-        WaitFor(() => control.IsEffectivelyEnabled, $"{id} stays disabled.");
-        control.BringIntoView();
-        User.Click(control);
+        See(id);
+        WaitFor(() => Find(id) is { IsEffectivelyEnabled: true }, $"{id} stays disabled.");
+        Find(id)?.BringIntoView();
+        User.Settle();
+        Point? place = null;
+        WaitFor(() => (place = Find(id) is { } control ? control.TranslatePoint(new Rect(control.Bounds.Size).Center, Window) : null) is not null, $"{id} is gone.");
+        User.Click(Window, place!.Value);
         return this;
     }
 

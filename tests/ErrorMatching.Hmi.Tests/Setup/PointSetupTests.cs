@@ -31,6 +31,27 @@ public sealed class PointSetupTests
     });
 
     [Fact]
+    public Task A_count_that_is_none_is_said_at_its_field_and_is_not_saved() => At(seat =>
+    {
+        var count = seat.Setup.Features[2].Flanks[0].Count;
+        seat.Seat.Type(count.AutomationId, "1o").User.Press(Key.Tab);
+        seat.Settle();
+        Assert.Equal("A whole number up to 1000 is needed.", seat.Seat.TextOf(count.ProblemId));
+        Assert.Equal(("1o", 10, "To correct: 1"), (count.Text, seat.Draft.Features[2].Flanks[0].Count, seat.Setup.ProblemCount));
+
+        // The next change puts the old value back.
+        seat.Seat.Type(seat.Setup.WorkOrder.AutomationId, "WO-1");
+        seat.Settle();
+        Assert.Equal(("10", "Nothing to correct"), (count.Text, seat.Setup.ProblemCount));
+        seat.Seat.Type(count.AutomationId, "-3").User.Press(Key.Tab);
+        seat.Seat.Tap("setup-save");
+        seat.Settle();
+        Assert.True(seat.Shell.Editing.IsChanged);
+        seat.Seat.Type(count.AutomationId, "9").User.Press(Key.Tab);
+        Assert.Equal((9, (DraftProblem?)null), (seat.Draft.Features[2].Flanks[0].Count, seat.Shell.Editing.Typed));
+    });
+
+    [Fact]
     public Task Features_and_points_come_and_go_and_come_back() => At(seat =>
     {
         seat.Seat.Tap("setup-anew");

@@ -1,0 +1,73 @@
+using System.Globalization;
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.VisualTree;
+using ErrorMatching.Cell;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>What the screen of on-line compensation says and how its figures stand, beside the figures themselves.</summary>
+public sealed partial class CompensationWordsTests
+{
+    // Table 5 of Wang, Tu and Gunawan (2021): point 1 of L1 lies 0.117 mm off, where 0.05 are allowed; of L2L3 two points are outside by 0.051 and 0.086.
+    [Theory]
+    [InlineData(0, "L1 · line", "+0.1170", "Points outside: 1, the furthest is 1, 0.0670 mm beyond its limit.")]
+    [InlineData(1, "L2L3 · triangle", "+0.1359", "Points outside: 2, the furthest is 3b, 0.0859 mm beyond its limit.")]
+    public Task A_decision_says_its_reason(int row, string feature, string largest, string reason) => Seat.AtAsync(seat =>
+    {
+        var decision = Arrive(seat).Decisions[row];
+        Assert.Equal((feature, "Compensated", largest), (decision.Feature, decision.Decision, decision.Largest));
+        Assert.Equal(reason + " The counterpart follows the whole deviation.", decision.Reason);
+        seat.Tap("tab-decisions");
+        seat.WaitFor(() => seat.Window.GetVisualDescendants().OfType<TextBlock>().Any(t => t.IsEffectivelyVisible && t.Text == decision.Reason), "The reason is not on the screen.");
+    });
+
+    [Fact]
+    public Task Deviations_are_drawn_as_many_times_larger_as_is_said() => Seat.AtAsync(seat =>
+    {
+        var detail = Arrive(seat);
+        seat.Tap("tab-gap").See("gap-exaggeration");
+        var factor = double.Parse(Number().Match(seat.TextOf("gap-exaggeration")!).Value, CultureInfo.InvariantCulture);
+        Assert.True(factor > 1, $"{factor} shows nothing.");
+        using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
+        var designed = report.RootElement.GetProperty("keyPoints").EnumerateArray().ToDictionary(p => p.GetProperty("point").GetString()!, p => p.GetProperty("theoretical"), StringComparer.Ordinal);
+        foreach (var drawing in new[] { detail.Before!, detail.After! })
+        {
+            Assert.Equal(16, drawing.Points.Count);
+            Assert.All(drawing.Points, p => Assert.Equal(factor * Math.Abs(p.PartMm), (p.At - new Point2(designed[p.Label].GetProperty("x").GetDouble(), designed[p.Label].GetProperty("y").GetDouble())).Length, 1e-6));
+        }
+    });
+
+    [Fact]
+    public Task Figures_of_a_column_stand_with_their_decimal_signs_below_each_other() => Seat.AtAsync(seat =>
+    {
+        Arrive(seat);
+        var columns = seat.See("points").GetVisualDescendants().OfType<TextBlock>()
+            .Where(t => t.IsEffectivelyVisible && t.Classes.Contains("figure") && t.DataContext is PointRow && t.Text!.Contains('.', StringComparison.Ordinal))
+            .GroupBy(t => t.Classes.Contains("figure") ? Math.Round(t.TranslatePoint(default, seat.Window)!.Value.X) : 0)
+            .Select(g => g.Select(t => t.TranslatePoint(new(t.TextLayout.HitTestTextPosition(t.Text!.IndexOf('.', StringComparison.Ordinal)).X, 0), seat.Window)!.Value.X + Indent(t)).ToArray())
+            .ToArray();
+        Assert.Equal(8, columns.Length);
+        Assert.All(columns, c => Assert.True(c.Length > 4 && c.Max() - c.Min() < 0.5, string.Join(" ", c)));
+
+        // Where a block of text is wider than its text, the text stands at its right end.
+        static double Indent(TextBlock text) => text.TextAlignment == Avalonia.Media.TextAlignment.Right ? Math.Max(0, text.Bounds.Width - text.TextLayout.Width) : 0;
+    });
+
+    private static CorrectionDetail Arrive(Seat seat)
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        var screen = (CompensationViewModel)seat.Shell.Current!;
+        seat.WaitFor(() => screen.Detail is not null, "The correction is not shown.");
+        return screen.Detail!;
+    }
+
+    [GeneratedRegex("[0-9]+", RegexOptions.CultureInvariant, 1000)]
+    private static partial Regex Number();
+}

@@ -1,0 +1,125 @@
+using System.Text.Json;
+using Avalonia;
+using Avalonia.Automation;
+using Avalonia.Controls;
+using Avalonia.VisualTree;
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>What a person reads before approving: one convention for errors, what will be left over, where the program goes, and what to look at first.</summary>
+public sealed class CorrectionHeadTests
+{
+    [Fact]
+    public Task What_is_left_over_is_told_as_the_verification_tells_it() => Seat.AtAsync(seat =>
+    {
+        var detail = Arrive(seat);
+
+        // Table 5 of Wang, Tu and Gunawan (2021): the part lies 0.117 mm further out at point 1, so a counterpart as designed leaves a gap there.
+        Assert.Equal("−0.1170", detail.Points[0].Without);
+        Assert.Equal(["2", "4"], detail.Points.Where(p => p.IsOutside).Select(p => p.Point));
+        Assert.Contains("above zero the pieces overlap, below a gap is left", seat.TextOf("points-note"), StringComparison.OrdinalIgnoreCase);
+        var marked = seat.See("points").GetVisualDescendants().OfType<ListBoxItem>().Where(i => i.GetVisualDescendants().OfType<Avalonia.Controls.Shapes.Path>().Any(p => p.IsEffectivelyVisible));
+        Assert.Equal(["2", "4"], marked.Select(i => ((PointRow)i.Content!).Point));
+
+        seat.Tap("nav-verification").See("piece-title");
+        var verified = ((VerificationViewModel)seat.Shell.Current!).Detail!;
+        Assert.Equal(verified.Points.Select(p => (p.Point, p.Before, p.After, p.IsOutside)), detail.Points.Select(p => (p.Point, p.Without, p.LeftOver, p.IsOutside)));
+    });
+
+    [Fact]
+    public Task The_head_says_what_is_proved_what_is_left_over_and_what_moves_most() => Seat.AtAsync(seat =>
+    {
+        Arrive(seat);
+        using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
+        var (proof, points) = (report.RootElement.GetProperty("proof"), report.RootElement.GetProperty("keyPoints").EnumerateArray().ToArray());
+        Assert.Equal(
+            $"Proved: {proof.GetProperty("movedMotions")} of {proof.GetProperty("motions")} motions move as wanted, to {Shown.Mm(proof.GetProperty("maxDeviationFromWantedMm").GetDouble())} mm; nothing else does.", seat.TextOf("detail-proof"));
+        var worst = points.MaxBy(p => Math.Abs(p.GetProperty("predictedMm").GetDouble()));
+        Assert.Equal(
+            $"Left over, predicted: at most {Shown.Mm(Math.Abs(worst.GetProperty("predictedMm").GetDouble()))} mm ({worst.GetProperty("point").GetString()}); outside the limits: 2 (2, 4)", seat.TextOf("detail-left-over"));
+
+        // The tip of the tooth moves most, where both flanks meet.
+        Assert.Equal($"Largest move {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)} mm at N150", seat.TextOf("detail-largest"));
+        Assert.Equal(("Complex mating", "Goes to vmc1/A as counterpart.nc"), (seat.TextOf("detail-job"), seat.TextOf("detail-target")));
+        seat.Tap("approve");
+        Assert.Equal(("Complex mating · #1 · 0001", "Goes to vmc1/A as counterpart.nc"), (seat.TextOf("signing-subject"), seat.TextOf("signing-target")));
+        seat.Tap("signing-leave");
+
+        // A tap on the warnings leads to them, and each is to be read.
+        var warnings = (Button)seat.See("detail-warnings");
+        Assert.Equal("Warnings: 2", AutomationProperties.GetName(warnings));
+        seat.Tap("detail-warnings");
+        var texts = seat.See("warnings").GetVisualDescendants().OfType<TextBlock>().ToArray();
+        var window = seat.See("warnings").FindAncestorOfType<ScrollViewer>()!;
+        Assert.Equal(2, texts.Length);
+        Assert.All(texts, t => Assert.True(new Rect(window.Bounds.Size).Contains(new Rect(t.Bounds.Size).TransformToAABB(t.TransformToVisual(window)!.Value)), $"{t.Text} is not to be seen."));
+    });
+
+    [Fact]
+    public void Where_every_point_comes_within_its_limits_the_head_is_quiet()
+    {
+        var detail = new CorrectionDetail(new(new(1, CorrectionState.Proposed, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1), [], Report("[-0.1, 0.1]"), null), TimeProvider.System);
+        Assert.True(detail.IsWithin);
+        Assert.Equal(Severity.Quiet, detail.LeftOverSeverity);
+        Assert.EndsWith("; every point is within its limits", detail.LeftOver, StringComparison.Ordinal);
+        Assert.DoesNotContain(detail.Points, p => p.IsOutside);
+    }
+
+    [Fact]
+    public Task The_next_change_is_a_changed_block_with_those_around_it() => Seat.AtAsync(seat =>
+    {
+        Arrive(seat);
+        seat.Tap("tab-program").Tap("change-next");
+        var list = (ListBox)seat.See("program");
+        Assert.StartsWith("N110 ", ((ProgramLine)list.SelectedItem!).Original, StringComparison.Ordinal);
+
+        // The twenty-first change is far down: it stands in the middle, not at the edge.
+        for (var i = 0; i < 20; i++)
+        {
+            seat.Tap("change-next");
+        }
+
+        var row = list.ContainerFromIndex(list.SelectedIndex)!;
+        var middle = row.TranslatePoint(new(0, row.Bounds.Height / 2), list)!.Value.Y;
+        Assert.InRange(middle, 0.4 * list.Bounds.Height, 0.6 * list.Bounds.Height);
+    });
+
+    [Fact]
+    public Task Both_pictures_of_the_gap_are_looked_at_closely_together() => Seat.AtAsync(seat =>
+    {
+        Arrive(seat);
+        seat.Tap("tab-gap").See("gap-after");
+        var (before, after) = ((GapPlot)seat.See("gap-before"), (GapPlot)seat.See("gap-after"));
+        seat.Tap("gap-before-nearer");
+        after.Pan(new(30, 20));
+        Assert.Equal((before.View.ScaleX, before.View.Middle), (after.View.ScaleX, after.View.Middle));
+        Assert.False(before.ShowsAll);
+        seat.Tap("gap-after-all");
+        Assert.True(before.ShowsAll && after.ShowsAll);
+    });
+
+    private static CorrectionDetail Arrive(Seat seat)
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        return ((CompensationViewModel)seat.Shell.Current!).Detail!;
+    }
+
+    private static KeptReport Report(string limits)
+    {
+        using var folder = new TemporaryFolder();
+        foreach (var file in Directory.GetFiles(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating")))
+        {
+            File.Copy(file, folder[Path.GetFileName(file)]);
+        }
+
+        var job = folder["job.json"];
+        File.WriteAllText(job, File.ReadAllText(job).Replace("[-0.05, 0.05]", limits, StringComparison.Ordinal));
+        return KeptReport.Read(MatingRun.Of(new(job), new(), CancellationToken.None).Result!.ReportJson())!;
+    }
+}
