@@ -14,10 +14,10 @@ namespace ErrorMatching.Hmi;
 public sealed partial class MainWindow : Window
 {
     private static readonly TimeSpan Quiet = TimeSpan.FromMilliseconds(200);
-    private ShellViewModel? _shell;
-    private InputElement? _focused;
-    private ScannedCode? _code;
+    private readonly FocusKeeper _focus;
     private readonly DispatcherTimer _tidying;
+    private ShellViewModel? _shell;
+    private ScannedCode? _code;
 
     /// <summary>A window of 1280 by 800, which is the smallest that everything fits into.</summary>
     public MainWindow()
@@ -25,6 +25,7 @@ public sealed partial class MainWindow : Window
         InitializeComponent();
         _tidying = new(Quiet, DispatcherPriority.ApplicationIdle, (_, _) => Tidy());
         _tidying.Stop();
+        _focus = new(this);
         AddHandler(PointerPressedEvent, (_, _) => Touch(isByKeyboard: false), RoutingStrategies.Tunnel, handledEventsToo: true);
         AddHandler(KeyDownEvent, (_, _) => Touch(isByKeyboard: true), RoutingStrategies.Tunnel, handledEventsToo: true);
         AddHandler(TextInputEvent, OnScannedText, RoutingStrategies.Tunnel);
@@ -83,7 +84,7 @@ public sealed partial class MainWindow : Window
         }
         else if (e.PropertyName is nameof(ShellViewModel.IsFree))
         {
-            KeepFocus();
+            _focus.Cover(_shell!.IsFree);
         }
         else if (e.PropertyName is nameof(ShellViewModel.Current))
         {
@@ -130,20 +131,6 @@ public sealed partial class MainWindow : Window
         {
             _shell!.Scan(code);
             e.Handled = true;
-        }
-    }
-
-    // What lies in front takes the focus; behind it, whoever goes by keyboard goes on where it was.
-    private void KeepFocus()
-    {
-        if (!_shell!.IsFree)
-        {
-            _focused = FocusManager?.GetFocusedElement() as InputElement ?? _focused;
-        }
-        else if (_focused is { } before)
-        {
-            _focused = null;
-            Dispatcher.UIThread.Post(() => before.Focus(), DispatcherPriority.Loaded);
         }
     }
 

@@ -1,0 +1,72 @@
+using Avalonia.Automation;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Threading;
+using Avalonia.VisualTree;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Keeps whoever goes by keyboard where they are: while something lies in front, and when the row that they are on is made anew because it says something else.</summary>
+internal sealed class FocusKeeper
+{
+    private readonly MainWindow _window;
+    private Control? _focused;
+    private string? _id;
+    private Control? _behind;
+
+    /// <summary>Keeps the focus of a window.</summary>
+    public FocusKeeper(MainWindow window)
+    {
+        _window = window;
+        window.AddHandler(InputElement.GotFocusEvent, (_, e) => Follow(e.Source as Control));
+    }
+
+    /// <summary>Called when something is put in front, or taken away again: what lies in front takes the focus.</summary>
+    /// <param name="isFree">True if nothing lies in front.</param>
+    public void Cover(bool isFree)
+    {
+        if (!isFree)
+        {
+            _behind = _window.FocusManager?.GetFocusedElement() as Control ?? _behind;
+        }
+        else if (_behind is { } behind)
+        {
+            _behind = null;
+            Dispatcher.UIThread.Post(() => behind.Focus(), DispatcherPriority.Loaded);
+        }
+    }
+
+    private void Follow(Control? focused)
+    {
+        if (_focused is not null)
+        {
+            _focused.LostFocus -= OnLost;
+        }
+
+        // By the name of the row, which its control forgets with it.
+        (_focused, _id) = (focused, focused is null ? null : AutomationProperties.GetAutomationId(focused));
+        if (_focused is not null)
+        {
+            _focused.LostFocus += OnLost;
+        }
+    }
+
+    private void OnLost(object? sender, FocusChangedEventArgs e)
+    {
+        var lost = _id;
+        Follow(null);
+        if (lost is { } id && e.NewFocusedElement is null)
+        {
+            Dispatcher.UIThread.Post(() => Return(id), DispatcherPriority.Loaded);
+        }
+    }
+
+    private void Return(string id)
+    {
+        if (_window.FocusManager?.GetFocusedElement() is null)
+        {
+            _window.GetVisualDescendants().OfType<Control>().FirstOrDefault(c => AutomationProperties.GetAutomationId(c) == id && c.IsEffectivelyVisible)
+                ?.Focus(_window.IsByKeyboard ? NavigationMethod.Tab : NavigationMethod.Unspecified);
+        }
+    }
+}
