@@ -47,6 +47,8 @@ public sealed class BlockNameTests
     {
         var lines = Enumerable.Range(0, 200).Select(i => i == 100 ? "N1 X100." : $"X{i}.");
         Assert.Equal(NcRefusalCodes.BlockNotFound, BlockNames.Of(NcProgram.FromText(string.Join('\n', lines)), 0, 199).Refusal!.Code);
+        Assert.Equal(NcRefusalCodes.BlockNotFound, BlockNames.Of(NcProgram.FromText(string.Join('\n', lines)), 100, 199).Refusal!.Code);
+        Assert.Equal(NcRefusalCodes.BlockNotFound, BlockNames.Of(NcProgram.FromText(string.Join('\n', lines)), 1, 100).Refusal!.Code);
         Assert.Equal(41, BlockNames.Of(NcProgram.FromText(string.Join('\n', lines)), 80, 120).Value!.Length);
     }
 }

@@ -29,8 +29,8 @@ public static class BlockNames
             from = last + 1;
         }
 
-        var to = from > last ? last : Enumerable.Range(0, Math.Min(last - from + 1, MostByText + 1)).Select(i => last - i).First(b => known.Contains(b) || b == from);
-        if (from - first > MostByText || (from <= last && !known.Contains(to)))
+        var to = from > last ? last : Enumerable.Range(0, Math.Min(last - from + 1, MostByText + 1)).Select(i => last - i).FirstOrDefault(known.Contains, -1);
+        if (from - first > MostByText || to < 0)
         {
             return Refuse(program, from > last ? first : last);
         }
