@@ -35,7 +35,8 @@ internal static class SurfaceDescent
                 continue;
             }
 
-            var lower = Lower(surface, p, at, du, dv);
+            // Cut off at the limit of one parameter, Newton's step may lead up along the other; a step against each slope for itself never does.
+            var lower = Lower(surface, p, at, du, dv) ?? (IsCutOff(at.U + du, u0, u1) || IsCutOff(at.V + dv, v0, v1) ? Lower(surface, p, at, Against(d, at.Du), Against(d, at.Dv)) : null);
             if (lower is null)
             {
                 break;
@@ -46,6 +47,10 @@ internal static class SurfaceDescent
 
         return at;
     }
+
+    private static bool IsCutOff(double parameter, double least, double most) => parameter < least || parameter > most;
+
+    private static double Against(Vector3 d, Vector3 along) => along.Dot(along) is > 0 and var square ? -d.Dot(along) / square : 0;
 
     private static SurfacePoint? Lower(SplineSurface surface, Point3 p, SurfacePoint at, double du, double dv)
     {

@@ -121,6 +121,23 @@ public sealed class SurfaceClosestPointTests
         Assert.True(foot.Accuracy <= Tolerance);
     }
 
+    [Theory]
+    [InlineData(0, 1e-9)]
+    [InlineData(1e-15, 1e-9)]
+    [InlineData(1e-14, 1e-9)]
+    [InlineData(1e-13, 1e-10)]
+    [InlineData(1e-12, 1e-10)]
+    public void Corner_is_found_from_beside_it_also_where_parameters_are_oblique(double besideU, double besideV)
+    {
+        // The lines of the parameters cross at 26 degrees: in the corner the distance falls along both, but Newton's step goes back along v.
+        var oblique = new SplineSurface(KnotVector.Clamped(1, [0, 1]), KnotVector.Clamped(1, [0, 1]), [new(0, 0, 0), new(90, 44, 0), new(100, 0, 0), new(190, 44, 0)]);
+        var corner = new Point3(190, 44, 0);
+        var p = corner + (new Vector3(0.5, -0.9, 0) * 40) + new Vector3(0, 0, 30);
+        Assert.True((p - corner).Dot(new(100, 0, 0)) > 0 && (p - corner).Dot(new(90, 44, 0)) > 0);
+        var foot = oblique.ClosestPoint(p, 1 - besideU, 1 - besideV);
+        Assert.Equal((1.0, 1.0), (foot.At.U, foot.At.V));
+    }
+
     [Fact]
     public void What_is_no_point_is_refused()
     {
