@@ -4,6 +4,8 @@ namespace ErrorMatching.Freeform.Tests;
 
 public sealed class MeasuringOrderTests
 {
+    private static readonly PartSurface[] Designs = [Surfaces.One, Surfaces.Two, Surfaces.Three];
+
     [Fact]
     public void A_grid_is_measured_without_a_step_longer_than_its_spacing()
     {
@@ -27,6 +29,20 @@ public sealed class MeasuringOrderTests
         }
     }
 
+    [Theory]
+    [InlineData(0, 7, 10, null, 0)]
+    [InlineData(1, 7, 7, null, 0.0002)]
+    [InlineData(2, 7, null, 68, 0.0255)]
+    public void The_papers_designs_are_measured_on_the_shortest_way_or_close_to_it(int design, int curves, int? each, int? points, double longer)
+    {
+        var plan = MeasuringPlanner.Plan(Designs[design], Surfaces.Measuring(curves, each, points), 0.2);
+        Point2[] above = [.. plan.Points.Select(plan.AboveOf)];
+        var way = MeasuringOrder.Length(above, [.. Enumerable.Range(0, above.Length)]);
+
+        // Every way through all points is a tree, so none is shorter than the shortest tree.
+        Assert.InRange(way, ShortestTree(above) - 1e-9, ((1 + longer) * ShortestTree(above)) + 1e-9);
+    }
+
     [Fact]
     public void The_travel_that_a_plan_states_is_that_of_its_points()
     {
@@ -34,6 +50,25 @@ public sealed class MeasuringOrderTests
 
         // Three sides of the rectangle across (63, 75, 63); at each point down and up from clearance to contact: 10 + 6 - 3 is where the center is 10 mm over the top, and 2 mm approach are in it.
         Assert.Equal(63 + 75 + 63 + (4 * 2 * 10), plan.TravelMm, 1e-9);
+    }
+
+    // By Prim.
+    private static double ShortestTree(Point2[] points)
+    {
+        var (length, away) = (0.0, points.Select(p => p.DistanceTo(points[0])).ToArray());
+        var left = Enumerable.Range(1, points.Length - 1).ToHashSet();
+        while (left.Count > 0)
+        {
+            var next = left.MinBy(i => away[i]);
+            left.Remove(next);
+            length += away[next];
+            foreach (var i in left)
+            {
+                away[i] = Math.Min(away[i], points[i].DistanceTo(points[next]));
+            }
+        }
+
+        return length;
     }
 
     private static IEnumerable<int[]> Permutations(int[] items, int from)
