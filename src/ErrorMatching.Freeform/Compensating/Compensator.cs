@@ -13,13 +13,22 @@ public static class Compensator
     public static CompensationOutcome Compensate(CompensationInput input)
     {
         ArgumentNullException.ThrowIfNull(input);
+        MeasuredPoints.ThrowIfTwice(input.Measured);
         var (job, nominal) = (input.Job, input.Surface);
         var stock = job.Stock.Of(job.Measuring.After);
         var file = input.Measured[0].File;
         var alignment = job.Measuring.BestFit ? SurfaceAlignment.BestFit(nominal, [.. input.Measured.SelectMany(m => m.Points).Select(p => (p.Planned, p.Contact))], stock, file) : null;
         var repeats = input.Measured.Select(m => SurfaceErrors.Of(nominal, m.Points.Select(p => (p.Planned, alignment?.Apply(p.Contact) ?? p.Contact)), stock, m.File)).ToArray();
         var notes = new List<string>();
-        var warnings = new List<string>();
+        List<string> warnings = [.. input.Measured.SelectMany(m => m.Warnings)];
+        for (var k = 0; k < repeats.Length; k++)
+        {
+            if (OtherStage(repeats[k], input.Measured[k].File, job, stock) is { } other)
+            {
+                return new(null, [other]);
+            }
+        }
+
         var samples = repeats.Length == 1 ? repeats[0] : Average(repeats, notes, warnings);
         if (BeyondLimit(samples, job, stock) is { } refusal)
         {
@@ -57,6 +66,16 @@ public static class Compensator
             Warnings = warnings,
             Notes = notes,
         }, []);
+    }
+
+    // Mirrored as if it were an error, stock that is not there or was left would spoil the piece.
+    private static FreeformRefusal? OtherStage(IReadOnlyList<ErrorSample> samples, string file, FreeformJob job, double stock)
+    {
+        var mean = samples.Sum(s => s.ErrorMm) / samples.Count;
+        var found = MeasuredStage.Of(job, mean + stock);
+        return found == job.Measuring.After ? null : new("other-stage", string.Create(
+            CultureInfo.InvariantCulture,
+            $"The points of {file} lie {mean:+0.0000;-0.0000} mm from the surface after {MeasuredStage.Name(job.Measuring.After)}, in the mean, and so on the surface after {MeasuredStage.Name(found)}: the stock of {job.Stock.SemiFinishingMm:0.###} mm would be taken for an error. Give what was measured after {MeasuredStage.Name(job.Measuring.After)}, or change measuring.measuredAfter."));
     }
 
     private static FreeformRefusal? BeyondLimit(IReadOnlyList<ErrorSample> samples, FreeformJob job, double stock)
@@ -107,6 +126,15 @@ public static class Compensator
             warnings.Add(string.Create(
                 CultureInfo.InvariantCulture,
                 $"Point {outlier.Point} was {outlier.DifferenceMm * 1000:+0.00;-0.00} um off its other measurements in measurement {outlier.Measurement + 1}. It counts all the same: measure again if that was a chip or a touch gone wrong."));
+        }
+
+        // Pieces that were mixed up, or clamped anew, look like this.
+        var spread = DeviationStatistics.Of([.. mean.Means.Select(m => m.ErrorMm)]).StandardDeviationMm;
+        if (mean.RepeatabilityMm > spread)
+        {
+            warnings.Add(string.Create(
+                CultureInfo.InvariantCulture,
+                $"The measurements differ among themselves by {mean.RepeatabilityMm * 1000:0.00} um, more than the error that they show differs from place to place ({spread * 1000:0.00} um): are they of one piece in one clamping?"));
         }
 
         return mean.Means;

@@ -14,23 +14,20 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
     /// <param name="job">Stock, stage and alignment.</param>
     /// <param name="surface">The nominal surface.</param>
     /// <param name="pieces">At least one.</param>
-    /// <exception cref="FreeformException">As of <see cref="SurfaceErrors.Of"/> and <see cref="SurfaceAlignment.BestFit"/>.</exception>
+    /// <exception cref="FreeformException">Two pieces are one measurement (<c>same-measurement</c>); as of <see cref="SurfaceErrors.Of"/> and <see cref="SurfaceAlignment.BestFit"/>.</exception>
     public static SurfaceEvaluation Of(FreeformJob job, PartSurface surface, IReadOnlyList<MeasuredPoints> pieces)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(pieces);
+        MeasuredPoints.ThrowIfTwice(pieces);
         EvaluatedPiece[] evaluated = [.. pieces.Select(p => Evaluate(job, surface, p))];
         return new(evaluated, DeviationStatistics.Of([.. evaluated.SelectMany(p => p.Samples).Select(s => s.ErrorMm)]));
     }
 
-    /// <summary>Evaluates one piece. Whether stock lies on it is told by the points: a fifth of a millimetre is no error of a surface that is to be good to micrometres.</summary>
     private static EvaluatedPiece Evaluate(FreeformJob job, PartSurface surface, MeasuredPoints piece)
     {
         var distances = SurfaceErrors.Of(surface, Contacts(piece), 0, piece.File);
-        var mean = distances.Sum(d => d.ErrorMm) / distances.Count;
-        var semi = job.Stock.SemiFinishingMm;
-        var found = Math.Abs(mean - semi) < Math.Abs(mean) ? CuttingStage.SemiFinishing : CuttingStage.Finishing;
-        var stage = semi > 0 && found != job.Measuring.After && Math.Abs(mean - job.Stock.Of(found)) < semi / 4 ? found : job.Measuring.After;
+        var stage = MeasuredStage.Of(job, distances.Sum(d => d.ErrorMm) / distances.Count);
         var stock = job.Stock.Of(stage);
         if (!job.Measuring.BestFit)
         {
@@ -42,7 +39,7 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
     }
 
     private static EvaluatedPiece Piece(MeasuredPoints piece, CuttingStage stage, FreeformJob job, SurfaceAlignment? alignment, IReadOnlyList<ErrorSample> samples) =>
-        new(piece.File, piece.Sha256, stage, stage != job.Measuring.After, alignment, samples, DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]));
+        new(piece.File, piece.Sha256, stage, stage != job.Measuring.After, alignment, samples, DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]), piece.Warnings);
 
     private static IEnumerable<(PlanPoint Plan, Point3 Contact)> Contacts(MeasuredPoints piece) => piece.Points.Select(p => (p.Planned, p.Contact));
 }

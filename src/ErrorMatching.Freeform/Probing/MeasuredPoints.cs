@@ -13,4 +13,18 @@ public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<Me
     /// <param name="point">The number of the point, from 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">The plan has no such point.</exception>
     public Point3 this[int point] => point >= 1 && point <= Points.Count ? Points[point - 1].Contact : throw new ArgumentOutOfRangeException(nameof(point), point, "The plan has no such point.");
+
+    /// <summary>Refuses files that hold the same measurement: it would count several times.</summary>
+    /// <exception cref="FreeformException"><c>same-measurement</c>.</exception>
+    internal static void ThrowIfTwice(IReadOnlyList<MeasuredPoints> files)
+    {
+        var first = new Dictionary<string, string>(StringComparer.Ordinal);
+        foreach (var file in files)
+        {
+            if (!first.TryAdd(file.Sha256, file.File))
+            {
+                throw new FreeformException("same-measurement", file.File, $"its bytes are those of {first[file.Sha256]}: one measurement counts once. Give each measurement once.");
+            }
+        }
+    }
 }

@@ -38,7 +38,7 @@ public static class CompensationReportHtml
         ReportFacts.WriteNotes(html, result.Notes);
         ReportFacts.Write(html,
             ("Errors", "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
-            ("Alignment", result.Alignment is { } a ? string.Create(CultureInfo.InvariantCulture, $"Best fit: moved by X{a.TranslateMm.X:0.0000} Y{a.TranslateMm.Y:0.0000} Z{a.TranslateMm.Z:0.0000} mm, turned by {a.RotateDegrees.Length:0.00000}°.") : "None: points are compared where they were measured."),
+            ("Alignment", AlignmentWords.Of(result.Alignment)),
             ("Compensation", string.Create(CultureInfo.InvariantCulture, $"{(result.Input.Job.Compensation.Mirror ? "Each place is moved by its own error to the other side" : "The whole surface is moved by the mean error, as by a modified tool radius")}, gain {result.Input.Job.Compensation.Gain:0.###}, at most {result.Input.Job.Compensation.LimitMm:0.###} mm.")),
             ("Calculated in", report.CalculatingS is { } s ? string.Create(CultureInfo.InvariantCulture, $"{s:0.00} s (the paper's CAD system: about 30 s).") : "Not timed."));
     }
@@ -80,7 +80,7 @@ public static class CompensationReportHtml
             ("Fit", $"{FitMethods.NameOf(result.Input.Job.Fit.Method)} of the {(result.Input.Job.Fit.OfError ? "error over (u, v), added to the exact nominal surface" : "compensation points")}."),
             ("Model", field is null ? result.Systematic is ConstantField ? "A constant." : "The surface fit of that name." : FieldWords.Sentence(field.Kind)),
             ("Breaks", field is null || field.BreaksU.Count + field.BreaksV.Count == 0 ? "None of the curvature found." : string.Create(CultureInfo.InvariantCulture, $"u: {string.Join(", ", field.BreaksU.Select(b => b.ToString("0.####", CultureInfo.InvariantCulture)))}; v: {string.Join(", ", field.BreaksV.Select(b => b.ToString("0.####", CultureInfo.InvariantCulture)))}.")),
-            ("With lines left out", field is null ? "–" : $"{Micrometres.OfMm(field.LeaveLineOutMm)} µm: the mean error where whole grid lines are predicted from the others."),
+            ("With lines left out", field is null ? "–" : double.IsNaN(field.LeaveLineOutMm) ? "Too few lines to leave one out." : $"{Micrometres.OfMm(field.LeaveLineOutMm)} µm: the mean error where whole grid lines are predicted from the others."),
             ("Residuals", field is null ? "–" : $"{Micrometres.OfMm(field.ResidualStandardDeviationMm)} µm."),
             ("Surface as written", $"{ReportNumber.Count(result.Surface.Spline.CountU)} × {ReportNumber.Count(result.Surface.Spline.CountV)} poles, degrees {ReportNumber.Count(result.Surface.Spline.KnotsU.Degree)} and {ReportNumber.Count(result.Surface.Spline.KnotsV.Degree)}; {(result.ThroughPoints is null ? $"within {(result.ApproximationMm * 1e6).ToString("0.0", CultureInfo.InvariantCulture)} nm of the nominal surface moved by the field, with its parametrization and limits" : "laid through the compensation points")}."));
     }

@@ -34,7 +34,7 @@ public static class CompensationReportJson
         ArgumentNullException.ThrowIfNull(result);
         var job = result.Input.Job;
         EvaluationReportJson.Alignment(json, result.Alignment);
-        json.Text("stage", job.Measuring.After == CuttingStage.Finishing ? "finishing" : "semi-finishing");
+        json.Text("stage", MeasuredStage.Name(job.Measuring.After));
         json.Object("before", () => EvaluationReportJson.Statistics(json, result.Before));
         json.Object("structure", () => Structure(json, result.Structure));
         json.Object("compensation", () =>
@@ -80,10 +80,13 @@ public static class CompensationReportJson
         json.Text("model", FieldWords.Of(fitted.Kind));
         json.Numbers("breaksU", fitted.BreaksU);
         json.Numbers("breaksV", fitted.BreaksV);
-        json.Number("leaveLineOutUm", fitted.LeaveLineOutMm * 1000);
-        json.Number("residualStandardDeviationUm", fitted.ResidualStandardDeviationMm * 1000);
-        json.Number("noiseUm", fitted.NoiseMm * 1000);
+        json.Number("leaveLineOutUm", Known(fitted.LeaveLineOutMm));
+        json.Number("residualStandardDeviationUm", Known(fitted.ResidualStandardDeviationMm));
+        json.Number("noiseUm", Known(fitted.NoiseMm));
     }
+
+    // Of points on two lines nobody can say what leaving one out would have cost.
+    private static double? Known(double mm) => double.IsFinite(mm) ? mm * 1000 : null;
 
     private static void Surface(ReportWriter json, CompensationResult result)
     {

@@ -40,16 +40,18 @@ public static class EvaluationReportHtml
             html.Put("p", $"Mean {Micrometres.SignedOfMm(after.MeanMm)} µm, standard deviation {Micrometres.OfMm(after.StandardDeviationMm)} µm, profile {Micrometres.OfMm(after.ProfileIsoMm)} µm.");
         }
 
-        ReportFacts.WriteNotes(html, [.. Pieces(report).Where(p => p.StageIsFound).Select(p => $"The points of {p.File} lie on the surface after {(p.Stage == CuttingStage.Finishing ? "finishing" : "semi-finishing")}, not after the stage that the job names: its stock was used.")]);
+        ReportFacts.WriteWarnings(html, [.. Pieces(report).SelectMany(p => p.Warnings)]);
+        ReportFacts.WriteNotes(html, [.. Pieces(report).Where(p => p.StageIsFound).Select(p => $"The points of {p.File} lie on the surface after {MeasuredStage.Name(p.Stage)}, not after the stage that the job names: its stock was used.")]);
         ReportFacts.Write(html,
             ("Errors", "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
             ("Alignment", Alignment(report)),
             ("Profile", "By ISO 1101 with a zone centred on the nominal surface: twice the largest absolute error. Standard deviations use n − 1."));
     }
 
+    // None is none for all of them.
     private static string Alignment(EvaluationReport report) => Pieces(report).First().Alignment is null
-        ? "None: points are compared where they were measured."
-        : "Best fit: " + string.Join("; ", Pieces(report).Select(p => string.Create(CultureInfo.InvariantCulture, $"{p.File} moved by X{p.Alignment!.TranslateMm.X:0.0000} Y{p.Alignment.TranslateMm.Y:0.0000} Z{p.Alignment.TranslateMm.Z:0.0000} mm, turned by {p.Alignment.RotateDegrees.Length:0.00000}°"))) + ".";
+        ? AlignmentWords.Of(null)
+        : string.Join(" ", Pieces(report).Select(p => $"{p.File}: {AlignmentWords.Of(p.Alignment)}"));
 
     private static void WriteStatistics(HtmlText html, EvaluationReport report)
     {

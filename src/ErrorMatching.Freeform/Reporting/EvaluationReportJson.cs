@@ -55,7 +55,8 @@ public static class EvaluationReportJson
         {
             json.Text("file", p.File);
             json.Text("sha256", p.Sha256);
-            json.Text("stage", p.Stage == CuttingStage.Finishing ? "finishing" : "semi-finishing");
+            json.Text("stage", MeasuredStage.Name(p.Stage));
+            json.Texts("warnings", p.Warnings);
             Alignment(json, p.Alignment);
             Statistics(json, p.Statistics);
             json.List("points", p.Samples, s =>

@@ -58,6 +58,46 @@ public sealed class CompensatorTests
         Assert.InRange(result.Mirror.Statistics.StandardDeviationMm, 0.0008, 0.0025);
     }
 
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    public void What_was_measured_after_another_stage_is_not_taken_for_an_error(int among)
+    {
+        // A limit that lets it pass, and one right measurement beside it.
+        var piece = new MeasuredDesign(PaperDesign.One, "\"limitMm\": 0.2", "\"limitMm\": 0.5");
+        var finished = piece.Over(0, Tilted, "after.csv");
+        var refusal = Assert.Single((among == 0 ? piece.Compensate(finished) : piece.Compensate(piece.With(Tilted), finished)).Refusals);
+        Assert.Equal("other-stage", refusal.Code);
+        Assert.Contains("after.csv", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains("after finishing", refusal.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_measurement_that_is_given_twice_is_refused()
+    {
+        var piece = new MeasuredDesign(PaperDesign.One);
+        Assert.Equal("same-measurement", Assert.Throws<FreeformException>(() => piece.Compensate(piece.With(Tilted), piece.With(Tilted, "copy.csv"))).Code);
+        Assert.Equal("same-measurement", Assert.Throws<FreeformException>(() => SurfaceEvaluation.Of(piece.Job, piece.Surface, [piece.With(Tilted), piece.With(Tilted, "copy.csv")])).Code);
+    }
+
+    [Fact]
+    public void Measurements_that_differ_by_more_than_they_show_are_warned_of()
+    {
+        var piece = new MeasuredDesign(PaperDesign.One);
+        var result = piece.Compensate(piece.With(Tilted), piece.With((u, v) => Tilted(u, v) + 0.1, "again.csv")).Result!;
+        Assert.Contains("in one clamping?", Assert.Single(result.Warnings), StringComparison.Ordinal);
+        Assert.Empty(piece.Compensate(piece.With(Tilted), piece.With((u, v) => Tilted(u, v) + 0.0001, "again.csv")).Result!.Warnings);
+    }
+
+    [Fact]
+    public void What_is_strange_in_a_file_is_said_in_every_report()
+    {
+        var piece = new MeasuredDesign(PaperDesign.One);
+        var strange = piece.With(Tilted) with { Warnings = ["out of order"] };
+        Assert.Equal(["out of order"], piece.Compensate(strange).Result!.Warnings);
+        Assert.Equal(["out of order"], Assert.Single(SurfaceEvaluation.Of(piece.Job, piece.Surface, [strange]).Pieces).Warnings);
+    }
+
     [Fact]
     public void Noise_is_reported_and_not_cut()
     {
@@ -94,11 +134,12 @@ public sealed class CompensatorTests
     }
 
     [Fact]
-    public void A_piece_measured_after_another_stage_is_told_what_to_check()
+    public void Where_most_points_are_off_it_is_said_what_to_check()
     {
         var piece = new MeasuredDesign(PaperDesign.Two, "\"limitMm\": 0.2", "\"limitMm\": 0.1");
-        var refusal = Assert.Single(piece.Compensate(piece.Over(0, Tilted)).Refusals);
+        var refusal = Assert.Single(piece.Compensate(piece.With((u, v) => 0.15 + Tilted(u, v))).Refusals);
 
+        Assert.Equal("beyond-limit", refusal.Code);
         Assert.Contains("measuring.measuredAfter", refusal.Message, StringComparison.Ordinal);
         Assert.Contains("and 69 more points", refusal.Message, StringComparison.Ordinal);
     }

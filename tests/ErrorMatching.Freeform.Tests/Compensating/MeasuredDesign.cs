@@ -1,3 +1,5 @@
+using System.Runtime.InteropServices;
+using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Geometry;
 
@@ -23,8 +25,11 @@ internal sealed class MeasuredDesign
     public MeasuredPoints With(Func<double, double, double> error, string file = "measured.csv") => Over(Job.Stock.Of(Job.Measuring.After), error, file);
 
     /// <summary>The same on another stock.</summary>
-    public MeasuredPoints Over(double stock, Func<double, double, double> error, string file = "measured.csv") =>
-        new(file, new string('0', 64), [.. Plan.Points.Select((p, i) => new MeasuredPoint(p, p.Position + (p.Normal * (stock + error(p.U, p.V))), i + 2))], []);
+    public MeasuredPoints Over(double stock, Func<double, double, double> error, string file = "measured.csv")
+    {
+        MeasuredPoint[] points = [.. Plan.Points.Select((p, i) => new MeasuredPoint(p, p.Position + (p.Normal * (stock + error(p.U, p.V))), i + 2))];
+        return new(file, Convert.ToHexStringLower(SHA256.HashData(MemoryMarshal.AsBytes<Point3>(points.Select(p => p.Contact).ToArray()))), points, []);
+    }
 
     public CompensationOutcome Compensate(params MeasuredPoints[] measured) => Compensator.Compensate(new(Job, Surface, Plan, measured));
 

@@ -95,6 +95,18 @@ public sealed class SurfaceReportTests
         Assert.Contains(DivergingColors.Hex(DivergingColors.IndexOf(25, 30)), fills);
     }
 
+    // Nothing can be left out of two lines: no number says what that would have cost.
+    [Fact]
+    public void Few_points_leave_figures_out_instead_of_writing_none_that_is_one()
+    {
+        var piece = new MeasuredDesign(PaperDesign.Two, "\"curves\": 7, \"pointsPerCurve\": 10", "\"curves\": 2, \"pointsPerCurve\": 2");
+        var report = Report with { Result = piece.Compensate(piece.With((u, v) => 0.01 + (0.02 * u))).Result! };
+        Assert.Equal(4, report.Result.Samples.Count);
+        using var json = JsonDocument.Parse(CompensationReportJson.Write(report));
+        Assert.Equal(JsonValueKind.Null, json.RootElement.GetProperty("compensation").GetProperty("leaveLineOutUm").ValueKind);
+        Assert.DoesNotContain("NaN", Encoding.UTF8.GetString(CompensationReportHtml.Write(report)), StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Evaluation_has_what_scripts_read_and_people_look_at()
     {

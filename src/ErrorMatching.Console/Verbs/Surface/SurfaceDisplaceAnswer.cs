@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
@@ -24,6 +25,7 @@ internal sealed class SurfaceDisplaceAnswer(DisplacedSurface report) : Answer
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
             $"Proof holds: of {displaced.Proof.Motions} motions {displaced.Proof.MovedMotions} moved, none further than {displaced.Proof.MaxDeviationFromWantedMm:0.0000} mm from where it was wanted; every byte besides is the original's."));
+        page.Line("Alignment: " + AlignmentWords.Of(compensation.Alignment));
         foreach (var warning in compensation.Warnings)
         {
             page.Line("Warning: " + warning);
