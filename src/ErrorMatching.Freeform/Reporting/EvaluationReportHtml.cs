@@ -1,4 +1,3 @@
-using System.Globalization;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;

@@ -5,7 +5,7 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>A design of the paper that goes round the whole loop: semi-finished, probed, compensated, finished, probed again. Cutting and probing are the referee's, of nothing but the programs' text.</summary>
+/// <summary>A design of the paper that goes round the whole loop: semi-finished, probed, compensated, finished, probed again. Cutting, probing and what the touches come to are the referee's, of nothing but the programs' text.</summary>
 internal sealed class SurfaceLoop
 {
     // The paper's probe repeats to 0.25 um for two standard deviations; the referee's is worse.
@@ -14,12 +14,13 @@ internal sealed class SurfaceLoop
     private readonly FreeformJob _job, _finished;
     private readonly PartSurface _surface;
     private readonly MeasuringPlan _plan, _finishedPlan;
-    private readonly string _probing, _finishedProbing;
+    private readonly string _sample, _probing, _finishedProbing;
     private readonly IReadOnlyList<AxisMove> _semiFinishing;
 
-    /// <summary>The loop of a sample job, with a tool path coarse enough for many runs.</summary>
+    /// <summary>The loop of a sample job.</summary>
     public SurfaceLoop(string sample, bool mirror)
     {
+        _sample = sample;
         var text = File.ReadAllText(Repository.PathTo("samples", sample, "job.json"))
             .Replace("\"dialect\": \"siemens-840d\"", "\"dialect\": \"linuxcnc\"", StringComparison.Ordinal)
             .Replace("\"method\": \"mirror\"", mirror ? "\"method\": \"mirror\"" : "\"method\": \"tool-radius\"", StringComparison.Ordinal);
@@ -45,29 +46,37 @@ internal sealed class SurfaceLoop
     /// <param name="repeats">True for a machine whose cuts and a probe whose touches are always the same.</param>
     public SurfaceLoopRun Run(int seed, bool repeats)
     {
-        var (before, after, expected) = Measure(seed, repeats);
-        return new(SurfaceEvaluation.Of(_job, _surface, [before]).Together, SurfaceEvaluation.Of(_finished, _surface, [after]).Together, expected);
+        var (before, after, expected) = Go(seed, repeats);
+        var ball = _job.Measuring.StylusDiameterMm / 2;
+        return new(RefereeFigures.Of(before, _sample, ball + _job.Stock.SemiFinishingMm), RefereeFigures.Of(after, _sample, ball), expected);
     }
 
     /// <summary>What was measured after semi-finishing and after finishing, on a machine of its own, and what was expected between.</summary>
-    public (MeasuredPoints Before, MeasuredPoints After, SurfacePrediction Expected) Measure(int seed, bool repeats = false)
+    public (MeasuredPoints Before, MeasuredPoints After) Measure(int seed)
+    {
+        var (before, after, _) = Go(seed, repeats: false);
+        return (Read(before, _plan, _job), Read(after, _finishedPlan, _finished));
+    }
+
+    // The logs of both measurements, and what was expected between.
+    private (string Before, string After, SurfacePrediction Expected) Go(int seed, bool repeats)
     {
         var random = new Random(seed);
         var machine = MachineError.Systematic(random);
         var (radius, repeatability) = (_job.Tool.RadiusMm, repeats ? 0 : ProbeRepeatability);
-        var before = Measure(Cut(_semiFinishing), _probing, _plan, _job);
-        var outcome = Compensator.Compensate(new(_job, _surface, _plan, [before]));
+        var before = Touch(Cut(_semiFinishing), _probing);
+        var outcome = Compensator.Compensate(new(_job, _surface, _plan, [Read(before, _plan, _job)]));
         Assert.Empty(outcome.Refusals);
         var result = outcome.Result!;
         var finishing = Moves(result.Surface, CuttingStage.Finishing);
-        var after = Measure(Cut(finishing), _finishedProbing, _finishedPlan, _finished);
-        return (before, after, result.Predicted);
+        return (before, Touch(Cut(finishing), _finishedProbing), result.Predicted);
 
         CutSurface Cut(IReadOnlyList<AxisMove> moves) => new(moves, radius, repeats ? machine : machine.NextCut(random));
 
-        MeasuredPoints Measure(CutSurface piece, string program, MeasuringPlan plan, FreeformJob job) =>
-            MeasuredSurfaceReader.Read(Encoding.UTF8.GetBytes(VirtualProbe.Run(program, piece, job.Measuring.StylusDiameterMm / 2, repeatability, random)), "probe.log", plan, job.Measuring);
+        string Touch(CutSurface piece, string program) => VirtualProbe.Run(program, piece, _job.Measuring.StylusDiameterMm / 2, repeatability, random);
     }
+
+    private static MeasuredPoints Read(string log, MeasuringPlan plan, FreeformJob job) => MeasuredSurfaceReader.Read(Encoding.UTF8.GetBytes(log), "probe.log", plan, job.Measuring);
 
     private IReadOnlyList<AxisMove> Moves(PartSurface surface, CuttingStage stage)
     {
