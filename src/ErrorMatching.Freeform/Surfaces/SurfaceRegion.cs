@@ -6,33 +6,29 @@ namespace ErrorMatching.Freeform;
 /// <param name="Loops">Closed polygons of (u, v), the last point joined to the first; none for the whole surface. A place belongs to the region if it lies inside an odd number of them.</param>
 public sealed record SurfaceRegion(IReadOnlyList<IReadOnlyList<Point2>> Loops)
 {
+    private RegionBands? _bands;
+
     /// <summary>The whole surface.</summary>
     public static SurfaceRegion Whole { get; } = new([]);
+
+    /// <summary>Closed polygons of (u, v), the last point joined to the first; none for the whole surface. A place belongs to the region if it lies inside an odd number of them.</summary>
+    public IReadOnlyList<IReadOnlyList<Point2>> Loops
+    {
+        get;
+        init => (field, _bands) = (value, null);
+    }
+
+    = Loops;
 
     /// <summary>True if nothing is cut away.</summary>
     public bool IsWhole => Loops.Count == 0;
 
-    /// <summary>True if a place belongs to the region.</summary>
-    public bool Contains(double u, double v)
-    {
-        if (IsWhole)
-        {
-            return true;
-        }
+    /// <summary>True if the loops are the same.</summary>
+    public bool Equals(SurfaceRegion? other) => other is not null && Equals(Loops, other.Loops);
 
-        var inside = false;
-        foreach (var loop in Loops)
-        {
-            for (var i = 0; i < loop.Count; i++)
-            {
-                var (a, b) = (loop[i], loop[(i + 1) % loop.Count]);
-                if (a.Y > v != b.Y > v && u < a.X + ((b.X - a.X) * ((v - a.Y) / (b.Y - a.Y))))
-                {
-                    inside = !inside;
-                }
-            }
-        }
+    /// <inheritdoc/>
+    public override int GetHashCode() => Loops.GetHashCode();
 
-        return inside;
-    }
+    /// <summary>True if a place belongs to the region. The first question takes longer; two threads may both prepare for it, alike.</summary>
+    public bool Contains(double u, double v) => IsWhole || (_bands ??= new(Loops)).Contains(u, v);
 }
