@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using ErrorMatching.Freeform;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Console.Tests;
@@ -29,6 +30,27 @@ public class SurfaceFitTests
         }
 
         Assert.InRange(fit.Number("leaveLineOutUm"), 0.1, 0.6);
+    }
+
+    [Fact]
+    public void The_surface_is_written_as_a_nominal_one_with_its_break()
+    {
+        // Two parabolas that meet at x = 40.3 with one slope: a break in curvature between two grid lines.
+        using var folder = new TemporaryFolder();
+        var lines = from j in Enumerable.Range(0, 7)
+                    from i in Enumerable.Range(0, 10)
+                    let x = 75.0 * i / 9
+                    select string.Create(CultureInfo.InvariantCulture, $"{i},{j},{x:R},{63.0 * j / 6:R},{Height(x):R}\n");
+        var points = folder.File("points.csv", "i,j,x,y,z\n" + string.Concat(lines));
+        Assert.Equal(0, Shell.Run("surface", "fit", points, "--out", folder["nominal"]).Exit);
+        foreach (var name in new[] { "surface.stp", "surface.igs" })
+        {
+            var file = Path.Combine(folder["nominal"], name);
+            var surface = SurfaceReader.Read(File.ReadAllBytes(file), file, null, true).Spline;
+            Assert.All(Enumerable.Range(1, 74), x => Assert.Equal(Height(x), surface.ClosestPoint(new(x, 30, Height(x))).At.Position.Z, 0.0001));
+        }
+
+        static double Height(double x) => 20 - (0.002 * (x - 40.3) * (x - 40.3) * (x < 40.3 ? 1 : 3));
     }
 
     [Fact]

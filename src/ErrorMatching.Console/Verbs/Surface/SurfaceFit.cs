@@ -1,6 +1,7 @@
 using System.CommandLine;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
@@ -18,6 +19,8 @@ internal sealed class SurfaceFit : Verb
 
     private readonly Option<string> _check = FileOption("--check", "Points of the true surface to compare the fit with: a header with x, y and z, then one line per point.");
 
+    private readonly Option<string> _out = SurfaceOptions.Out("The folder to write the surface to, as surface.stp and surface.igs: a nominal surface for a job, with its breaks, where only points are known. Without it nothing is written.");
+
     /// <summary>The verb.</summary>
     public SurfaceFit()
         : base("fit", "Lays a surface through a grid of points and says how far it can be trusted.", "errormatch surface fit samples/surface-fit/points.csv --method through-curve-mesh --check samples/surface-fit/check.csv")
@@ -25,6 +28,7 @@ internal sealed class SurfaceFit : Verb
         Arguments.Add(_points);
         Options.Add(_method);
         Options.Add(_check);
+        Options.Add(_out);
         Demand(_method, name => FitMethods.Named(name) is not null, string.Join(", ", FitMethods.Names));
     }
 
@@ -40,7 +44,14 @@ internal sealed class SurfaceFit : Verb
             var fit = SurfaceFitter.Fit(grid, FitMethods.Named(arguments.GetRequiredValue(_method))!.Value, JobFit.Default.CurveToleranceMm);
             cancellation.ThrowIfCancellationRequested();
             var distance = new SurfaceDistance(fit.Surface);
-            return new SurfaceFitAnswer(file, grid.Points.Count(), fit, distance.Of(grid.Points.Select(p => p.Position)), check is null ? null : distance.Of(check));
+            var folder = arguments.GetValue(_out);
+            var answer = new SurfaceFitAnswer(file, grid.Points.Count(), fit, distance.Of(grid.Points.Select(p => p.Position)), check is null ? null : distance.Of(check), folder);
+            if (folder is not null)
+            {
+                OutputFile.WriteAll(answer.Files, [file, .. arguments.GetValue(_check) is { } other ? new[] { other } : []], cancellation);
+            }
+
+            return answer;
         }
         catch (GeometryException e)
         {

@@ -11,12 +11,23 @@ namespace ErrorMatching.Console;
 /// <param name="fit">The surface.</param>
 /// <param name="d1">Distance of the points.</param>
 /// <param name="d2">Distance of the points of the true surface; null if none are given.</param>
-internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit, DistanceSummary d1, DistanceSummary? d2) : DocumentAnswer
+/// <param name="folder">The folder that the surface was written to; null if nothing was written.</param>
+internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit, DistanceSummary d1, DistanceSummary? d2, string? folder) : DocumentAnswer
 {
     private const double UmPerMm = 1000;
 
     /// <inheritdoc/>
     public override string Schema => "errormatch/surface-fit/1";
+
+    /// <summary>The surface for other programs, and for a job.</summary>
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files
+    {
+        get
+        {
+            var surface = new PartSurface(Path.GetFileNameWithoutExtension(file), fit.Surface, SurfaceRegion.Whole, 1);
+            return [(In("surface.stp"), StepWriter.Write(surface)), (In("surface.igs"), IgesWriter.Write(surface))];
+        }
+    }
 
     private string Method => FitMethods.NameOf(fit.Method);
 
@@ -60,7 +71,13 @@ internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit
 
         rows.Add(["with whole lines left out", double.IsNaN(fit.LeaveLineOutMm) ? "too few lines" : Um(fit.LeaveLineOutMm), ""]);
         page.Table(["distance along the normal in um", "mean", "largest"], rows);
+        page.Line();
+        page.Line(folder is null
+            ? "Nothing was written. Add --out DIR to write the surface as STEP and IGES."
+            : $"Wrote {In("surface.stp")} and {In("surface.igs")}. Next: name one of them as \"surface\" in a job, and look at errormatch surface plan.");
     }
+
+    private string In(string name) => Path.Combine(folder ?? "", name);
 
     private static string Um(double mm) => (mm * UmPerMm).ToString("0.0000", CultureInfo.InvariantCulture);
 
