@@ -5,8 +5,10 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Puts a probing program behind another one and looks at both again: the first must do what it did, the second must go where it went alone.</summary>
-internal sealed class ProbingMerge(ProbingProgram probing, string file)
+internal sealed class ProbingMerge(ProbingProgram probing, string file, string? cutsIn)
 {
+    private const string LeavesBehind = "it leaves a rotation, a shift, another work offset, a compensation or another mode behind in which probing would go elsewhere. End it before M30.";
+
     public ReadOnlyMemory<byte> After(ReadOnlyMemory<byte> bytes, string definitions, string body)
     {
         var first = NcProgram.Read(bytes, probing.Dialect.Syntax);
@@ -81,6 +83,17 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file)
             throw Fail("it cannot be followed to its end: " + refusal.Message);
         }
 
+        if (alone.Problems is [var unknown, ..])
+        {
+            var cuts = cutsIn is null || cutsIn == dialect.Name ? "" : $" (toolpath.dialect is {cutsIn}, measuring.dialect is {dialect.Name})";
+            throw Fail($"{first.NameOf(first[unknown.Block])} cannot be read as {dialect.Name}, for which the probing program is: {unknown.Message} One program runs on one control{cuts}. Give --after a program for {dialect.Name}, or change measuring.dialect to that of the program.");
+        }
+
+        if (OffsetChanges(alone))
+        {
+            throw Fail(LeavesBehind);
+        }
+
         if (both.Motions.Length != alone.Motions.Length + touched.Motions.Length)
         {
             throw Fail("behind it the probing program would not make the motions that it makes alone: does it end with a cycle, a loop or a call that is still active?");
@@ -90,13 +103,34 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file)
         {
             var (now, before) = (both.Motions[i], i < alone.Motions.Length ? alone.Motions[i] : touched.Motions[i - alone.Motions.Length]);
             var stated = ~before.UnknownEnd;
-            if (now.Kind != before.Kind || !Same(now.End, before.End, stated) || (now.Flags & ~before.Flags) != MotionFlags.None)
+            if (now.Kind != before.Kind || !Same(now.End, before.End, stated) || (now.Flags & ~before.Flags & ~Unknown(now)) != MotionFlags.None)
             {
                 throw Fail(i < alone.Motions.Length
                     ? "together with the definitions of the probing program it would move otherwise than alone."
-                    : "it leaves a rotation, a shift, a compensation or another mode behind in which probing would go elsewhere. End it before M30.");
+                    : LeavesBehind);
             }
         }
+    }
+
+    // Behind a call whose way nobody knows a move begins elsewhere than the one before it ended: that is nothing that the program left behind.
+    private static MotionFlags Unknown(in NcMotion motion) => motion.UnknownStart == AxisSet.All ? MotionFlags.StartsElsewhere : MotionFlags.None;
+
+    // Probing goes in the work offset that the surface was cut in: behind the last cut it must not change any more.
+    private static bool OffsetChanges(NcPath path)
+    {
+        var cut = path.Motions.Length - 1;
+        while (cut >= 0 && !path.Motions[cut].IsCut)
+        {
+            cut--;
+        }
+
+        if (cut < 0)
+        {
+            return false;
+        }
+
+        var (cuts, leaves) = (path.Frames[path.Motions[cut].Frame], path.Frames[^1]);
+        return leaves.UnknownShift == AxisSet.None && (cuts.WorkOffset, cuts.WorkOffsetNumber, cuts.Shift) != (leaves.WorkOffset, leaves.WorkOffsetNumber, leaves.Shift);
     }
 
     private static bool Same(Point3 a, Point3 b, AxisSet axes) =>

@@ -56,10 +56,11 @@ public sealed class ProbingProgram
     /// <summary>One program for one run of the control: semi-finishing, then probing, then a stop for the finishing program (Lee 2019, section 2.1).</summary>
     /// <param name="semiFinishing">A program in the same dialect and work offset.</param>
     /// <param name="file">Its name for messages.</param>
-    /// <exception cref="FreeformException">The end of the program cannot be found, or probing would not go where it must behind it (<c>not-mergeable</c>).</exception>
+    /// <param name="cutsIn">The dialect that the job cuts in, for messages.</param>
+    /// <exception cref="FreeformException">The dialect does not know a code of the program, its end cannot be found, or probing would not go where it must behind it (<c>not-mergeable</c>).</exception>
     /// <exception cref="NcException">The program is too large.</exception>
-    public ReadOnlyMemory<byte> MergeAfter(ReadOnlyMemory<byte> semiFinishing, string file) =>
-        new ProbingMerge(this, file).After(semiFinishing, Text([ProbingTemplate.Definitions], merged: true), Text([ProbingTemplate.Body], merged: true));
+    public ReadOnlyMemory<byte> MergeAfter(ReadOnlyMemory<byte> semiFinishing, string file, string? cutsIn = null) =>
+        new ProbingMerge(this, file, cutsIn).After(semiFinishing, Text([ProbingTemplate.Definitions], merged: true), Text([ProbingTemplate.Body], merged: true));
 
     private void Check()
     {

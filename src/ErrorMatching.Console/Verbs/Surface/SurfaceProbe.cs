@@ -34,7 +34,7 @@ internal sealed class SurfaceProbe : Verb
         cancellation.ThrowIfCancellationRequested();
         var probing = ProbingProgram.Of(plan, files.Job.Name, dialect, Template(files, dialect));
         var after = arguments.GetValue(_after);
-        var program = after is null ? probing.Bytes : probing.MergeAfter(files.Program(new(after)), after);
+        var program = after is null ? probing.Bytes : probing.MergeAfter(files.Program(new(after)), after, files.Job.Toolpath.Dialect);
         var answer = new SurfaceProbeAnswer(files.Job, probing, after, arguments.GetValue(_out));
         OutputFile.WriteAll(answer.Files(program), files.Read, cancellation);
         return answer;
