@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Security.Cryptography;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 
@@ -22,21 +23,22 @@ public static class SurfaceDisplacer
     /// <param name="program">The program.</param>
     /// <param name="dialect">Its control.</param>
     /// <param name="programsTip">True if it moves the lowest point of the ball along Z, false if the center.</param>
+    /// <param name="measurementSha256">SHA-256 of the measurement that the error was found by: the new program's marker names it.</param>
     /// <returns>
-    /// The program with its proof, or a refusal with the block: nothing of it cuts the surface (<c>program-off-surface</c>), it cuts deeper than the surface (<c>program-in-surface</c>), arcs or places that are not known near the surface, what
+    /// The program with its proof, or a refusal with the block: it is compensated already (<see cref="Marker.AlreadyCompensated"/>), nothing of it cuts the surface (<c>program-off-surface</c>), it cuts deeper than the surface (<c>program-in-surface</c>), arcs or places that are not known near the surface, what
     /// cannot be rewritten, or a proof that fails.
     /// </returns>
     /// <exception cref="NcException">The program is too large.</exception>
-    public static NcOutcome<DisplacedProgram> Displace(PartSurface surface, ErrorField field, double gain, JobTool tool, ReadOnlyMemory<byte> program, NcDialect dialect, bool programsTip)
+    public static NcOutcome<DisplacedProgram> Displace(PartSurface surface, ErrorField field, double gain, JobTool tool, ReadOnlyMemory<byte> program, NcDialect dialect, bool programsTip, string measurementSha256)
     {
         ArgumentNullException.ThrowIfNull(surface);
         ArgumentNullException.ThrowIfNull(field);
         ArgumentNullException.ThrowIfNull(tool);
         ArgumentNullException.ThrowIfNull(dialect);
         var path = NcInterpreter.Run(NcProgram.Read(program, dialect.Syntax), dialect);
-        if (path.Refusal is { } stopped)
+        if (BeforeAll(path) is { } refusal)
         {
-            return stopped;
+            return refusal;
         }
 
         var walk = new SurfaceWalk(surface, field, gain, tool.RadiusMm, programsTip);
@@ -66,7 +68,7 @@ public static class SurfaceDisplacer
 
             if (deepest < -TouchMm)
             {
-                return Refuse(path, motion, "program-in-surface", string.Create(
+                return Refuse(path, motion.Block, "program-in-surface", string.Create(
                     CultureInfo.InvariantCulture,
                     $"here the ball would cut {-deepest:0.000} mm into the surface. Check the tool's diameter, the work offset, and whether the program moves the {(programsTip ? "center" : "tip")} of the ball."));
             }
@@ -74,7 +76,7 @@ public static class SurfaceDisplacer
             var isNear = contact.OverMm <= tool.RadiusMm;
             if (motion.IsArc && (isNear || deepest <= tool.RadiusMm || last?.OverMm <= tool.RadiusMm))
             {
-                return Refuse(path, motion, NcRefusalCodes.ArcForm, "an arc near the surface cannot follow points that are displaced each by its own vector. Post it as short straight lines.");
+                return Refuse(path, motion.Block, NcRefusalCodes.ArcForm, "an arc near the surface cannot follow points that are displaced each by its own vector. Post it as short straight lines.");
             }
 
             if (isNear)
@@ -90,7 +92,7 @@ public static class SurfaceDisplacer
 
         if (touching < 2)
         {
-            return new NcRefusal("program-off-surface", "", 0, string.Create(
+            return Misread(path) ?? new NcRefusal("program-off-surface", "", 0, string.Create(
                 CultureInfo.InvariantCulture,
                 $"No cut of the program touches the surface with a ball of {2 * tool.RadiusMm} mm within {TouchMm} mm. Check the tool's diameter, the work offset, and whether the program moves the {(programsTip ? "center" : "tip")} of the ball."));
         }
@@ -99,14 +101,32 @@ public static class SurfaceDisplacer
         var rewrite = Rewriter.Apply(path, wish);
         if (!rewrite.IsUsable)
         {
-            return rewrite.Refusal;
+            return rewrite.Refusal.Code == NcRefusalCodes.UnknownState ? Misread(path) ?? rewrite.Refusal : rewrite.Refusal;
         }
 
-        var proof = Prover.Check(path, rewrite.Value.Program, wish, rewrite.Value.LeastIncrementMm);
+        var marker = rewrite.Value.Patches.Count == 0 ? null : new Marker(measurementSha256, Convert.ToHexStringLower(SHA256.HashData(program.Span)));
+        var displaced = marker is null ? rewrite.Value.Program : NcProgram.Read(marker.InsertInto(rewrite.Value.Program), dialect.Syntax);
+        var proof = Prover.Check(path, displaced, wish, rewrite.Value.LeastIncrementMm, marker?.TextIn(dialect.Syntax));
         return proof.Holds
-            ? new DisplacedProgram(rewrite.Value.Program, path, wish, rewrite.Value, proof, touching, followed, largest, misfit)
+            ? new DisplacedProgram(displaced, path, wish, rewrite.Value, proof, marker, touching, followed, largest, misfit)
             : proof.Failures[0];
     }
+
+    // What is wrong with the program wherever it goes. A marker counts even where it is damaged: only what was compensated has one.
+    private static NcRefusal? BeforeAll(NcPath path)
+    {
+        if (Marker.Find(path.Program) is [var (block, _), ..])
+        {
+            return Refuse(path, block, Marker.AlreadyCompensated, "the program carries a marker, so it follows a measured error already, which would be cut away twice. Begin from the original program as the CAM system posted it.");
+        }
+
+        return path.Refusal;
+    }
+
+    // Where the dialect is another's, everything behind the first unknown code goes wrong: that one is to blame.
+    private static NcRefusal? Misread(NcPath path) => path.Problems is [var problem, ..]
+        ? Refuse(path, problem.Block, NcRefusalCodes.UnknownState, $"{problem.Message} Behind it the program cannot be followed with certainty. Check that toolpath.dialect, {path.Dialect.Name}, is the control that the program was posted for.")
+        : null;
 
     // Places on a straight cut, half a radius apart or closer, its middle at least; of one that is long beyond reason, so many that nothing hangs.
     private static IEnumerable<(double Fraction, Point3 Place)> Between(NcMotion motion, double radius)
@@ -122,9 +142,9 @@ public static class SurfaceDisplacer
 
     private static bool Touches(SurfaceContact contact) => Math.Abs(contact.OverMm) <= TouchMm;
 
-    private static NcRefusal Refuse(NcPath path, in NcMotion motion, string code, string message)
+    private static NcRefusal Refuse(NcPath path, int position, string code, string message)
     {
-        var block = path.Program[motion.Block];
+        var block = path.Program[position];
         var name = path.Program.NameOf(block);
         return new(code, name, block.Line, $"{name}: {message}");
     }

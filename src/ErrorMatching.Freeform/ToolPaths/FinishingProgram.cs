@@ -11,11 +11,11 @@ public static class FinishingProgram
     public static string FileOf(CuttingStage stage) => NameOf(stage) + ".nc";
 
     /// <summary>The program as bytes.</summary>
-    /// <exception cref="ArgumentException">As of <see cref="Write(ToolPath, FreeformJob, NcDialect, CuttingStage, Stream)"/>.</exception>
-    public static byte[] Write(ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage = CuttingStage.Finishing)
+    /// <exception cref="ArgumentException">As of <see cref="Write(ToolPath, FreeformJob, NcDialect, CuttingStage, Stream, Marker?)"/>.</exception>
+    public static byte[] Write(ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage = CuttingStage.Finishing, Marker? marker = null)
     {
         using var stream = new MemoryStream();
-        Write(path, job, dialect, stage, stream);
+        Write(path, job, dialect, stage, stream, marker);
         return stream.ToArray();
     }
 
@@ -25,8 +25,9 @@ public static class FinishingProgram
     /// <param name="dialect">The control that the path was planned for.</param>
     /// <param name="stage">What the program says that it does.</param>
     /// <param name="stream">Where it goes; it stays open.</param>
+    /// <param name="marker">The comment by which a compensated program tells what it was made of; null where it follows no measurement.</param>
     /// <exception cref="ArgumentException">The path was planned for a control with another least increment.</exception>
-    public static void Write(ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage, Stream stream)
+    public static void Write(ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage, Stream stream, Marker? marker = null)
     {
         ArgumentNullException.ThrowIfNull(path);
         ArgumentNullException.ThrowIfNull(job);
@@ -39,7 +40,8 @@ public static class FinishingProgram
 
         var frame = ProgramFrame.Of(dialect);
         var values = Values(path, job, stage);
-        stream.Write(ProgramFrame.Fill(frame.Before, values));
+        var head = ProgramFrame.Fill(frame.Before, values);
+        stream.Write(marker is null ? head : marker.InsertInto(NcProgram.Read(head, dialect.Syntax)));
         var tipBelow = job.Toolpath.ProgramsTip ? path.RadiusMm : 0;
         var writer = new MoveWriter(stream, path.Decimals, tipBelow, Encoding.ASCII.GetBytes("F" + Number(job.Tool.FeedMmPerMin, 3)), path.TravelCenterZ);
         foreach (var move in path.Moves())

@@ -47,7 +47,7 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
         var (report, surface) = json is null ? (null, null) : (KeptReport.Read(json), KeptSurface.Read(json));
         var program = correction.ProgramSha256 is { } made ? store.Content(made) : null;
         var lines = program is null ? null
-            : correction.BaseSha256 is { } was ? new ProgramLines(store.Content(was), program, report?.Blocks ?? [], report?.Proof.Marker)
+            : correction.BaseSha256 is { } was ? new ProgramLines(store.Content(was), program, report?.Blocks ?? [], (report?.Proof ?? surface?.Proof)?.Marker)
             : surface is not null ? new ProgramLines(program, program, [])
             : null;
         return new(correction, store.StepsOf(correction.Id), report, lines)

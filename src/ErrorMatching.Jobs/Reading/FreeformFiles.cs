@@ -8,6 +8,8 @@ namespace ErrorMatching.Jobs;
 /// <summary>Reads what a free-form job names and keeps the list of what was read, for none of it may be written to.</summary>
 public sealed class FreeformFiles
 {
+    internal const string SurfaceRole = "surface";
+
     private readonly List<string> _read;
     private readonly List<ReportInput> _inputs = [];
 
@@ -45,7 +47,7 @@ public sealed class FreeformFiles
     public PartSurface Surface()
     {
         var file = Job.PathOf(Job.Surface.File);
-        return SurfaceReader.Read(Bytes("surface", file, SurfaceReader.MaxBytes), file, Job.Surface.Entity, Job.Surface.OutsideIsUp);
+        return SurfaceReader.Read(Bytes(SurfaceRole, file, SurfaceReader.MaxBytes), file, Job.Surface.Entity, Job.Surface.OutsideIsUp);
     }
 
     /// <summary>The measuring plan of the surface at the stage after which it is measured.</summary>

@@ -34,7 +34,8 @@ internal static class DisplacementReportHtml
             html,
             ("Points", $"{ReportNumber.Count(displaced.OnSurface)} touch the surface; {ReportNumber.Count(displaced.Followed)} near by go along."),
             ("Between points", $"A straight cut misses the compensation by at most {Micrometres(displaced.LargestMisfitMm)} µm."),
-            ("Proof", $"Holds: of {ReportNumber.Count(displaced.Proof.Motions)} motions {ReportNumber.Count(displaced.Proof.MovedMotions)} moved, none further than {ReportNumber.Fine(displaced.Proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."),
+            ("Proof", $"Holds: of {ReportNumber.Count(displaced.Proof.Motions)} motions {ReportNumber.Count(displaced.Proof.MovedMotions)} moved, none further than {ReportNumber.Fine(displaced.Proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's{(displaced.Marker is null ? "" : ", but for the marker comment")}."),
+            ("Marker comment", displaced.Proof.Marker ?? "none, since nothing was changed"),
             ("Gain", report.Compensation.Input.Job.Compensation.Gain.ToString("0.###", CultureInfo.InvariantCulture)));
     }
 
@@ -50,13 +51,14 @@ internal static class DisplacementReportHtml
 
     private static void WriteBlocks(HtmlText html, DisplacedSurface report)
     {
-        var (before, blocks) = (report.Displaced.Before.Program, report.Displaced.Rewrite.ChangedBlocks);
+        // Without the marker each block stands where it stood.
+        var (before, after, blocks) = (report.Displaced.Before.Program, report.Displaced.Rewrite.Program, report.Displaced.Rewrite.ChangedBlocks);
         html.Put("p", $"{ReportNumber.Count(report.Displaced.Rewrite.ChangedWords)} words in {ReportNumber.Count(blocks.Count)} blocks{(blocks.Count > MostBlocks ? $"; the first {ReportNumber.Count(MostBlocks)} are listed" : "")}.");
         HtmlTable.Write(html, "blocks-table", "Blocks of the original program that were changed", [new("Line", true), new("Before"), new("After")], blocks.Take(MostBlocks), (row, block) =>
         {
             row.Number(ReportNumber.Count(block + 1));
             row.Code(before.TextOf(before[block]));
-            row.Code(report.Displaced.Program.TextOf(report.Displaced.Program[block]));
+            row.Code(after.TextOf(after[block]));
         }, isLong: true);
     }
 

@@ -43,6 +43,7 @@ internal static class DisplacementReportJson
         json.WriteBoolean("holds", displaced.Proof.Holds);
         json.WriteNumber("motions", displaced.Proof.Motions);
         json.WriteNumber("movedMotions", displaced.Proof.MovedMotions);
+        json.WriteString("marker", displaced.Proof.Marker);
         json.WriteNumber("maxDeviationFromWantedMm", displaced.Proof.MaxDeviationFromWantedMm);
         json.WriteBoolean("untouchedBytesIdentical", displaced.Proof.UntouchedBytesIdentical);
         json.WriteEndObject();

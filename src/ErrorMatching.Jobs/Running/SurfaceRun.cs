@@ -1,4 +1,5 @@
 using System.Security.Cryptography;
+using System.Text;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
@@ -43,7 +44,8 @@ public static class SurfaceRun
             }
 
             cancellation.ThrowIfCancellationRequested();
-            var program = FinishingProgram.Write(planned.Path, job, dialect);
+            var marker = new Marker(MeasurementSha256(result), files.Inputs.First(i => i.Role == FreeformFiles.SurfaceRole).Sha256);
+            var program = FinishingProgram.Write(planned.Path, job, dialect, marker: marker);
             var named = new ReportInput("finishing", Path.Combine(request.Folder ?? "", FinishedSurface.Name), Convert.ToHexStringLower(SHA256.HashData(program)));
             return new(new FinishedSurface(program, new(files.Named, files.Inputs, result, planned.Path, named, request.ElapsedS?.Invoke())));
         });
@@ -75,12 +77,17 @@ public static class SurfaceRun
                 return new(ErrorItems.Of(refusals, job.File));
             }
 
-            var displaced = SurfaceDisplacer.Displace(compensation.Input.Surface, compensation.Compensated, job.Compensation.Gain, job.Tool, bytes, dialect, job.Toolpath.ProgramsTip);
+            var displaced = SurfaceDisplacer.Displace(compensation.Input.Surface, compensation.Compensated, job.Compensation.Gain, job.Tool, bytes, dialect, job.Toolpath.ProgramsTip, MeasurementSha256(compensation));
             return displaced.IsUsable
                 ? new(new DisplacedSurface(files.Named, files.Inputs, program.File, displaced.Value, compensation, request.Folder))
                 : new(ErrorItems.Of([displaced.Refusal], program.File));
         });
     }
+
+    // Several measurements of a piece are one for the marker, in whatever order they were given.
+    private static string MeasurementSha256(CompensationResult result) => result.Input.Measured is [var only]
+        ? only.Sha256
+        : Convert.ToHexStringLower(SHA256.HashData(Encoding.ASCII.GetBytes(string.Concat(result.Input.Measured.Select(m => m.Sha256).Order(StringComparer.Ordinal)))));
 
     private static FreeformJob Job(FreeformFiles files, SurfaceRequest request)
     {

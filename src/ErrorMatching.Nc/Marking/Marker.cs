@@ -1,14 +1,13 @@
 using System.Buffers;
 using System.Text;
-using ErrorMatching.Nc;
 
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Nc;
 
 /// <summary>
 /// The comment by which a compensated program tells what it was made of: the SHA-256 of the measurement and of the base program. It keeps a correction from being applied twice.
 /// </summary>
 /// <param name="MeasurementSha256">SHA-256 of the measurement that was compensated, 64 hexadecimal digits.</param>
-/// <param name="BaseSha256">SHA-256 of the program that was displaced.</param>
+/// <param name="BaseSha256">SHA-256 of the program that was displaced, or of the nominal surface for which a program was made anew.</param>
 public sealed record Marker(string MeasurementSha256, string BaseSha256)
 {
     private const string Word = "ERRORMATCH";
@@ -34,7 +33,7 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     }
 
     /// <summary>All markers of a program with the positions of their blocks; a marker that was damaged so that its hashes cannot be read is null.</summary>
-    internal static IReadOnlyList<(int Block, Marker? Marker)> Find(NcProgram program)
+    public static IReadOnlyList<(int Block, Marker? Marker)> Find(NcProgram program)
     {
         ArgumentNullException.ThrowIfNull(program);
         var found = new List<(int, Marker?)>();
@@ -61,7 +60,7 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     /// <summary>
     /// The program with the marker as a line of its own: behind the percent sign and the program number if it begins with them, so that the control still finds both.
     /// </summary>
-    internal byte[] InsertInto(NcProgram program)
+    public byte[] InsertInto(NcProgram program)
     {
         ArgumentNullException.ThrowIfNull(program);
 

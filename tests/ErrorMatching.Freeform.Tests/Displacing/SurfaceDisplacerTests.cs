@@ -1,3 +1,4 @@
+using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Nc;
 
@@ -7,6 +8,7 @@ namespace ErrorMatching.Freeform.Tests;
 public sealed class SurfaceDisplacerTests
 {
     private static readonly NcDialect Dialect = NcDialects.LinuxCnc;
+    private static readonly string Measurement = new('a', 64);
 
     [Theory]
     [InlineData(false)]
@@ -64,10 +66,51 @@ public sealed class SurfaceDisplacerTests
         var result = Displace(surface, new Wave(), program, 1, false);
 
         var (was, now) = (Lines(program), Lines(result.Program.Bytes));
-        Assert.Equal(was.Length, now.Length);
-        Assert.Equal(was[..9], now[..9]);
+        Assert.Equal(was.Length + 1, now.Length);
+        Assert.Equal(was[..9], now[1..10]);
         Assert.Equal(was[^3..], now[^3..]);
         Assert.True(result.Proof.UntouchedBytesIdentical);
+    }
+
+    [Theory]
+    [InlineData("linuxcnc", "G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nX75\nG0 Z20\nM2\n", 0, "(", ")")]
+    [InlineData("siemens-840d", "; FINISHING\nG710 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nX75\nG0 Z20\nM30\n", 0, "; ", "")]
+    [InlineData("fanuc", "%\nO1000 (FINISHING)\nG21 G90 G17\nG0 X0. Y10. Z20.\nG1 Z3. F500.\nX75.\nG0 Z20.\nM30\n%\n", 2, "(", ")")]
+    public void A_program_tells_what_it_was_made_of_and_is_not_displaced_again(string control, string text, int line, string opens, string closes)
+    {
+        var (program, dialect) = (Encoding.ASCII.GetBytes(text), NcDialects.Named(control));
+        var result = SurfaceDisplacer.Displace(Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, dialect, programsTip: false, Measurement).Value!;
+        var marker = $"{opens}ERRORMATCH MEASUREMENT={Measurement.ToUpperInvariant()} BASE={Convert.ToHexString(SHA256.HashData(program))}{closes}";
+        Assert.Equal(marker, Lines(result.Program.Bytes)[line]);
+        Assert.Equal(marker, result.Proof.Marker);
+        Assert.True(result.Proof is { Holds: true, UntouchedBytesIdentical: true });
+
+        // Of another measurement as well, and if somebody edited the marker: the error that is in it was cut away already.
+        foreach (var again in new[] { result.Program.Bytes, Encoding.ASCII.GetBytes(Encoding.ASCII.GetString(result.Program.Bytes.Span).Replace("BASE=", "BASE", StringComparison.Ordinal)) })
+        {
+            var refusal = SurfaceDisplacer.Displace(Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), again, dialect, programsTip: false, new('b', 64)).Refusal!;
+            Assert.Equal((Marker.AlreadyCompensated, line + 1), (refusal.Code, refusal.Line));
+            Assert.Contains("Begin from the original program", refusal.Message, StringComparison.Ordinal);
+        }
+    }
+
+    [Fact]
+    public void A_program_that_stays_as_it_is_gets_no_marker()
+    {
+        var program = "G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nX75\nG0 Z20\nM2\n"u8.ToArray();
+        var result = Displace(Shapes.Plane(75, 63), new ConstantField(0, 0), program, 1, false);
+        Assert.Null(result.Marker);
+        Assert.Equal(program, result.Program.Bytes.ToArray());
+    }
+
+    [Fact]
+    public void A_program_for_another_control_is_blamed_at_its_first_unknown_code()
+    {
+        var program = "; FINISHING\nG17 G90 G710\nG54\nS10000 M3\nG0 Z20\nX0 Y10\nG1 Z3 F500\nX75\nG0 Z20\nM30\n"u8.ToArray();
+        var refusal = SurfaceDisplacer.Displace(Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, NcDialects.FanucMill, programsTip: false, Measurement).Refusal!;
+        Assert.Equal((NcRefusalCodes.UnknownState, 2), (refusal.Code, refusal.Line));
+        Assert.Contains("G710", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains("fanuc", refusal.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -109,7 +152,7 @@ public sealed class SurfaceDisplacerTests
     [InlineData("G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nX[10+10]\nG0 Z20\nM2\n", "expression")]
     public void What_cannot_follow_is_refused(string program, string code)
     {
-        var result = SurfaceDisplacer.Displace(Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), Encoding.ASCII.GetBytes(program), Dialect, programsTip: false);
+        var result = SurfaceDisplacer.Displace(Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), Encoding.ASCII.GetBytes(program), Dialect, programsTip: false, Measurement);
 
         Assert.Equal(code, result.Refusal?.Code);
     }
@@ -129,7 +172,7 @@ public sealed class SurfaceDisplacerTests
 
     private static DisplacedProgram Displace(PartSurface surface, ErrorField field, byte[] program, double gain, bool tip)
     {
-        var result = SurfaceDisplacer.Displace(surface, field, gain, Plans.Ball(6), program, Dialect, tip);
+        var result = SurfaceDisplacer.Displace(surface, field, gain, Plans.Ball(6), program, Dialect, tip, Measurement);
         Assert.True(result.IsUsable, result.Refusal?.Message);
         return result.Value;
     }

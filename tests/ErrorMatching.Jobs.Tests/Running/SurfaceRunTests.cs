@@ -1,5 +1,7 @@
+using System.Security.Cryptography;
 using System.Text;
 using System.Text.Json;
+using ErrorMatching.Nc;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Jobs.Tests;
@@ -37,7 +39,7 @@ public sealed class SurfaceRunTests
 
         // The first changed block as both files have it.
         var (before, after) = (Encoding.Latin1.GetString(File.ReadAllBytes(Cam.File)).Split('\n'), Encoding.Latin1.GetString(byFile.Program.Span).Split('\n'));
-        var first = before.Zip(after).First(l => l.First != l.Second);
+        var first = before.Zip(after.Skip(1)).First(l => l.First != l.Second);
         var page = Encoding.UTF8.GetString(byFile.ReportHtml());
         Assert.Contains(first.First.TrimEnd('\r'), page, StringComparison.Ordinal);
         Assert.Contains(first.Second.TrimEnd('\r'), page, StringComparison.Ordinal);
@@ -53,6 +55,33 @@ public sealed class SurfaceRunTests
         Assert.Throws<ArgumentOutOfRangeException>(() => Finished(new() { Measured = [Measured], Gain = 3 }));
     }
 
+    // Whether the error was cut away by a displaced program or by one that was made anew, it must not be cut away again.
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void What_follows_the_measurement_is_not_displaced_again(bool isMade)
+    {
+        var program = isMade ? Finished(new() { Measured = [Measured] }).Program : Displaced(Measured, Cam).Program;
+        var marker = Assert.Single(Marker.Find(NcProgram.Read(program, NcSyntax.Siemens))).Marker!;
+        Assert.Equal(Sha256(Measured.File), marker.MeasurementSha256);
+        Assert.Equal(Sha256(isMade ? Repository.PathTo("samples", "surface-one", "surface.igs") : Cam.File), marker.BaseSha256);
+        var refusal = Assert.Single(SurfaceRun.Displace(new(Job), new() { Measured = [Measured] }, new("again.nc", program), TestContext.Current.CancellationToken).Refusals);
+        Assert.Equal((Marker.AlreadyCompensated, "again.nc", 1), (refusal.Code, refusal.File, refusal.Line));
+        Assert.Contains("line 1: the program carries a marker", refusal.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void The_page_shows_changed_blocks_side_by_side_although_the_marker_moved_them()
+    {
+        var displaced = Displaced(Measured, Cam);
+        var (before, after) = (File.ReadAllLines(Cam.File), Encoding.Latin1.GetString(displaced.Program.Span).Split('\n'));
+        var block = displaced.Displaced.Rewrite.ChangedBlocks[0];
+        var page = Encoding.UTF8.GetString(displaced.ReportHtml());
+        Assert.Matches($"{System.Text.RegularExpressions.Regex.Escape(before[block])}</code></td>\\s*<td[^>]*><code>{System.Text.RegularExpressions.Regex.Escape(after[block + 1].TrimEnd('\r'))}<", page);
+        using var json = JsonDocument.Parse(displaced.ReportJson());
+        Assert.Equal(after[0].TrimEnd('\r'), json.RootElement.GetProperty("proof").GetProperty("marker").GetString());
+    }
+
     [Fact]
     public void A_program_beside_the_surface_is_refused_by_name()
     {
@@ -61,6 +90,8 @@ public sealed class SurfaceRunTests
         Assert.Null(outcome.Result);
         Assert.Equal(program, Assert.Single(outcome.Refusals).File);
     }
+
+    private static string Sha256(string file) => Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(file)));
 
     private static GivenFile WithBytes(GivenFile file) => file with { Bytes = File.ReadAllBytes(file.File) };
 

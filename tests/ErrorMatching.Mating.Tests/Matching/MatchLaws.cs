@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Nc;
 using FsCheck;
 using FsCheck.Fluent;
 

@@ -24,7 +24,7 @@ internal sealed class SurfaceDisplaceAnswer(DisplacedSurface report) : Answer
             $"Between two points a straight cut misses the compensation by at most {displaced.LargestMisfitMm * 1000:0.00} um."));
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Proof holds: of {displaced.Proof.Motions} motions {displaced.Proof.MovedMotions} moved, none further than {displaced.Proof.MaxDeviationFromWantedMm:0.0000} mm from where it was wanted; every byte besides is the original's."));
+            $"Proof holds: of {displaced.Proof.Motions} motions {displaced.Proof.MovedMotions} moved, none further than {displaced.Proof.MaxDeviationFromWantedMm:0.0000} mm from where it was wanted; every byte besides is the original's{(displaced.Marker is null ? "" : ", but for the marker comment")}."));
         page.Line("Alignment: " + AlignmentWords.Of(compensation.Alignment));
         foreach (var warning in compensation.Warnings)
         {
