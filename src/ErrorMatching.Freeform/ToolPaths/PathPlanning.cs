@@ -83,8 +83,9 @@ internal sealed partial class PathPlanning
             return refusal;
         }
 
+        // Where chords lie inside by more than the ridge is high nothing is left over the surface, and less than nothing is no height.
         var certificate = new ToolPathCertificate(
-            _chord.Mm, PlaceOf(_chord.At), _scallop.Mm, PlaceOf(_scallop.At), GougeMm, _raisedPoints, _raised.Mm, PlaceOf(_raised.At));
+            _chord.Mm, PlaceOf(_chord.At), Math.Max(0, _scallop.Mm), PlaceOf(_scallop.At), GougeMm, _raisedPoints, _raised.Mm, PlaceOf(_raised.At));
         return new ToolPath(() => new(_offset, _rounding, _toolpath.ChordMm, PassBuilder.LiftShare * _toolpath.ScallopMm), _offset, _rounding, _chains, new(_passes, _points, _length, TravelCenterZ, certificate, _decimals));
     }
 

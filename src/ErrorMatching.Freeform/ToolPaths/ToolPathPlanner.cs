@@ -18,7 +18,7 @@ public static class ToolPathPlanner
     /// <param name="stockMm">What is to be left on the surface, along its normal, in millimetres.</param>
     /// <param name="dialect">The control that the path is for: its least increment is what coordinates are rounded to.</param>
     /// <returns>
-    /// The path, or a refusal: the increment is coarser than a tolerance (<c>increment-too-coarse</c>), the surface has no normal (<c>no-normal</c>), faces down (<c>faces-down</c>) or has an edge in it (<c>edge-in-surface</c>), the ball
+    /// The path, or a refusal: the increment is coarser than a tolerance (<c>increment-too-coarse</c>), the chord is not smaller than half of the stock (<c>chord-too-coarse</c>), the surface has no normal (<c>no-normal</c>), faces down (<c>faces-down</c>) or has an edge in it (<c>edge-in-surface</c>), the ball
     /// does not fit (<c>ball-does-not-fit</c>), cannot leave it (<c>no-way-out</c>), a tolerance cannot be kept (<c>tolerance-not-reached</c>), or the path would be too long (<c>path-too-long</c>).
     /// </returns>
     /// <exception cref="ArgumentOutOfRangeException">A length is not positive, or the stock negative, or not finite.</exception>
@@ -44,6 +44,14 @@ public static class ToolPathPlanner
             return new FreeformRefusal("increment-too-coarse", string.Create(
                 CultureInfo.InvariantCulture,
                 $"{dialect.Name} writes {increment} mm, more than the {finest} mm that scallopMm and chordMm ask for: rounding alone would exceed it. Ask for {increment} mm or more, or name a dialect whose metricDecimals is larger."));
+        }
+
+        // Where the surface is convex a chord lies inside of the stock, and at half of it twice that, which no gouge is less than, is all of it.
+        if (stockMm > 0 && toolpath.ChordMm >= stockMm / 2)
+        {
+            return new FreeformRefusal("chord-too-coarse", string.Create(
+                CultureInfo.InvariantCulture,
+                $"toolpath.chordMm is {toolpath.ChordMm} mm, but {stockMm} mm of stock are to stay: straight cuts may lie inside by the chord, so it has to be less than {stockMm / 2} mm, half of the stock. State a smaller chordMm, or leave more stock (stockMm)."));
         }
 
         var sheet = toolpath.AlongU ? surface : Turned(surface);

@@ -49,6 +49,7 @@ public sealed class FreeformJobTests
     [InlineData("\"roughing\": 0.4", "\"roughing\": 0.1", "stock-grows", "$.stockMm.roughing")]
     [InlineData("\"method\": \"best\"", "\"method\": \"nurbs\"", "not-one-of", "$.fit.method")]
     [InlineData("\"diameterMm\": 6", "\"diameterMm\": 0", "too-small", "$.tool.diameterMm")]
+    [InlineData("\"chordMm\": 0.001", "\"chordMm\": 5", "too-large", "$.toolpath.chordMm")]
     [InlineData("\"scallopMm\": 0.001", "\"scalopMm\": 0.001", "unknown-key", "$.toolpath.scalopMm")]
     public void What_is_wrong_is_named_by_its_path(string old, string text, string code, string path)
     {

@@ -43,6 +43,23 @@ public sealed class PathRefusalTests
         Refused(Plans.Of(surface, Plans.Passes(0.05, 0.05)), "no-way-out", "the tool cannot go up without touching the surface", "Trim the surface there, or turn the part");
     }
 
+    [Theory]
+    [InlineData(0.2, 0.1, "chordMm is 0.1 mm", "0.2 mm of stock")]
+    [InlineData(0.1, 0.06, "chordMm is 0.06 mm", "0.1 mm of stock")]
+    public void A_chord_that_could_take_all_of_the_stock_is_refused(double stock, double chord, params string[] said) =>
+        Refused(Plans.Of(Shapes.Plane(10, 10), Plans.Passes(0.1, chord), stock: stock), "chord-too-coarse", said);
+
+    // A cylinder that falls to both sides: all chords lie inside, by more than the ridges are high.
+    [Fact]
+    public void Ridges_that_lie_below_the_surface_have_no_negative_height_and_are_not_said_to_be_no_gouge()
+    {
+        var certificate = Plans.Path(Shapes.Graph((x, _) => -0.01 * (x - 20) * (x - 20), 40, 2), Plans.Passes(0.001, 0.09)).Certificate;
+        Assert.InRange(certificate.ChordMm, 0.02, 0.09);
+        Assert.InRange(certificate.ScallopMm, 0, 0.001);
+        Assert.False(certificate.HasNoGouge);
+        Assert.True(Plans.Path(Shapes.Plane(10, 10), Plans.Passes(0.1, 0.01)).Certificate.HasNoGouge);
+    }
+
     private static void Refused(ToolPathResult result, string code, params string[] said)
     {
         Assert.Equal(code, result.Refusal?.Code);

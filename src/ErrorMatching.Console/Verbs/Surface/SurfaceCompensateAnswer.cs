@@ -46,7 +46,7 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
         page.Line();
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Tool path: {report.ToolPath.Passes} passes, {report.ToolPath.Points} points, {report.ToolPath.LengthMm:0} mm; chord at most {Um(certificate.ChordMm)} um, scallop at most {Um(certificate.ScallopMm)} um{(certificate.RaisedPoints > 0 ? $", {certificate.RaisedPoints} points raised by up to {Um(certificate.RaisedMm)} um where the ball does not fit" : ", no gouge")}."));
+            $"Tool path: {report.ToolPath.Passes} passes, {report.ToolPath.Points} points, {report.ToolPath.LengthMm:0} mm; chord at most {Um(certificate.ChordMm)} um, scallop at most {Um(certificate.ScallopMm)} um{Gouges(certificate)}."));
         foreach (var warning in result.Warnings)
         {
             page.Line("Warning: " + warning);
@@ -69,6 +69,13 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
 
     private static IReadOnlyList<string> Row(string name, DeviationStatistics s) =>
         [name, s.Count.ToString(CultureInfo.InvariantCulture), Signed(s.MeanMm), Um(s.StandardDeviationMm), Um(s.ProfileIsoMm), Um(s.ProfileRangeMm)];
+
+    private static string Gouges(ToolPathCertificate certificate) => certificate switch
+    {
+        { RaisedPoints: > 0 } => string.Create(CultureInfo.InvariantCulture, $", {certificate.RaisedPoints} points raised by up to {Um(certificate.RaisedMm)} um where the ball does not fit"),
+        { HasNoGouge: true } => ", no gouge",
+        _ => $", no gouge beyond the chord: a straight cut may lie up to {Um(certificate.ChordMm)} um inside the surface",
+    };
 
     private static string Um(double mm) => (mm * 1000).ToString("0.00", CultureInfo.InvariantCulture);
 
