@@ -45,7 +45,7 @@ public static class Compensator
         {
             return CompensationOutcome.Refused("beyond-limit", string.Create(
                 CultureInfo.InvariantCulture,
-                $"The compensated surface would lie up to {surface.LargestMoveMm:0.####} mm from the nominal one; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm. Between the points the fit goes further than they do: measure more points, or raise the limit if that is meant."));
+                $"The compensated surface would lie up to {Beyond(surface.LargestMoveMm, job.Compensation.LimitMm).TrimStart('+')} mm from the nominal one; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm. Between the points the fit goes further than they do: measure more points, or raise the limit if that is meant."));
         }
 
         return new(new()
@@ -92,7 +92,23 @@ public static class Compensator
             : " Touch it again, or look for a chip or a wrong probe.";
         return new("beyond-limit", string.Create(
             CultureInfo.InvariantCulture,
-            $"Point {worst.Point} is {worst.ErrorMm:+0.####;-0.####} mm off along the normal{(beyond.Length > 1 ? $", and {beyond.Length - 1} more points are too" : "")}; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm.{hint}"));
+            $"Point {worst.Point} is {Beyond(worst.ErrorMm, job.Compensation.LimitMm)} mm off along the normal{(beyond.Length > 1 ? $", and {beyond.Length - 1} more points are too" : "")}; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm.{hint}"));
+    }
+
+    // As many digits as it takes to see that a length is beyond its limit.
+    private static string Beyond(double mm, double limitMm)
+    {
+        var limit = limitMm.ToString("0.####", CultureInfo.InvariantCulture);
+        for (var digits = 4; digits < 10; digits++)
+        {
+            var format = "0." + new string('#', digits);
+            if (Math.Abs(mm).ToString(format, CultureInfo.InvariantCulture) is var text && text != limit)
+            {
+                return mm.ToString($"+{format};-{format}", CultureInfo.InvariantCulture);
+            }
+        }
+
+        return mm.ToString("R", CultureInfo.InvariantCulture);
     }
 
     private static ErrorField Systematic(FreeformJob job, IReadOnlyList<ErrorSample> samples, DeviationStatistics statistics, SpatialStructure structure, List<string> notes, List<string> warnings)
@@ -111,7 +127,7 @@ public static class Compensator
         var isReal = Math.Abs(statistics.MeanMm) > Significant * standardError;
         warnings.Add(string.Create(
             CultureInfo.InvariantCulture,
-            $"Errors of neighboring points are not alike (Moran's I {structure.I:0.###}, p {structure.P:0.###}): what differs from the mean looks like noise and is not mirrored. {(isReal ? $"The mean of {statistics.MeanMm * 1000:+0.00;-0.00} um is compensated." : "The mean is not significant either: nothing is compensated.")}"));
+            $"Errors of neighboring points are not alike (Moran's I {structure.I:0.###}, p {FieldWords.Probability(structure.P)}): what differs from the mean looks like noise and is not mirrored. {(isReal ? $"The mean of {statistics.MeanMm * 1000:+0.00;-0.00} um is compensated." : "The mean is not significant either: nothing is compensated.")}"));
         return isReal ? new ConstantField(statistics.MeanMm, standardError) : new ConstantField(0, standardError);
     }
 

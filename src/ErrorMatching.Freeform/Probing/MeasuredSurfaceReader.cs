@@ -143,10 +143,16 @@ public static class MeasuredSurfaceReader
         var hint = isRadius ? "This is the radius of the ball: does the file hold centers (\"reports\": \"stylus-center\")?"
             : far.Length == points.Length ? "All points are: is the file of another piece, work offset or tool length, or is the surface not where the job has it?"
             : "Measure it again.";
+        var others = far.Length switch
+        {
+            1 => "",
+            2 => " 1 other point is beyond that, too.",
+            _ => string.Create(CultureInfo.InvariantCulture, $" {far.Length - 1} other points are beyond that, too."),
+        };
         throw new FreeformException(
             "far-off-point",
             file,
-            string.Create(CultureInfo.InvariantCulture, $"point {first.Planned.Number} is X{off.X:0.###} Y{off.Y:0.###} Z{off.Z:0.###} mm from where it is expected ({along:0.###} mm along the normal; less than {limit:0.###} mm is), and {far.Length - 1} other points are as far off. {hint}"),
+            string.Create(CultureInfo.InvariantCulture, $"point {first.Planned.Number} is {off.Length:0.####} mm from where it is expected ({along:0.###} mm along the normal; X{off.X:0.###} Y{off.Y:0.###} Z{off.Z:0.###}), and the measuring move reaches less than {limit:0.####} mm.{others} {hint}"),
             first.Line);
     }
 

@@ -76,7 +76,7 @@ public static class CompensationReportHtml
     {
         var field = result.Systematic as FittedField;
         ReportFacts.Write(html,
-            ("Systematic?", result.Structure is { Verdict: not SpatialVerdict.Undetermined } s ? string.Create(CultureInfo.InvariantCulture, $"{(s.Verdict == SpatialVerdict.Systematic ? "Yes" : "No")}: Moran's I {s.I:0.###} (no structure: {s.Expectation:0.###}), z {s.Z:0.0}, p {s.P:0.####}.") : "Too few points to tell, or all errors are the same."),
+            ("Systematic?", result.Structure is { Verdict: not SpatialVerdict.Undetermined } s ? string.Create(CultureInfo.InvariantCulture, $"{(s.Verdict == SpatialVerdict.Systematic ? "Yes" : "No")}: Moran's I {s.I:0.###} (no structure: {s.Expectation:0.###}), z {s.Z:0.0}, p {FieldWords.Probability(s.P)}.") : "Too few points to tell, or all errors are the same."),
             ("Fit", $"{FitMethods.NameOf(result.Input.Job.Fit.Method)} of the {(result.Input.Job.Fit.OfError ? "error over (u, v), added to the exact nominal surface" : "compensation points")}."),
             ("Model", field is null ? result.Systematic is ConstantField ? "A constant." : "The surface fit of that name." : FieldWords.Sentence(field.Kind)),
             ("Breaks", field is null || field.BreaksU.Count + field.BreaksV.Count == 0 ? "None of the curvature found." : string.Create(CultureInfo.InvariantCulture, $"u: {string.Join(", ", field.BreaksU.Select(b => b.ToString("0.####", CultureInfo.InvariantCulture)))}; v: {string.Join(", ", field.BreaksV.Select(b => b.ToString("0.####", CultureInfo.InvariantCulture)))}.")),
@@ -93,7 +93,7 @@ public static class CompensationReportHtml
             ("Passes", $"{ReportNumber.Count(path.Passes)} passes of {ReportNumber.Count(path.Points)} points, {path.LengthMm.ToString("0", CultureInfo.InvariantCulture)} mm."),
             ("Chordal error", $"At most {Micrometres.OfMm(certificate.ChordMm)} µm, found by checking the rounded polyline densely."),
             ("Scallop", $"At most {Micrometres.OfMm(certificate.ScallopMm)} µm."),
-            ("Gouges", certificate.RaisedPoints == 0 ? $"None: nowhere on the whole surface does the ball come nearer to it than {Micrometres.OfMm(certificate.GougeMm)} µm, chords and rounding included." : $"{ReportNumber.Count(certificate.RaisedPoints)} points were raised by up to {Micrometres.OfMm(certificate.RaisedMm)} µm where the ball does not fit: there material is left."));
+            ("Gouges", certificate.RaisedPoints == 0 ? $"None{(certificate.HasNoGouge ? "" : $" beyond the chord, by which a straight cut may lie up to {Micrometres.OfMm(certificate.ChordMm)} µm inside")}: checked against the whole surface, nowhere does the ball cut deeper into it than {Micrometres.OfMm(certificate.GougeMm)} µm, chords and rounding included." : $"{ReportNumber.Count(certificate.RaisedPoints)} points were raised by up to {Micrometres.OfMm(certificate.RaisedMm)} µm where the ball does not fit: there material is left."));
     }
 
     private static IReadOnlyList<PlottedPoint> Labels(CompensationResult result, Func<ErrorSample, double> valueMm) =>

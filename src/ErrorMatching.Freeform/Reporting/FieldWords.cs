@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>What reports call the models of an error field.</summary>
@@ -10,6 +12,9 @@ internal static class FieldWords
         FieldModelKind.GaussianProcess => "gaussian-process",
         _ => "cubic-spline",
     };
+
+    /// <summary>A probability behind the letter p: one that is too small for four digits is said to be smaller than they show.</summary>
+    public static string Probability(double p) => p < 0.0001 ? "< 0.0001" : p.ToString("0.####", CultureInfo.InvariantCulture);
 
     /// <summary>A sentence for people.</summary>
     public static string Sentence(FieldModelKind kind) => kind switch

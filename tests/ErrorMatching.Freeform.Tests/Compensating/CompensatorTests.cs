@@ -133,6 +133,18 @@ public sealed class CompensatorTests
         Assert.Contains($"Point {worst.Number} is +0.31 mm off", refusal.Message, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData(-0.200001, "-0.200001")]
+    [InlineData(-0.20004, "-0.20004")]
+    [InlineData(0.2001, "+0.2001")]
+    public void A_point_hardly_beyond_the_limit_is_told_by_as_many_digits_as_it_takes(double error, string said)
+    {
+        var piece = new MeasuredDesign(PaperDesign.Two);
+        var worst = piece.Plan.Points[20];
+        var refusal = Assert.Single(piece.Compensate(piece.With((u, v) => u == worst.U && v == worst.V ? error : 0.01)).Refusals);
+        Assert.Contains($"is {said} mm off along the normal; compensation.limitMm allows 0.2 mm", refusal.Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Where_most_points_are_off_it_is_said_what_to_check()
     {

@@ -116,10 +116,17 @@ public sealed class MeasuredSurfaceReaderTests
 
     [Fact]
     public void A_far_off_point_is_named_with_its_distance() =>
-        Refused(Programs.Log(Plan, p => p.Number == 6 ? Plan.CenterOf(p) + new Vector3(0, 0, 5) : Plan.CenterOf(p)), "far-off-point", 7, "point 6 is");
+        Refused(Programs.Log(Plan, p => p.Number == 6 ? Plan.CenterOf(p) + new Vector3(0, 0, 5) : Plan.CenterOf(p)), "far-off-point", 7, "point 6 is 4.9974 mm from where it is expected");
 
     [Fact]
     public void A_touch_that_found_nothing_is_far_off() => Refused(Programs.Log(Plan, p => p.Number == 6 ? Plan.OvertravelOf(p) : Plan.CenterOf(p)), "far-off-point", 7, "(-2 mm along the normal");
+
+    [Theory]
+    [InlineData(1, "reaches less than 1.995 mm. Measure it again.")]
+    [InlineData(2, "reaches less than 1.995 mm. 1 other point is beyond that, too. Measure it again.")]
+    [InlineData(4, "reaches less than 1.995 mm. 3 other points are beyond that, too. Measure it again.")]
+    public void As_many_others_are_named_as_there_are(int count, string said) =>
+        Refused(Programs.Log(Plan, p => p.Number <= count ? Plan.CenterOf(p) + new Vector3(0, 0, 5) : Plan.CenterOf(p)), "far-off-point", 2, said);
 
     [Fact]
     public void Points_out_of_order_are_a_warning()

@@ -61,6 +61,23 @@ public sealed class SurfaceReportTests
         Assert.Equal(1000 * Report.Result.ToolRadius.Errors[3], point.GetProperty("toolRadiusUm").GetDouble(), 6);
     }
 
+    [Theory]
+    [InlineData(0, "< 0.0001")]
+    [InlineData(0.00009, "< 0.0001")]
+    [InlineData(0.0321, "0.0321")]
+    [InlineData(1, "1")]
+    public void A_probability_is_never_said_to_be_none(double p, string said) => Assert.Equal(said, FieldWords.Probability(p));
+
+    // The chord of 20 um that the job allows is no small one.
+    [Fact]
+    public void Gouges_are_told_from_chords()
+    {
+        var page = Encoding.UTF8.GetString(CompensationReportHtml.Write(Report));
+        Assert.DoesNotContain("p 0.", page, StringComparison.Ordinal);
+        Assert.Contains("checked against the whole surface, nowhere does the ball cut deeper into it than", page, StringComparison.Ordinal);
+        Assert.Equal(Report.ToolPath.Certificate.ChordMm > 0.01, page.Contains("None beyond the chord, by which a straight cut may lie up to", StringComparison.Ordinal));
+    }
+
     [Fact]
     public void Cells_that_are_cut_away_are_outside_of_the_net()
     {
