@@ -71,6 +71,27 @@ public sealed class FinishingProgramTests
     public void A_control_with_another_increment_than_planned_for_is_an_error() => Assert.Throws<ArgumentException>(() =>
         FinishingProgram.Write(Plans.Path(Shapes.Plane(10, 1), Plans.Passes(0.05, 0.01)), Plans.Job(Plans.Passes(), "fanuc"), NcDialects.FanucMill));
 
+    [Theory]
+    [InlineData("siemens-840d", 0)]
+    [InlineData("fanuc", 2)]
+    [InlineData("delta-nc300", 2)]
+    [InlineData("generic", 0)]
+    [InlineData("linuxcnc", 0)]
+    public void A_program_that_follows_a_measurement_says_so_where_its_control_still_finds_what_it_looks_for(string name, int line)
+    {
+        var (dialect, toolpath) = (NcDialects.Named(name), Plans.Passes(0.05, 0.01));
+        var (path, job, marker) = (Plans.Path(Shapes.Plane(10, 1), toolpath, dialect: dialect), Plans.Job(toolpath, name), new Marker(new('a', 64), new('b', 64)));
+        var bytes = FinishingProgram.Write(path, job, dialect, marker: marker);
+        var program = NcProgram.Read(bytes, dialect.Syntax);
+        Assert.Equal([(line, marker)], Marker.Find(program));
+        Assert.Empty(NcInterpreter.Run(program, dialect).Problems);
+
+        // Besides that line it is the program that follows none.
+        var lines = Encoding.ASCII.GetString(bytes).Split('\n').ToList();
+        lines.RemoveAt(line);
+        Assert.Equal(Encoding.ASCII.GetString(FinishingProgram.Write(path, job, dialect)), string.Join('\n', lines));
+    }
+
     [Fact]
     public void Numbers_of_every_size_are_written_exactly()
     {
