@@ -1,4 +1,6 @@
 using System.Text;
+using ErrorMatching.Freeform;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -22,6 +24,19 @@ public sealed class ProgramLinesTests
         var before = GC.GetAllocatedBytesForCurrentThread();
         _ = lines[500_000];
         Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 2_000);
+    }
+
+    [Fact]
+    public void The_marker_of_a_displaced_surface_is_no_change_to_step_to()
+    {
+        var folder = Path.Combine(AppContext.BaseDirectory, "samples", "surface-one");
+        var files = new FreeformFiles(Path.Combine(folder, "job.json"));
+        var (job, dialect) = (files.Job with { Toolpath = files.Job.Toolpath with { ScallopMm = 0.1, ChordMm = 0.05 } }, files.Dialect(files.Job.Toolpath.Dialect));
+        var cam = FinishingProgram.Write(ToolPathPlanner.Plan(files.Surface(), job.Tool, job.Toolpath, 0, dialect).Path!, job, dialect);
+        var displaced = SurfaceRun.Displace(files, new() { Measured = [new(Path.Combine(folder, "measured.csv"))] }, new("cam.nc", cam), TestContext.Current.CancellationToken).Result!;
+        var kept = KeptSurface.Read(displaced.ReportJson())!;
+        Assert.StartsWith("; ERRORMATCH MEASUREMENT=", kept.Proof!.Marker, StringComparison.Ordinal);
+        Assert.Empty(new ProgramLines(cam, displaced.Program, [], kept.Proof.Marker).Changes);
     }
 
     private static ProgramLines Of(string original, string modified, params KeptBlock[] blocks) => new(Encoding.ASCII.GetBytes(original), Encoding.ASCII.GetBytes(modified), blocks);
