@@ -56,11 +56,23 @@ public sealed class SetupWordsTests
             new[] { "edit-counterpart.mapMm", "edit-counterpart.frame.translateMm[1]", "edit-originCheck.point", "edit-compensation.limitMm", "edit-gauge.measuring.probingSpeedMmPerS" }.Select(f => ((TextField)seat.System.Field(f)).Placeholder));
         Assert.Equal("", ((TextField)seat.System.Field("edit-counterpart.toolDiameterMm")).Placeholder);
 
+        // It stands in the field on the screen as well, as long as the field is empty.
+        seat.Seat.Tap("side-machine");
+        Assert.Equal("empty: 1", InField("edit-compensation.limitMm"));
+        Assert.Null(InField("edit-counterpart.toolDiameterMm"));
+        seat.Seat.Type("edit-compensation.limitMm", "2");
+        Assert.Null(InField("edit-compensation.limitMm"));
+        seat.Seat.Type("edit-compensation.limitMm", "");
+        Assert.Equal("empty: 1", InField("edit-compensation.limitMm"));
+        seat.Settle();
+
         // What says that it may stay empty is never told as missing.
         var optional = new[] { seat.System.Frame, seat.System.Alignment, seat.System.Compensation, seat.System.Gauge }.SelectMany(f => f).OfType<TextField>().Where(f => f.Placeholder.Length > 0).ToArray();
         Assert.True(optional.Length > 10);
         seat.Seat.WaitFor(() => seat.Shell.Editing.IsChecked, "It is not looked through.");
         Assert.All(optional, f => Assert.DoesNotContain(seat.Shell.Editing.Problems, p => p.Field == f.Path));
+
+        string? InField(string id) => seat.Seat.See(id).GetVisualDescendants().OfType<TextBlock>().SingleOrDefault(t => t.IsEffectivelyVisible && t.Bounds.Width > 0 && !string.IsNullOrEmpty(t.Text))?.Text;
     });
 
     [Fact]
