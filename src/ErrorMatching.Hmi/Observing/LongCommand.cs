@@ -9,6 +9,7 @@ public sealed class LongCommand : Observable, ICommand
     private readonly Func<CancellationToken, Task> _run;
     private readonly Func<bool>? _can;
     private CancellationTokenSource? _cancellation;
+    private bool _isAsking;
 
     /// <summary>A command.</summary>
     /// <param name="run">Does it. Whatever may fail in it, it says itself.</param>
@@ -28,6 +29,9 @@ public sealed class LongCommand : Observable, ICommand
     /// <summary>True from the tap until it is done.</summary>
     public bool IsRunning => _cancellation is not null;
 
+    /// <summary>True while it runs and does not wait for somebody: it makes progress.</summary>
+    public bool IsWorking => IsRunning && !_isAsking;
+
     /// <summary>The run that is under way, or the last one; done if there was none.</summary>
     public Task Running { get; private set; } = Task.CompletedTask;
 
@@ -43,6 +47,21 @@ public sealed class LongCommand : Observable, ICommand
         }
     }
 
+    /// <summary>Waits within a run for what somebody answers: as long as they think, nothing goes on.</summary>
+    public async Task<T> AskAsync<T>(Func<Task<T>> ask)
+    {
+        ArgumentNullException.ThrowIfNull(ask);
+        Ask(true);
+        try
+        {
+            return await ask();
+        }
+        finally
+        {
+            Ask(false);
+        }
+    }
+
     /// <summary>Says that it may be possible now, or not any more.</summary>
     public void Refresh()
     {
@@ -53,8 +72,7 @@ public sealed class LongCommand : Observable, ICommand
     private async Task RunAsync()
     {
         using var cancellation = _cancellation = new();
-        Say(nameof(IsRunning));
-        Refresh();
+        SayRunning();
         try
         {
             await _run(cancellation.Token);
@@ -66,8 +84,20 @@ public sealed class LongCommand : Observable, ICommand
         finally
         {
             _cancellation = null;
-            Say(nameof(IsRunning));
-            Refresh();
+            SayRunning();
         }
+    }
+
+    private void SayRunning()
+    {
+        Say(nameof(IsRunning));
+        Say(nameof(IsWorking));
+        Refresh();
+    }
+
+    private void Ask(bool isAsking)
+    {
+        _isAsking = isAsking;
+        Say(nameof(IsWorking));
     }
 }

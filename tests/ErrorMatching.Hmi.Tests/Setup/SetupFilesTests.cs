@@ -1,3 +1,4 @@
+using Avalonia;
 using Avalonia.Controls;
 using ErrorMatching.Jobs;
 using ErrorMatching.Testing;
@@ -68,6 +69,27 @@ public sealed class SetupFilesTests
         Assert.Contains("line 5", seat.TextOf("setup-message"), StringComparison.Ordinal);
         Assert.Equal(entries, seat.Seat.Station.Store.AuditHead().Seq);
         Assert.Empty(seat.Seat.Station.Store.Search(new()));
+    });
+
+    [Fact]
+    public Task Nothing_works_as_long_as_a_file_is_chosen() => At((seat, _) =>
+    {
+        var before = Place();
+        seat.Seat.Tap("dry-run-file").See("chooser-path");
+        Assert.Null(seat.Seat.Find("working"));
+        Assert.Equal(before, Place());
+        seat.Seat.Tap("chooser-leave");
+        seat.Seat.WaitFor(() => !seat.System.DryRunFile.IsRunning, "It goes on without a file.");
+        Assert.Null(seat.System.Detail);
+
+        // Once one is chosen, something goes on until it is tried.
+        var working = new List<bool>();
+        seat.System.DryRunFile.PropertyChanged += (_, e) => working.AddRange(e.PropertyName == nameof(LongCommand.IsWorking) ? [seat.System.DryRunFile.IsWorking] : []);
+        Choose(seat, "dry-run-file", Part);
+        seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
+        Assert.Equal([true, false, true, false], working);
+
+        Point Place() => seat.Seat.See("dry-run-file").TranslatePoint(default, seat.Seat.Window)!.Value;
     });
 
     [Fact]

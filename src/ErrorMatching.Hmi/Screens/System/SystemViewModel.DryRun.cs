@@ -73,7 +73,7 @@ public sealed partial class SystemViewModel
 
     private async Task DryRunFileAsync(CancellationToken cancellation)
     {
-        if (await Shell.ChooseAsync(new(FileChoiceKind.Open, "System.DryRunFile", [".csv", ".txt"])) is not { } path)
+        if (await DryRunFile.AskAsync(() => Shell.ChooseAsync(new(FileChoiceKind.Open, "System.DryRunFile", [".csv", ".txt"]))) is not { } path)
         {
             return;
         }
