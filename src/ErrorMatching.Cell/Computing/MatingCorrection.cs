@@ -99,7 +99,7 @@ internal sealed class MatingCorrection
 
         var steps = Steps(matched);
         var sums = _request.Sums.Plus(steps);
-        var (mm, at, block) = Largest(matched, steps);
+        var (mm, at, block) = LargestMove.Of(matched);
         var limits = new DisplacementLimits(_policy, _files.Job.Compensation.LimitMm);
         if (limits.OfStep(mm, at, block) is { } overStep)
         {
@@ -140,29 +140,6 @@ internal sealed class MatingCorrection
     private static PointCorrection[] Steps(MatchedProgram matched) =>
         [.. matched.Report.KeyPoints.Select(p => matched.Match.Rewrite is null ? new PointCorrection(p.Point, 0, 0, 0) : new(p.Point, p.Correction.X, p.Correction.Y, 0))];
 
-    private static (double Mm, string At, string? Block) Largest(MatchedProgram matched, PointCorrection[] steps)
-    {
-        var largest = (Mm: 0.0, At: "", Block: default(string));
-        foreach (var (point, step) in matched.Report.KeyPoints.Zip(steps))
-        {
-            largest = step.LengthMm > largest.Mm ? (step.LengthMm, Recorded.AtPointOf.With(point.Point, point.Feature), point.Blocks.Count > 0 ? point.Blocks[0] : null) : largest;
-        }
-
-        // Between and beside the points a block may be asked to move further than they do. Rounding alone is no further.
-        var (before, increment) = (matched.Match.Before, LeastIncrement(matched.Match));
-        foreach (var element in matched.Match.Rewrite is null ? [] : matched.Match.Wish!.Elements)
-        {
-            var mm = Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));
-            if (mm > largest.Mm + increment)
-            {
-                var name = before.Program.NameOf(before.Program[before.Motions[element.Motion].Block]);
-                largest = (mm, Recorded.AtBlock.With(name), name);
-            }
-        }
-
-        return largest;
-    }
-
     // The largest distance from the original program: of the sums at the points, or between and beside them as the program itself shows it. Null if the two cannot be compared.
     private (double Mm, string At, string? Block)? SinceOriginal(MatchedProgram matched, CorrectionSums sums, (double Mm, string At, string? Block) step)
     {
@@ -187,5 +164,5 @@ internal sealed class MatingCorrection
         return (elsewhere.Mm, Recorded.AtBlock.With(name), name);
     }
 
-    private static double LeastIncrement(MatchResult match) => match.Rewrite?.LeastIncrementMm ?? Math.Pow(10, -match.Before.Dialect.MetricDecimals);
+    internal static double LeastIncrement(MatchResult match) => match.Rewrite?.LeastIncrementMm ?? Math.Pow(10, -match.Before.Dialect.MetricDecimals);
 }

@@ -29,6 +29,9 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
     /// <summary>True if the slot still holds the program of this correction, so that the one before can be brought back.</summary>
     public bool IsInSlot { get; init; }
 
+    /// <summary>Where it moves its program most, as a step would record it; null where a step does, since it was not only tried.</summary>
+    public string? TriedAt { get; init; }
+
     /// <summary>What people call the workpiece; null before it is recognized.</summary>
     public string? JobName => Report?.JobName ?? Surface?.JobName ?? Correction.Job;
 

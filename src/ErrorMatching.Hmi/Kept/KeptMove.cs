@@ -19,8 +19,14 @@ public static class KeptMove
 
         // Warnings follow it, a sentence each.
         var first = basis.IndexOf(". ", StringComparison.Ordinal) is >= 0 and var end ? basis[..(end + 1)] : basis;
-        return Recorded.DisplacedAt.Read(first) is not [_, var place] ? null
-            : place.StartsWith(Block, StringComparison.Ordinal) ? place[Block.Length..]
-            : RecordedText.Of(place.Split(Of)[0]);
+        return Recorded.DisplacedAt.Read(first) is [_, var place] ? PlaceOf(place) : null;
+    }
+
+    /// <summary>The place in the language of the screen.</summary>
+    /// <param name="at">The place as a step records it.</param>
+    public static string PlaceOf(string at)
+    {
+        ArgumentNullException.ThrowIfNull(at);
+        return at.StartsWith(Block, StringComparison.Ordinal) ? at[Block.Length..] : RecordedText.Of(at.Split(Of)[0]);
     }
 }

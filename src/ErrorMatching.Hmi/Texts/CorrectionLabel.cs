@@ -5,11 +5,12 @@ namespace ErrorMatching.Hmi;
 /// <summary>What a correction is called on the screen: its number, and the serial number of its piece or the file that it came as.</summary>
 public static class CorrectionLabel
 {
-    /// <summary>The label.</summary>
+    /// <summary>The label; the file alone where it has no number, since the store does not have it.</summary>
     public static string Of(Correction correction)
     {
         ArgumentNullException.ThrowIfNull(correction);
-        return $"#{Shown.Id(correction.Id)} · {correction.Serial ?? correction.FileName}";
+        var piece = correction.Serial ?? correction.FileName;
+        return correction.Id == 0 ? piece : $"#{Shown.Id(correction.Id)} · {piece}";
     }
 
     /// <summary>Where its program goes, is or was, in a sentence: machine, slot and file; null where none goes to a machine.</summary>

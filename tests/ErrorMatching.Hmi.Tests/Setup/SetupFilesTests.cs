@@ -51,10 +51,18 @@ public sealed class SetupFilesTests
         var entries = seat.Seat.Station.Store.AuditHead().Seq;
         Choose(seat, "dry-run-file", Part);
         seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
-        Assert.Equal("part.csv", seat.TextOf("detail-title")!.Split(' ')[^1]);
+        Assert.Equal("part.csv", seat.TextOf("detail-title"));
         var console = MatingRun.Of(new(seat.JobFile), new() { Part = new("part.csv", File.ReadAllBytes(Part)) }, TestContext.Current.CancellationToken).Result!;
         Assert.Equal(KeptReport.Read(console.ReportJson())!.Points.Select(p => p.Correction), seat.System.Detail!.Kept.Report!.Points.Select(p => p.Correction));
         Assert.Contains("Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
+
+        // By how much it moves at most, and where, is its own; it has no course, and its program can be looked at.
+        var move = Cell.LargestMove.Of(console);
+        Assert.InRange(move.Mm, console.Report.KeyPoints.Max(p => p.Correction.Length), double.MaxValue);
+        Assert.Equal(Texts.Current.With("Head.LargestAt", Shown.Mm(move.Mm), KeptMove.PlaceOf(move.At)), seat.TextOf("detail-largest"));
+        Assert.Null(seat.Seat.Find("tab-course"));
+        seat.Seat.Tap("tab-program").See("program");
+        Assert.Equal(System.Text.Encoding.Latin1.GetString(console.Program.Span).Split('\n').Select(l => l.TrimEnd('\r')).Where(l => l.Length > 0), seat.System.Detail.Lines!.Select(l => l.Modified).Where(l => l.Length > 0));
 
         // Escape leads back to the form, which is as it was.
         seat.Seat.User.Press(Avalonia.Input.Key.Escape);

@@ -55,7 +55,7 @@ public sealed class CorrectionDetail
     public string Origin => string.Join(" · ", new[] { Kept.Correction.WorkOrder ?? Kept.Report?.WorkOrder, Kept.Correction.Gauge, Kept.Correction.FileName, Shown.Time(Kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
 
     /// <summary>By how much the program moves at most, and where; null before it is computed.</summary>
-    public string? Largest => Kept.Correction.LargestMm is not > 0 ? null : KeptMove.PlaceOf(Kept.Steps) is { } place
+    public string? Largest => Kept.Correction.LargestMm is not > 0 ? null : (Kept.TriedAt is { } at ? KeptMove.PlaceOf(at) : KeptMove.PlaceOf(Kept.Steps)) is { } place
         ? Texts.Current.With("Head.LargestAt", Shown.Mm(Kept.Correction.LargestMm), place)
         : Texts.Current.With("Head.Largest", Shown.Mm(Kept.Correction.LargestMm));
 
@@ -99,8 +99,11 @@ public sealed class CorrectionDetail
     /// <summary>What became of it.</summary>
     public IReadOnlyList<StepRow> Steps { get; }
 
-    /// <summary>The two programs; null where there are none, or one was made anew.</summary>
-    public ProgramLines? Lines => Kept.Correction.BaseSha256 is null ? null : Kept.Lines;
+    /// <summary>True if it has come to where it is step by step: what was only tried has not.</summary>
+    public bool HasCourse => Steps.Count > 0;
+
+    /// <summary>The two programs; null where there are none, or one was made anew, as only a surface's is.</summary>
+    public ProgramLines? Lines => IsSurface && Kept.Correction.BaseSha256 is null ? null : Kept.Lines;
 
     /// <summary>True where two programs are shown, once they are there.</summary>
     public bool ShowsProgram => !IsSurface || Lines is not null;

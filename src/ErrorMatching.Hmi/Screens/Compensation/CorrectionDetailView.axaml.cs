@@ -28,7 +28,7 @@ public sealed partial class CorrectionDetailView : UserControl
     }
 
     private bool Has(CorrectionDetail detail, object? side) =>
-        side == SurfaceSide ? detail.IsSurface : side == ProgramSide ? detail.Lines is not null : side == CourseSide || detail.HasReport;
+        side == SurfaceSide ? detail.IsSurface : side == ProgramSide ? detail.Lines is not null : side == CourseSide ? detail.HasCourse : detail.HasReport;
 
     private void OnPrevious(object? sender, RoutedEventArgs e) => Show(Lines?.Changes.Where(c => c < At()).Select(c => (int?)c).LastOrDefault());
 

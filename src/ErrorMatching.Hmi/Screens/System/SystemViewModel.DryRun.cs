@@ -122,7 +122,10 @@ public sealed partial class SystemViewModel
     private static KeptCorrection Kept(Correction correction, MatchedProgram matched)
     {
         var report = KeptReport.Read(matched.ReportJson())!;
-        var computed = correction with { State = CorrectionState.Computed, Code = null, Reason = null };
-        return new(computed, [], report, new(matched.Match.Input.Program, matched.Program, report.Blocks));
+
+        // What the store has of the measurement came of the job as it was: the figures are those of the trial.
+        var move = LargestMove.Of(matched);
+        var computed = correction with { State = CorrectionState.Computed, Code = null, Reason = null, LargestMm = move.Mm };
+        return new(computed, [], report, new(matched.Match.Input.Program, matched.Program, report.Blocks, report.Proof.Marker)) { TriedAt = move.At };
     }
 }

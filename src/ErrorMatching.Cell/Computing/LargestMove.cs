@@ -1,0 +1,42 @@
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Where a correction moves its program most, by which it is judged: computed for a trial as well as for what is kept, so that both say the same.</summary>
+/// <param name="Mm">The largest displacement in mm; 0 where nothing moves.</param>
+/// <param name="At">Where that is: <c>point 5 of C1</c>, <c>block N170</c>; empty where nothing moves.</param>
+/// <param name="Block">The block concerned; null if none is.</param>
+public sealed record LargestMove(double Mm, string At, string? Block)
+{
+    /// <summary>The largest move of a match: at a key point, or between and beside them where a block is asked to move further.</summary>
+    /// <param name="matched">The match.</param>
+    public static LargestMove Of(MatchedProgram matched)
+    {
+        ArgumentNullException.ThrowIfNull(matched);
+        var largest = new LargestMove(0, "", null);
+        if (matched.Match.Rewrite is null)
+        {
+            return largest;
+        }
+
+        foreach (var point in matched.Report.KeyPoints)
+        {
+            var mm = new PointCorrection(point.Point, point.Correction.X, point.Correction.Y, 0).LengthMm;
+            largest = mm > largest.Mm ? new(mm, Recorded.AtPointOf.With(point.Point, point.Feature), point.Blocks.Count > 0 ? point.Blocks[0] : null) : largest;
+        }
+
+        // Between and beside the points a block may be asked to move further than they do. Rounding alone is no further.
+        var (before, increment) = (matched.Match.Before, MatingCorrection.LeastIncrement(matched.Match));
+        foreach (var element in matched.Match.Wish!.Elements)
+        {
+            var mm = Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));
+            if (mm > largest.Mm + increment)
+            {
+                var name = before.Program.NameOf(before.Program[before.Motions[element.Motion].Block]);
+                largest = new(mm, Recorded.AtBlock.With(name), name);
+            }
+        }
+
+        return largest;
+    }
+}
