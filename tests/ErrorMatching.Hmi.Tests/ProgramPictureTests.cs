@@ -44,6 +44,53 @@ public sealed class ProgramPictureTests
     }
 
     [Fact]
+    public async Task What_moves_nothing_cannot_be_taken_and_says_so()
+    {
+        var picture = new ProgramPicture(Sample()) { Feature = "L1" };
+        picture.RangeChosen += c => Assert.Fail($"{string.Join(' ', c.Blocks)} cuts nothing.");
+        var comment = BlockOf(picture, "N120") - 1;
+        picture.Light(comment);
+        Assert.False(picture.Take.CanExecute(null) || picture.Add.CanExecute(null));
+        Assert.Contains("nothing moves", picture.Chosen, StringComparison.Ordinal);
+        picture.Take.Execute(null);
+        await picture.Choosing;
+        picture.Extend(comment + 1);
+        Assert.True(picture.Take.CanExecute(null));
+        Assert.DoesNotContain("nothing moves", picture.Chosen, StringComparison.Ordinal);
+
+        // Who does not pick is not told what could not be picked.
+        picture.Feature = null;
+        picture.Light(comment);
+        Assert.DoesNotContain("nothing moves", picture.Chosen, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_second_tap_takes_nothing_though_the_next_feature_is_picked_for()
+    {
+        var picture = new ProgramPicture(Sample()) { Feature = "L1" };
+        var chosen = new List<RangeChoice>();
+        picture.RangeChosen += c =>
+        {
+            chosen.Add(c);
+            picture.Feature = "L2L3";
+        };
+        var block = BlockOf(picture, "N120");
+        picture.Light(block);
+        picture.Take.Execute(null);
+        picture.Take.Execute(null);
+        await picture.Choosing;
+        Assert.Null(picture.Selection);
+        Assert.False(picture.Take.CanExecute(null));
+        picture.Take.Execute(null);
+        await picture.Choosing;
+        Assert.Equal(["L1: N120"], chosen.Select(c => $"{c.Feature}: {string.Join(' ', c.Blocks)}"));
+
+        // What was taken is where the keys go on from.
+        picture.Move(1, isExtending: true);
+        Assert.Equal(new BlockRange(block + 1, block + 1), picture.Selection);
+    }
+
+    [Fact]
     public async Task Features_are_marked_by_the_words_of_the_job_and_a_wrong_one_says_why()
     {
         var picture = new ProgramPicture(Sample());
@@ -65,6 +112,7 @@ public sealed class ProgramPictureTests
         picture.Take.Execute(null);
         await picture.Choosing;
         Assert.Contains("line 4", picture.Message, StringComparison.Ordinal);
+        Assert.Equal(new BlockRange(1, 1), picture.Selection);
     }
 
     [Fact]

@@ -75,18 +75,19 @@ public sealed class ProgramPictureViewTests
     [Fact]
     public async Task What_is_picked_by_buttons_is_told_and_marked() => await At(Sample(), async view =>
     {
-        RangeChoice? chosen = null;
-        view.Picture.RangeChosen += c => chosen = c;
+        var choices = new List<RangeChoice>();
+        view.Picture.RangeChosen += choices.Add;
         Assert.Null(view.Find("program-take"));
         view.Picture.Feature = "L2L3";
         view.User.Settle();
         view.User.Drag(view.Text, view.RowOf("N130"), view.RowOf("N160"));
-        view.User.Click(view.Find("program-take")!);
+        view.User.Click(view.Find("program-take")!).Click(view.Find("program-take")!);
         await view.Picture.Choosing;
-        Assert.Equal(["N130..N160"], chosen!.Blocks);
+        var chosen = Assert.Single(choices);
+        Assert.Equal(["N130..N160"], chosen.Blocks);
         await view.Picture.MarkAsync([new("L1", ["N120"]), new("L2L3", chosen.Blocks), new("C1", ["N170..N1190"])]);
         view.User.Click(view.Find("program-behind")!);
-        Assert.Equal("line 25", view.Picture.Chosen);
+        Assert.Equal("line 25 · nothing moves here", view.Picture.Chosen);
         view.User.Screenshot(Repository.PathTo("artifacts", "screenshots", "program-picture-light-en-1280x1000.png"));
     });
 
@@ -121,6 +122,27 @@ public sealed class ProgramPictureViewTests
         Assert.InRange(view.Picture.Cursor, 400_000, 600_000);
     });
 
+    [Fact]
+    public async Task A_line_that_does_not_fit_ends_in_an_ellipsis_and_is_shown_whole_when_it_is_lit() => await At(Read($"N10 G1 X1.\nN20 ({new string('X', 200)})\nN30 X2. ({new string('X', 43)})\nN40 X3.\n"), async view =>
+    {
+        Assert.Equal([1], view.Text.RowsCut);
+        Assert.True(view.EndsInDots("N20"), "The cut line looks whole.");
+        Assert.False(view.EndsInDots("N30"), "The whole line looks cut.");
+        var top = view.Text.TranslatePoint(default, view.Window);
+        view.Tap(view.RowOf("N20"));
+        Assert.Equal(top, view.Text.TranslatePoint(default, view.Window));
+        view.Tap(view.RowOf("N30"));
+        Assert.Equal($"N30 X2. ({new string('X', 43)})", ((TextBlock)view.Find("program-line")!).Text);
+        view.User.Press(Key.Down);
+        Assert.Equal("N40 X3.", ((TextBlock)view.Find("program-line")!).Text);
+
+        // Names of features beside the lines leave less room for them.
+        await view.Picture.MarkAsync([new("Flank 12", ["N40"])]);
+        view.User.Settle();
+        Assert.Equal([1, 2], view.Text.RowsCut);
+        Assert.True(view.EndsInDots("N30"), "The cut line looks whole.");
+    });
+
     private static OpenedProgram Sample() => OpenedProgram.Read(File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")), NcDialects.DeltaNc300, TestContext.Current.CancellationToken);
 
     private static OpenedProgram Million()
@@ -131,8 +153,10 @@ public sealed class ProgramPictureViewTests
             text.Append(System.Globalization.CultureInfo.InvariantCulture, $"N{i * 10} G1 X{i % 1000} Y{i / 1000}\n");
         }
 
-        return OpenedProgram.Read(Encoding.UTF8.GetBytes(text.ToString()), NcDialects.FanucMill, TestContext.Current.CancellationToken);
+        return Read(text.ToString());
     }
+
+    private static OpenedProgram Read(string text) => OpenedProgram.Read(Encoding.UTF8.GetBytes(text), NcDialects.FanucMill, TestContext.Current.CancellationToken);
 
     private static Task At(OpenedProgram program, Action<Shown> test) => At(program, view =>
     {
@@ -186,6 +210,22 @@ public sealed class ProgramPictureViewTests
         }
 
         public bool HasInk(Point at) => User.PixelAt(InWindow(at)) == ((Avalonia.Media.ISolidColorBrush)Path.Ink!).Color;
+
+        /// <summary>True if what a block's row ends with is low in it, as dots are and letters are not.</summary>
+        public bool EndsInDots(string name)
+        {
+            var middle = Text.TranslatePoint(RowOf(name), Window)!.Value;
+            var ground = ((Avalonia.Media.ISolidColorBrush)Text.Ground!).Color;
+            var end = (int)Text.TranslatePoint(new(Text.Bounds.Width, 0), Window)!.Value.X - 1;
+            while (!Rows(end).Any())
+            {
+                end--;
+            }
+
+            return Enumerable.Range(end - 4, 5).SelectMany(Rows).All(y => y > 0);
+
+            IEnumerable<int> Rows(int x) => Enumerable.Range(-10, 20).Where(y => User.PixelAt(new(x, (int)middle.Y + y)) != ground);
+        }
 
         private PixelPoint InWindow(Point at) => Path.TranslatePoint(at, Window)!.Value is var place ? new((int)place.X, (int)place.Y) : default;
 

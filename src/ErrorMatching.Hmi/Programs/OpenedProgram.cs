@@ -84,6 +84,18 @@ public sealed class OpenedProgram
         return null;
     }
 
+    /// <summary>True if anything moves in a range.</summary>
+    public bool IsMoving(BlockRange range)
+    {
+        var block = range.First;
+        while (block <= range.Last && Path.MotionOf(block) < 0)
+        {
+            block++;
+        }
+
+        return block <= range.Last;
+    }
+
     /// <summary>A range without what moves nothing at its ends, comments for example; the same if nothing in it moves.</summary>
     public BlockRange Trimmed(BlockRange range)
     {

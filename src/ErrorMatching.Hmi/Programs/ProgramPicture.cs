@@ -11,7 +11,9 @@ namespace ErrorMatching.Hmi;
 public sealed class ProgramPicture : Observable
 {
     private BlockRange? _selection;
-    private int _anchor;
+    private int? _anchor;
+    private bool _isMoving;
+    private bool _isNaming;
     private IReadOnlyList<FeatureMark> _marks = [];
     private string? _feature;
     private string? _message;
@@ -42,6 +44,7 @@ public sealed class ProgramPicture : Observable
             if (Set(ref _selection, value))
             {
                 Message = null;
+                _isMoving = value is { } range && Program.IsMoving(range);
                 SayChoice();
             }
         }
@@ -113,7 +116,10 @@ public sealed class ProgramPicture : Observable
 
     /// <summary>The lit blocks in words.</summary>
     public string Chosen => Selection is not { } range ? Texts.Current["Program.NothingChosen"]
-        : range.Count == 1 ? Program.NameOf(range.First) : Texts.Current.With("Program.Range", Program.NameOf(range.First), Program.NameOf(range.Last), Shown.Count(range.Count));
+        : IsPicking && !_isMoving ? Texts.Current.With("Program.MovesNothing", NameOf(range)) : NameOf(range);
+
+    /// <summary>The text of the lit block, of several the one that was lit last, whole; empty if none is lit. Beside the others it may be cut.</summary>
+    public string ChosenLine => Selection is null ? "" : Program.LineAt(Cursor);
 
     /// <summary>What <see cref="Take"/> does, in words.</summary>
     public string TakeText => Feature is null ? Texts.Current["Program.Take"] : Texts.Current.With("Program.TakeFor", Feature);
@@ -121,7 +127,8 @@ public sealed class ProgramPicture : Observable
     /// <summary>True if blocks are picked for a feature at all.</summary>
     public bool IsPicking => Feature is not null && !IsReadOnly;
 
-    private bool CanChoose => IsPicking && Selection is not null;
+    // What moves nothing cuts no feature. What is being named is taken already: a second tap would take it for the next feature.
+    private bool CanChoose => IsPicking && _isMoving && !_isNaming;
 
     /// <summary>Marks features by their blocks as the job names them. They are looked for beside the screen.</summary>
     public async Task MarkAsync(IReadOnlyList<FeatureBlocks> features)
@@ -136,7 +143,7 @@ public sealed class ProgramPicture : Observable
         if (Program.Count > 0)
         {
             _anchor = Math.Clamp(block, 0, Program.Count - 1);
-            Extend(_anchor);
+            Extend(_anchor.Value);
         }
     }
 
@@ -146,14 +153,16 @@ public sealed class ProgramPicture : Observable
         if (Program.Count > 0)
         {
             Cursor = Math.Clamp(block, 0, Program.Count - 1);
-            Selection = BlockRange.Between(_anchor, Cursor);
+            Selection = BlockRange.Between(_anchor ??= Cursor, Cursor);
+            Say(nameof(ChosenLine));
         }
     }
 
     /// <summary>Lights the block so many lines further, or all up to there.</summary>
     public void Move(int lines, bool isExtending)
     {
-        var to = Selection is null ? 0 : Cursor + lines;
+        // Where nothing is lit any more, it goes on from what was.
+        var to = _anchor is null ? 0 : Cursor + lines;
         if (isExtending && Selection is not null)
         {
             Extend(to);
@@ -191,21 +200,45 @@ public sealed class ProgramPicture : Observable
     private async Task ChooseAsync(string feature, BlockRange range, bool isMore)
     {
         var program = Program;
-        var words = await Task.Run(() =>
+        Name(true);
+        try
         {
-            var (first, last) = program.Trimmed(range);
-            return BlockNames.Of(program.Path.Program, first, last);
-        });
-        Message = words.IsUsable ? null : CodeText.Of(words.Refusal.Code, words.Refusal.Message);
-        if (words.IsUsable)
-        {
+            var words = await Task.Run(() =>
+            {
+                var (first, last) = program.Trimmed(range);
+                return BlockNames.Of(program.Path.Program, first, last);
+            });
+            if (!words.IsUsable)
+            {
+                Message = CodeText.Of(words.Refusal.Code, words.Refusal.Message);
+                return;
+            }
+
+            // What is taken is lit no more: the next feature takes other blocks.
+            Selection = Selection == range ? null : Selection;
+            Message = null;
             RangeChosen?.Invoke(new(feature, words.Value, isMore));
         }
+        finally
+        {
+            Name(false);
+        }
     }
+
+    private void Name(bool isNaming)
+    {
+        _isNaming = isNaming;
+        SayChoice();
+    }
+
+    private string NameOf(BlockRange range) => range.Count == 1
+        ? Program.NameOf(range.First)
+        : Texts.Current.With("Program.Range", Program.NameOf(range.First), Program.NameOf(range.Last), Shown.Count(range.Count));
 
     private void SayChoice()
     {
         Say(nameof(Chosen));
+        Say(nameof(ChosenLine));
         Say(nameof(TakeText));
         Say(nameof(IsPicking));
         foreach (var command in new[] { Take, Add })

@@ -207,7 +207,7 @@ public sealed partial class ProgramText : ILogicalScrollable
     private void Show(int block)
     {
         var (top, height) = (block * RowHeight, Bounds.Height);
-        if (_dragged is null && (top < Offset.Y || top + RowHeight > Offset.Y + height))
+        if (_dragged is null && Picture?.Selection is not null && (top < Offset.Y || top + RowHeight > Offset.Y + height))
         {
             var away = Math.Min(Math.Abs(top - Offset.Y), Math.Abs(top + RowHeight - Offset.Y - height));
             Offset = new(0, away > 2 * RowHeight ? top - (height / 3) : top < Offset.Y ? top : top + RowHeight - height);

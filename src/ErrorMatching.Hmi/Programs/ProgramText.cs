@@ -41,7 +41,7 @@ public sealed partial class ProgramText : Control
     public static readonly StyledProperty<double> RowHeightProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(RowHeight), 34);
 
     private const double Bar = 4, Between = 10, LeastGutter = 57;
-    private readonly Dictionary<int, RenderTargetBitmap> _rows = [];
+    private readonly Dictionary<int, Row> _rows = [];
     private readonly Dictionary<string, FormattedText> _names = [];
     private double _numberWidth, _nameWidth;
 
@@ -122,6 +122,9 @@ public sealed partial class ProgramText : Control
 
     /// <summary>How many rows exist.</summary>
     internal int RowsMade => _rows.Count;
+
+    /// <summary>The blocks whose text does not fit and ends in an ellipsis, of those that exist.</summary>
+    internal IEnumerable<int> RowsCut => _rows.Where(r => r.Value.IsCut).Select(r => r.Key).Order();
 
     /// <summary>Width of the line numbers and the names of features, over which a finger drags.</summary>
     internal double Gutter => Math.Max(LeastGutter, Bar + Between + _numberWidth + Between + (_nameWidth > 0 ? _nameWidth + Between : 0));
@@ -211,7 +214,7 @@ public sealed partial class ProgramText : Control
         }
 
         // On whole pixels, so that it is copied and not computed.
-        context.DrawImage(row, new Rect(0, Math.Round(top / Pixel) * Pixel, row.PixelSize.Width * Pixel, row.PixelSize.Height * Pixel));
+        context.DrawImage(row.Picture, new Rect(0, Math.Round(top / Pixel) * Pixel, row.Picture.PixelSize.Width * Pixel, row.Picture.PixelSize.Height * Pixel));
         var left = Bar + Between + _numberWidth + Between;
         if (picture.FeatureOf(block) is { } name)
         {
@@ -225,15 +228,24 @@ public sealed partial class ProgramText : Control
     }
 
     // Text is shaped and drawn once; while it scrolls its picture moves, which takes a tenth of the time.
-    private RenderTargetBitmap Make(OpenedProgram program, int block)
+    private Row Make(OpenedProgram program, int block)
     {
         var (number, line) = (Text(Shown.Id(block + 1), NumberInk), Text(program.LineAt(block), Ink));
+
+        // A line that ends at a word would look whole.
+        var room = Math.Max(1, Bounds.Width - Gutter - (2 * Between));
+        var isCut = line.WidthIncludingTrailingWhitespace > room;
+        if (isCut)
+        {
+            (line.MaxTextWidth, line.MaxLineCount, line.Trimming) = (room, 1, TextTrimming.CharacterEllipsis);
+        }
+
         var width = Math.Clamp(Gutter + Between + line.Width, 1, Math.Max(1, Bounds.Width));
         var row = new RenderTargetBitmap(new((int)Math.Ceiling(width / Pixel), (int)Math.Ceiling(RowHeight / Pixel)), new(96 / Pixel, 96 / Pixel));
         using var context = row.CreateDrawingContext();
         context.DrawText(number, new Point(Bar + Between + _numberWidth - number.Width, (RowHeight - number.Height) / 2));
         context.DrawText(line, new Point(Gutter + Between, (RowHeight - line.Height) / 2));
-        return row;
+        return new(row, isCut);
     }
 
     // Rows that went out of sight long ago.
@@ -245,7 +257,7 @@ public sealed partial class ProgramText : Control
             foreach (var block in _rows.Keys.Where(b => b < first || b > last).ToArray())
             {
                 _rows.Remove(block, out var row);
-                row?.Dispose();
+                row?.Picture.Dispose();
             }
         }
     }
@@ -269,7 +281,7 @@ public sealed partial class ProgramText : Control
     {
         foreach (var row in _rows.Values)
         {
-            row.Dispose();
+            row.Picture.Dispose();
         }
 
         _rows.Clear();
@@ -296,4 +308,9 @@ public sealed partial class ProgramText : Control
     }
 
     private FormattedText Text(string text, IBrush? ink) => new(text, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(FontFamily), TextSize, ink);
+
+    /// <summary>A row as it is drawn.</summary>
+    /// <param name="Picture">Its line number and text.</param>
+    /// <param name="IsCut">True if the text does not fit.</param>
+    private sealed record Row(RenderTargetBitmap Picture, bool IsCut);
 }
