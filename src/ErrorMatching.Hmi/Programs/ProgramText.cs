@@ -41,7 +41,7 @@ public sealed partial class ProgramText : Control
     public static readonly StyledProperty<double> RowHeightProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(RowHeight), 34);
 
     private const double Bar = 4, Between = 10, LeastGutter = 57;
-    private readonly Dictionary<int, Row> _rows = [];
+    private readonly Dictionary<int, DrawnLine> _rows = [];
     private readonly Dictionary<string, FormattedText> _names = [];
     private double _numberWidth, _nameWidth;
 
@@ -228,7 +228,7 @@ public sealed partial class ProgramText : Control
     }
 
     // Text is shaped and drawn once; while it scrolls its picture moves, which takes a tenth of the time.
-    private Row Make(OpenedProgram program, int block)
+    private DrawnLine Make(OpenedProgram program, int block)
     {
         var (number, line) = (Text(Shown.Id(block + 1), NumberInk), Text(program.LineAt(block), Ink));
 
@@ -312,5 +312,5 @@ public sealed partial class ProgramText : Control
     /// <summary>A row as it is drawn.</summary>
     /// <param name="Picture">Its line number and text.</param>
     /// <param name="IsCut">True if the text does not fit.</param>
-    private sealed record Row(RenderTargetBitmap Picture, bool IsCut);
+    private sealed record DrawnLine(RenderTargetBitmap Picture, bool IsCut);
 }
