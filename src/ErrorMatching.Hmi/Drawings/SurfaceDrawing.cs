@@ -13,4 +13,20 @@ public sealed record SurfaceDrawing(SurfaceNet Net, IReadOnlyList<double>? Value
 {
     /// <summary>How much there is.</summary>
     public PlotBox Extent => PlotBox.Of(Net.Places.Select(p => new Point2(p.X, p.Y)));
+
+    /// <summary>How far the two points are from each other that are nearest, in units of the drawing; infinite for a single point.</summary>
+    public double NearestDistance()
+    {
+        Point2[] points = [.. Points.Select(p => p.At).OrderBy(p => p.X)];
+        var nearest = double.PositiveInfinity;
+        for (var i = 0; i < points.Length; i++)
+        {
+            for (var j = i + 1; j < points.Length && points[j].X - points[i].X < nearest; j++)
+            {
+                nearest = Math.Min(nearest, (points[j] - points[i]).Length);
+            }
+        }
+
+        return nearest;
+    }
 }

@@ -20,10 +20,14 @@ public sealed class SurfacePlot : PlotArea
 
     // Each cell of the net is drawn in so many by so many: colors change little from one to the next.
     private const int Parts = 3;
-    private const double Dot = 3.5, First = 7, Thick = 2, Hairline = 0.6, Away = 5, Beside = 2;
+    private const double Dot = 3.5, LeastDot = 0.5, First = 7, Thick = 2, Hairline = 0.6, Away = 5, Beside = 2;
+
+    // Of the distance between two points: the surface is to be seen between their dots.
+    private const double DotShare = 0.15;
     private static readonly ImmutableSolidColorBrush[] Scale = [.. Enumerable.Range(0, DivergingColors.Count).Select(i => new ImmutableSolidColorBrush(Color.Parse(DivergingColors.Hex(i))))];
     private PlotBox _extent = PlotBox.Empty;
     private IReadOnlyList<(int Color, StreamGeometry Geometry)> _cells = [];
+    private double _nearest = double.PositiveInfinity;
 
     static SurfacePlot() => AffectsRender<SurfacePlot>(AreaBrushProperty, WayBrushProperty);
 
@@ -63,6 +67,7 @@ public sealed class SurfacePlot : PlotArea
         {
             _extent = Drawing?.Extent ?? PlotBox.Empty;
             _cells = Drawing is null ? [] : CellsOf(Drawing);
+            _nearest = Drawing?.NearestDistance() ?? double.PositiveInfinity;
             Renew([.. Drawing?.Points.Select(p => p.At) ?? []]);
         }
     }
@@ -89,6 +94,9 @@ public sealed class SurfacePlot : PlotArea
         Way(context, view, drawing);
         Dots(context, view, drawing);
     }
+
+    /// <summary>How large a point's dot is, in units of the screen: small where the points lie close together, so that a small map does not disappear behind them.</summary>
+    internal double DotRadius(PlotView view) => Math.Clamp(DotShare * _nearest * view.ScaleX, LeastDot, Dot);
 
     private static Point To(PlotView view, Point2 place)
     {
@@ -175,7 +183,8 @@ public sealed class SurfacePlot : PlotArea
 
         if (drawing.Points.Count > 0)
         {
-            context.DrawEllipse(Ground, pen, To(view, drawing.Points[0].At), First, First);
+            var first = First / Dot * DotRadius(view);
+            context.DrawEllipse(Ground, pen, To(view, drawing.Points[0].At), first, first);
         }
     }
 
@@ -184,11 +193,12 @@ public sealed class SurfacePlot : PlotArea
         // Colors of the map are the same in both themes, and so is what is written on them.
         var isMap = drawing.ValuesMm is not null;
         var ink = isMap ? Brushes.Black : Ink;
+        var radius = DotRadius(view);
         var labels = new List<(FormattedText Text, Rect Room)>();
         foreach (var (label, at, _) in drawing.Points)
         {
             var place = To(view, at);
-            context.DrawEllipse(isMap ? ink : WayBrush, null, place, Dot, Dot);
+            context.DrawEllipse(isMap ? ink : WayBrush, null, place, radius, radius);
             var text = Label(label);
             text.SetForegroundBrush(ink ?? Brushes.Gray);
             labels.Add((text, new Rect(place.X - (text.Width / 2), place.Y - text.Height - Away, text.Width, text.Height).Inflate(new Thickness(Beside, 0))));

@@ -1,0 +1,76 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.VisualTree;
+using ErrorMatching.Cell;
+using ErrorMatching.Geometry;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>The maps of a surface on the screen of on-line compensation, where the small window leaves them little room.</summary>
+public sealed class SurfaceMapTests
+{
+    private static readonly string[] Maps = ["detail-map", "detail-map-expected"];
+
+    [Theory]
+    [InlineData(TouchSize.Standard)]
+    [InlineData(TouchSize.Large)]
+    [InlineData(TouchSize.Largest)]
+    public Task A_map_has_room_for_what_it_shows_and_for_its_buttons_whatever_the_size_of_what_is_touched(TouchSize size) => Seat.AtAsync(seat =>
+    {
+        Arrive(seat, size);
+        var least = (double)Application.Current!.FindResource("PlotLeast")!;
+        foreach (var map in Maps)
+        {
+            var plot = (SurfacePlot)seat.See(map);
+            foreach (var button in new[] { "nearer", "further", "all" }.Select(b => seat.See($"{map}-{b}")))
+            {
+                // As by whoever scrolls there.
+                button.BringIntoView();
+                seat.User.Settle();
+                Assert.True(Seen(plot, seat).Inflate(0.5).Contains(In(button, seat)), $"{map}: a button stands at {In(button, seat)}, and {Seen(plot, seat)} is seen.");
+            }
+
+            Assert.True(plot.Bounds.Height >= least, $"{map} is {plot.Bounds.Height:0} high.");
+        }
+
+        seat.Shell.IsDark = size == TouchSize.Largest;
+        seat.User.Settle();
+        seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", $"compensation-surface-targets-{size}.png"));
+    });
+
+    [Fact]
+    public Task The_surface_is_seen_between_its_points_however_small_it_is() => Seat.AtAsync(seat =>
+    {
+        Arrive(seat, TouchSize.Largest);
+        var plot = (SurfacePlot)seat.See(Maps[0]);
+        Point2[] points = [.. plot.Drawing!.Points.Select(p => p.At)];
+        var nearest = points.SelectMany((p, i) => points.Skip(i + 1).Select(q => (q - p).Length)).Min();
+        Assert.Equal(nearest, plot.Drawing.NearestDistance(), 1e-12);
+        foreach (var factor in new[] { 0.3, 1, 3 })
+        {
+            plot.ShowAll();
+            plot.Zoom(factor, default);
+            Assert.InRange(plot.DotRadius(plot.View), 0.5, Math.Max(0.5, 0.2 * nearest * plot.View.ScaleX));
+        }
+
+        // Near enough they are as large as they are to be seen.
+        plot.Zoom(100, default);
+        Assert.Equal(3.5, plot.DotRadius(plot.View));
+    });
+
+    private static void Arrive(Seat seat, TouchSize size)
+    {
+        seat.Cell.Run();
+        seat.Cell.DeliverSurface(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Setter);
+        seat.Shell.Preferences.TouchSize = size;
+        seat.Tap("nav-compensation").See("detail-map");
+        seat.User.Settle();
+    }
+
+    private static Rect In(Visual visual, Seat seat) => new Rect(visual.Bounds.Size).TransformToAABB(visual.TransformToVisual(seat.Window)!.Value);
+
+    private static Rect Seen(Visual visual, Seat seat) => visual.GetVisualAncestors().Where(a => a.ClipToBounds).Aggregate(In(visual, seat), (place, above) => place.Intersect(In(above, seat)));
+}
