@@ -11,6 +11,7 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
     private const int MostWaiting = 3;
     internal const double SpreadMm = 0.003, SurfaceSpreadMm = 0.0005;
     private static readonly TimeSpan First = TimeSpan.FromSeconds(3);
+    private static readonly TimeSpan Look = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan BetweenParts = TimeSpan.FromSeconds(40);
     private static readonly TimeSpan FirstSurface = TimeSpan.FromSeconds(8);
     private static readonly TimeSpan BetweenSurfaces = TimeSpan.FromMinutes(2);
@@ -36,14 +37,23 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
     private async Task MeasureAsync(CellStore store, CancellationToken end)
     {
         await Task.Delay(First, clock, end);
+        var jobs = new ChangedJobs(cell.Settings);
         for (var serial = 1; ; serial++)
         {
             cell.Deliver(serial, SpreadOf(serial));
-            do
+
+            // Who has set up and saved the job wants to see what comes of it: those that were made before do not count, and the first one afterwards comes at once.
+            var ((_, outdated), delivered) = (Waiting(store, jobs), clock.GetTimestamp());
+            while (true)
             {
-                await Task.Delay(BetweenParts, clock, end);
+                await Task.Delay(Look, clock, end);
+                var waiting = Waiting(store, jobs);
+                var isSaved = waiting.Current == 0 && waiting.Outdated > outdated;
+                if (waiting.Current < MostWaiting && clock.GetElapsedTime(delivered) >= (isSaved ? First : BetweenParts))
+                {
+                    break;
+                }
             }
-            while (Waiting(store, "part") >= MostWaiting);
         }
     }
 
@@ -57,7 +67,7 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
             {
                 await Task.Delay(BetweenSurfaces, clock, end);
             }
-            while (Waiting(store, "surface") > 0);
+            while (store.InState(CorrectionState.Proposed).Any(c => c.Piece == "surface"));
         }
     }
 
@@ -89,7 +99,13 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
         }
     }
 
-    private static int Waiting(CellStore store, string piece) => store.InState(CorrectionState.Proposed).Count(c => c.Piece == piece);
+    // Made with the job as it is now, and as it was.
+    private static (int Current, int Outdated) Waiting(CellStore store, ChangedJobs jobs)
+    {
+        var waiting = store.InState(CorrectionState.Proposed).Where(c => c.Piece == "part").ToArray();
+        var outdated = jobs.Among(store, waiting).Count;
+        return (waiting.Length - outdated, outdated);
+    }
 
     private static double SpreadOf(int serial) => serial == 1 ? 0 : SpreadMm;
 }

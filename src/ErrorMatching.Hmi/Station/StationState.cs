@@ -10,4 +10,7 @@ public sealed record StationState(long Version, CellStatus? Status, StoreExcepti
 {
     /// <summary>Before the first look.</summary>
     public static StationState Unknown { get; } = new(0, null, null);
+
+    /// <summary>Numbers of the corrections that wait and were made with a job as it was before it was changed.</summary>
+    public IReadOnlySet<long> OfChangedJob { get; init; } = new HashSet<long>();
 }

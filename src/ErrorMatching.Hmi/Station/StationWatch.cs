@@ -7,8 +7,10 @@ internal sealed class StationWatch(Station station)
 {
     private const int LooksBetween = 8, LooksBetweenIfStill = 2;
     private static readonly TimeSpan Every = TimeSpan.FromMilliseconds(250);
+    private readonly ChangedJobs _changedJobs = new(station.Settings);
     private long _seen = -1;
     private CellStatus? _last;
+    private IReadOnlySet<long> _ofChangedJob = new HashSet<long>();
     private long _version;
 
     /// <summary>Looks until told to end.</summary>
@@ -40,12 +42,13 @@ internal sealed class StationWatch(Station station)
 
             _last = CellStatus.Of(station.Settings, station.Store, station.Clock);
             station.JobNames.Learn(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.InWork, .. _last.Slots.SelectMany(s => s.Next), .. _last.Slots.Select(s => s.Held).OfType<Correction>()]);
+            _ofChangedJob = _changedJobs.Among(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.Slots.SelectMany(s => s.Next)]);
             _seen = count;
-            return new(++_version, _last, null);
+            return new(++_version, _last, null) { OfChangedJob = _ofChangedJob };
         }
         catch (StoreException e)
         {
-            return new(++_version, _last, e);
+            return new(++_version, _last, e) { OfChangedJob = _ofChangedJob };
         }
     }
 }

@@ -14,7 +14,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private bool _isOpened;
     private bool _isExpected = true;
     private CorrectionDetail? _detail;
-    private (long Id, int Version) _shown = (0, -1);
+    private (long Id, int Version, bool IsOfChangedJob) _shown = (0, -1, false);
     private int _tab;
 
     /// <summary>The screen.</summary>
@@ -118,7 +118,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     protected override void Translate()
     {
         // What is shown is made anew, in other words.
-        _shown = (0, -1);
+        _shown = (0, -1, false);
         Refresh();
     }
 
@@ -129,7 +129,11 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     }
 
     private Command Decision(Act act, bool needsReason, Func<long, string, string?, CancellationToken, Task> carryOut) => new(
-        () => Sign(kept => new(Station, _shell.Who!, act, kept.Subject, needsReason, (by, reason, cancellation) => carryOut(kept.Correction.Id, by.Name, reason, cancellation)) { Correction = kept.Correction }),
+        () => Sign(kept => new(Station, _shell.Who!, act, kept.Subject, needsReason, (by, reason, cancellation) => carryOut(kept.Correction.Id, by.Name, reason, cancellation))
+        {
+            Correction = kept.Correction,
+            Told = act == Act.Approve && IsOfChangedJob(kept.Correction.Id) ? () => Texts.Current["Head.ChangedJob"] : null,
+        }),
         () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, act) && Detail!.Kept.Correction is var c && act switch
         {
             Act.Approve => c.State is CorrectionState.Proposed || (c.State is CorrectionState.Failed && c.ProgramSha256 is not null),
@@ -175,6 +179,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         return _byItself = row?.Id ?? _byItself;
     }
 
+    private bool IsOfChangedJob(long id) => Station.State.OfChangedJob.Contains(id);
+
     private long? Current => _looked ?? _byItself;
 
     private bool HasSlot(long id) => Station.State.Status?.Slots.Any(s => s.Held?.Id == id) == true;
@@ -201,13 +207,13 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private async Task LoadAsync(long id)
     {
         CorrectionDetail? read = null;
-        var (shown, detail) = (_shown, Detail);
+        var (shown, detail, isOfChangedJob) = (_shown, Detail, IsOfChangedJob(id));
         var isRead = await TryAsync(() =>
         {
-            if (Station.Store.Find(id) is { } correction && (correction.Id, correction.Version) != shown)
+            if (Station.Store.Find(id) is { } correction && (correction.Id, correction.Version, isOfChangedJob) != shown)
             {
                 var kept = detail?.Kept is { } known && known.Correction.Id == id && known.Correction.Version == correction.Version ? known : KeptCorrection.Read(Station.Store, correction);
-                read = new(kept, Station.Clock);
+                read = new(kept, Station.Clock) { IsOfChangedJob = isOfChangedJob };
             }
         });
 
@@ -219,8 +225,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 
         if (read is not null)
         {
-            _shown = (id, read.Kept.Correction.Version);
-            if (!_isExpected && (Detail is not { Kept.Correction: var was } || (was.Id, was.Version) != _shown))
+            _shown = (id, read.Kept.Correction.Version, isOfChangedJob);
+            if (!_isExpected && (Detail is not { Kept.Correction: var was } || (was.Id, was.Version, Detail.IsOfChangedJob) != _shown))
             {
                 _pause.Begin();
             }
@@ -249,5 +255,6 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Station.JobNames.Of(c) ?? "",
         Texts.Current.Word(c.State),
         c.LargestMm is { } mm ? Shown.Mm(mm) + " mm" : "",
-        c.State switch { CorrectionState.Failed => Severity.Alarm, CorrectionState.Proposed => Severity.Attention, _ => Severity.Quiet });
+        c.State switch { CorrectionState.Failed => Severity.Alarm, CorrectionState.Proposed => Severity.Attention, _ => Severity.Quiet },
+        IsOfChangedJob(c.Id));
 }

@@ -34,7 +34,10 @@ public sealed class CorrectionDetail
     public Language Language { get; } = Texts.Current.Language;
 
     /// <summary>The same in the language of the screen, which may have changed while this was put into words.</summary>
-    public CorrectionDetail Now() => Language == Texts.Current.Language ? this : new(Kept, _clock);
+    public CorrectionDetail Now() => Language == Texts.Current.Language ? this : new(Kept, _clock) { IsOfChangedJob = IsOfChangedJob };
+
+    /// <summary>True if it waits, and was made with its job as it was before somebody changed that.</summary>
+    public bool IsOfChangedJob { get; init; }
 
     /// <summary>Number and serial number or file.</summary>
     public string Title => CorrectionLabel.Of(Kept.Correction);
