@@ -133,6 +133,41 @@ public sealed class SystemSetupTests
     });
 
     [Fact]
+    public Task What_is_advised_where_a_table_has_other_points_leads_to_a_job_with_its_points() => SetupSeat.AtAsync(Screens.Points, seat =>
+    {
+        const string Advice = "Undo, then set the counts of points as the table has them, or, where points have coordinates already, name them as it does. Then take the table again.";
+        seat.Seat.Tap("setup-anew").Tap("add-line").Tap("add-triangle").Tap("add-curve");
+        var drawing = File.ReadAllText(Path.Combine(Path.GetDirectoryName(seat.JobFile)!, "drawing.csv"));
+        string[] labels = [.. drawing.Split('\n', StringSplitOptions.RemoveEmptyEntries).Skip(1).Select(l => l.Split(',')[0])];
+        Take(drawing, () => seat.Draft.OtherPoints.Count > 0);
+        Assert.Contains(Advice, seat.TextOf("setup-notice"), StringComparison.Ordinal);
+
+        // The counts are set, as nothing had coordinates.
+        seat.Seat.Tap("setup-undo").Tap("nav-points").Type("edit-features[2].points", "10").User.Press(Key.Enter);
+        seat.Settle();
+        Take(drawing, () => seat.Draft.Points.All(p => p.X.Length > 0));
+        Assert.Equal(labels, seat.Draft.Features.SelectMany(f => f.Flanks).SelectMany(k => k).Select(p => p.Label));
+        Assert.Equal($"The table has {labels.Length} points.", seat.TextOf("setup-notice"));
+
+        // Another table calls the first point otherwise: it is named so.
+        var other = drawing.Replace("\n1,", "\nP1,", StringComparison.Ordinal);
+        Take(other, () => seat.Draft.OtherPoints.Count > 0);
+        Assert.Contains(Advice, seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        seat.Seat.Tap("setup-undo").Type("edit-features[0].points[0]", "P1").User.Press(Key.Tab);
+        seat.Settle();
+        Take(other, () => seat.TextOf("setup-notice") == $"The table has {labels.Length} points.");
+        Assert.Equal(["P1", .. labels.Skip(1)], seat.Draft.Points.Select(p => p.Label));
+
+        void Take(string table, Func<bool> isTaken)
+        {
+            seat.Seat.Tap("nav-system").See("points-paste");
+            Avalonia.Input.Platform.ClipboardExtensions.SetTextAsync(Avalonia.Controls.TopLevel.GetTopLevel(seat.Seat.Window)!.Clipboard!, table).GetAwaiter().GetResult();
+            seat.Seat.Tap("points-paste").WaitFor(isTaken, "The table is not taken.");
+            seat.Settle();
+        }
+    });
+
+    [Fact]
     public Task Changes_outlive_the_station() => SetupSeat.AtAsync(Screens.Points, seat =>
     {
         seat.Seat.Type("edit-name", "Kept");
