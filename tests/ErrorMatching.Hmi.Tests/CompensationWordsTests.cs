@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using Avalonia;
+using Avalonia.Automation.Peers;
 using Avalonia.Controls;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
@@ -42,15 +43,43 @@ public sealed partial class CompensationWordsTests
     });
 
     [Fact]
-    public Task Figures_of_a_column_stand_with_their_decimal_signs_below_each_other() => Seat.AtAsync(seat =>
+    public Task A_decision_says_by_which_convention_its_deviation_has_its_sign() => Seat.AtAsync(seat =>
+    {
+        var detail = Arrive(seat);
+
+        // The same point, seen from the part and seen from the mating.
+        Assert.Equal(("+0.1170", "−0.1170"), (detail.Decisions[0].Largest, detail.Points[0].Without));
+        seat.Tap("tab-decisions").See("decisions-note");
+        Assert.Equal("Largest deviation: part − counterpart without compensation, along the normal. The mating errors under Points have the opposite sign.", seat.TextOf("decisions-note"));
+        Texts.Current.Language = Language.TraditionalChinese;
+        Assert.Equal("最大偏差：沿法線的 工件 − 未補償的對應件。「關鍵點」頁的配合誤差正負號相反。", seat.TextOf("decisions-note"));
+        Texts.Current.Language = Language.English;
+    });
+
+    [Fact]
+    public Task A_length_or_an_angle_is_told_aloud_with_its_feature() => Seat.AtAsync(seat =>
+    {
+        var detail = Arrive(seat);
+        seat.Tap("tab-features").See("quantities");
+        var names = seat.See("quantities").GetVisualDescendants().OfType<ListBoxItem>().Where(i => i.IsEffectivelyVisible).Select(i => ControlAutomationPeer.CreatePeerForElement(i).GetName()).ToArray();
+        Assert.Equal(detail.Quantities.Take(names.Length).Select(q => $"{q.Feature} · {q.Quantity}"), names);
+        Assert.Equal(names.Length, names.Distinct(StringComparer.Ordinal).Count());
+        Assert.Contains("L1 · length", names);
+    });
+
+    [Theory]
+    [InlineData("points", 8)]
+    [InlineData("features", 3)]
+    public Task Figures_of_a_column_stand_with_their_decimal_signs_below_each_other(string side, int count) => Seat.AtAsync(seat =>
     {
         Arrive(seat);
-        var columns = seat.See("points").GetVisualDescendants().OfType<TextBlock>()
-            .Where(t => t.IsEffectivelyVisible && t.Classes.Contains("figure") && t.DataContext is PointRow && t.Text!.Contains('.', StringComparison.Ordinal))
-            .GroupBy(t => t.Classes.Contains("figure") ? Math.Round(t.TranslatePoint(default, seat.Window)!.Value.X) : 0)
+        seat.Tap("tab-" + side);
+        var columns = seat.See(side == "points" ? side : "quantities").GetVisualDescendants().OfType<TextBlock>()
+            .Where(t => t.IsEffectivelyVisible && t.Classes.Contains("figure") && t.DataContext is PointRow or QuantityRow && t.Text!.Contains('.', StringComparison.Ordinal))
+            .GroupBy(t => Math.Round(t.TranslatePoint(new(t.Bounds.Width, 0), seat.Window)!.Value.X))
             .Select(g => g.Select(t => t.TranslatePoint(new(t.TextLayout.HitTestTextPosition(t.Text!.IndexOf('.', StringComparison.Ordinal)).X, 0), seat.Window)!.Value.X + Indent(t)).ToArray())
             .ToArray();
-        Assert.Equal(8, columns.Length);
+        Assert.Equal(count, columns.Length);
         Assert.All(columns, c => Assert.True(c.Length > 4 && c.Max() - c.Min() < 0.5, string.Join(" ", c)));
 
         // Where a block of text is wider than its text, the text stands at its right end.

@@ -8,10 +8,10 @@ public static class Shown
     // A real minus sign is as wide as the plus sign; a hyphen is not.
     private const string MillimetersFormat = "0.0000;−0.0000";
     private const string SignedFormat = "+0.0000;−0.0000;0.0000";
-    private const string DegreesFormat = "0.000;−0.000";
+    private const string DegreesFormat = MillimetersFormat;
     private const string MicrometersFormat = "0.00;−0.00";
     private const string SignedMicrometersFormat = "+0.00;−0.00;0.00";
-    private const string SignedDegreesFormat = "+0.000;−0.000;0.000";
+    private const string SignedDegreesFormat = SignedFormat;
 
     /// <summary>What stands where there is no value.</summary>
     public const string Nothing = "–";
@@ -22,10 +22,10 @@ public static class Shown
     /// <summary>A deviation in mm with its sign, four decimals.</summary>
     public static string SignedMm(double? mm) => Number(mm, SignedFormat);
 
-    /// <summary>An angle in degrees, three decimals.</summary>
+    /// <summary>An angle in degrees, four decimals like the lengths that stand above and below it.</summary>
     public static string Degrees(double? degrees) => Number(degrees, DegreesFormat);
 
-    /// <summary>A difference of angles in degrees with its sign, three decimals.</summary>
+    /// <summary>A difference of angles in degrees with its sign, four decimals.</summary>
     public static string SignedDegrees(double? degrees) => Number(degrees, SignedDegreesFormat);
 
     /// <summary>A length in mm as micrometers, two decimals.</summary>

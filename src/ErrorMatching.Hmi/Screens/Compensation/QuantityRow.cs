@@ -7,4 +7,8 @@ namespace ErrorMatching.Hmi;
 /// <param name="Actual">As measured.</param>
 /// <param name="Corrected">As the corrected counterpart is predicted to have it.</param>
 /// <param name="Unit">mm or degrees.</param>
-public sealed record QuantityRow(string Feature, string Quantity, string Ideal, string Actual, string Corrected, string Unit);
+public sealed record QuantityRow(string Feature, string Quantity, string Ideal, string Actual, string Corrected, string Unit)
+{
+    /// <summary>What it is called aloud: a feature has several.</summary>
+    public string Name => $"{Feature} · {Quantity}";
+}
