@@ -71,6 +71,8 @@ public sealed class OverviewTests
             seat.WaitFor(serial, CorrectionState.Proposed);
         }
 
+        // Nobody has let any of them go yet: they are in no line.
+        seat.WaitFor(() => Texts(seat).Contains("Nothing in line · to be approved: 3"), "What waits for an approval is not told from what is in line.");
         foreach (var id in new[] { 1, 2, 3 })
         {
             new CorrectionDecisions(seat.Station.Store).Approve(id, DemoCell.Setter, null);

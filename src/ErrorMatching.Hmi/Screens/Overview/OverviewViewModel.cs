@@ -74,7 +74,11 @@ public sealed class OverviewViewModel : ScreenViewModel
         var texts = Texts.Current;
         var name = $"{slot.Machine.Name}/{slot.Slot.Name}";
         var trouble = Troubles(status).FirstOrDefault(t => t.Where == "slot " + name);
-        var waiting = slot.Waiting == 0 ? texts["Overview.NoneWaiting"] : texts.With("Overview.InLine", Shown.Count(slot.Waiting));
+
+        // What nobody has approved yet goes nowhere: it stands in no line.
+        var proposed = status.Proposed.Count(c => c.Machine == slot.Machine.Name && c.Slot == slot.Slot.Name);
+        var inLine = Math.Max(0, slot.Waiting - proposed);
+        var waiting = (inLine == 0 ? texts["Overview.NoneWaiting"] : texts.With("Overview.InLine", Shown.Count(inLine))) + (proposed == 0 ? "" : texts.With("Overview.ToApprove", Shown.Count(proposed)));
         return (trouble, slot.Held) switch
         {
             ({ } t, var held) => new(name, slot.Slot.Program, texts["Overview.SlotTrouble"], CodeText.Of(t.Code, t.Message), waiting, Severity.Alarm, held?.Id),

@@ -5,7 +5,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Program">The program's name at the machine.</param>
 /// <param name="State">How it is, in a word.</param>
 /// <param name="Detail">What it holds, and since when.</param>
-/// <param name="Waiting">How many stand in line for it.</param>
+/// <param name="Waiting">How many stand in line for it, and how many will when they are approved.</param>
 /// <param name="Severity">How much it asks for attention.</param>
 /// <param name="Correction">What to look at; null if there is nothing.</param>
 public sealed record SlotTile(string Name, string Program, string State, string Detail, string Waiting, Severity Severity, long? Correction)
