@@ -23,8 +23,24 @@ public sealed partial class TextTests
 
     [Fact]
     public void What_is_not_a_name_or_a_format_is_translated() => Assert.All(
-        Texts.Of(Language.TraditionalChinese).Where(t => t.Key is not ("Format.Time" or "Shell.OtherLanguage" or "Banner.Trouble" or "Recorded.Between")),
+        Texts.Of(Language.TraditionalChinese).Where(t => t.Key is not ("Format.Time" or "Shell.OtherLanguage" or "Banner.Trouble" or "Recorded.Between" or "Detail.X" or "Detail.Y")),
         t => Assert.True(t.Value.Any(c => c is >= '\u4e00' and <= '\u9fff'), t.Key));
+
+    [Fact]
+    public void A_unit_stands_in_parentheses_behind_its_name_in_Chinese() => Assert.All(
+        Texts.Of(Language.TraditionalChinese),
+        t => Assert.DoesNotMatch(UnitBehindComma(), t.Value));
+
+    [Fact]
+    public void One_thing_has_one_word_in_Chinese_and_one_word_is_one_thing()
+    {
+        var texts = Texts.Of(Language.TraditionalChinese);
+        Assert.DoesNotContain(texts, t => t.Value.Contains("量測點", StringComparison.Ordinal));
+        Assert.NotEqual(texts["System.From"], texts["Detail.Basis"]);
+
+        // Two pieces are compared; only one of them is the part.
+        Assert.DoesNotContain("工件之間", texts["Detail.GapBefore"], StringComparison.Ordinal);
+    }
 
     [Fact]
     public void Every_value_that_is_shown_by_name_has_a_text()
@@ -66,6 +82,9 @@ public sealed partial class TextTests
         where T : struct, Enum => Enum.GetNames<T>().Select(n => $"{typeof(T).Name}.{n}");
 
     private static IEnumerable<string> Places(string text) => Place().Matches(text).Select(m => m.Value).Order(StringComparer.Ordinal);
+
+    [GeneratedRegex(@"[,，] ?(mm|µm|s|°)(/s)?$|\((mm|µm|°)\)", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex UnitBehindComma();
 
     [GeneratedRegex(@"\{\d\}", RegexOptions.None, 1000)]
     private static partial Regex Place();
