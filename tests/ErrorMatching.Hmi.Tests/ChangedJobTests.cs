@@ -75,9 +75,9 @@ public sealed class ChangedJobTests
 
         static async Task Wait(Func<bool> condition)
         {
-            for (var end = DateTime.UtcNow + Seat.Patience; !condition();)
+            for (var begun = TimeProvider.System.GetTimestamp(); !condition();)
             {
-                Assert.True(DateTime.UtcNow < end, "It does not come to that.");
+                Assert.True(TimeProvider.System.GetElapsedTime(begun) < Seat.Patience, "It does not come to that.");
                 await Task.Delay(20, TestContext.Current.CancellationToken);
             }
         }
