@@ -166,7 +166,7 @@ public sealed class SettingsTests
     [Fact]
     public Task Nothing_of_it_is_cut_off() => At(DemoCell.Administrator, seat =>
     {
-        var pictures = new Pictures(seat);
+        var pictures = new Pictures(seat.RunCell());
         seat.Tap("user-row-anna");
         pictures.Take("settings-users");
         seat.Tap("users-new");

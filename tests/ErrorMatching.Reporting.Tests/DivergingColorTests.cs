@@ -25,6 +25,30 @@ public sealed class DivergingColorTests
         }
     }
 
+    // Lightness of CIE 1976, another scale than the one that the colors were made by: no step is much larger than the others.
+    [Fact]
+    public void Steps_look_alike()
+    {
+        var lightness = Enumerable.Range(0, DivergingColors.Count).Select(i => Lab(Linear(Rgb(i))).L).ToArray();
+        var steps = lightness.Zip(lightness.Skip(1), (a, b) => Math.Abs(b - a)).ToArray();
+        Assert.All(steps, s => Assert.InRange(s / steps.Average(), 0.75, 1.25));
+    }
+
+    // What people see who lack one kind of cone: G. Machado et al., "A physiologically-based model for simulation of color vision deficiency", 2009, severity 1.
+    [Theory]
+    [InlineData(0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998)]
+    [InlineData(0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881)]
+    public void Signs_are_told_apart_without_red_or_green(double rr, double rg, double rb, double gr, double gg, double gb, double br, double bg, double bb)
+    {
+        var seen = Enumerable.Range(0, DivergingColors.Count).Select(i => Linear(Rgb(i)))
+            .Select(c => Lab(((rr * c.R) + (rg * c.G) + (rb * c.B), (gr * c.R) + (gg * c.G) + (gb * c.B), (br * c.R) + (bg * c.G) + (bb * c.B)))).ToArray();
+        for (var i = 0; i < DivergingColors.Count / 2; i++)
+        {
+            var away = (DivergingColors.Count / 2) - i;
+            Assert.True(seen[i].B < -1.5 * away && seen[^(i + 1)].B > 1.5 * away, $"{i}: {seen[i]} and {seen[^(i + 1)]}");
+        }
+    }
+
     [Theory]
     [InlineData(0, 10)]
     [InlineData(5, 20)]
@@ -36,6 +60,19 @@ public sealed class DivergingColorTests
 
     // Relative luminance of sRGB, by the definition of the WCAG.
     private static double Luminance((int R, int G, int B) c) => (0.2126 * Linear(c.R)) + (0.7152 * Linear(c.G)) + (0.0722 * Linear(c.B));
+
+    private static (double R, double G, double B) Linear((int R, int G, int B) c) => (Linear(c.R), Linear(c.G), Linear(c.B));
+
+    // CIE 1976, white of sRGB.
+    private static (double L, double A, double B) Lab((double R, double G, double B) c)
+    {
+        var x = F(((0.4124 * c.R) + (0.3576 * c.G) + (0.1805 * c.B)) / 0.9505);
+        var y = F((0.2126 * c.R) + (0.7152 * c.G) + (0.0722 * c.B));
+        var z = F(((0.0193 * c.R) + (0.1192 * c.G) + (0.9505 * c.B)) / 1.089);
+        return ((116 * y) - 16, 500 * (x - y), 200 * (y - z));
+
+        static double F(double t) => t > 216.0 / 24389 ? Math.Cbrt(t) : ((24389.0 / 27 * t) + 16) / 116;
+    }
 
     private static double Linear(int value) => value / 255.0 <= 0.04045 ? value / 255.0 / 12.92 : Math.Pow(((value / 255.0) + 0.055) / 1.055, 2.4);
 

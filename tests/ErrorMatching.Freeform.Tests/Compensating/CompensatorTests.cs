@@ -145,6 +145,17 @@ public sealed class CompensatorTests
         Assert.Contains($"is {said} mm off along the normal; compensation.limitMm allows 0.2 mm", refusal.Message, StringComparison.Ordinal);
     }
 
+    // Waves of four points each way: the points lie beside the crests, and the surface through them goes over the limit that they keep.
+    [Fact]
+    public void A_surface_that_goes_beyond_the_limit_between_its_points_is_refused()
+    {
+        var piece = new MeasuredDesign(PaperDesign.One, "\"method\": \"best\"", "\"method\": \"tensor\"");
+        var refusal = Assert.Single(piece.Compensate(piece.With((u, v) => 0.207 * Math.Cos(Math.PI * ((4.5 * u) - 0.25)))).Refusals);
+
+        Assert.Equal("beyond-limit", refusal.Code);
+        Assert.Contains("Between the points", refusal.Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Where_most_points_are_off_it_is_said_what_to_check()
     {

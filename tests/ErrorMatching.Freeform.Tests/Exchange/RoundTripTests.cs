@@ -1,3 +1,4 @@
+using System.Text;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform.Tests;
@@ -55,6 +56,18 @@ public sealed class RoundTripTests
         Point3[] poles = [.. Enumerable.Range(0, 16).Select(n => new Point3(10.0 * (n / 4), 10.0 * (n % 4), 0.1 * (n % 3)))];
         var surface = new PartSurface("S", new(knots, knots, poles), SurfaceRegion.Whole, 1);
         Same(surface.Spline, Read(Write(surface, file), file).Spline);
+    }
+
+    [Theory]
+    [InlineData("CONFIG_CONTROL_DESIGN")]
+    [InlineData("AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }")]
+    [InlineData("AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }")]
+    public void A_surface_is_read_from_each_application_protocol(string schema)
+    {
+        var text = Encoding.ASCII.GetString(StepWriter.Write(PaperDesign.Three));
+        var from = text.IndexOf("FILE_SCHEMA", StringComparison.Ordinal);
+        text = text[..from] + $"FILE_SCHEMA(('{schema}'))" + text[text.IndexOf(';', from)..];
+        Assert.Equal(PaperDesign.Three.Spline.Poles.ToArray(), SurfaceReader.Read(Encoding.ASCII.GetBytes(text), "surface.stp", null, true).Spline.Poles.ToArray());
     }
 
     [Fact]

@@ -32,6 +32,35 @@ public sealed class FinishingProgramTests
         }
     }
 
+    // One way, so that each pass has its own: in beside or above its first point, out beside or above its last one, and across only in the air.
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void Leads_and_rapids_keep_clear_of_the_part(int design)
+    {
+        var surface = Shapes.Design(design);
+        var path = Plans.Path(surface, Plans.Passes(0.05, 0.02, zigzag: false));
+        var moves = path.Moves().ToList();
+        Assert.True(moves.Count(m => m.IsRapid) >= 2 * path.Passes);
+        for (var i = 1; i < moves.Count; i++)
+        {
+            var (from, to) = (moves[i - 1].Center, moves[i].Center);
+            var isLead = !moves[i].IsRapid && (moves[i - 1].IsRapid || i + 1 == moves.Count || moves[i + 1].IsRapid);
+            if (!moves[i].IsRapid && !isLead)
+            {
+                continue;
+            }
+
+            // Ends of leads touch the surface; nothing comes nearer than touching, up to rounding.
+            for (var k = 0; k <= 10; k++)
+            {
+                var nearest = surface.Spline.ClosestPoint(from + ((to - from) * (k / 10.0))).Distance;
+                Assert.True(nearest > 3 - 0.001 && (k is 0 or 10 || !moves[i].IsRapid || nearest > 3.1), $"{i}: {nearest} mm at {k} tenths from {from} to {to}");
+            }
+        }
+    }
+
     [Fact]
     public void The_tip_runs_a_radius_below_the_center()
     {
@@ -52,6 +81,22 @@ public sealed class FinishingProgramTests
 
         Assert.Contains("S10000 M3\nG0 Z15.0000\nX0.0000 Y0.0000\nZ8.0000\nG1Z5.0000 F1200\nX".Replace("G1Z", "G1 Z", StringComparison.Ordinal), text, StringComparison.Ordinal);
         Assert.EndsWith("\nG0 Z15.0000\nM5\nM2\n", text, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Writing_keeps_nothing_of_what_is_written()
+    {
+        var toolpath = Plans.Passes();
+        var (path, job) = (Plans.Path(Shapes.One, toolpath), Plans.Job(toolpath, "linuxcnc"));
+        using var file = new MemoryStream(8_000_000);
+        Write();
+        file.SetLength(0);
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        Write();
+        var kept = GC.GetAllocatedBytesForCurrentThread() - before;
+        Assert.True(file.Length > 500_000 && kept < file.Length / 4, $"{kept} bytes for {file.Length}");
+
+        void Write() => FinishingProgram.Write(path, job, NcDialects.LinuxCnc, CuttingStage.Finishing, file);
     }
 
     [Fact]

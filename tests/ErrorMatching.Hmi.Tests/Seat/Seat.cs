@@ -119,6 +119,13 @@ internal sealed class Seat : IAsyncDisposable
         return this;
     }
 
+    /// <summary>Lets the cell run, and waits until that is seen: nothing is said of a cell that stands.</summary>
+    public Seat RunCell()
+    {
+        Cell.Run();
+        return WaitFor(() => Shell.Banner is null && Station.State.Status is { IsRunning: true }, "The cell is not seen to run.");
+    }
+
     /// <summary>Waits until something is so.</summary>
     public Seat WaitFor(Func<bool> condition, string complaint)
     {

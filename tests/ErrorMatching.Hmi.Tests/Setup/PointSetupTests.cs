@@ -140,7 +140,7 @@ public sealed class PointSetupTests
     [Fact]
     public Task It_looks_right() => At(seat =>
     {
-        var pictures = new Pictures(seat.Seat);
+        var pictures = new Pictures(seat.Seat.RunCell());
         pictures.Take("points");
         seat.Seat.Tap("setup-anew").Tap("add-line").Tap("add-triangle").Tap("add-curve").Tap("setup-problems");
         seat.Settle();

@@ -236,7 +236,7 @@ public sealed class SystemSetupTests
     [Fact]
     public Task It_looks_right() => At(seat =>
     {
-        var pictures = new Pictures(seat.Seat);
+        var pictures = new Pictures(seat.Seat.RunCell());
         foreach (var side in Sides)
         {
             seat.Seat.Tap("side-" + side);

@@ -58,14 +58,16 @@ public sealed class ProbedPieceTests
         await using var cell = await ProbedCell.OfFolderAsync(keeps: false);
         var (watched, opens) = (new List<WatchedFolder>(), cell.Opens);
         cell.Opens = m => Watch(watched, new(opens(m)));
-        var lines = (await ProbedPiece.LogAsync()).Split('\n');
+
+        // The program's marker names the measurement by its bytes.
+        var lines = (await ProbedPiece.LogAsync()).Split('\n').Select((l, i) => i == 0 ? l : "\n" + l).ToArray();
         var log = Path.Combine(cell.PathOf("machine"), ProbedCell.Log);
         cell.Start();
         foreach (var part in lines.Chunk(20))
         {
             Assert.Null(cell.Store.Find(1));
-            await File.AppendAllTextAsync(log, string.Join('\n', part) + "\n", TestContext.Current.CancellationToken);
-            if (!part.Contains("END"))
+            await File.AppendAllTextAsync(log, string.Concat(part), TestContext.Current.CancellationToken);
+            if (!part.Contains("\nEND"))
             {
                 await LookedAsync(watched, 3);
             }

@@ -42,6 +42,7 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
             ["", "points", "mean um", "standard deviation um", "profile ISO 1101 um", "largest - smallest um"],
             [Row("measured", result.Before), Row("expected, mirror", result.Mirror.Statistics), Row("expected, tool radius", result.ToolRadius.Statistics)]);
         page.Line("Errors along the normal, positive where material is left, less the stock of the stage. The job's method: " + result.Predicted.Method + ".");
+        page.Line($"Standard uncertainty of what is expected: {Um(result.Predicted.MeanUncertaintyMm)} um of the mean, {Um(result.Predicted.PointUncertaintyMm)} um of a point.");
         page.Line("Alignment: " + AlignmentWords.Of(result.Alignment));
         page.Line();
         page.Line(string.Create(
