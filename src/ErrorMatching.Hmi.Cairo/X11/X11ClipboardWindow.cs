@@ -39,13 +39,20 @@ internal sealed class X11ClipboardWindow
 
     /// <summary>Offers text to other programs.</summary>
     /// <param name="utf8">The text; null to offer nothing any more.</param>
-    /// <param name="lost">Called when another program offers something.</param>
+    /// <param name="lost">Called when another program offers something, at once if one did in the same moment.</param>
     public void Offer(byte[]? utf8, Action lost)
     {
         (_offered, _lost) = (utf8, lost);
         if (utf8 is not null || IsOwner)
         {
             _ = Xlib.XSetSelectionOwner(Display, _clipboard, utf8 is null ? 0 : _window, 0);
+
+            // Asked, as the conventions want (2.1): the answer says that the server has taken it, where before another program might still have asked the one that copied last.
+            if (utf8 is not null && !IsOwner)
+            {
+                (_offered, _lost) = (null, null);
+                lost();
+            }
         }
 
         X11Connection.DrainLater();
