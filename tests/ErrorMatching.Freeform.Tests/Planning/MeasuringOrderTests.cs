@@ -18,29 +18,44 @@ public sealed class MeasuringOrderTests
     }
 
     [Fact]
-    public void Few_points_are_within_a_tenth_of_the_shortest_way_there_is()
+    public void Few_points_are_measured_on_the_shortest_way_there_is()
     {
         var random = new Random(5);
-        for (var trial = 0; trial < 20; trial++)
+        for (var trial = 0; trial < 100; trial++)
         {
-            Point2[] points = [.. Enumerable.Range(0, 7).Select(_ => new Point2(random.NextDouble() * 75, random.NextDouble() * 63))];
-            var shortest = Permutations(Enumerable.Range(0, 7).ToArray(), 0).Min(o => MeasuringOrder.Length(points, o));
-            Assert.InRange(MeasuringOrder.Length(points, MeasuringOrder.Of(points, new int[7])), shortest - 1e-9, 1.1 * shortest);
+            var points = Scattered(random, 1 + (trial % 7));
+            var shortest = Permutations([.. Enumerable.Range(0, points.Length)], 0).Min(o => MeasuringOrder.Length(points, o));
+            Assert.Equal(shortest, MeasuringOrder.Length(points, MeasuringOrder.Of(points, new int[points.Length])), 1e-9);
         }
     }
 
+    // Against a bound that few steps bring in, which is some way below the shortest. Some points come twice; at last all are one place.
     [Theory]
-    [InlineData(0, 7, 10, null, 0)]
-    [InlineData(1, 7, 7, null, 0.0002)]
-    [InlineData(2, 7, null, 68, 0.0255)]
-    public void The_papers_designs_are_measured_on_the_shortest_way_or_close_to_it(int design, int curves, int? each, int? points, double longer)
+    [InlineData(300, 0.12)]
+    [InlineData(1000, 0.2)]
+    public void Each_of_many_points_comes_once_and_the_way_is_short(int count, double longer)
+    {
+        var points = Scattered(new Random(count), count);
+        points.AsSpan(0, 5).CopyTo(points.AsSpan(count - 5));
+        var order = MeasuringOrder.Of(points, [.. Enumerable.Range(0, count).Select(k => k / 10)]);
+
+        Assert.Equal(Enumerable.Range(0, count), order.Order());
+        Assert.InRange(MeasuringOrder.Length(points, order), 0, (1 + longer) * LeastLength(points, MeasuringOrder.Length(points, order), 300));
+        Assert.Equal(Enumerable.Range(0, 20), MeasuringOrder.Of(new Point2[20], new int[20]).Order());
+    }
+
+    [Theory]
+    [InlineData(0, 7, 10, null)]
+    [InlineData(1, 7, 7, null)]
+    [InlineData(2, 7, null, 68)]
+    public void The_papers_designs_are_measured_on_the_shortest_way_there_is(int design, int curves, int? each, int? points)
     {
         var plan = MeasuringPlanner.Plan(Designs[design], Surfaces.Measuring(curves, each, points), 0.2);
         Point2[] above = [.. plan.Points.Select(plan.AboveOf)];
         var way = MeasuringOrder.Length(above, [.. Enumerable.Range(0, above.Length)]);
 
-        // Every way through all points is a tree, so none is shorter than the shortest tree.
-        Assert.InRange(way, ShortestTree(above) - 1e-9, ((1 + longer) * ShortestTree(above)) + 1e-9);
+        // To 0.01 mm: as far as the bound comes in so many steps.
+        Assert.InRange(way - LeastLength(above, way, 3000), -1e-6, 0.01);
     }
 
     [Fact]
@@ -52,23 +67,59 @@ public sealed class MeasuringOrderTests
         Assert.Equal(63 + 75 + 63 + (4 * 2 * 10), plan.TravelMm, 1e-9);
     }
 
-    // By Prim.
-    private static double ShortestTree(Point2[] points)
+    private static Point2[] Scattered(Random random, int count) => [.. Enumerable.Range(0, count).Select(_ => new Point2(random.NextDouble() * 75, random.NextDouble() * 63))];
+
+    // No way through all points is shorter: Held and Karp, The traveling-salesman problem and minimum spanning trees, Operations Research 18 (1970), for open ways. Whatever weight each point has, a way has each joint's length and the weights of both
+    // its points, and is a tree; the weights are then counted twice at each point but at the ends once. They rise where the shortest tree has many joints, and fall where it has one.
+    private static double LeastLength(Point2[] points, double way, int steps)
     {
-        var (length, away) = (0.0, points.Select(p => p.DistanceTo(points[0])).ToArray());
-        var left = Enumerable.Range(1, points.Length - 1).ToHashSet();
-        while (left.Count > 0)
+        var (least, weights) = (0.0, new double[points.Length]);
+        for (var step = 0; step < steps; step++)
         {
-            var next = left.MinBy(i => away[i]);
-            left.Remove(next);
-            length += away[next];
-            foreach (var i in left)
+            var (length, joints) = ShortestTree(points, weights);
+            var ends = Enumerable.Range(0, points.Length).OrderBy(i => weights[i]).Take(2).ToArray();
+            length += weights[ends[0]] + weights[ends[1]] - (2 * weights.Sum());
+            least = Math.Max(least, length);
+            joints[ends[0]]++;
+            joints[ends[1]]++;
+            var off = joints.Sum(j => (j - 2) * (j - 2));
+            var stride = 2 * Math.Pow(0.998, Math.Max(0, step - 300)) * Math.Max(way - length, 0.01) / Math.Max(off, 1);
+            for (var i = 0; i < points.Length; i++)
             {
-                away[i] = Math.Min(away[i], points[i].DistanceTo(points[next]));
+                weights[i] += stride * (joints[i] - 2);
             }
         }
 
-        return length;
+        return least;
+    }
+
+    // By Prim.
+    private static (double Length, int[] Joints) ShortestTree(Point2[] points, double[] weights)
+    {
+        var (length, joints, at) = (0.0, new int[points.Length], 0);
+        var (away, from, isIn) = (new double[points.Length], new int[points.Length], new bool[points.Length]);
+        Array.Fill(away, double.PositiveInfinity);
+        for (var count = 1; count < points.Length; count++)
+        {
+            isIn[at] = true;
+            var next = -1;
+            for (var i = 0; i < points.Length; i++)
+            {
+                if (!isIn[i])
+                {
+                    var joint = points[at].DistanceTo(points[i]) + weights[at] + weights[i];
+                    (away[i], from[i]) = joint < away[i] ? (joint, at) : (away[i], from[i]);
+                    next = next < 0 || away[i] < away[next] ? i : next;
+                }
+            }
+
+            length += away[next];
+            joints[next]++;
+            joints[from[next]]++;
+            at = next;
+        }
+
+        return (length, joints);
     }
 
     private static IEnumerable<int[]> Permutations(int[] items, int from)

@@ -1,0 +1,338 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>
+/// An open way through all of some points, made shorter in two ways until no single change helps: a piece is turned around (2-opt), or up to three points go elsewhere (or-opt). Among few points pieces then change places again and again before both are tried anew,
+/// which leads out of what single changes cannot better. Which pieces do is a fixed sequence, so the same points always have the same way.
+/// </summary>
+/// <remarks>
+/// Sources: Or, Traveling salesman-type combinatorial problems, Northwestern University 1976; Bentley, Fast algorithms for geometric traveling salesman problems, ORSA Journal on Computing 4 (1992): only the nearest points are tried, and only where the way has changed;
+/// Dueck and Scheuer, Threshold accepting, Journal of Computational Physics 90 (1990): a way that is a little longer is gone on from. Looking for the nearest points costs the square of their number.
+/// </remarks>
+internal sealed class ShortWay
+{
+    /// <summary>Neighbors that a point is joined to by way of trial.</summary>
+    private const int Nearest = 8;
+
+    /// <summary>The most points that go elsewhere together.</summary>
+    private const int Moved = 3;
+
+    /// <summary>The longest pieces that change places.</summary>
+    private const int Swapped = 10;
+
+    /// <summary>How often pieces change places, for each point.</summary>
+    private const int Swaps = 10;
+
+    /// <summary>By how much of its mean step a way that is gone on from may be longer than the shortest.</summary>
+    private const double Longer = 0.1;
+
+    /// <summary>Points up to which pieces change places: of more the way is short, but seldom the shortest.</summary>
+    private const int Few = 300;
+
+    private const double LeastGainMm = 1e-9;
+
+    private readonly Point2[] _points;
+    private readonly int[] _near;
+    private readonly int _nearOfEach;
+
+    // The way is closed by a place that is at no distance from any point, the last index: so its ends are no special case.
+    private readonly int[] _tour;
+    private readonly int[] _at;
+    private readonly int[] _buffer;
+    private readonly Stack<int> _changed = new();
+
+    private ShortWay(Point2[] points, int[] order)
+    {
+        _points = points;
+        _nearOfEach = Math.Min(Nearest, points.Length - 1);
+        _near = NearestOf(points, _nearOfEach);
+        _tour = [.. order, points.Length];
+        (_at, _buffer) = (new int[_tour.Length], new int[_tour.Length]);
+        Place();
+    }
+
+    /// <summary>A shorter order than one that is given, or that one.</summary>
+    public static int[] From(Point2[] points, int[] order)
+    {
+        if (order.Length < 3)
+        {
+            return order;
+        }
+
+        var way = new ShortWay(points, order);
+        foreach (var point in order)
+        {
+            way._changed.Push(point);
+        }
+
+        way.Improve();
+        if (order.Length <= Few)
+        {
+            way.Shake();
+        }
+
+        var end = way._at[points.Length];
+        return [.. way._tour.AsSpan(end + 1), .. way._tour.AsSpan(0, end)];
+    }
+
+    // Of each point, the nearest first.
+    private static int[] NearestOf(Point2[] points, int count)
+    {
+        var (near, distances) = (new int[points.Length * count], new double[count]);
+        for (var i = 0; i < points.Length; i++)
+        {
+            var found = 0;
+            var mine = near.AsSpan(i * count, count);
+            for (var k = 0; k < points.Length; k++)
+            {
+                var distance = points[i].DistanceTo(points[k]);
+                if (k == i || (found == count && distance >= distances[^1]))
+                {
+                    continue;
+                }
+
+                found = Math.Min(found + 1, count);
+                var place = found - 1;
+                for (; place > 0 && distances[place - 1] > distance; place--)
+                {
+                    (distances[place], mine[place]) = (distances[place - 1], mine[place - 1]);
+                }
+
+                (distances[place], mine[place]) = (distance, k);
+            }
+        }
+
+        return near;
+    }
+
+    private double Length()
+    {
+        var length = 0.0;
+        for (var i = 0; i < _tour.Length; i++)
+        {
+            length += Between(At(i), At(i + 1));
+        }
+
+        return length;
+    }
+
+    // Improves as far as single changes lead, from every point whose neighbors on the way have changed; by how much the way gets shorter.
+    private double Improve()
+    {
+        var gain = 0.0;
+        while (_changed.TryPop(out var point))
+        {
+            if (point == _points.Length)
+            {
+                continue;
+            }
+
+            var better = Turn(point, 1);
+            better = better > 0 ? better : Turn(point, -1);
+            better = better > 0 ? better : Move(point, 1);
+            better = better > 0 ? better : Move(point, -1);
+            if (better > 0)
+            {
+                gain += better;
+                _changed.Push(point);
+            }
+        }
+
+        return gain;
+    }
+
+    // Lets two pieces beside each other change places and improves what comes of it, and keeps the shortest.
+    private void Shake()
+    {
+        var (kept, shortest) = ((int[])_tour.Clone(), (int[])_tour.Clone());
+        var (above, sequence) = (0.0, 1u);
+        var allowed = Longer * Length() / _points.Length;
+        for (var swaps = Swaps * _points.Length; swaps > 0; swaps--)
+        {
+            var (first, one, two) = (Next(_tour.Length), 1 + Next(Swapped), 1 + Next(Swapped));
+            if (one + two + 2 > _tour.Length)
+            {
+                continue;
+            }
+
+            var longer = Swap(first, one, two);
+            longer -= Improve();
+            if (above + longer < allowed)
+            {
+                above += longer;
+                _tour.CopyTo(kept, 0);
+            }
+            else
+            {
+                kept.CopyTo(_tour, 0);
+                Place();
+            }
+
+            if (above < -LeastGainMm)
+            {
+                above = 0;
+                kept.CopyTo(shortest, 0);
+            }
+        }
+
+        shortest.CopyTo(_tour, 0);
+        Place();
+
+        // Linear congruential: Numerical Recipes, 3rd edition, section 7.1. The low bits hardly change.
+        int Next(int below) => (int)(((sequence = (1664525 * sequence) + 1013904223) >> 8) % (uint)below);
+    }
+
+    // Lets the pieces of so many points behind a place change places; by how much the way gets longer.
+    private double Swap(int first, int one, int two)
+    {
+        var (before, start, end) = (At(first), At(first + 1), At(first + one));
+        var (next, last, behind) = (At(first + one + 1), At(first + one + two), At(first + one + two + 1));
+        for (var k = 0; k < one + two; k++)
+        {
+            _buffer[k] = At(first + 1 + ((k + one) % (one + two)));
+        }
+
+        for (var k = 0; k < one + two; k++)
+        {
+            Put(_buffer[k], first + 1 + k);
+        }
+
+        Change(before, start, end);
+        Change(next, last, behind);
+        return Between(before, next) + Between(last, start) + Between(end, behind) - Between(before, start) - Between(end, next) - Between(last, behind);
+    }
+
+    // Joins a point with one that is nearer than the next on the way, and turns around what lies between; by how much the way gets shorter.
+    private double Turn(int point, int forward)
+    {
+        var next = Step(point, forward);
+        var leaves = Between(point, next);
+        for (var k = -1; k < _nearOfEach; k++)
+        {
+            var other = NearOf(point, k);
+            var joined = Between(point, other);
+            if (joined >= leaves)
+            {
+                break;
+            }
+
+            var beyond = Step(other, forward);
+            var gain = leaves + Between(other, beyond) - joined - Between(next, beyond);
+            if (gain > LeastGainMm)
+            {
+                Reverse(_at[forward > 0 ? next : other], _at[forward > 0 ? other : next]);
+                Change(point, next, other);
+                _changed.Push(beyond);
+                return gain;
+            }
+        }
+
+        return 0;
+    }
+
+    // Takes points, of which this is the first, out of the way and puts them where the first lies beside a near one; by how much the way gets shorter.
+    private double Move(int point, int forward)
+    {
+        var (before, last) = (Step(point, -forward), point);
+        for (var count = 1; count <= Moved; count++)
+        {
+            var behind = Step(last, forward);
+            if (last == _points.Length || behind == before)
+            {
+                break;
+            }
+
+            var leaves = Between(before, point) + Between(last, behind) - Between(before, behind);
+            for (var k = -1; k < _nearOfEach; k++)
+            {
+                var other = NearOf(point, k);
+                var joined = Between(point, other);
+                if (joined >= leaves)
+                {
+                    break;
+                }
+
+                foreach (var side in (ReadOnlySpan<int>)[1, -1])
+                {
+                    var beyond = Step(other, side);
+                    var gain = leaves + Between(other, beyond) - joined - Between(last, beyond);
+                    if (gain > LeastGainMm && !IsAmong(other) && !IsAmong(beyond))
+                    {
+                        Insert(point, count, forward, other, beyond);
+                        Change(before, behind, point);
+                        Change(last, other, beyond);
+                        return gain;
+                    }
+                }
+            }
+
+            last = behind;
+
+            bool IsAmong(int other) => ((forward * (_at[other] - _at[point])) + _tour.Length) % _tour.Length < count;
+        }
+
+        return 0;
+    }
+
+    // Writes the way anew: what is left, from behind the points on, with these between their new neighbors.
+    private void Insert(int point, int count, int forward, int other, int beyond)
+    {
+        var (length, from) = (0, forward > 0 ? _at[point] + count : _at[point] + 1);
+        for (var k = 0; k < _tour.Length - count; k++)
+        {
+            var (here, next) = (At(from + k), At(from + k + 1));
+            _buffer[length++] = here;
+            for (var q = 0; q < count && ((here == other && next == beyond) || (here == beyond && next == other)); q++)
+            {
+                _buffer[length++] = At(_at[point] + (forward * (here == other ? q : count - 1 - q)));
+            }
+        }
+
+        _buffer.CopyTo(_tour, 0);
+        Place();
+    }
+
+    // From one place to another, past the end of the array if it must; or all the others, which is the same way.
+    private void Reverse(int from, int to)
+    {
+        var count = ((to - from + _tour.Length) % _tour.Length) + 1;
+        if (2 * count > _tour.Length)
+        {
+            (from, count) = (to + 1, _tour.Length - count);
+        }
+
+        for (var k = 0; k < count / 2; k++)
+        {
+            var (a, b) = (At(from + k), At(from + count - 1 - k));
+            Put(b, from + k);
+            Put(a, from + count - 1 - k);
+        }
+    }
+
+    private void Place()
+    {
+        for (var i = 0; i < _tour.Length; i++)
+        {
+            _at[_tour[i]] = i;
+        }
+    }
+
+    private void Put(int point, int place) => _tour[_at[point] = place % _tour.Length] = point;
+
+    private void Change(int a, int b, int c)
+    {
+        _changed.Push(a);
+        _changed.Push(b);
+        _changed.Push(c);
+    }
+
+    // The end of the way is the nearest to every point.
+    private int NearOf(int point, int k) => k < 0 ? _points.Length : _near[(point * _nearOfEach) + k];
+
+    private int At(int place) => _tour[(place + _tour.Length) % _tour.Length];
+
+    private int Step(int point, int forward) => At(_at[point] + forward);
+
+    private double Between(int a, int b) => a == _points.Length || b == _points.Length ? 0 : _points[a].DistanceTo(_points[b]);
+}
