@@ -27,16 +27,28 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
             ["", "points", "mean um", "standard deviation um", "profile ISO 1101 um", "largest - smallest um"],
             [.. Rows("before", report.Before), .. Rows("measured", report.Measured)]);
         page.Line("Errors along the normal, positive where material is left, less the stock of the stage. Profile by ISO 1101: twice the largest absolute error. Standard deviations use n - 1.");
-        foreach (var piece in report.Measured.Pieces.Concat(report.Before?.Pieces ?? []))
+        EvaluatedPiece[] pieces = [.. report.Measured.Pieces, .. report.Before?.Pieces ?? []];
+
+        // None is none for all of them.
+        if (pieces[0].Alignment is null)
         {
-            page.Line($"Alignment of {piece.File}: {AlignmentWords.Of(piece.Alignment)}");
+            page.Line("Alignment: " + AlignmentWords.Of(null));
+        }
+
+        foreach (var piece in pieces)
+        {
+            if (piece.Alignment is not null)
+            {
+                page.Line($"Alignment of {piece.File}: {AlignmentWords.Of(piece.Alignment)}");
+            }
+
             foreach (var warning in piece.Warnings)
             {
                 page.Line("Warning: " + warning);
             }
         }
 
-        foreach (var piece in report.Measured.Pieces.Concat(report.Before?.Pieces ?? []).Where(p => p.StageIsFound))
+        foreach (var piece in pieces.Where(p => p.StageIsFound))
         {
             page.Line($"Note: the points of {piece.File} lie on the surface after {(piece.Stage == CuttingStage.Finishing ? "finishing" : "semi-finishing")}, not after the stage that the job names: its stock was used.");
         }
