@@ -23,7 +23,7 @@ internal sealed class BackgroundCell : IDisposable
     public async Task<(int Exit, string Output)> Stop()
     {
         await _stop.CancelAsync();
-        var exit = await _run.WaitAsync(TimeSpan.FromSeconds(10));
+        var exit = await _run.WaitAsync(TimeSpan.FromMinutes(1));
         return (exit, _output.ToString());
     }
 
@@ -46,7 +46,7 @@ internal sealed class BackgroundCell : IDisposable
     public void Dispose()
     {
         _stop.Cancel();
-        Assert.True(_run.Wait(TimeSpan.FromSeconds(10)));
+        Assert.True(_run.Wait(TimeSpan.FromMinutes(1)));
         _stop.Dispose();
         _output.Dispose();
     }
