@@ -70,6 +70,21 @@ public sealed partial class TextTests
         Assert.All(named, k => Assert.True(Texts.Of(Language.English).ContainsKey(k), k));
     }
 
+    [Fact]
+    public void No_words_stand_in_the_views_themselves() => Assert.All(
+        Directory.EnumerateFiles(Repository.PathTo("src", "ErrorMatching.Hmi"), "*.axaml", SearchOption.AllDirectories),
+        f => Assert.Empty(Literal().Matches(File.ReadAllText(f)).Select(m => m.Groups["words"].Value).Where(w => w != "mm" && w.Any(char.IsLetter))));
+
+    [Theory]
+    [InlineData(Language.English, "2026-03-01 07:05:09")]
+    [InlineData(Language.TraditionalChinese, "2026/03/01 07:05:09")]
+    public Task A_time_is_shown_by_the_custom_of_the_language(Language language, string shown) => Drawing.Needed().RunAsync(() =>
+    {
+        Texts.Current.Language = language;
+        Assert.Equal(shown, Shown.Time(new(2026, 3, 1, 8, 5, 9, TimeSpan.FromHours(1)), new SeatClock()));
+        Texts.Current.Language = Language.English;
+    });
+
     [Theory]
     [InlineData(0.12344, "+0.1234")]
     [InlineData(-0.12346, "−0.1235")]
@@ -85,6 +100,9 @@ public sealed partial class TextTests
 
     [GeneratedRegex(@"[,，] ?(mm|µm|s|°)(/s)?$|\((mm|µm|°)\)", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex UnitBehindComma();
+
+    [GeneratedRegex("""(Text|Content|Header|PlaceholderText|Title|ToolTip\.Tip|AutomationProperties\.Name|AutomationProperties\.HelpText)="(?<words>[^"{][^"]*)""", RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Literal();
 
     [GeneratedRegex(@"\{\d\}", RegexOptions.None, 1000)]
     private static partial Regex Place();
