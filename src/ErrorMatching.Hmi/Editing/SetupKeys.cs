@@ -29,8 +29,8 @@ internal static class SetupKeys
         {
             if (screen.GetVisualDescendants().OfType<InputElement>().FirstOrDefault(c => AutomationProperties.GetAutomationId(c) == id && c.IsEffectivelyVisible) is Control field)
             {
-                // With what is wrong with it, which stands under it.
-                (field.FindAncestorOfType<UserControl>() is { } row && row != screen && row.Bounds.Height < screen.Bounds.Height / 2 ? row : field).BringIntoView();
+                // With what is wrong with it, which stands under it in the same view.
+                (field.GetVisualParent() is Control { } whole && whole.Bounds.Height < screen.Bounds.Height / 2 ? whole : field).BringIntoView();
                 field.Focus();
             }
         },

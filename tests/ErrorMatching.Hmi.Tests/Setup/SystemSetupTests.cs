@@ -1,4 +1,7 @@
+using Avalonia;
+using Avalonia.Controls;
 using Avalonia.Input;
+using Avalonia.VisualTree;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 
@@ -259,6 +262,12 @@ public sealed class SystemSetupTests
             pictures.Take("system-wrong-" + side, isPictured: false);
         }
 
+        // With the field that is to be corrected in sight, and what is wrong with it.
+        seat.Seat.Tap("side-coordinates").Tap("setup-problems").WaitFor(() => seat.Seat.Find("edit-toleranceChain[1].toleranceMm[1]") is { IsFocused: true }, "The field has no focus.");
+        seat.Settle();
+        var (wrong, list) = (seat.Seat.See("problem-toleranceChain[1].toleranceMm[1]"), seat.Seat.See("edit-toleranceChain[1].toleranceMm[1]").FindAncestorOfType<ScrollViewer>()!);
+        Assert.InRange(wrong.TranslatePoint(new(0, wrong.Bounds.Height), list)!.Value.Y, 0, list.Bounds.Height);
+        pictures.Take("system-wrong", isPictured: false);
         pictures.MustBeClean();
     });
 
