@@ -21,6 +21,17 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
         ArgumentNullException.ThrowIfNull(pieces);
         MeasuredPoints.ThrowIfTwice(pieces);
         EvaluatedPiece[] evaluated = [.. pieces.Select(p => Evaluate(job, surface, p))];
+        for (var k = 1; k < evaluated.Length; k++)
+        {
+            if (evaluated[k].Stage != evaluated[0].Stage)
+            {
+                evaluated[k] = evaluated[k] with
+                {
+                    Warnings = [.. evaluated[k].Warnings, $"{evaluated[k].File} was measured after {MeasuredStage.Name(evaluated[k].Stage)} and {evaluated[0].File} after {MeasuredStage.Name(evaluated[0].Stage)}: what they come to together says nothing of either. Evaluate them apart, or one as --before."],
+                };
+            }
+        }
+
         return new(evaluated, DeviationStatistics.Of([.. evaluated.SelectMany(p => p.Samples).Select(s => s.ErrorMm)]));
     }
 

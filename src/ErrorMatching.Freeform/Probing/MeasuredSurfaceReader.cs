@@ -9,7 +9,7 @@ namespace ErrorMatching.Freeform;
 /// <summary>Reads what was measured of a surface: the log of the probing program, a table of points, or a gauge's table of features.</summary>
 /// <remarks>
 /// A log begins with the word ERRORMATCH. A table has a header with <c>point</c> (as in plan.csv) or <c>i,j</c>, and <c>x,y,z</c> in millimetres, between commas, semicolons or tabs, with decimal points.
-/// A gauge's table of features (<see cref="MeasurementFormat.FeatureTable"/>) names points by their numbers (12, P12). Centers of the ball become contacts: the center less the ball's radius along the normal at
+/// A gauge's table of features (<see cref="MeasurementFormat.FeatureTable"/>, between the same) names points by their numbers (12, P12). Centers of the ball become contacts: the center less the ball's radius along the normal at
 /// the foot of the center on the nominal surface, which is exact wherever the ball touched, also on a slope.
 /// </remarks>
 public static class MeasuredSurfaceReader
@@ -25,7 +25,7 @@ public static class MeasuredSurfaceReader
     /// <param name="plan">The plan that was measured.</param>
     /// <param name="measuring">What the file holds (<see cref="JobMeasuring.ReportsStylusCenter"/>), and how far the surface may be from where it is expected: less than approach and overtravel.</param>
     /// <exception cref="FreeformException">
-    /// The file cannot be read, a point of the plan is not in it (<c>missing-point</c>) or is in it twice (<c>doubled-point</c>), it has one that the plan has not (<c>unknown-point</c>), or one is too far from
+    /// The file cannot be read, a point of the plan is not in it (<c>missing-point</c>) or is in it twice (<c>doubled-point</c>), it has one that the plan has not (<c>unknown-point</c>) or has elsewhere (<c>contradictory-point</c>), or one is too far from
     /// where it is expected (<c>far-off-point</c>).
     /// </exception>
     /// <exception cref="MeasurementException">A table of features cannot be read.</exception>
@@ -80,10 +80,10 @@ public static class MeasuredSurfaceReader
             return new MeasuredTableReader(file, measuring.ReportsStylusCenter).Read(lines);
         }
 
-        return [.. MeasurementReader.Read(bytes.ToArray(), file, MeasurementFormat.FeatureTable).Points.Select(p => new RawPoint(
+        return [.. MeasurementReader.Read(bytes.ToArray(), file, MeasurementFormat.FeatureTable with { Delimiter = MeasuredTableReader.DelimiterOf(first) }).Points.Select(p => new RawPoint(
             MeasuredTableReader.NumberOf(p.Label) is >= 0 and var number ? number : throw new FreeformException("bad-number", file, $"found the feature {ProbingLogReader.Shown(p.Label)}; expected the number of a point of the plan.", p.Line),
-            0,
-            0,
+            null,
+            null,
             p.HasZ ? p.Position : throw new FreeformException("missing-coordinate", file, $"found no Z of the feature {ProbingLogReader.Shown(p.Label)}; expected X, Y and Z.", p.Line),
             measuring.ReportsStylusCenter,
             p.Line))];
@@ -93,12 +93,18 @@ public static class MeasuredSurfaceReader
     {
         if (point.Number is { } number)
         {
-            return number >= 1 && number <= plan.Points.Count
+            if (number < 1 || number > plan.Points.Count)
+            {
+                throw new FreeformException("unknown-point", file, FormattableString.Invariant($"found point {number}; the plan has the points 1 to {plan.Points.Count}."), point.Line);
+            }
+
+            var planned = plan.Points[number - 1];
+            return point.I is null || (point.I == planned.I && point.J == planned.J)
                 ? number
-                : throw new FreeformException("unknown-point", file, FormattableString.Invariant($"found point {number}; the plan has the points 1 to {plan.Points.Count}."), point.Line);
+                : throw new FreeformException("contradictory-point", file, FormattableString.Invariant($"found point {number} with i {point.I}, j {point.J}; in the plan it is i {planned.I}, j {planned.J}. Delete the column point, or the columns i and j, whichever is wrong."), point.Line);
         }
 
-        return places.TryGetValue((point.I, point.J), out var found)
+        return point is { I: { } i, J: { } j } && places.TryGetValue((i, j), out var found)
             ? found
             : throw new FreeformException("unknown-point", file, FormattableString.Invariant($"found the point i {point.I}, j {point.J}; the plan has i from 0 to {plan.Points.Max(p => p.I)} and j from 0 to {plan.Points.Max(p => p.J)}."), point.Line);
     }

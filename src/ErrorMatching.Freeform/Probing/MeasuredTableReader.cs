@@ -19,7 +19,7 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
             head++;
         }
 
-        _delimiter = lines[head].Contains(';') ? ';' : lines[head].Contains('\t') ? '\t' : ',';
+        _delimiter = DelimiterOf(lines[head]);
         var names = lines[head].Split(_delimiter).Select(n => n.Trim().Trim('"').ToLowerInvariant()).ToArray();
         var (x, y, z) = (Column("x", "x_mm"), Column("y", "y_mm"), Column("z", "z_mm"));
         var (point, i, j) = (Find("point", "label"), Find("i"), Find("j"));
@@ -50,7 +50,7 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
 
             var position = new Point3(Number(cells, x, row), Number(cells, y, row), Number(cells, z, row));
             points.Add(point >= 0
-                ? new(Label(cells[point].Trim().Trim('"'), row, point), 0, 0, position, isCenter, row + 1)
+                ? new(Label(cells[point].Trim().Trim('"'), row, point), i >= 0 && j >= 0 ? Whole(cells, i, row) : null, i >= 0 && j >= 0 ? Whole(cells, j, row) : null, position, isCenter, row + 1)
                 : new(null, Whole(cells, i, row), Whole(cells, j, row), position, isCenter, row + 1));
         }
 
@@ -66,6 +66,9 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
                 : names.Count(n => any.Contains(n, StringComparer.Ordinal)) > 1 ? throw new FreeformException("duplicate-column", file, $"found two columns for {any[0]}; expected it once.", head + 1) : at;
         }
     }
+
+    /// <summary>What stands between the columns of a table with this header.</summary>
+    public static char DelimiterOf(string header) => header.Contains(';', StringComparison.Ordinal) ? ';' : header.Contains('\t', StringComparison.Ordinal) ? '\t' : ',';
 
     /// <summary>The number in the name of a point: 12, P12, point 12.</summary>
     /// <returns>The number, or -1 where there is none.</returns>

@@ -73,7 +73,7 @@ internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
         var point = Number('P');
         var kind = at < line.Length && line[at] is 'C' or 'S' ? line[at++] : throw Fail();
         var position = new Point3(Number('X'), Number('Y'), Number('Z'));
-        return at == line.Length && point is >= 0 and <= int.MaxValue && point == Math.Floor(point) && position.IsFinite ? new((int)point, 0, 0, position, kind == 'C', number) : throw Fail();
+        return at == line.Length && point is >= 0 and <= int.MaxValue && point == Math.Floor(point) && position.IsFinite ? new((int)point, null, null, position, kind == 'C', number) : throw Fail();
 
         double Number(char letter)
         {
@@ -104,9 +104,28 @@ internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
                 text += line[start..at];
             }
 
-            var value = double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var read) ? read : throw Fail();
+            text += Exponent();
+            var value = double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out var read) ? read : throw Fail();
             Skip();
             return value;
+        }
+
+        // Of a value close to nothing: E-07, or EX-07 as Siemens writes it.
+        string Exponent()
+        {
+            if (at >= line.Length || line[at] is not ('E' or 'e'))
+            {
+                return "";
+            }
+
+            at += at + 1 < line.Length && line[at + 1] is 'X' or 'x' ? 2 : 1;
+            var start = at;
+            while (at < line.Length && (char.IsAsciiDigit(line[at]) || (at == start && line[at] is '-' or '+')))
+            {
+                at++;
+            }
+
+            return "E" + line[start..at];
         }
 
         void Skip()

@@ -18,7 +18,7 @@ public static class EvaluationReportHtml
                 new("maps", "Where the errors are", html => WriteMaps(html, report)),
                 new("plots", "Error by point", html => WritePlots(html, report)),
                 new("points", "Points", html => WritePoints(html, report)),
-                new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "surface evaluate", ("--measured", "measured"), ("--before", "before"))),
+                new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "surface evaluate", ("--measured", "measured"), ("--before", "before"), ("--tool-radius", "toolRadius"), ("--tool-radius-before", "toolRadiusBefore"))),
             ]);
     }
 
@@ -43,8 +43,16 @@ public static class EvaluationReportHtml
         ReportFacts.WriteNotes(html, [.. Pieces(report).Where(p => p.StageIsFound).Select(p => $"The points of {p.File} lie on the surface after {MeasuredStage.Name(p.Stage)}, not after the stage that the job names: its stock was used.")]);
         ReportFacts.Write(html,
             ("Errors", "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
+            ("Improvement", Improvement(report)),
             ("Alignment", Alignment(report)),
             ("Profile", "By ISO 1101 with a zone centred on the nominal surface: twice the largest absolute error. Standard deviations use n − 1."));
+    }
+
+    private static string Improvement(EvaluationReport report)
+    {
+        (string Way, SurfaceImprovement? By)[] ways = [("", report.Improvement), ("Compensated by tool radius instead: ", report.ToolRadiusImprovement)];
+        string[] said = [.. ways.Where(w => w.By is not null).Select(w => w.Way + w.By!.Words)];
+        return said.Length == 0 ? "Not known: nothing was given to compare with." : string.Join(" ", said);
     }
 
     // None is none for all of them.
@@ -54,11 +62,11 @@ public static class EvaluationReportHtml
 
     private static void WriteStatistics(HtmlText html, EvaluationReport report)
     {
-        SurfaceTables.WriteStatistics(html, "statistics-table", "All pieces together", Both(report).Select(b => (b.Name, b.Evaluation.Together)));
-        if (Both(report).Any(b => b.Evaluation.Pieces.Count > 1))
+        SurfaceTables.WriteStatistics(html, "statistics-table", "All pieces together", report.Parts.Select(b => (b.Name, b.Evaluation.Together)));
+        if (report.Parts.Any(b => b.Evaluation.Pieces.Count > 1))
         {
-            SurfaceTables.WriteStatistics(html, "pieces-table", "Piece by piece", Both(report).SelectMany(b => b.Evaluation.Pieces.Select(p => ($"{b.Name}: {p.File}", p.Statistics))));
-            foreach (var (name, evaluation) in Both(report))
+            SurfaceTables.WriteStatistics(html, "pieces-table", "Piece by piece", report.Parts.SelectMany(b => b.Evaluation.Pieces.Select(p => ($"{b.Name}: {p.File}", p.Statistics))));
+            foreach (var (name, evaluation) in report.Parts)
             {
                 html.Put("p", $"{name}: standard deviations of the pieces differ by {Micrometres.OfMm(evaluation.RangeOfStandardDeviationsMm)} µm.");
             }
@@ -70,7 +78,7 @@ public static class EvaluationReportHtml
         var limit = 1000 * Pieces(report).SelectMany(p => p.Samples).Max(s => Math.Abs(s.ErrorMm));
         var map = new HeatMap(report.Surface, limit);
         var number = 0;
-        foreach (var (name, evaluation) in Both(report))
+        foreach (var (name, evaluation) in report.Parts)
         {
             foreach (var piece in evaluation.Pieces)
             {
@@ -86,22 +94,35 @@ public static class EvaluationReportHtml
 
     private static void WritePlots(HtmlText html, EvaluationReport report)
     {
-        for (var k = 0; k < report.Measured.Pieces.Count; k++)
+        var number = WritePlots(html, report.Before, report.Measured, "", 0);
+        if (report.ToolRadius is { } radius)
         {
-            var after = report.Measured.Pieces[k].Samples.ToDictionary(s => s.Point);
-            var before = report.Before is { } b && k < b.Pieces.Count ? b.Pieces[k].Samples : report.Measured.Pieces[k].Samples;
+            WritePlots(html, report.ToolRadiusBefore, radius, "tool radius, ", number);
+        }
+    }
+
+    // As figures 10 to 12 of Lee 2019: (a) by tool radius, (b) by mirroring.
+    private static int WritePlots(HtmlText html, SurfaceEvaluation? was, SurfaceEvaluation now, string way, int number)
+    {
+        for (var k = 0; k < now.Pieces.Count; k++)
+        {
+            var after = now.Pieces[k].Samples.ToDictionary(s => s.Point);
+            var isCompared = was is not null && k < was.Pieces.Count;
+            var first = isCompared ? was!.Pieces[k].Samples : now.Pieces[k].Samples;
             using (html.In("figure"))
             {
-                new ErrorByPointPlot([.. before.Select(s => new PlottedError(ReportNumber.Count(s.Point), 1000 * s.ErrorMm, report.Before is not null && after.TryGetValue(s.Point, out var a) ? 1000 * a.ErrorMm : (double?)null))])
-                    .Write(html, $"plot{k + 1}", $"Error at each point, {report.Measured.Pieces[k].File}", report.Before is null ? "measured" : "before", report.Before is null ? "not measured" : "after");
+                new ErrorByPointPlot([.. first.Select(s => new PlottedError(ReportNumber.Count(s.Point), 1000 * s.ErrorMm, isCompared && after.TryGetValue(s.Point, out var a) ? 1000 * a.ErrorMm : (double?)null))])
+                    .Write(html, $"plot{++number}", $"Error at each point, {way}{now.Pieces[k].File}", isCompared ? "before" : "measured", isCompared ? "after" : "not measured");
             }
         }
+
+        return number;
     }
 
     private static void WritePoints(HtmlText html, EvaluationReport report)
     {
         var number = 0;
-        foreach (var (name, evaluation) in Both(report))
+        foreach (var (name, evaluation) in report.Parts)
         {
             foreach (var piece in evaluation.Pieces)
             {
@@ -110,8 +131,5 @@ public static class EvaluationReportHtml
         }
     }
 
-    private static IEnumerable<(string Name, SurfaceEvaluation Evaluation)> Both(EvaluationReport report) =>
-        report.Before is { } before ? [("Before", before), ("After", report.Measured)] : [("Measured", report.Measured)];
-
-    private static IEnumerable<EvaluatedPiece> Pieces(EvaluationReport report) => Both(report).SelectMany(b => b.Evaluation.Pieces);
+    private static IEnumerable<EvaluatedPiece> Pieces(EvaluationReport report) => report.Parts.SelectMany(b => b.Evaluation.Pieces);
 }

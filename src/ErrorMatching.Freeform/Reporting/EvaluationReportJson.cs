@@ -15,10 +15,12 @@ public static class EvaluationReportJson
             json.Inputs(report.Inputs);
             Evaluation(json, report.Measured);
             json.Optional("before", report.Before, b => Evaluation(json, b));
-            json.Optional("improvement", report.Before, b =>
+            Improvement(json, report.Improvement);
+            json.Optional("toolRadius", report.ToolRadius, t =>
             {
-                json.Number("standardDeviationPercent", Percent(b.Together.StandardDeviationMm, report.Measured.Together.StandardDeviationMm));
-                json.Number("profileIsoPercent", Percent(b.Together.ProfileIsoMm, report.Measured.Together.ProfileIsoMm));
+                Evaluation(json, t);
+                json.Optional("before", report.ToolRadiusBefore, b => Evaluation(json, b));
+                Improvement(json, report.ToolRadiusImprovement);
             });
         });
     }
@@ -45,8 +47,11 @@ public static class EvaluationReportJson
         });
     }
 
-    /// <summary>Share by which a value became smaller, in percent.</summary>
-    internal static double? Percent(double before, double after) => before > 0 ? 100 * (before - after) / before : null;
+    private static void Improvement(ReportWriter json, SurfaceImprovement? improvement) => json.Optional("improvement", improvement, i =>
+    {
+        json.Number("standardDeviationPercent", i.StandardDeviationPercent);
+        json.Number("profileIsoPercent", i.ProfileIsoPercent);
+    });
 
     private static void Evaluation(ReportWriter json, SurfaceEvaluation evaluation)
     {

@@ -60,6 +60,19 @@ public sealed class MeasuredSurfaceReaderTests
         Assert.Empty(measured.Warnings);
     }
 
+    [Theory]
+    [InlineData("1.2E-07", 1.2e-7)]
+    [InlineData("-5.EX-6", -5e-6)]
+    [InlineData("+2.5e+0", 2.5)]
+    public void A_value_close_to_nothing_may_have_an_exponent(string written, double read)
+    {
+        // The corner of Surface one at the origin.
+        var log = Programs.Log(Plan, Plan.CenterOf).Split('\n');
+        var corner = Plan.Points.Single(p => p.I == 0 && p.J == 0).Number;
+        log[corner] = $"P{corner} S X{written} Y0 Z30.2";
+        Assert.Equal(new Point3(read, 0, 30.2), Read(string.Join('\n', log), Plan.Measuring with { ApproachMm = 10, OvertravelMm = 10 })[corner]);
+    }
+
     [Fact]
     public void A_contact_in_a_log_is_taken_as_it_is()
     {
@@ -95,10 +108,22 @@ public sealed class MeasuredSurfaceReaderTests
         Assert.Contains("stylus-center", Assert.Throws<FreeformException>(() => Read(text)).Message, StringComparison.Ordinal);
     }
 
+    // The fourth point of the plan, by its number, and where it is not in the grid.
     [Fact]
-    public void Gauge_tables_of_features_are_read()
+    public void Columns_that_contradict_each_other_are_refused()
     {
-        var text = GaugeTable();
+        string Table(int off) => "point,i,j,x,y,z\n" + string.Concat(Plan.Points.Select(p => FormattableString.Invariant($"{p.Number},{p.I + (p.Number == 4 ? off : 0)},{p.J},{Plan.ContactOf(p).X:R},{Plan.ContactOf(p).Y:R},{Plan.ContactOf(p).Z:R}\n")));
+        Assert.Equal(20, Read(Table(0)).Points.Count);
+        Refused(Table(1), "contradictory-point", 5, $"found point 4 with i {Plan.Points[3].I + 1}, j {Plan.Points[3].J}; in the plan it is i {Plan.Points[3].I}, j {Plan.Points[3].J}.");
+    }
+
+    [Theory]
+    [InlineData(',')]
+    [InlineData(';')]
+    [InlineData('\t')]
+    public void Gauge_tables_of_features_are_read(char delimiter)
+    {
+        var text = GaugeTable().Replace(',', delimiter);
         Assert.All(Read(text).Points, p => Assert.True((p.Contact - Plan.ContactOf(p.Planned)).Length < 1e-4));
     }
 
@@ -116,7 +141,7 @@ public sealed class MeasuredSurfaceReaderTests
 
     [Fact]
     public void A_far_off_point_is_named_with_its_distance() =>
-        Refused(Programs.Log(Plan, p => p.Number == 6 ? Plan.CenterOf(p) + new Vector3(0, 0, 5) : Plan.CenterOf(p)), "far-off-point", 7, "point 6 is 4.9974 mm from where it is expected");
+        Refused(Programs.Log(Plan, p => p.Number == 6 ? Plan.CenterOf(p) + (p.Normal * 5) : Plan.CenterOf(p)), "far-off-point", 7, "point 6 is 5 mm from where it is expected (5 mm along the normal");
 
     [Fact]
     public void A_touch_that_found_nothing_is_far_off() => Refused(Programs.Log(Plan, p => p.Number == 6 ? Plan.OvertravelOf(p) : Plan.CenterOf(p)), "far-off-point", 7, "(-2 mm along the normal");

@@ -1,6 +1,7 @@
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -120,6 +121,18 @@ public sealed class ProbingProgramTests
         var template = ProbingTemplate.Parse("@body\n@each point\nTOUCH({center.x})\n@next\nM30\n"u8, "own.txt");
         var error = Assert.Throws<FreeformException>(() => ProbingProgram.Of(Programs.Plan(), "", NcDialects.Siemens840D, template));
         Assert.Contains("TOUCH(", error.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void The_template_that_the_documentation_shows_measures_each_point_and_writes_a_log()
+    {
+        var page = File.ReadAllLines(Repository.PathTo("docs", "probe-a-surface.md"));
+        var example = page.SkipWhile(l => l != "### A template of your own").SkipWhile(l => !l.StartsWith("    @", StringComparison.Ordinal)).TakeWhile(l => l.StartsWith("    ", StringComparison.Ordinal)).Select(l => l[4..]);
+        var program = ProbingProgram.Of(Programs.Plan(), "Surface one", NcDialects.FanucMill, ProbingTemplate.Parse(Encoding.UTF8.GetBytes(string.Join('\n', example) + "\n"), "probe.txt"));
+        var lines = TextOf(program).Split('\n');
+        Assert.Equal(20, lines.Count(l => l.StartsWith("G31 X", StringComparison.Ordinal)));
+        Assert.Equal(20, lines.Count(l => l.StartsWith("DPRNT[P", StringComparison.Ordinal)));
+        Assert.Contains($"DPRNT[ERRORMATCH*PROBE*PLAN*{ProbingProgram.PlanId(program.Plan)}*MM]", lines);
     }
 
     private static string TextOf(ProbingProgram program) => Encoding.UTF8.GetString(program.Bytes.Span);

@@ -145,6 +145,35 @@ public sealed class SurfaceReportTests
         Assert.Contains("better than before", page.Descendants("strong").First().Value, StringComparison.Ordinal);
     }
 
+    // By the paper: what tool-radius modification leaves of the spread is what there was.
+    [Fact]
+    public void Pieces_compensated_by_tool_radius_stand_beside_the_mirrored_ones()
+    {
+        SurfaceEvaluation Of(int piece, Func<double, double, double> error) => SurfaceEvaluation.Of(Piece.Job, Piece.Surface, [piece == 0 ? Piece.Over(0, error) : Piece.With(error)]);
+        var report = new EvaluationReport(
+            Report.Job, [], Piece.Surface, Of(0, (u, v) => 0.001 * (u - v)), Of(1, (u, v) => 0.015 + (0.02 * u)), Of(0, (u, v) => 0.02 * (u - 0.5)), Of(1, (u, v) => 0.015 + (0.02 * u)));
+        using var json = JsonDocument.Parse(EvaluationReportJson.Write(report));
+        var radius = json.RootElement.GetProperty("toolRadius");
+
+        // 2 max|d|: 20 of 70; max|d| is 0.01 at both ends.
+        Assert.Equal(100 * (1 - (20 / 70.0)), radius.GetProperty("improvement").GetProperty("profileIsoPercent").GetDouble(), 4);
+        Assert.Equal(0, radius.GetProperty("improvement").GetProperty("standardDeviationPercent").GetDouble(), 4);
+        Assert.Equal(70, radius.GetProperty("before").GetProperty("profileIsoUm").GetDouble(), 6);
+        var page = Page(EvaluationReportHtml.Write(report));
+
+        // Four maps, and before and after by point for either way.
+        Assert.Equal(6, page.Descendants("svg").Count());
+        Assert.Contains("Compensated by tool radius instead: Standard deviation smaller by 0 %, profile smaller by 71 %.", page.Root!.Value, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Pieces_of_two_stages_are_no_replicas()
+    {
+        var evaluation = SurfaceEvaluation.Of(Piece.Job, Piece.Surface, [Piece.With((u, v) => 0.015 + (0.02 * u)), Piece.Over(0, (u, v) => 0.001 * (u - v))]);
+        Assert.Empty(evaluation.Pieces[0].Warnings);
+        Assert.Contains("after finishing and", Assert.Single(evaluation.Pieces[1].Warnings), StringComparison.Ordinal);
+    }
+
     private static string[] Colors => [.. Enumerable.Range(0, DivergingColors.Count).Select(DivergingColors.Hex)];
 
     private static XDocument Page(byte[] html) => XDocument.Parse(Encoding.UTF8.GetString(html).Replace("<!DOCTYPE html>", "", StringComparison.Ordinal));

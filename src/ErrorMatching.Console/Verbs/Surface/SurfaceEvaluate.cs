@@ -10,6 +10,8 @@ internal sealed class SurfaceEvaluate : Verb
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
     private readonly Option<string[]> _measured = SurfaceOptions.Measured("The measured surface; several files are replicas of one design.");
     private readonly Option<string[]> _before = new("--before") { Description = "The surface before compensation, to compare with; several files are replicas.", HelpName = "FILE", AllowMultipleArgumentsPerToken = true };
+    private readonly Option<string[]> _radius = new("--tool-radius") { Description = "Pieces that were compensated by tool radius instead, to set beside.", HelpName = "FILE", AllowMultipleArgumentsPerToken = true };
+    private readonly Option<string[]> _radiusBefore = new("--tool-radius-before") { Description = "Those before compensation.", HelpName = "FILE", AllowMultipleArgumentsPerToken = true };
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write evaluation.json and evaluation.html to. Without it nothing is written.");
 
     /// <summary>The verb.</summary>
@@ -22,6 +24,15 @@ internal sealed class SurfaceEvaluate : Verb
         Arguments.Add(_job);
         Options.Add(_measured);
         Options.Add(_before);
+        Options.Add(_radius);
+        Options.Add(_radiusBefore);
+        Validators.Add(result =>
+        {
+            if (result.GetValue(_radiusBefore) is { Length: > 0 } && result.GetValue(_radius) is not { Length: > 0 })
+            {
+                result.AddError("--tool-radius-before goes with --tool-radius: there is nothing to compare it with.");
+            }
+        });
         Options.Add(_out);
     }
 
@@ -37,15 +48,19 @@ internal sealed class SurfaceEvaluate : Verb
             return FailureOf.Refused(files.Job.File, plan.Refusals);
         }
 
-        var measured = arguments.GetRequiredValue(_measured).Select(f => files.Measured("measured", new(f), plan)).ToArray();
-        var before = (arguments.GetValue(_before) ?? []).Select(f => files.Measured("before", new(f), plan)).ToArray();
+        var measured = Read("measured", arguments.GetRequiredValue(_measured));
+        var before = Read("before", arguments.GetValue(_before));
+        var radius = Read("toolRadius", arguments.GetValue(_radius));
+        var radiusBefore = Read("toolRadiusBefore", arguments.GetValue(_radiusBefore));
         cancellation.ThrowIfCancellationRequested();
         var report = new EvaluationReport(
             files.Named,
             files.Inputs,
             surface,
             SurfaceEvaluation.Of(files.Job, surface, measured),
-            before.Length == 0 ? null : SurfaceEvaluation.Of(files.Job, surface, before));
+            Of(before),
+            Of(radius),
+            Of(radiusBefore));
         var folder = arguments.GetValue(_out);
         var answer = new SurfaceEvaluateAnswer(report, folder);
         if (folder is not null)
@@ -54,5 +69,9 @@ internal sealed class SurfaceEvaluate : Verb
         }
 
         return answer;
+
+        MeasuredPoints[] Read(string name, string[]? paths) => [.. (paths ?? []).Select(f => files.Measured(name, new(f), plan))];
+
+        SurfaceEvaluation? Of(MeasuredPoints[] pieces) => pieces.Length == 0 ? null : SurfaceEvaluation.Of(files.Job, surface, pieces);
     }
 }

@@ -25,9 +25,19 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
         page.Line();
         page.Table(
             ["", "points", "mean um", "standard deviation um", "profile ISO 1101 um", "largest - smallest um"],
-            [.. Rows("before", report.Before), .. Rows("measured", report.Measured)]);
+            [.. Rows("before", report.Before), .. Rows("measured", report.Measured), .. Rows("tool radius, before", report.ToolRadiusBefore), .. Rows("tool radius", report.ToolRadius)]);
+        if (report.Improvement is { } better)
+        {
+            page.Line(better.Words);
+        }
+
+        if (report.ToolRadiusImprovement is { } other)
+        {
+            page.Line("Compensated by tool radius instead: " + other.Words);
+        }
+
         page.Line("Errors along the normal, positive where material is left, less the stock of the stage. Profile by ISO 1101: twice the largest absolute error. Standard deviations use n - 1.");
-        EvaluatedPiece[] pieces = [.. report.Measured.Pieces, .. report.Before?.Pieces ?? []];
+        EvaluatedPiece[] pieces = [.. report.Measured.Pieces, .. report.Before?.Pieces ?? [], .. report.ToolRadius?.Pieces ?? [], .. report.ToolRadiusBefore?.Pieces ?? []];
 
         // None is none for all of them.
         if (pieces[0].Alignment is null)
