@@ -126,6 +126,9 @@ public sealed partial class ProgramText : Control
     /// <summary>The blocks whose text does not fit and ends in an ellipsis, of those that exist.</summary>
     internal IEnumerable<int> RowsCut => _rows.Where(r => r.Value.IsCut).Select(r => r.Key).Order();
 
+    /// <summary>Where the text of each row that exists ends, from the left border.</summary>
+    internal IEnumerable<(int Block, double End)> RowsEnd => _rows.Select(r => (r.Key, r.Value.End));
+
     /// <summary>Width of the line numbers and the names of features, over which a finger drags.</summary>
     internal double Gutter => Math.Max(LeastGutter, Bar + Between + _numberWidth + Between + (_nameWidth > 0 ? _nameWidth + Between : 0));
 
@@ -240,12 +243,16 @@ public sealed partial class ProgramText : Control
             (line.MaxTextWidth, line.MaxLineCount, line.Trimming) = (room, 1, TextTrimming.CharacterEllipsis);
         }
 
-        var width = Math.Clamp(Gutter + Between + line.Width, 1, Math.Max(1, Bounds.Width));
-        var row = new RenderTargetBitmap(new((int)Math.Ceiling(width / Pixel), (int)Math.Ceiling(RowHeight / Pixel)), new(96 / Pixel, 96 / Pixel));
+        var end = Gutter + Between + line.Width;
+        var width = Math.Clamp(end, 1, Math.Max(1, Bounds.Width));
+
+        // A picture of pixels, to which text is scaled here: what a picture of more dots an inch is copied from is measured in units by some, and in pixels by others.
+        var row = new RenderTargetBitmap(new((int)Math.Ceiling(width / Pixel), (int)Math.Ceiling(RowHeight / Pixel)));
         using var context = row.CreateDrawingContext();
+        using var scaled = context.PushTransform(Matrix.CreateScale(1 / Pixel, 1 / Pixel));
         context.DrawText(number, new Point(Bar + Between + _numberWidth - number.Width, (RowHeight - number.Height) / 2));
         context.DrawText(line, new Point(Gutter + Between, (RowHeight - line.Height) / 2));
-        return new(row, isCut);
+        return new(row, isCut, end);
     }
 
     // Rows that went out of sight long ago.
@@ -312,5 +319,6 @@ public sealed partial class ProgramText : Control
     /// <summary>A row as it is drawn.</summary>
     /// <param name="Picture">Its line number and text.</param>
     /// <param name="IsCut">True if the text does not fit.</param>
-    private sealed record DrawnLine(RenderTargetBitmap Picture, bool IsCut);
+    /// <param name="End">Where its text ends, from the left border.</param>
+    private sealed record DrawnLine(RenderTargetBitmap Picture, bool IsCut, double End);
 }
