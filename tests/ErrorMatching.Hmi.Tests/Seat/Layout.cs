@@ -18,7 +18,7 @@ internal static class Layout
     {
         var texts = window.GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible && !string.IsNullOrEmpty(t.Text ?? t.Inlines?.Text)).ToArray();
         var touched = window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && IsTouched(c)).ToArray();
-        return [.. texts.SelectMany(t => CutOff(t, window)), .. touched.SelectMany(c => TooSmall(c, window)), .. Nameless(window), .. Overlaps(texts, window), .. Overlaps(touched, window)];
+        return [.. texts.SelectMany(t => CutOff(t, window)), .. touched.SelectMany(c => TooSmall(c, window)), .. Nameless(window), .. Overlaps([.. texts, .. touched.Where(c => !IsPart(c))], window), .. Hidden.Problems(window)];
     }
 
     public static bool IsTouched(Control control) =>
@@ -109,12 +109,15 @@ internal static class Layout
     // A dialog lies over everything, on purpose.
     private static bool IsInFront(Control control) => control.GetVisualAncestors().OfType<Panel>().Any(p => p.Classes.Contains("veil"));
 
-    private static Rect Seen(Control control, Window window) =>
+    public static Rect Seen(Control control, Window window) =>
         control.GetVisualAncestors().OfType<Control>().Where(a => a.ClipToBounds || a is ScrollContentPresenter).Aggregate(In(control, window), (place, above) => place.Intersect(In(above, window)));
 
-    private static Rect In(Visual visual, Window window) => new Rect(visual.Bounds.Size).TransformToAABB(visual.TransformToVisual(window) ?? Matrix.Identity);
+    public static Rect In(Visual visual, Window window) => new Rect(visual.Bounds.Size).TransformToAABB(visual.TransformToVisual(window) ?? Matrix.Identity);
 
-    private static string Name(Control control) => control is TextBlock text ? $"\"{Words(text)}\"" : $"{control.GetType().Name} {AutomationProperties.GetAutomationId(control)}";
+    public static string Name(Control control) => control is TextBlock text ? $"\"{Words(text)}\"" : $"{control.GetType().Name} {Id(control)}";
+
+    // Parts of a template have no name of their own.
+    private static string? Id(Control control) => control.GetSelfAndVisualAncestors().OfType<Control>().Select(AutomationProperties.GetAutomationId).FirstOrDefault(id => !string.IsNullOrEmpty(id));
 
     private static string? Words(TextBlock text) => text.Text ?? text.Inlines?.Text;
 }
