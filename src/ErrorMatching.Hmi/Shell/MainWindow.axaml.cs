@@ -135,7 +135,11 @@ public sealed partial class MainWindow : Window
     }
 
     // The styles look the height up from where a control is: the window's own goes before the application's.
-    private void ShowTargets() => Resources["Target"] = Resources["RowHeight"] = Application.Current!.FindResource("Target" + _shell!.TouchSize);
+    private void ShowTargets()
+    {
+        Resources["Target"] = Resources["RowHeight"] = Application.Current!.FindResource("Target" + _shell!.TouchSize);
+        Resources["PlotLeast"] = Application.Current!.FindResource("PlotLeast" + _shell!.TouchSize);
+    }
 
     private void ShowTheme() => RequestedThemeVariant = _shell!.IsDark ? ThemeVariant.Dark : ThemeVariant.Light;
 }
