@@ -66,11 +66,12 @@ public sealed class MeasuredSurfaceReaderTests
     [InlineData("+2.5e+0", 2.5)]
     public void A_value_close_to_nothing_may_have_an_exponent(string written, double read)
     {
-        // The corner of Surface one at the origin.
+        // At the corner x = 0 the contact is close to nothing, too.
         var log = Programs.Log(Plan, Plan.CenterOf).Split('\n');
-        var corner = Plan.Points.Single(p => p.I == 0 && p.J == 0).Number;
-        log[corner] = $"P{corner} S X{written} Y0 Z30.2";
-        Assert.Equal(new Point3(read, 0, 30.2), Read(string.Join('\n', log), Plan.Measuring with { ApproachMm = 10, OvertravelMm = 10 })[corner]);
+        var corner = Plan.Points.Single(p => p.I == 0 && p.J == 0);
+        var contact = Plan.ContactOf(corner);
+        log[corner.Number] = FormattableString.Invariant($"P{corner.Number} S X{written} Y{contact.Y:R} Z{contact.Z:R}");
+        Assert.Equal(contact with { X = read }, Read(string.Join('\n', log), Plan.Measuring with { ApproachMm = 10, OvertravelMm = 10 })[corner.Number]);
     }
 
     [Fact]
