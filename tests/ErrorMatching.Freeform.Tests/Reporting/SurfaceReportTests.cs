@@ -112,6 +112,18 @@ public sealed class SurfaceReportTests
         Assert.Contains(DivergingColors.Hex(DivergingColors.IndexOf(25, 30)), fills);
     }
 
+    [Fact]
+    public void An_uncertainty_has_no_sign_and_half_of_the_colors()
+    {
+        var map = Page(CompensationReportHtml.Write(Report)).Descendants("svg").ElementAt(2);
+        var colors = map.Descendants("rect").Select(r => Array.IndexOf(Colors, (string)r.Attribute("fill")!)).ToArray();
+        Assert.Equal(Enumerable.Range(DivergingColors.Count / 2, (DivergingColors.Count / 2) + 1), colors);
+        var ticks = map.Descendants("text").Where(t => (string?)t.Attribute("class") == "tick").Select(t => t.Value).ToArray();
+        Assert.Equal(3, ticks.Length);
+        Assert.Equal("0.00", ticks[0]);
+        Assert.All(ticks, t => Assert.True(char.IsAsciiDigit(t[0]), t));
+    }
+
     // Nothing can be left out of two lines: no number says what that would have cost.
     [Fact]
     public void Few_points_leave_figures_out_instead_of_writing_none_that_is_one()

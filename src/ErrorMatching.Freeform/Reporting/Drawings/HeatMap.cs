@@ -14,6 +14,7 @@ internal sealed class HeatMap
 
     private readonly PartSurface _surface;
     private readonly double _minX, _maxY, _scale, _height, _limitUm;
+    private readonly bool _hasNoSign;
 
     // The corners of the cells as they are written: each belongs to four cells of every map.
     private readonly string[] _corners;
@@ -41,12 +42,12 @@ internal sealed class HeatMap
         _corners = Array.ConvertAll(corners, p => SvgNumber.Points([Place(p)]));
     }
 
-    /// <summary>A map of the same surface with other colors.</summary>
+    /// <summary>A map of the same surface for what is never negative, such as an uncertainty: with half of the colors, and numbers without a sign.</summary>
     /// <param name="like">The map whose surface it shows.</param>
-    /// <param name="limitUm">Absolute value in micrometres of the last colors.</param>
+    /// <param name="limitUm">Value in micrometres of the last color.</param>
     public HeatMap(HeatMap like, double limitUm)
     {
-        (_surface, _limitUm) = (like._surface, Rounded(limitUm));
+        (_surface, _limitUm, _hasNoSign) = (like._surface, Rounded(limitUm), true);
         (_minX, _maxY, _scale, _height, _corners) = (like._minX, like._maxY, like._scale, like._height, like._corners);
     }
 
@@ -123,16 +124,18 @@ internal sealed class HeatMap
 
     private void WriteLegend(HtmlText html)
     {
-        var step = _height / DivergingColors.Count;
-        for (var i = 0; i < DivergingColors.Count; i++)
+        var first = _hasNoSign ? DivergingColors.IndexOf(0, _limitUm) : 0;
+        var step = _height / (DivergingColors.Count - first);
+        for (var i = first; i < DivergingColors.Count; i++)
         {
-            html.Empty("rect", ("x", SvgNumber.Of(LegendLeft)), ("y", SvgNumber.Of(Top + _height - ((i + 1) * step))), ("width", SvgNumber.Of(LegendWidth)), ("height", SvgNumber.Of(step)), ("fill", DivergingColors.Hex(i)));
+            html.Empty("rect", ("x", SvgNumber.Of(LegendLeft)), ("y", SvgNumber.Of(Top + _height - ((i - first + 1) * step))), ("width", SvgNumber.Of(LegendWidth)), ("height", SvgNumber.Of(step)), ("fill", DivergingColors.Hex(i)));
         }
 
-        for (var k = -2; k <= 2; k++)
+        for (var k = _hasNoSign ? 0 : -2; k <= 2; k++)
         {
-            var y = Top + (_height / 2) - (k / 2.0 * (_height - step) / 2);
-            Text(html, "tick", LegendLeft + LegendWidth + 6, y + 4, "start", Micrometres.Signed(_limitUm * k / 2));
+            var value = _limitUm * k / 2;
+            var y = Top + _height - ((DivergingColors.IndexOf(value, _limitUm) - first + 0.5) * step);
+            Text(html, "tick", LegendLeft + LegendWidth + 6, y + 4, "start", _hasNoSign ? Micrometres.Plain(value) : Micrometres.Signed(value));
         }
     }
 
