@@ -57,7 +57,7 @@ internal static class StationCommand
             using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Leave);
             try
             {
-                var builder = AppBuilder.Configure(() => new App { Open = () => Open(settings ?? demonstration!.GetAwaiter().GetResult().Settings, isDemo), Look = look, Busy = TellBusy });
+                var builder = AppBuilder.Configure(() => new App { Open = () => Open(settings, demonstration?.GetAwaiter().GetResult()), Look = look, Busy = TellBusy });
                 return (OperatingSystem.IsWindows() ? builder.UseWindows() : builder.UseX11(scaling)).StartWithClassicDesktopLifetime([]);
             }
             finally
@@ -72,7 +72,16 @@ internal static class StationCommand
         }
     }
 
-    private static Station Open(CellSettings settings, bool isDemo) => new(settings, TimeProvider.System, Station.DefaultIdle) { Preferences = Preferences(settings, isDemo), IsDemonstration = isDemo };
+    private static Station Open(CellSettings? configured, Demonstration? demonstration)
+    {
+        var settings = configured ?? demonstration!.Settings;
+        return new(settings, TimeProvider.System, Station.DefaultIdle)
+        {
+            Preferences = Preferences(settings, demonstration is not null),
+            IsDemonstration = demonstration is not null,
+            SamplesFolder = demonstration?.SamplesFolder,
+        };
+    }
 
     // A demonstration leaves nothing behind. A service without a home of its own keeps nothing.
     private static PreferenceFiles? Preferences(CellSettings settings, bool isDemo)

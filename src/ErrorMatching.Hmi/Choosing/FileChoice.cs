@@ -8,4 +8,7 @@ public sealed record FileChoice(FileChoiceKind Kind, string TitleKey, IReadOnlyL
 {
     /// <summary>The folder or file to begin at; null for where something was chosen last.</summary>
     public string? Start { get; init; }
+
+    /// <summary>Which file of the samples is meant, by its name: it stands in the field where the samples are shown first; null if there is none.</summary>
+    public string? Sample { get; init; }
 }

@@ -20,9 +20,10 @@ public sealed class FileChooserViewModel : Observable
     /// <param name="choice">What is to be chosen.</param>
     /// <param name="folder">The folder, or a file in it; where it is not there, the next one above it that is.</param>
     /// <param name="cellFolder">The folder of the cell's configuration.</param>
+    /// <param name="samplesFolder">The folder of the samples; null where there is none.</param>
     /// <param name="recent">Folders in which something was chosen, the latest first.</param>
     /// <param name="clock">For the zone of times.</param>
-    public FileChooserViewModel(FileChoice choice, string folder, string cellFolder, IReadOnlyList<string> recent, TimeProvider clock)
+    public FileChooserViewModel(FileChoice choice, string folder, string cellFolder, string? samplesFolder, IReadOnlyList<string> recent, TimeProvider clock)
     {
         (_choice, _clock) = (choice ?? throw new ArgumentNullException(nameof(choice)), clock);
         Up = new(() => Enter(Path.GetDirectoryName(Folder)!), () => Path.GetDirectoryName(Folder) is not null);
@@ -34,7 +35,7 @@ public sealed class FileChooserViewModel : Observable
             Say(nameof(Filter));
             Enter(Folder);
         });
-        Loading = BeginAsync(folder, cellFolder, recent).Watched();
+        Loading = BeginAsync(folder, cellFolder, samplesFolder, recent).Watched();
     }
 
     /// <summary>Said once: with the full path that was chosen, or null if it was left.</summary>
@@ -133,10 +134,10 @@ public sealed class FileChooserViewModel : Observable
         Say();
     }
 
-    private async Task BeginAsync(string folder, string cellFolder, IReadOnlyList<string> recent)
+    private async Task BeginAsync(string folder, string cellFolder, string? samplesFolder, IReadOnlyList<string> recent)
     {
         var (there, name) = await Task.Run(() => Begin(folder));
-        Places = await Task.Run(() => Hmi.Places.Of(cellFolder, recent));
+        Places = await Task.Run(() => Hmi.Places.Of(cellFolder, samplesFolder, recent));
         await EnterAsync(there);
         if (name is not null && Folder == there)
         {

@@ -18,6 +18,9 @@ public sealed class DemoCell : IAsyncDisposable
     /// <summary>May do everything.</summary>
     public const string Administrator = "ada";
 
+    /// <summary>The samples' files by their names: coordinates as designed, the counterpart's program, a measured part.</summary>
+    internal const string DrawingFile = "drawing.csv", ProgramFile = "counterpart.nc", PartFile = "part.csv";
+
     private readonly TimeProvider _clock;
     private readonly string _samples;
     private readonly CancellationTokenSource _stop = new();
@@ -31,6 +34,9 @@ public sealed class DemoCell : IAsyncDisposable
     /// <summary>The folder that stands for the machine.</summary>
     public string MachineFolder => ((FolderSettings)Settings.Machines[0].Transport).Folder;
 
+    /// <summary>The folder of what its job is set up with: drawing, program and a measured part, and nothing that could be taken for one of them.</summary>
+    public string SamplesFolder => SamplesIn(_samples);
+
     /// <summary>Puts the cell into a folder and makes its users. It does not run yet.</summary>
     /// <param name="folder">An empty folder.</param>
     /// <param name="clock">The clock.</param>
@@ -40,7 +46,7 @@ public sealed class DemoCell : IAsyncDisposable
         Copy(Path.Combine(samples, "cell"), Path.Combine(folder, "cell"));
         Copy(Path.Combine(samples, "complex-mating"), Path.Combine(folder, "complex-mating"));
         Copy(Path.Combine(samples, "surface-one"), Path.Combine(folder, "surface-one"));
-        File.WriteAllText(Path.Combine(folder, "complex-mating", "drawing.csv"), Drawing(Path.Combine(samples, "complex-mating", "theoretical.csv")));
+        CopySetup(Path.Combine(samples, "complex-mating"), SamplesIn(folder));
         var settings = CellSettingsReader.Read(Path.Combine(folder, "cell", "cell.json"));
         foreach (var made in settings.Gauges.Select(g => g.Incoming!).Concat(settings.Machines.Select(m => ((FolderSettings)m.Transport).Folder)))
         {
@@ -116,6 +122,19 @@ public sealed class DemoCell : IAsyncDisposable
         var outside = Path.Combine(incoming, "..", name);
         File.WriteAllText(outside, text);
         File.Move(outside, Path.Combine(incoming, name), overwrite: true);
+    }
+
+    private static string SamplesIn(string folder) => Path.Combine(folder, "samples");
+
+    // Beside the job's own files theoretical.csv would stand next to drawing.csv, and nobody could tell which one is meant.
+    private static void CopySetup(string from, string to)
+    {
+        Directory.CreateDirectory(to);
+        File.WriteAllText(Path.Combine(to, DrawingFile), Drawing(Path.Combine(from, "theoretical.csv")));
+        foreach (var name in new[] { ProgramFile, PartFile })
+        {
+            File.Copy(Path.Combine(from, name), Path.Combine(to, name), overwrite: true);
+        }
     }
 
     private static void Copy(string from, string to)

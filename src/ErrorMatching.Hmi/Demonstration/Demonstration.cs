@@ -21,6 +21,9 @@ public sealed class Demonstration : IDisposable
     /// <summary>The cell's configuration.</summary>
     public CellSettings Settings => _cell.Settings;
 
+    /// <summary>The folder of what its job is set up with.</summary>
+    public string SamplesFolder => _cell.SamplesFolder;
+
     /// <summary>Starts it.</summary>
     public static Demonstration Start(TimeProvider clock) => new(Directory.CreateTempSubdirectory("errormatch-station-").FullName, clock);
 

@@ -193,8 +193,8 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
 
         var cellFolder = Path.GetDirectoryName(Path.GetFullPath(Station.Settings.File))!;
-        var begin = string.IsNullOrWhiteSpace(choice.Start) ? Preferences.Folders is [var last, ..] ? last : cellFolder : choice.Start;
-        var chooser = new FileChooserViewModel(choice, begin, cellFolder, Preferences.Folders, Station.Clock);
+        var begin = string.IsNullOrWhiteSpace(choice.Start) ? FirstFolder(choice, cellFolder) : choice.Start;
+        var chooser = new FileChooserViewModel(choice, begin, cellFolder, Station.SamplesFolder, Preferences.Folders, Station.Clock);
         var chosen = new TaskCompletionSource<string?>();
         chooser.Done += path =>
         {
@@ -239,6 +239,14 @@ public sealed class ShellViewModel : Observable, IDisposable
         _login?.Dispose();
         _current?.Dispose();
         Editing.Dispose();
+    }
+
+    // Where something was chosen last. Before that: who opens a file in a demonstration looks for the samples', who writes one does not.
+    private string FirstFolder(FileChoice choice, string cellFolder)
+    {
+        var samples = choice.Kind == FileChoiceKind.Open ? Station.SamplesFolder : null;
+        var folder = Preferences.Folders is [var last, ..] ? last : samples ?? cellFolder;
+        return folder == samples && choice.Sample is { } meant ? Path.Combine(folder, meant) : folder;
     }
 
     private void Show(NavigationItem item, ScreenViewModel screen)

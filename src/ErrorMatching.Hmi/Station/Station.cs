@@ -54,6 +54,9 @@ public sealed class Station : IDisposable
     /// <summary>Where people's preferences are kept; null if they are not.</summary>
     public PreferenceFiles? Preferences { get; init; }
 
+    /// <summary>The folder of the samples that a demonstration is set up with; null where there is none.</summary>
+    public string? SamplesFolder { get; init; }
+
     /// <summary>True for a demonstration, whose password everybody is told.</summary>
     public bool IsDemonstration { get; init; }
 

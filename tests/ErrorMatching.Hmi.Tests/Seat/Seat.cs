@@ -29,13 +29,13 @@ internal sealed class Seat : IAsyncDisposable
 
     private readonly TemporaryFolder _folder = new();
 
-    private Seat(SeatClock clock, TimeSpan idle, Size size, Action<string>? prepare)
+    private Seat(SeatClock clock, TimeSpan idle, Size size, Action<string>? prepare, bool hasSamples)
     {
         Clock = clock;
         Copy(Template.Value, _folder.Path);
         prepare?.Invoke(_folder.Path);
         Cell = DemoCell.At(_folder.Path, TimeProvider.System);
-        Station = new(Cell.Settings, clock, idle) { Preferences = new(Path.Combine(_folder.Path, "preferences")) };
+        Station = new(Cell.Settings, clock, idle) { Preferences = new(Path.Combine(_folder.Path, "preferences")), SamplesFolder = hasSamples ? Cell.SamplesFolder : null };
         Shell = new(Station);
         Window = new() { DataContext = Shell, Width = size.Width, Height = size.Height };
         Window.Show();
@@ -59,15 +59,16 @@ internal sealed class Seat : IAsyncDisposable
     /// <param name="size">The window's size; the smallest if null.</param>
     /// <param name="idle">After how long the station locks.</param>
     /// <param name="prepare">Does something to the cell's folder before it is opened.</param>
-    public static Task AtAsync(Func<Seat, Task> test, Size? size = null, TimeSpan? idle = null, Action<string>? prepare = null) => Drawing.Needed().RunAsync(async () =>
+    /// <param name="hasSamples">True for a demonstration's place for the samples.</param>
+    public static Task AtAsync(Func<Seat, Task> test, Size? size = null, TimeSpan? idle = null, Action<string>? prepare = null, bool hasSamples = false) => Drawing.Needed().RunAsync(async () =>
     {
         Texts.Current.Language = Language.English;
-        await using var seat = new Seat(new SeatClock(), idle ?? Station.DefaultIdle, size ?? new(1280, 800), prepare);
+        await using var seat = new Seat(new SeatClock(), idle ?? Station.DefaultIdle, size ?? new(1280, 800), prepare, hasSamples);
         await test(seat);
     });
 
     /// <summary>Does a test at a seat, on the screen's thread.</summary>
-    public static Task AtAsync(Action<Seat> test, Size? size = null, TimeSpan? idle = null, Action<string>? prepare = null) => AtAsync(
+    public static Task AtAsync(Action<Seat> test, Size? size = null, TimeSpan? idle = null, Action<string>? prepare = null, bool hasSamples = false) => AtAsync(
         seat =>
         {
             test(seat);
@@ -75,7 +76,8 @@ internal sealed class Seat : IAsyncDisposable
         },
         size,
         idle,
-        prepare);
+        prepare,
+        hasSamples);
 
     /// <summary>What is on the screen by that AutomationId; null if nothing is, or it is hidden, or rehearsed where nobody sees it.</summary>
     public Control? Find(string id) => Window.GetVisualDescendants().OfType<Control>()

@@ -140,7 +140,7 @@ public sealed class SystemSetupTests
     {
         const string Advice = "Undo, then set the counts of points as the table has them, or, where points have coordinates already, name them as it does. Then take the table again.";
         seat.Seat.Tap("setup-anew").Tap("add-line").Tap("add-triangle").Tap("add-curve");
-        var drawing = File.ReadAllText(Path.Combine(Path.GetDirectoryName(seat.JobFile)!, "drawing.csv"));
+        var drawing = File.ReadAllText(Path.Combine(seat.Seat.Cell.SamplesFolder, DemoCell.DrawingFile));
         string[] labels = [.. drawing.Split('\n', StringSplitOptions.RemoveEmptyEntries).Skip(1).Select(l => l.Split(',')[0])];
         Take(drawing, () => seat.Draft.OtherPoints.Count > 0);
         Assert.Contains(Advice, seat.TextOf("setup-notice"), StringComparison.Ordinal);

@@ -19,12 +19,16 @@ public sealed partial class SystemViewModel
             if (Set(ref _detail, value))
             {
                 Say(nameof(IsForm));
+                Say(nameof(DryRunDoubt));
             }
         }
     }
 
     /// <summary>True while the form is shown, and not a dry run.</summary>
     public bool IsForm => Detail is null;
+
+    /// <summary>Why the dry run is hardly what was meant: of points that were measured not every one is as designed; null if it may be.</summary>
+    public string? DryRunDoubt => Detail?.Kept is { Report: { Points.Count: > 0 } report, Correction.FileName: var file } && report.Points.All(p => p.Actual == p.Theoretical) ? Texts.Current.With("System.DryRunDrawing", file) : null;
 
     /// <summary>Tries the draft with the last measurement of the job in the store.</summary>
     public LongCommand DryRun { get; }
@@ -73,7 +77,7 @@ public sealed partial class SystemViewModel
 
     private async Task DryRunFileAsync(CancellationToken cancellation)
     {
-        if (await DryRunFile.AskAsync(() => Shell.ChooseAsync(new(FileChoiceKind.Open, "System.DryRunFile", [".csv", ".txt"]))) is not { } path)
+        if (await DryRunFile.AskAsync(() => Shell.ChooseAsync(new(FileChoiceKind.Open, "System.ChooseMeasurement", [".csv", ".txt"]) { Sample = DemoCell.PartFile })) is not { } path)
         {
             return;
         }

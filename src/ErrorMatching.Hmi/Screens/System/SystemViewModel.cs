@@ -29,8 +29,8 @@ public sealed partial class SystemViewModel : SetupViewModel
         AddLink = Doing(() => Editing.Change("", d => d with { Chain = [.. d.Chain, new()] }));
         AddComparison = Doing(() => Editing.Change("", d => d with { Comparisons = [.. d.Comparisons, new()] }));
         AddContribution = Doing(() => Editing.Change("", d => d with { Gauge = d.Gauge with { Contributions = [.. d.Gauge.Contributions, new("", d.Gauge.Contributions.Count == 0 ? d.Gauge.Uncertainty : "")], Uncertainty = "" } }));
-        ReadPoints = new(async _ => await ReadAsync("System.ReadCsv", [".csv", ".txt"], ImportPointsAsync), () => Editing.CanEdit);
-        ReadProgram = new(async _ => await ReadAsync("System.ImportProgram", [".nc", ".ngc", ".mpf", ".spf", ".cnc", ".tap", ".min", ".prg", ".txt"], ImportProgramAsync), () => Editing.CanEdit);
+        ReadPoints = new(async _ => await ReadAsync(new(FileChoiceKind.Open, "System.ChooseDrawing", [".csv", ".txt"]) { Sample = DemoCell.DrawingFile }, ImportPointsAsync), () => Editing.CanEdit);
+        ReadProgram = new(async _ => await ReadAsync(new(FileChoiceKind.Open, "System.ChooseProgram", [".nc", ".ngc", ".mpf", ".spf", ".cnc", ".tap", ".min", ".prg", ".txt"]) { Sample = DemoCell.ProgramFile }, ImportProgramAsync), () => Editing.CanEdit);
         DryRun = new(DryRunAsync, CanTry);
         DryRunFile = new(DryRunFileAsync, CanTry);
         Back = new(() => Detail = null);
@@ -149,7 +149,7 @@ public sealed partial class SystemViewModel : SetupViewModel
         PointTable? table = null;
         if (await TryAsync(() => table = PointTable.Read(Encoding.UTF8.GetString(InputFile.Bytes(path, MeasurementFormat.Points.MaxBytes)).TrimStart('\uFEFF'))))
         {
-            Take(table!);
+            Take(table!, Path.GetFileName(path));
         }
     }
 
@@ -213,15 +213,15 @@ public sealed partial class SystemViewModel : SetupViewModel
 
     private Command Doing(Action act) => new(act, () => Editing.CanEdit);
 
-    private async Task ReadAsync(string title, IReadOnlyList<string> extensions, Func<string, Task> import)
+    private async Task ReadAsync(FileChoice choice, Func<string, Task> import)
     {
-        if (await Shell.ChooseAsync(new(FileChoiceKind.Open, title, extensions)) is { } path)
+        if (await Shell.ChooseAsync(choice) is { } path)
         {
             await import(path);
         }
     }
 
-    private void Take(PointTable table)
+    private void Take(PointTable table, string? file = null)
     {
         var (other, missing) = table.Differences(Editing.Draft);
         Editing.Change("", table.Into);
@@ -231,6 +231,7 @@ public sealed partial class SystemViewModel : SetupViewModel
         {
             Editing.Note(() => string.Join(" ", new[]
             {
+                file is not null && IsMeasurement(file) ? Texts.Current.With("System.TableMeasured", file) : "",
                 Texts.Current.With("System.Table", table.Count),
                 other.Count > 0 ? Texts.Current.With("System.TableOther", Listed(other)) : "",
                 missing.Count > 0 ? Texts.Current.With("System.TableMissing", Listed(missing)) : "",
@@ -239,6 +240,10 @@ public sealed partial class SystemViewModel : SetupViewModel
 
         Show();
     }
+
+    // What was measured reads like a drawing, and is one for nobody: the job itself says how its measurements are called.
+    private bool IsMeasurement(string file) =>
+        new[] { Editing.Draft.MeasuredFile, Editing.Draft.Counterpart.Measured }.Any(m => string.Equals(Path.GetFileName(m.Trim()), file, StringComparison.OrdinalIgnoreCase));
 
     private static string Listed(IReadOnlyList<string> labels)
     {
