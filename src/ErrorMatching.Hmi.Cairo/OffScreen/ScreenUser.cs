@@ -51,6 +51,21 @@ public sealed class ScreenUser(Window window)
     /// <summary>Presses and releases the left button at a place in a control, from its left upper corner.</summary>
     public ScreenUser Click(Visual target, Point place) => Drag(target, place, place);
 
+    /// <summary>Presses the left button in the middle of a control, lets something happen, and releases it there or further on.</summary>
+    public ScreenUser Hold(Visual target, Action meanwhile, Vector further = default)
+    {
+        ArgumentNullException.ThrowIfNull(meanwhile);
+        var at = InWindow(target, Middle(target));
+        MoveTo(target);
+        Platform.Mouse(RawPointerEventType.LeftButtonDown, at, RawInputModifiers.LeftMouseButton);
+        Settle();
+        meanwhile();
+        Platform.Mouse(RawPointerEventType.Move, at + further, RawInputModifiers.LeftMouseButton);
+        Settle();
+        Platform.Mouse(RawPointerEventType.LeftButtonUp, at + further, RawInputModifiers.None);
+        return Settle();
+    }
+
     /// <summary>Presses the left button at one place in a control and releases it at another one.</summary>
     public ScreenUser Drag(Visual target, Point from, Point to)
     {
@@ -69,11 +84,17 @@ public sealed class ScreenUser(Window window)
     }
 
     /// <summary>Touches the middle of a control with a finger, and takes it away.</summary>
-    public ScreenUser Tap(Visual target)
+    public ScreenUser Tap(Visual target) => Tap(target, () => { });
+
+    /// <summary>Touches the middle of a control with a finger, lets something happen, and takes the finger away.</summary>
+    public ScreenUser Tap(Visual target, Action meanwhile)
     {
+        ArgumentNullException.ThrowIfNull(meanwhile);
         Settle();
         var at = InWindow(target, Middle(target));
         Platform.Touch(RawPointerEventType.TouchBegin, at);
+        Settle();
+        meanwhile();
         Settle();
         Platform.Touch(RawPointerEventType.TouchEnd, at);
         return Settle();

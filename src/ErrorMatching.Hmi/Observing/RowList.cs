@@ -6,17 +6,30 @@ namespace ErrorMatching.Hmi;
 /// <typeparam name="T">A row: a record, equal to another one that shows the same.</typeparam>
 public sealed class RowList<T> : ObservableCollection<T>
 {
-    /// <summary>Shows other rows.</summary>
+    /// <summary>Shows other rows. Those before and behind what changed stay also where it is longer or shorter than it was.</summary>
     public void Show(IReadOnlyList<T> rows)
     {
         ArgumentNullException.ThrowIfNull(rows);
-        for (var i = 0; i < rows.Count; i++)
+        var least = Math.Min(Count, rows.Count);
+        var (first, same) = (0, EqualityComparer<T>.Default);
+        while (first < least && same.Equals(this[first], rows[first]))
         {
-            if (i == Count)
+            first++;
+        }
+
+        var behind = 0;
+        while (behind < least - first && same.Equals(this[^(behind + 1)], rows[^(behind + 1)]))
+        {
+            behind++;
+        }
+
+        for (var i = first; i < rows.Count - behind; i++)
+        {
+            if (i == Count - behind)
             {
-                Add(rows[i]);
+                Insert(i, rows[i]);
             }
-            else if (!EqualityComparer<T>.Default.Equals(this[i], rows[i]))
+            else if (!same.Equals(this[i], rows[i]))
             {
                 this[i] = rows[i];
             }
@@ -24,7 +37,7 @@ public sealed class RowList<T> : ObservableCollection<T>
 
         while (Count > rows.Count)
         {
-            RemoveAt(Count - 1);
+            RemoveAt(rows.Count - behind);
         }
     }
 }
