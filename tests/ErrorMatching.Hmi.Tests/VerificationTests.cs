@@ -1,3 +1,6 @@
+using System.Globalization;
+using Avalonia.Controls;
+using Avalonia.VisualTree;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
@@ -24,7 +27,7 @@ public sealed class VerificationTests
 
         Assert.Equal(console.Result.Points.Select(p => (p.Label, Shown.SignedMm(p.BeforeError.NormalMm), Shown.SignedMm(p.AfterError.NormalMm))), detail.Points.Select(p => (p.Point, p.Before, p.After)));
         Assert.Equal(
-            console.Result.Features.Select(f => (f.Name, Shown.Mm(f.After), Shown.Percent(f.ImprovementPercent))),
+            console.Result.Features.Select(f => (f.Name, Shown.Mm(f.After), f.ImprovementPercent < -0.5 ? "Worse by " + Shown.Percent(-f.ImprovementPercent) : Shown.Percent(f.ImprovementPercent))),
             detail.Features.Select(f => (f.Feature, f.After, f.Improvement)));
 
         // The paper's improvement, through the whole cell.
@@ -151,6 +154,36 @@ public sealed class VerificationTests
         }
 
         pictures.MustBeClean();
+    });
+
+    [Fact]
+    public Task What_became_worse_is_said_in_words_and_stands_out() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
+        seat.WaitFor(1, CorrectionState.Verified);
+
+        // As if the counterpart had slipped by a millimeter.
+        var lines = File.ReadAllLines(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating", "counterpart.csv")).Select(l => l.Split(',')).ToArray();
+        var slipped = lines.Skip(1).Select(l => string.Create(CultureInfo.InvariantCulture, $"{l[0]},{double.Parse(l[1], CultureInfo.InvariantCulture) - 1:0.0000},{l[2]}"));
+        var outside = Path.Combine(seat.Cell.MachineFolder, "counterpart-0001.csv");
+        File.WriteAllLines(outside, slipped.Prepend(string.Join(',', lines[0])));
+        File.Move(outside, Path.Combine(seat.Station.Settings.Gauges[0].Incoming!, "counterpart-0001.csv"));
+        seat.WaitFor(2, CorrectionState.Recorded);
+
+        seat.SignIn(DemoCell.Operator).Tap("nav-verification").Tap("tab-improvement").See("improvements");
+        var result = ((VerificationViewModel)seat.Shell.Current!).Detail!.Features;
+        Assert.Contains(result, f => f.IsWorse);
+        Assert.StartsWith("Worse by ", seat.TextOf("piece-summary"), StringComparison.Ordinal);
+        Assert.Contains("attention", seat.See("piece-summary").Classes);
+        Assert.All(result, f => Assert.Equal(f.IsWorse, f.Improvement.StartsWith("Worse by ", StringComparison.Ordinal)));
+        Assert.All(Percents(), t => Assert.Equal(t.Text!.StartsWith("Worse by ", StringComparison.Ordinal), t.Classes.Contains("attention")));
+        Assert.DoesNotContain(Percents(), t => t.Text!.Contains('−', StringComparison.Ordinal));
+        seat.Tap("language").WaitFor(() => Percents().Any(t => t.Text!.StartsWith("變差 ", StringComparison.Ordinal) && t.Classes.Contains("attention")), "It is not said in Chinese.");
+
+        IEnumerable<TextBlock> Percents() => seat.See("improvements").GetVisualDescendants().OfType<TextBlock>().Where(t => t.Text?.EndsWith(" %", StringComparison.Ordinal) == true);
     });
 
     // What the verb verify of the console calls, of the sample's files.

@@ -6,6 +6,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Wanted">The part's value.</param>
 /// <param name="Before">That of the counterpart without compensation.</param>
 /// <param name="After">That of the counterpart with it.</param>
-/// <param name="Improvement">By how much of the error before the error after is smaller.</param>
+/// <param name="Improvement">By how much of the error before the error after is smaller, or in words that it is larger, and by how much.</param>
 /// <param name="Unit">mm or degrees.</param>
-public sealed record ImprovementRow(string Feature, string Quantity, string Wanted, string Before, string After, string Improvement, string Unit);
+/// <param name="IsWorse">True if the error is larger than before.</param>
+public sealed record ImprovementRow(string Feature, string Quantity, string Wanted, string Before, string After, string Improvement, string Unit, bool IsWorse);

@@ -49,6 +49,9 @@ public sealed class PieceDetail
         }
     }
 
+    /// <summary>True if the piece is worse than without compensation.</summary>
+    public bool IsWorse => _piece.Result.RmsImprovementPercent < 0;
+
     /// <summary>Whether everything is within its limits, and where not.</summary>
     public string Verdict => _piece.Outside is { Count: > 0 } outside ? Texts.Current.With("Verify.Outside", outside.Count, Listed(outside)) : Texts.Current["Verify.AllWithin"];
 
@@ -122,8 +125,6 @@ public sealed class PieceDetail
     /// <summary>How much a piece asks for attention.</summary>
     internal static Severity SeverityOf(KeptPiece piece) => piece.IsWithin ? Severity.Quiet : Severity.Attention;
 
-    private bool IsWorse => _piece.Result.RmsImprovementPercent < 0;
-
     private IReadOnlyList<PredictionMiss> Significant => [.. _piece.Misses.Where(m => m.IsSignificant)];
 
     private static string Listed(IEnumerable<string> labels) => string.Join(", ", labels);
@@ -170,8 +171,13 @@ public sealed class PieceDetail
     }
 
     // Angles have as many decimals as lengths, so that they stand under each other.
-    private static ImprovementRow Row(VerifiedFeature f) =>
-        new(f.Name, Texts.Current.Word(f.Quantity), Shown.Mm(f.Wanted), Shown.Mm(f.Before), Shown.Mm(f.After), Shown.Percent(f.ImprovementPercent), f.Quantity == VerifiedQuantity.Angle ? "°" : "mm");
+    private static ImprovementRow Row(VerifiedFeature f)
+    {
+        // By what is shown: a difference that rounds to nothing is none.
+        var isWorse = f.ImprovementPercent is { } percent && Math.Round(percent) < 0;
+        var improvement = isWorse ? Texts.Current.With("Verify.WorseBy", Shown.Percent(-f.ImprovementPercent)) : Shown.Percent(f.ImprovementPercent);
+        return new(f.Name, Texts.Current.Word(f.Quantity), Shown.Mm(f.Wanted), Shown.Mm(f.Before), Shown.Mm(f.After), improvement, f.Quantity == VerifiedQuantity.Angle ? "°" : "mm", isWorse);
+    }
 
     private MatingErrorRow Row(VerifiedPoint p)
     {
