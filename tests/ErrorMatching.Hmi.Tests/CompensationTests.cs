@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using ErrorMatching.Cell;
@@ -67,6 +68,37 @@ public sealed class CompensationTests
         Assert.True(((ProgramLine)list.SelectedItem!).IsChanged);
 
         string[] Lines(string sha) => System.Text.Encoding.Latin1.GetString(seat.Station.Store.Content(sha)).TrimEnd('\n').Split('\n').Select(l => l.TrimEnd('\r')).ToArray();
+    });
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public Task Programs_begin_at_the_first_change_and_the_marker_is_found_above(bool isInHistory) => Seat.AtAsync(seat =>
+    {
+        var detail = Arrive(seat, DemoCell.Setter);
+        if (isInHistory)
+        {
+            seat.Tap("nav-history").Tap("found-1").See("detail-title");
+        }
+
+        seat.Tap("tab-program").See("program");
+        var first = detail.Lines!.Changes[0];
+        var marker = detail.Lines.First(l => l.Modified.Contains("ERRORMATCH", StringComparison.Ordinal)).Index;
+        seat.WaitFor(() => Enumerable.Range(first - 1, 3).All(IsSeen), "The first change and its neighbors are not seen.");
+        Assert.False(IsSeen(marker));
+
+        // Who goes elsewhere stays there, also in another language and coming back from another side.
+        seat.User.Wheel(seat.See("program"), 100);
+        Assert.True(IsSeen(marker));
+        seat.Tap("language").Tap("tab-decisions").Tap("tab-program").See("program");
+        seat.User.Settle();
+        Assert.True(IsSeen(marker));
+
+        bool IsSeen(int line)
+        {
+            var list = (ListBox)seat.See("program");
+            return list.ContainerFromIndex(line) is { IsEffectivelyVisible: true } row && row.TranslatePoint(default, list) is { } at && at.Y >= 0 && at.Y + row.Bounds.Height <= list.Bounds.Height;
+        }
     });
 
     [Fact]

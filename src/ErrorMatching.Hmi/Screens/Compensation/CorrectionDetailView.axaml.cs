@@ -1,12 +1,15 @@
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Interactivity;
+using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
 /// <summary>One correction with all that is known of it.</summary>
 public sealed partial class CorrectionDetailView : UserControl
 {
+    private object? _begun;
+
     /// <summary>The view.</summary>
     public CorrectionDetailView()
     {
@@ -14,6 +17,14 @@ public sealed partial class CorrectionDetailView : UserControl
 
         // The last side has it when all have it: a side that is opened before shows what was there before.
         CourseSide.DataContextChanged += (_, _) => OpenWhatIsThere();
+        ProgramList.Loaded += (_, _) => BeginAtFirstChange();
+        ProgramList.PropertyChanged += (_, e) =>
+        {
+            if (e.Property == ItemsControl.ItemsSourceProperty)
+            {
+                Dispatcher.UIThread.Post(BeginAtFirstChange, DispatcherPriority.Loaded);
+            }
+        };
     }
 
     private ProgramLines? Lines => (DataContext as CorrectionDetail)?.Lines;
@@ -44,6 +55,19 @@ public sealed partial class CorrectionDetailView : UserControl
         {
             ProgramList.SelectedIndex = index;
             ShowInTheMiddle(index);
+        }
+    }
+
+    // The marker at the top fills a screen and says nothing about the cut. Whoever has looked on stays where they are, also in other words.
+    private void BeginAtFirstChange()
+    {
+        if (ProgramList is { IsLoaded: true, ItemsSource: ProgramLines lines } && lines != _begun)
+        {
+            _begun = lines;
+            if (lines.Changes is [var first, ..])
+            {
+                ShowInTheMiddle(first);
+            }
         }
     }
 
