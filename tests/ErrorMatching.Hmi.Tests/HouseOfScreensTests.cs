@@ -42,6 +42,14 @@ public sealed partial class HouseOfScreensTests
         }
     }
 
+    [Fact]
+    public void Drawings_have_no_colors_of_their_own()
+    {
+        var files = Directory.EnumerateFiles(Repository.PathTo("src", "ErrorMatching.Hmi"), "*.cs", SearchOption.AllDirectories).Where(f => !f.Contains($"{Path.DirectorySeparatorChar}Styles{Path.DirectorySeparatorChar}", StringComparison.Ordinal)).ToArray();
+        Assert.True(files.Length > 100);
+        Assert.All(files, f => Assert.All(InlineInCode().Matches(File.ReadAllText(f)).Select(m => m.Value), v => Assert.Fail($"{Path.GetFileName(f)} has {v}.")));
+    }
+
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
@@ -75,4 +83,7 @@ public sealed partial class HouseOfScreensTests
 
     [GeneratedRegex("""(Margin|Padding|Width|Height|FontSize|Spacing|CornerRadius|BorderThickness|StrokeThickness)="[0-9.,\- ]+"|"#[0-9A-Fa-f]{3,8}"|(Background|Foreground|Fill|Stroke|BorderBrush)="[A-Z][a-z]+"|(Column|Row)Definitions="[^"]*[0-9](?![0-9*.])[^"]*" """, RegexOptions.None | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Inline();
+
+    [GeneratedRegex("""\b(Brushes|Colors)\.[A-Z][A-Za-z]*|\bColor\.(Parse|From[A-Za-z0-9]+)|"#[0-9A-Fa-f]{3,8}["]""", RegexOptions.None | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex InlineInCode();
 }

@@ -3,7 +3,6 @@ using Avalonia;
 using Avalonia.Automation.Peers;
 using Avalonia.Controls;
 using Avalonia.Media;
-using Avalonia.Media.Immutable;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
@@ -63,7 +62,7 @@ public sealed class ColorLegend : Control
 
         for (var i = 0; i < DivergingColors.Count; i++)
         {
-            context.FillRectangle(new ImmutableSolidColorBrush(Color.Parse(DivergingColors.Hex(i))), new Rect(left + (width * i / DivergingColors.Count), 0, (width / DivergingColors.Count) + 0.5, Bar));
+            context.FillRectangle(MapColors.Scale[i], new Rect(left + (width * i / DivergingColors.Count), 0, (width / DivergingColors.Count) + 0.5, Bar));
         }
 
         // The color of zero is that of paper.

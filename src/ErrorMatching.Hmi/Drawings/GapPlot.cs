@@ -97,10 +97,13 @@ public sealed class GapPlot : PlotArea
             var text = Label(name);
             if (labels.Place(text, view.At(at), LabelAway) is { } room)
             {
-                context.DrawText(text, room);
+                Words(context, text, room);
             }
         }
     }
+
+    /// <inheritdoc/>
+    protected override bool IsDrawnIn(PlotBox box) => Drawing!.Part.Concat(Drawing.Counterpart).Any(box.IsCrossedBy);
 
     private static StreamGeometry Area(IEnumerable<Point2> points, PlotView view)
     {

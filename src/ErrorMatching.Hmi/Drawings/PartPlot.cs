@@ -87,12 +87,15 @@ public sealed class PartPlot : PlotArea
         }
     }
 
+    /// <inheritdoc/>
+    protected override bool IsDrawnIn(PlotBox box) => Drawing!.Lines.Any(l => box.IsCrossedBy([.. l.Points.Select(p => p.At)]));
+
     private void Write(DrawingContext context, PlotLabels labels, string words, Point place, bool isName)
     {
         var text = Label(words, isStrong: isName);
         if (labels.Place(text, place, LabelAway, isBelow: isName) is { } room)
         {
-            context.DrawText(text, room);
+            Words(context, text, room);
         }
     }
 }

@@ -21,7 +21,7 @@ public sealed class SeriesPlot : PlotArea
     /// <summary>What lies between limits.</summary>
     public static readonly StyledProperty<IBrush?> BandBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(BandBrush));
 
-    private const double Thick = 2, Thin = 1, Mark = 5, SmallMark = 1.5, LeftStrip = 62, BottomStrip = 30, TicksApart = 44, LabelsApart = 14, LegendMark = 34, LegendApart = 24, NearButtons = 66;
+    private const double Thick = 2, Thin = 1, Mark = 5, SmallMark = 1.5, LeftStrip = 62, BottomStrip = 30, TicksApart = 44, LabelsApart = 14, LegendMark = 34, LegendApart = 24;
     private static readonly DashStyle Dashes = new([4, 3], 0);
     private PlotBox _extent = PlotBox.Empty;
 
@@ -124,6 +124,9 @@ public sealed class SeriesPlot : PlotArea
         Legend(context, drawing);
     }
 
+    /// <inheritdoc/>
+    protected override bool IsDrawnIn(PlotBox box) => Drawing!.Lines.Any(l => Enumerable.Range(1, Math.Max(0, l.Values.Count - 1)).Any(i => l.Values[i - 1] is { } from && l.Values[i] is { } to && box.PartOf(new(i - 1, from), new(i, to)) is not null));
+
     private static Point To(PlotView view, double index, double value)
     {
         var (x, y) = view.ToScreen(new(index, value));
@@ -221,7 +224,7 @@ public sealed class SeriesPlot : PlotArea
         {
             var name = Label(line.Name);
             var width = LegendMark + 8 + name.Width;
-            if (x > LeftStrip && x + width > Bounds.Width - NearButtons)
+            if (x > LeftStrip && x + width > Bounds.Width - ButtonsRoom)
             {
                 (x, y) = (LeftStrip, y + name.Height + 6);
             }

@@ -18,18 +18,23 @@ public sealed class SurfacePlot : PlotArea
     /// <summary>The way of the stylus.</summary>
     public static readonly StyledProperty<IBrush?> WayBrushProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(WayBrush));
 
+    /// <summary>What is written on a map, whose colors are the same in every theme.</summary>
+    public static readonly StyledProperty<IBrush?> MapInkProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(MapInk));
+
+    /// <summary>What lies behind that: the color of zero.</summary>
+    public static readonly StyledProperty<IBrush?> MapPaperProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(MapPaper));
+
     // Each cell of the net is drawn in so many by so many: colors change little from one to the next.
     private const int Parts = 3;
     private const double Dot = 3.5, LeastDot = 0.5, First = 7, Thick = 2, Hairline = 0.6, Away = 5, Beside = 2;
 
     // Of the distance between two points: the surface is to be seen between their dots.
     private const double DotShare = 0.15;
-    private static readonly ImmutableSolidColorBrush[] Scale = [.. Enumerable.Range(0, DivergingColors.Count).Select(i => new ImmutableSolidColorBrush(Color.Parse(DivergingColors.Hex(i))))];
     private PlotBox _extent = PlotBox.Empty;
     private IReadOnlyList<(int Color, StreamGeometry Geometry)> _cells = [];
     private double _nearest = double.PositiveInfinity;
 
-    static SurfacePlot() => AffectsRender<SurfacePlot>(AreaBrushProperty, WayBrushProperty);
+    static SurfacePlot() => AffectsRender<SurfacePlot>(AreaBrushProperty, WayBrushProperty, MapInkProperty, MapPaperProperty);
 
     /// <summary>What is drawn.</summary>
     public SurfaceDrawing? Drawing
@@ -50,6 +55,20 @@ public sealed class SurfacePlot : PlotArea
     {
         get => GetValue(WayBrushProperty);
         set => SetValue(WayBrushProperty, value);
+    }
+
+    /// <summary>What is written on a map, whose colors are the same in every theme.</summary>
+    public IBrush? MapInk
+    {
+        get => GetValue(MapInkProperty);
+        set => SetValue(MapInkProperty, value);
+    }
+
+    /// <summary>What lies behind that: the color of zero.</summary>
+    public IBrush? MapPaper
+    {
+        get => GetValue(MapPaperProperty);
+        set => SetValue(MapPaperProperty, value);
     }
 
     /// <inheritdoc/>
@@ -86,7 +105,7 @@ public sealed class SurfacePlot : PlotArea
             foreach (var (color, geometry) in _cells)
             {
                 // The stroke closes the hairlines between neighbors.
-                var brush = color < 0 ? AreaBrush : Scale[color];
+                var brush = color < 0 ? AreaBrush : MapColors.Scale[color];
                 context.DrawGeometry(brush, new Pen(brush, Hairline / view.ScaleX), geometry);
             }
         }
@@ -192,7 +211,7 @@ public sealed class SurfacePlot : PlotArea
     {
         // Colors of the map are the same in both themes, and so is what is written on them.
         var isMap = drawing.ValuesMm is not null;
-        var ink = isMap ? Brushes.Black : Ink;
+        var ink = isMap ? MapInk : Ink;
         var radius = DotRadius(view);
         var labels = new List<(FormattedText Text, Rect Room)>();
         foreach (var (label, at, _) in drawing.Points)
@@ -200,18 +219,26 @@ public sealed class SurfacePlot : PlotArea
             var place = To(view, at);
             context.DrawEllipse(isMap ? ink : WayBrush, null, place, radius, radius);
             var text = Label(label);
-            text.SetForegroundBrush(ink ?? Brushes.Gray);
+            if (ink is not null)
+            {
+                text.SetForegroundBrush(ink);
+            }
+
             labels.Add((text, new Rect(place.X - (text.Width / 2), place.Y - text.Height - Away, text.Width, text.Height).Inflate(new Thickness(Beside, 0))));
         }
 
         // All or none: labels that find no room appear when one goes nearer. A brush that shows through is drawn at once; a group that does takes a picture of its own for each label.
-        var veil = new ImmutableSolidColorBrush(isMap ? Colors.White : (Ground as ISolidColorBrush)?.Color ?? Colors.Transparent, isMap ? 0.65 : 0.85);
+        var veil = (isMap ? MapPaper : Ground) is ISolidColorBrush paper ? new ImmutableSolidColorBrush(paper.Color, isMap ? 0.65 : 0.85) : null;
         if (HaveRoom(labels, new Rect(Bounds.Size)))
         {
             foreach (var (text, room) in labels)
             {
                 // What lies behind shows through; on a line it would cross the number.
-                context.FillRectangle(veil, room, 3);
+                if (veil is not null)
+                {
+                    context.FillRectangle(veil, room, 3);
+                }
+
                 context.DrawText(text, new(room.X + Beside, room.Y));
             }
         }

@@ -15,9 +15,15 @@ public abstract partial class PlotArea
     private const double Still = 8, Reach = 28;
     private const double Step = 1.5, WheelStep = 1.25, KeyShare = 0.125;
 
+    // How far the box of values is from its datum, the nearest that is free.
+    private static readonly double[] Aways = [12, 30, 60, 100];
+
     private readonly Dictionary<int, Point> _fingers = [];
     private Point _pressed;
     private bool _hasMoved;
+
+    /// <summary>Where the values were shown last, in units of the screen.</summary>
+    internal Rect ValuesRoom { get; private set; }
 
     /// <inheritdoc/>
     protected override void OnPointerPressed(PointerPressedEventArgs e)
@@ -173,7 +179,7 @@ public abstract partial class PlotArea
     // A cross through the datum from border to border, and a box with its values beside it, where there is room.
     private void Crosshair(DrawingContext context, PlotDatum datum)
     {
-        const double Away = 12, Padding = 8, Ring = 6, Thin = 1, Thick = 2;
+        const double Padding = 8, Ring = 6, Thin = 1, Thick = 2;
         var at = View.ToScreen(datum.At);
         var (x, y) = (at.X, at.Y);
         var pen = new Pen(Rule, Thin);
@@ -182,10 +188,26 @@ public abstract partial class PlotArea
         context.DrawEllipse(null, new Pen(Ink, Thick), new Point(x, y), Ring, Ring);
         var text = Label(datum.Text);
         var (width, height) = (text.Width + (2 * Padding), text.Height + (2 * Padding));
-        var left = x + Away + width <= Bounds.Width - _buttons.Bounds.Width ? x + Away : x - Away - width;
-        var top = y - Away - height >= 0 ? y - Away - height : y + Away;
-        var box = new Rect(Math.Clamp(left, 0, Math.Max(0, Bounds.Width - width)), Math.Clamp(top, 0, Math.Max(0, Bounds.Height - height)), width, height);
+        var box = ValuesRoom = RoomFor(new(width, height), new(x, y));
         context.DrawRectangle(Ground, new Pen(Ink, Thin), box);
         context.DrawText(text, box.TopLeft + new Point(Padding, Padding));
+    }
+
+    // Beside the datum, nearest first, else in a corner: where no line is hidden. Where there is no such place, as far away as there is room, for what leads through the datum is what its values are of.
+    private Rect RoomFor(Size size, Point at)
+    {
+        var (right, low) = (Math.Max(0, Bounds.Width - ButtonsRoom - size.Width), Math.Max(0, Bounds.Height - size.Height));
+        var beside = Aways.SelectMany(a => new[] { (1, -1), (-1, -1), (1, 1), (-1, 1) }.Select(s => new Point(
+            s.Item1 > 0 ? at.X + a : at.X - a - size.Width,
+            s.Item2 > 0 ? at.Y + a : at.Y - a - size.Height))).Where(p => p.X >= 0 && p.X <= right && p.Y >= 0 && p.Y <= low);
+        Point[] corners = [new(0, 0), new(0, low), new(right, low), new(right, 0)];
+        var places = beside.Concat(corners).Select(p => new Rect(p, size)).ToArray();
+        return Array.Find(places, p => !p.Contains(at) && !IsDrawnIn(BoxOf(p))) is { Width: > 0 } free ? free : new(corners.MaxBy(c => Point.Distance(new Rect(c, size).Center, at)), size);
+    }
+
+    private PlotBox BoxOf(Rect room)
+    {
+        var (from, to) = (View.ToPlot(new(room.Left, room.Bottom)), View.ToPlot(new(room.Right, room.Top)));
+        return new(from.X, from.Y, to.X, to.Y);
     }
 }

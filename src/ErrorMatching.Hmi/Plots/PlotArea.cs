@@ -4,6 +4,7 @@ using Avalonia.Automation.Peers;
 using Avalonia.Controls;
 using Avalonia.Layout;
 using Avalonia.Media;
+using Avalonia.Media.Immutable;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
@@ -39,6 +40,9 @@ public abstract partial class PlotArea : Control
     /// <summary>The exact values under the finger; null while none are asked for.</summary>
     public static readonly DirectProperty<PlotArea, string?> ValuesProperty = AvaloniaProperty.RegisterDirect<PlotArea, string?>(nameof(Values), p => p.Values);
 
+    // What lies behind words shows through, so that it can be followed.
+    private const double VeilOpacity = 0.85, VeilRound = 3, VeilBeside = 2;
+
     private readonly StackPanel _buttons;
     private PlotDatum? _datum;
     private PlotIndex _index = new([]);
@@ -55,7 +59,7 @@ public abstract partial class PlotArea : Control
     /// <summary>A plot with its buttons.</summary>
     protected PlotArea()
     {
-        _buttons = new StackPanel { Classes = { "near" }, HorizontalAlignment = HorizontalAlignment.Right, VerticalAlignment = VerticalAlignment.Top };
+        _buttons = new StackPanel { Classes = { "near", "buttons" }, HorizontalAlignment = HorizontalAlignment.Right, VerticalAlignment = VerticalAlignment.Top };
         _buttons.Children.AddRange([MakeButton("Plot.Nearer", "plus", () => ZoomStep(1)), MakeButton("Plot.Further", "minus", () => ZoomStep(-1)), MakeButton("Plot.All", "all", ShowAllInBoth)]);
         LogicalChildren.Add(_buttons);
         VisualChildren.Add(_buttons);
@@ -135,6 +139,9 @@ public abstract partial class PlotArea : Control
     /// <summary>Room at the sides that numbers and names take, where nothing is drawn.</summary>
     protected virtual Thickness Frame => default;
 
+    /// <summary>Room at the right that the buttons take, with what is free around them.</summary>
+    protected double ButtonsRoom => _buttons.DesiredSize.Width;
+
     /// <summary>How many data there are that can be asked for one after the other.</summary>
     protected virtual int DatumCount => 0;
 
@@ -142,7 +149,7 @@ public abstract partial class PlotArea : Control
     public void ShowAll()
     {
         // Neither the buttons nor what stands at the side hide anything of it.
-        var (left, top, right, bottom) = (Frame.Left, Frame.Top, Frame.Right + _buttons.Bounds.Width, Frame.Bottom);
+        var (left, top, right, bottom) = (Frame.Left, Frame.Top, Frame.Right + ButtonsRoom, Frame.Bottom);
         var fit = PlotView.Fit(Extent, Math.Max(Bounds.Width - left - right, 1), Math.Max(Bounds.Height - top - bottom, 1), Around, IsTrueToScale);
         _whole = (fit with { Width = Bounds.Width, Height = Bounds.Height }).Pan(new((left - right) / 2, (top - bottom) / 2));
         View = _whole;
@@ -184,7 +191,11 @@ public abstract partial class PlotArea : Control
     public sealed override void Render(DrawingContext context)
     {
         ArgumentNullException.ThrowIfNull(context);
-        context.FillRectangle(Ground ?? Brushes.Transparent, new Rect(Bounds.Size));
+        if (Ground is { } ground)
+        {
+            context.FillRectangle(ground, new Rect(Bounds.Size));
+        }
+
         if (Extent.IsEmpty || Bounds.Width < 1 || Bounds.Height < 1)
         {
             return;
@@ -240,6 +251,22 @@ public abstract partial class PlotArea : Control
         }
 
         InvalidateVisual();
+    }
+
+    /// <summary>True if lines of the drawing lead through a box: what stands there hides them.</summary>
+    protected virtual bool IsDrawnIn(PlotBox box) => false;
+
+    /// <summary>Draws words on a ground of their own: a line behind them does not cross them out.</summary>
+    protected void Words(DrawingContext context, FormattedText text, Point at)
+    {
+        ArgumentNullException.ThrowIfNull(context);
+        ArgumentNullException.ThrowIfNull(text);
+        if (Ground is ISolidColorBrush ground)
+        {
+            context.FillRectangle(new ImmutableSolidColorBrush(ground.Color, VeilOpacity), new Rect(at, new Size(text.Width, text.Height)).Inflate(new Thickness(VeilBeside, 0)), (float)VeilRound);
+        }
+
+        context.DrawText(text, at);
     }
 
     /// <summary>A label in the plot's ink.</summary>

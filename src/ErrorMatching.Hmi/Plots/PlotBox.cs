@@ -33,6 +33,21 @@ public readonly record struct PlotBox(double Left, double Low, double Right, dou
     /// <summary>True if they share a point, be it on their borders.</summary>
     public bool Touches(PlotBox other) => Left <= other.Right && other.Left <= Right && Low <= other.High && other.Low <= High;
 
+    /// <summary>True if a polyline leads through it.</summary>
+    public bool IsCrossedBy(IReadOnlyList<Point2> line)
+    {
+        ArgumentNullException.ThrowIfNull(line);
+        for (var i = 1; i < line.Count; i++)
+        {
+            if (PartOf(line[i - 1], line[i]) is not null)
+            {
+                return true;
+            }
+        }
+
+        return line.Count == 1 && Contains(line[0]);
+    }
+
     /// <summary>The part of a straight piece that lies in it (Y.-D. Liang and B. A. Barsky, ACM Transactions on Graphics 3, 1984, 1); null if none does.</summary>
     public (Point2 From, Point2 To)? PartOf(Point2 a, Point2 b)
     {

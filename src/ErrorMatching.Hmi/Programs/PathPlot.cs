@@ -117,6 +117,14 @@ public sealed class PathPlot : PlotArea
         Picture is { Program: var program } && program.Moves.EndsOf(index) is var (_, end) ? new(end, program.TellMotion(index), index) : null;
 
     /// <inheritdoc/>
+    protected override bool IsDrawnIn(PlotBox box)
+    {
+        var (width, height) = ((box.Right - box.Left) * View.ScaleX, (box.High - box.Low) * View.ScaleY);
+        var (room, view) = (new PlotBox(0, 0, width, height), View with { Middle = box.Middle, Width = width, Height = height });
+        return Picture is { Program.Moves: var moves } && !moves.Strokes(view, Pixel, s => room.PartOf(new(s.X1, s.Y1), new(s.X2, s.Y2)) is null);
+    }
+
+    /// <inheritdoc/>
     protected override void OnAsked(PlotDatum datum)
     {
         ArgumentNullException.ThrowIfNull(datum);

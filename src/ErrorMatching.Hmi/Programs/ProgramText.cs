@@ -136,7 +136,11 @@ public sealed partial class ProgramText : Control
     public override void Render(DrawingContext context)
     {
         ArgumentNullException.ThrowIfNull(context);
-        context.FillRectangle(Ground ?? Brushes.Transparent, new Rect(Bounds.Size));
+        if (Ground is { } ground)
+        {
+            context.FillRectangle(ground, new Rect(Bounds.Size));
+        }
+
         if (Picture is not { Program: var program } picture || program.Count == 0 || Bounds.Height <= 0)
         {
             return;

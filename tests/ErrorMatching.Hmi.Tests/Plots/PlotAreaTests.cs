@@ -119,6 +119,36 @@ public sealed class PlotAreaTests
         Assert.True(plot.ShowsAll);
     });
 
+    [Fact]
+    public Task The_box_of_values_hides_no_line_and_no_button_and_lies_within() => At((plot, user, _) =>
+    {
+        // Up, down and up again: each point has a line at one of its sides, where the box would lie.
+        (Geometry.Point2 A, Geometry.Point2 B, Geometry.Point2 C, Geometry.Point2 D) = (new(0, 0), new(30, 60), new(60, 0), new(90, 60));
+        plot.Drawing = new([[A, B, C, D]], [[A, B, C, D]], [("A", A, 0.1, 0), ("B", B, 0.1, 0), ("C", C, 0.1, 0), ("D", D, 0.1, 0)], 1, 0.1);
+        Assert.True(plot.Focus());
+        foreach (var name in new[] { "A", "B", "C", "D" })
+        {
+            user.Press(Key.PageDown);
+            Assert.StartsWith(name + ":", plot.Values, StringComparison.Ordinal);
+            var room = plot.ValuesRoom;
+            Assert.True(new Avalonia.Rect(plot.Bounds.Size).Contains(room), $"{name} leaves the plot.");
+            Assert.False(room.Intersects(Place(Button(plot, "nearer"))) || room.Intersects(Place(Button(plot, "all"))), $"{name} lies over a button.");
+            var (low, high) = (plot.View.ToPlot(new(room.Left, room.Bottom)), plot.View.ToPlot(new(room.Right, room.Top)));
+            Assert.False(new PlotBox(low.X, low.Y, high.X, high.Y).IsCrossedBy([A, B, C, D]), $"{name} hides a line.");
+        }
+
+        Avalonia.Rect Place(Button button) => new(Avalonia.VisualExtensions.TranslatePoint(button, default, plot)!.Value, button.Bounds.Size);
+    });
+
+    [Fact]
+    public Task Buttons_keep_away_from_the_frame_and_what_is_drawn_from_them() => At((plot, _, _) =>
+    {
+        var button = Button(plot, "nearer");
+        var at = Avalonia.VisualExtensions.TranslatePoint(button, default, plot)!.Value;
+        Assert.True(at.Y >= 6 && at.X + button.Bounds.Width <= plot.Bounds.Width - 6, $"{at}");
+        Assert.True(plot.View.ToScreen(new(100, 1)).X < at.X - 6);
+    });
+
     private static bool Shows(PlotArea plot) => plot.View.Seen is var seen && seen.Contains(new(0, 0)) && seen.Contains(new(100, 1));
 
     private static Button Button(PlotArea plot, string part) => plot.GetVisualDescendants().OfType<Button>().Single(b => AutomationProperties.GetAutomationId(b) == "gap-" + part);
