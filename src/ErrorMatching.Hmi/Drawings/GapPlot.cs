@@ -93,12 +93,17 @@ public sealed class GapPlot : PlotArea
         var labels = new PlotLabels(Drawing.Part.Concat(Drawing.Counterpart).Select(l => (IReadOnlyList<Point>)[.. l.Select(p => view.At(p))]), [.. Drawing.Points.Select(p => view.At(p.At))], Dot);
         foreach (var (name, at, _, _) in Drawing.Points)
         {
-            context.DrawEllipse(PartBrush, null, view.At(at), Dot, Dot);
             var text = Label(name);
             if (labels.Place(text, view.At(at), LabelAway) is { } room)
             {
                 Words(context, text, room);
             }
+        }
+
+        // Over the ground of words beside them.
+        foreach (var (_, at, _, _) in Drawing.Points)
+        {
+            context.DrawEllipse(PartBrush, null, view.At(at), Dot, Dot);
         }
     }
 

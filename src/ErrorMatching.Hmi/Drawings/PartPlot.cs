@@ -68,11 +68,6 @@ public sealed class PartPlot : PlotArea
             {
                 Line(context, pen, [.. line.Points.Select(p => p.At)], view);
             }
-
-            foreach (var (_, at) in line.Points)
-            {
-                context.DrawEllipse(PartBrush, null, view.At(at), Dot, Dot);
-            }
         }
 
         var labels = new PlotLabels(Drawing.Lines.Select(l => (IReadOnlyList<Point>)[.. l.Points.Select(p => view.At(p.At))]), [.. _points.Select(p => view.At(p.At))], Dot);
@@ -84,6 +79,12 @@ public sealed class PartPlot : PlotArea
         foreach (var (label, at) in _points)
         {
             Write(context, labels, label, view.At(at), isName: false);
+        }
+
+        // Over the ground of words beside them.
+        foreach (var (_, at) in _points)
+        {
+            context.DrawEllipse(PartBrush, null, view.At(at), Dot, Dot);
         }
     }
 
