@@ -35,6 +35,11 @@ public static class Compensator
             return new(null, [refusal]);
         }
 
+        if (Outlying(samples, repeats, input.Measured) is { } outlying)
+        {
+            return new(null, [outlying]);
+        }
+
         var statistics = DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
         var structure = SpatialStructure.Of(samples);
         var systematic = Systematic(job, samples, statistics, structure, notes, warnings);
@@ -93,6 +98,21 @@ public static class Compensator
         return new("beyond-limit", string.Create(
             CultureInfo.InvariantCulture,
             $"Point {worst.Point} is {Beyond(worst.ErrorMm, job.Compensation.LimitMm)} mm off along the normal{(beyond.Length > 1 ? $", and {beyond.Length - 1} more points are too" : "")}; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm.{hint}"));
+    }
+
+    // Before anything is fitted: neither the fit nor the test for noise knows one bad touch from an error of the surface, and it would be cut into the piece.
+    private static FreeformRefusal? Outlying(IReadOnlyList<ErrorSample> samples, IReadOnlyList<ErrorSample>[] repeats, IReadOnlyList<MeasuredPoints> measured)
+    {
+        var points = OutlyingPoints.Of(samples);
+        if (points.Count == 0)
+        {
+            return null;
+        }
+
+        var worst = OutlyingPoint.Furthest(points);
+        var off = Array.ConvertAll(repeats, r => Math.Abs(r.First(s => s.Point == worst.Sample.Point).ErrorMm - worst.SaidMm));
+        var (place, mean) = repeats.Length == 1 ? ("", "") : ($" {measured[Array.IndexOf(off, off.Max())].File} is furthest off there.", ", in the mean of all measurements");
+        return new("outlying-point", $"{OutlyingPoint.Words(points)}{mean}: a chip, or a touch gone wrong, and it would be cut into the piece.{place} Clean the place and the stylus and measure again. If it stays, the error changes there from one point to the next: plan more points.");
     }
 
     // As many digits as it takes to see that a length is beyond its limit.

@@ -8,7 +8,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="Alignment">How the points were laid onto the surface; null if they stayed where they were measured.</param>
 /// <param name="Samples">The errors, by point.</param>
 /// <param name="Statistics">What they come to.</param>
-/// <param name="Warnings">What is strange in the file and does no harm, in sentences.</param>
+/// <param name="Warnings">What is strange in the file and does no harm, and points that are far from what those around them say, in sentences.</param>
 public sealed record EvaluatedPiece(
     string File,
     string Sha256,

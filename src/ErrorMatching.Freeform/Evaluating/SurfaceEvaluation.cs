@@ -50,7 +50,14 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
     }
 
     private static EvaluatedPiece Piece(MeasuredPoints piece, CuttingStage stage, FreeformJob job, SurfaceAlignment? alignment, IReadOnlyList<ErrorSample> samples) =>
-        new(piece.File, piece.Sha256, stage, stage != job.Measuring.After, alignment, samples, DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]), piece.Warnings);
+        new(piece.File, piece.Sha256, stage, stage != job.Measuring.After, alignment, samples, DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]), [.. piece.Warnings, .. Outlying(piece, samples)]);
+
+    // A piece that is measured to be judged is judged with all its points, but a chip under the stylus is not the piece.
+    private static IEnumerable<string> Outlying(MeasuredPoints piece, IReadOnlyList<ErrorSample> samples)
+    {
+        var points = OutlyingPoints.Of(samples);
+        return points.Count == 0 ? [] : [$"{piece.File}: {OutlyingPoint.Words(points)}: a chip, or a touch gone wrong? It counts in all figures. Clean the place and the stylus and measure again."];
+    }
 
     private static IEnumerable<(PlanPoint Plan, Point3 Contact)> Contacts(MeasuredPoints piece) => piece.Points.Select(p => (p.Planned, p.Contact));
 }

@@ -133,6 +133,39 @@ public sealed class CompensatorTests
         Assert.Contains($"Point {worst.Number} is +0.31 mm off", refusal.Message, StringComparison.Ordinal);
     }
 
+    // Neither would have been said: 60 um were fitted as if they were the surface's, and 150 um made everything else look like noise.
+    [Theory]
+    [InlineData("mirror", 0.06)]
+    [InlineData("mirror", 0.15)]
+    [InlineData("tool-radius", 0.15)]
+    [InlineData("mirror", -0.035)]
+    public void A_point_that_is_not_what_those_around_it_say_stops_the_job_and_is_named(string method, double off)
+    {
+        var piece = new MeasuredDesign(PaperDesign.One, "\"method\": \"mirror\"", $"\"method\": \"{method}\"");
+        foreach (var bad in new[] { piece.Plan.Points[31], piece.Plan.Points[0], piece.Plan.Points[^1] })
+        {
+            var refusal = Assert.Single(piece.Compensate(piece.With((u, v) => Tilted(u, v) + (u == bad.U && v == bad.V ? off : 0))).Refusals);
+
+            Assert.Equal("outlying-point", refusal.Code);
+            var (um, said) = (1000 * (Tilted(bad.U, bad.V) + off), 1000 * Tilted(bad.U, bad.V));
+            Assert.StartsWith(FormattableString.Invariant($"Point {bad.Number} (near X{bad.Position.X:0.###} Y{bad.Position.Y:0.###} Z{bad.Position.Z:0.###}) is {um:+0.0;-0.0} um off along the normal, where the points around it say {said:+0.0;-0.0} um: "), refusal.Message, StringComparison.Ordinal);
+            Assert.Contains("measure again", refusal.Message, StringComparison.Ordinal);
+        }
+    }
+
+    [Fact]
+    public void Of_several_measurements_the_one_with_the_bad_touch_is_named()
+    {
+        var piece = new MeasuredDesign(PaperDesign.Two);
+        var bad = piece.Plan.Points[20];
+        var refusal = Assert.Single(piece.Compensate(piece.With(Tilted, "one.csv"), piece.With((u, v) => Tilted(u, v) + (u == bad.U && v == bad.V ? 0.12 : 0.0001), "two.csv")).Refusals);
+
+        Assert.Equal("outlying-point", refusal.Code);
+        Assert.StartsWith($"Point {bad.Number} ", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains("in the mean of all measurements", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains("two.csv is furthest off there", refusal.Message, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData(-0.200001, "-0.200001")]
     [InlineData(-0.20004, "-0.20004")]

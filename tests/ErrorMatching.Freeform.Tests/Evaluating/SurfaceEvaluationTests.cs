@@ -39,4 +39,18 @@ public sealed class SurfaceEvaluationTests
         Assert.False(e.StageIsFound);
         Assert.Equal(-0.11, e.Statistics.MeanMm, 9);
     }
+
+    [Fact]
+    public void A_point_that_is_not_what_those_around_it_say_is_named_and_counts()
+    {
+        var piece = new MeasuredDesign(PaperDesign.One);
+        var bad = piece.Plan.Points[31];
+        var e = SurfaceEvaluation.Of(piece.Job, piece.Surface, [piece.With((u, v) => 0.01 * u, "good.csv"), piece.With((u, v) => u == bad.U && v == bad.V ? 0.48 : 0.01 * v, "bad.csv")]);
+
+        Assert.Empty(e.Pieces[0].Warnings);
+        var warning = Assert.Single(e.Pieces[1].Warnings);
+        Assert.StartsWith($"bad.csv: Point {bad.Number} (near ", warning, StringComparison.Ordinal);
+        Assert.Contains("is +480.0 um off", warning, StringComparison.Ordinal);
+        Assert.Equal(0.96, e.Together.ProfileIsoMm, 9);
+    }
 }

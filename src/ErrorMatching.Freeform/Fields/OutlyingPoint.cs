@@ -1,0 +1,31 @@
+using System.Globalization;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>A measured point whose error is not what the points around it say.</summary>
+/// <param name="Sample">The point.</param>
+/// <param name="SaidMm">The error that the points around it say is there, in millimetres, positive out of the material.</param>
+internal sealed record OutlyingPoint(ErrorSample Sample, double SaidMm)
+{
+    private const int MostNamed = 10;
+
+    /// <summary>By how much the point is off what is said, in millimetres.</summary>
+    public double OffMm => Sample.ErrorMm - SaidMm;
+
+    /// <summary>The furthest of some points with its place and both errors, and the numbers of the others; without a full stop.</summary>
+    /// <param name="points">At least one.</param>
+    public static string Words(IReadOnlyList<OutlyingPoint> points)
+    {
+        var worst = Furthest(points);
+        var (sample, at) = (worst.Sample, worst.Sample.Nominal);
+        var others = points.Where(p => p != worst).Select(p => p.Sample.Point.ToString(CultureInfo.InvariantCulture)).ToArray();
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"Point {sample.Point} (near X{at.X:0.###} Y{at.Y:0.###} Z{at.Z:0.###}) is {sample.ErrorMm * 1000:+0.0;-0.0;0.0} um off along the normal, where the points around it say {worst.SaidMm * 1000:+0.0;-0.0;0.0} um")
+            + (others.Length == 0 ? "" : $"; likewise off {(others.Length == 1 ? "is point " : "are points ")}{string.Join(", ", others.Take(MostNamed))}{(others.Length > MostNamed ? ", ..." : "")}");
+    }
+
+    /// <summary>The one that is furthest off.</summary>
+    /// <param name="points">At least one.</param>
+    public static OutlyingPoint Furthest(IReadOnlyList<OutlyingPoint> points) => points.MaxBy(p => Math.Abs(p.OffMm))!;
+}
