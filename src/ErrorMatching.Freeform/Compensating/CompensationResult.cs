@@ -28,6 +28,9 @@ public sealed record CompensationResult
     /// <summary>The field that is compensated, before the gain.</summary>
     public required ErrorField Compensated { get; init; }
 
+    /// <summary>What a modified tool radius compensates, before the gain: the mean error, or nothing where neighbors are not alike and it is not significant.</summary>
+    public required ConstantField Mean { get; init; }
+
     /// <summary>The surface to cut, with the parametrization and the limits of the nominal one (or that of the points, where a surface was fitted to them).</summary>
     public required PartSurface Surface { get; init; }
 

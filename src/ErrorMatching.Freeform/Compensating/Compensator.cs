@@ -43,7 +43,8 @@ public static class Compensator
         var statistics = DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
         var structure = SpatialStructure.Of(samples);
         var systematic = Systematic(job, samples, statistics, structure, notes, warnings);
-        var mean = new ConstantField(statistics.MeanMm, statistics.StandardDeviationMm / Math.Sqrt(samples.Count));
+        // Where nothing but noise was found, the mean was judged already: it is what is systematic, or nothing is.
+        var mean = systematic as ConstantField ?? new ConstantField(statistics.MeanMm, statistics.StandardDeviationMm / Math.Sqrt(samples.Count));
         var compensated = job.Compensation.Mirror ? systematic : mean;
         var surface = CompensatedSurface.Of(nominal, job, samples, compensated);
         if (surface.LargestMoveMm > job.Compensation.LimitMm)
@@ -62,6 +63,7 @@ public static class Compensator
             Structure = structure,
             Systematic = systematic,
             Compensated = compensated,
+            Mean = mean,
             Surface = surface.Surface,
             ThroughPoints = surface.ThroughPoints,
             ApproximationMm = surface.ApproximationMm,

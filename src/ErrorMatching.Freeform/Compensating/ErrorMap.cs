@@ -13,6 +13,6 @@ public sealed record ErrorMap(SurfaceNet Net, IReadOnlyList<double> BeforeMm, IR
         ArgumentNullException.ThrowIfNull(result);
         var gain = result.Input.Job.Compensation.Gain;
         double[] before = [.. SurfaceNet.Parameters(result.Input.Surface).Select(p => result.Systematic.At(p.U, p.V))];
-        return new(SurfaceNet.Of(result.Input.Surface), before, Array.ConvertAll(before, e => e - (gain * e)), Array.ConvertAll(before, e => e - (gain * result.Before.MeanMm)));
+        return new(SurfaceNet.Of(result.Input.Surface), before, Array.ConvertAll(before, e => e - (gain * e)), Array.ConvertAll(before, e => e - (gain * result.Mean.At(0, 0))));
     }
 }

@@ -110,16 +110,21 @@ public sealed class CompensatorTests
         Assert.True(piece.Off(result.Surface.Spline, (u, v) => result.Before.MeanMm) < 3e-5);
     }
 
-    [Fact]
-    public void A_mean_that_may_be_none_is_not_cut_either()
+    [Theory]
+    [InlineData("mirror")]
+    [InlineData("tool-radius")]
+    public void A_mean_that_may_be_none_is_not_cut_either(string method)
     {
-        var piece = new MeasuredDesign(PaperDesign.Three);
+        var piece = new MeasuredDesign(PaperDesign.Three, "\"method\": \"mirror\"", $"\"method\": \"{method}\"");
         var random = new Random(4);
         var result = piece.Compensate(piece.With((u, v) => 0.002 * (random.NextDouble() - 0.5))).Result!;
 
         Assert.Equal(0, result.LargestMoveMm);
         Assert.Same(piece.Surface.Spline, result.Surface.Spline);
         Assert.Contains("nothing is compensated", result.Warnings[0], StringComparison.Ordinal);
+        Assert.All(new[] { result.Mirror, result.ToolRadius }, p => Assert.Equal((0, result.Predicted.Statistics), (p.Statistics.MeanMm, p.Statistics)));
+        var map = ErrorMap.Of(result);
+        Assert.All(map.ToolRadiusMm.Concat(map.MirrorMm), e => Assert.Equal(0, e));
     }
 
     [Fact]
