@@ -7,12 +7,16 @@ namespace ErrorMatching.Freeform;
 /// <param name="ThroughPoints">The fit through the compensation points; null where the error was fitted.</param>
 /// <param name="ApproximationMm">How far the surface may be from the exact nominal one moved by the field.</param>
 /// <param name="LargestMoveMm">Largest distance from the nominal surface, over a dense grid and the measured points.</param>
-internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? ThroughPoints, double ApproximationMm, double LargestMoveMm)
+/// <param name="Between">Of a fit through the compensation points: how far it lies out of the nominal surface along its normal at places of the piece between the measured points, with the parameters of their feet; empty where the error was fitted.</param>
+internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? ThroughPoints, double ApproximationMm, double LargestMoveMm, IReadOnlyList<(double U, double V, double MovedMm)> Between)
 {
     /// <summary>How far the surface that is written may be from what it stands for: a hundredth of what any probe tells.</summary>
     public const double ToleranceMm = 1e-5;
 
     private const int Dense = 60;
+
+    // A foot this much beyond the outermost points, as a share of half their range, is beside them: rounding.
+    private const double OnEdge = 1e-9;
 
     public static CompensatedSurface Of(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, ErrorField field)
     {
@@ -30,7 +34,7 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
 
         if (largest == 0)
         {
-            return new(nominal, null, 0, 0);
+            return new(nominal, null, 0, 0, []);
         }
 
         var (breaksU, breaksV) = field is FittedField fitted ? (fitted.BreaksU, fitted.BreaksV) : ([], []);
@@ -43,7 +47,7 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
             Knots(nominal.Spline.KnotsU, breaksU),
             Knots(nominal.Spline.KnotsV, breaksV),
             ToleranceMm);
-        return new(nominal with { Spline = approximation.Surface }, null, approximation.ErrorMm, largest);
+        return new(nominal with { Spline = approximation.Surface }, null, approximation.ErrorMm, largest, []);
     }
 
     private static CompensatedSurface ThroughCompensationPoints(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, double gain)
@@ -53,13 +57,24 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
         var fit = SurfaceFitter.Fit(grid, job.Fit.Method, job.Fit.CurveToleranceMm);
         var middle = fit.Surface.At((fit.Surface.KnotsU.Start + fit.Surface.KnotsU.End) / 2, (fit.Surface.KnotsV.Start + fit.Surface.KnotsV.End) / 2);
         var outside = middle.Normal.Dot(samples[samples.Count / 2].Normal) > 0 ? 1 : -1;
-        var largest = Largest(fit.Surface, (u, v) => nominal.Spline.ClosestPoint(fit.Surface.PointAt(u, v)).Distance);
+        var (rangeU, rangeV) = (ParameterRange.Of(samples.Select(s => s.U)), ParameterRange.Of(samples.Select(s => s.V)));
+        var between = new List<(double U, double V, double MovedMm)>();
+        var largest = Largest(fit.Surface, (u, v) =>
+        {
+            var foot = nominal.Spline.ClosestPoint(fit.Surface.PointAt(u, v));
+            if (Math.Abs(rangeU.ToUnit(foot.At.U)) <= 1 + OnEdge && Math.Abs(rangeV.ToUnit(foot.At.V)) <= 1 + OnEdge && nominal.Region.Contains(foot.At.U, foot.At.V))
+            {
+                between.Add((foot.At.U, foot.At.V, foot.Height * nominal.Outside));
+            }
+
+            return foot.Distance;
+        });
         foreach (var sample in samples)
         {
             largest = Math.Max(largest, fit.Surface.ClosestPoint(sample.Nominal).Distance);
         }
 
-        return new(new(nominal.Name, fit.Surface, SurfaceRegion.Whole, outside), fit, 0, largest);
+        return new(new(nominal.Name, fit.Surface, SurfaceRegion.Whole, outside), fit, 0, largest, between);
     }
 
     private static double Largest(SplineSurface surface, Func<double, double, double> move)

@@ -73,6 +73,19 @@ public sealed record CompensationResult
             : -Surface.Spline.ClosestPoint(sample.Nominal).Offset;
     }
 
+    /// <summary>By how much the surface that is cut lies out of the nominal one at a place of it, along the normal, in millimetres: positive leaves material. Beyond the edge of a surface that was fitted to points its edge counts.</summary>
+    internal double MovedMmAt(double u, double v)
+    {
+        if (ThroughPoints is null)
+        {
+            return -Input.Job.Compensation.Gain * Compensated.At(u, v);
+        }
+
+        // From the nominal surface to the cut one and back: beyond an edge the way there would not be along the normal.
+        var cut = Surface.Spline.ClosestPoint(Input.Surface.Spline.PointAt(u, v)).At.Position;
+        return Input.Surface.Spline.ClosestPoint(cut, u, v).Height * Input.Surface.Outside;
+    }
+
     /// <summary>The prediction for the compensation that was made.</summary>
     public SurfacePrediction Predicted => Input.Job.Compensation.Mirror ? Mirror : ToolRadius;
 }

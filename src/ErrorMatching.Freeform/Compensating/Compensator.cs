@@ -8,6 +8,10 @@ public static class Compensator
     // A mean that is smaller than this many of its standard errors may be none.
     private const double Significant = 2;
 
+    // What a fit leaves between its points is much more than at them from here on, if it is more than the ridges that a ball leaves anyway.
+    private const double MuchMore = 2;
+    private const double RidgeMm = 0.001;
+
     /// <summary>Makes the compensated surface, or says why not.</summary>
     /// <exception cref="FreeformException">A measured point has no foot on the surface, or there are too few for the job's fit or alignment.</exception>
     public static CompensationOutcome Compensate(CompensationInput input)
@@ -54,7 +58,7 @@ public static class Compensator
                 $"The compensated surface would lie up to {Beyond(surface.LargestMoveMm, job.Compensation.LimitMm).TrimStart('+')} mm from the nominal one; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm. Between the points the fit goes further than they do: measure more points, or raise the limit if that is meant."));
         }
 
-        return new(new()
+        var result = new CompensationResult
         {
             Input = input,
             Alignment = alignment,
@@ -72,7 +76,31 @@ public static class Compensator
             ToolRadius = SurfacePrediction.Of("tool-radius", samples, systematic, mean, job.Compensation.Gain),
             Warnings = warnings,
             Notes = notes,
-        }, []);
+        };
+        return new(result.ThroughPoints is null ? result : result with { Mirror = ThroughPoints(result, surface.Between, warnings) }, []);
+    }
+
+    // What the surface through the points really leaves: it may miss the nominal one, and what was measured, by any amount.
+    private static SurfacePrediction ThroughPoints(CompensationResult result, IReadOnlyList<(double U, double V, double MovedMm)> places, List<string> warnings)
+    {
+        var (samples, systematic) = (result.Samples, result.Systematic);
+        double[] left = [.. samples.Select(s => systematic.At(s.U, s.V) + result.MovedMmAt(s.U, s.V))];
+        double[] between = [.. places.Select(p => systematic.At(p.U, p.V) + p.MovedMm)];
+        var atPoints = SurfacePrediction.Of("mirror", samples, systematic, left, []);
+        if (between.Length == 0)
+        {
+            return atPoints;
+        }
+
+        var (there, here) = (DeviationStatistics.Of(between), atPoints.Statistics.StandardDeviationMm);
+        if (there.StandardDeviationMm > Math.Max(MuchMore * here, RidgeMm))
+        {
+            warnings.Add(string.Create(
+                CultureInfo.InvariantCulture,
+                $"Between the points the surface that was fitted to them leaves up to {there.ProfileIsoMm * 500:0.00} um, with a standard deviation of {there.StandardDeviationMm * 1000:0.00} um; at the points {here * 1000:0.00} um are expected. It does not know the nominal surface between them: fit the error instead (\"of\": \"error\"), or measure more points."));
+        }
+
+        return SurfacePrediction.Of("mirror", samples, systematic, left, between);
     }
 
     // Mirrored as if it were an error, stock that is not there or was left would spoil the piece.

@@ -12,7 +12,11 @@ public sealed record ErrorMap(SurfaceNet Net, IReadOnlyList<double> BeforeMm, IR
     {
         ArgumentNullException.ThrowIfNull(result);
         var gain = result.Input.Job.Compensation.Gain;
-        double[] before = [.. SurfaceNet.Parameters(result.Input.Surface).Select(p => result.Systematic.At(p.U, p.V))];
-        return new(SurfaceNet.Of(result.Input.Surface), before, Array.ConvertAll(before, e => e - (gain * e)), Array.ConvertAll(before, e => e - (gain * result.Mean.At(0, 0))));
+        (double U, double V)[] places = [.. SurfaceNet.Parameters(result.Input.Surface)];
+        double[] before = [.. places.Select(p => result.Systematic.At(p.U, p.V))];
+
+        // A surface through points leaves what it leaves; a field that was compensated, its share.
+        double[] mirror = result.ThroughPoints is null ? Array.ConvertAll(before, e => e - (gain * e)) : [.. before.Zip(places, (e, p) => e + result.MovedMmAt(p.U, p.V))];
+        return new(SurfaceNet.Of(result.Input.Surface), before, mirror, Array.ConvertAll(before, e => e - (gain * result.Mean.At(0, 0))));
     }
 }

@@ -5,6 +5,7 @@ namespace ErrorMatching.Freeform;
 /// At each measured point the compensation takes its part off the systematic error. Two things come on top, independent of each other and of what is left, and are added to the spread by root sum of squares: what the field does
 /// not explain (cutting and probing do not repeat) comes again, drawn anew; and the field is itself off by its uncertainty, which was cut into the surface. The residuals of a fit tell less than the first, because it follows
 /// part of the noise: they count by the degrees of freedom that it left, where it knows them. A fit that goes through every point has no residuals at all; its uncertainty is then all there is.
+/// Where a surface was fitted to the compensation points, its own distance from the nominal one is what the compensation takes off: at the points, with the noise that it follows, and between them, where it may go its own way.
 /// </remarks>
 /// <param name="Method">Name of the compensation: <c>mirror</c> or <c>tool-radius</c>.</param>
 /// <param name="Errors">Expected systematic error at each measured point, in the order of the samples, in millimetres.</param>
@@ -16,28 +17,37 @@ public sealed record SurfacePrediction(string Method, IReadOnlyList<double> Erro
     // A normal quantile: of n points the largest is expected about here. Blom, "Statistical Estimates and Transformed Beta-Variables", 1958.
     private const double BlomShift = 0.375;
 
-    /// <summary>Predicts what is left.</summary>
+    /// <summary>Predicts what is left of a field where another one is compensated.</summary>
     /// <param name="method">Name of the compensation.</param>
     /// <param name="samples">The measured errors.</param>
     /// <param name="systematic">What is systematic in them.</param>
     /// <param name="compensation">What is compensated, before the gain.</param>
     /// <param name="gain">Share that is compensated.</param>
-    internal static SurfacePrediction Of(string method, IReadOnlyList<ErrorSample> samples, ErrorField systematic, ErrorField compensation, double gain)
+    internal static SurfacePrediction Of(string method, IReadOnlyList<ErrorSample> samples, ErrorField systematic, ErrorField compensation, double gain) =>
+        Of(method, samples, systematic, [.. samples.Select(s => systematic.At(s.U, s.V) - (gain * compensation.At(s.U, s.V)))], []);
+
+    /// <summary>Predicts what is left.</summary>
+    /// <param name="method">Name of the compensation.</param>
+    /// <param name="samples">The measured errors.</param>
+    /// <param name="systematic">What is systematic in them.</param>
+    /// <param name="left">What is left of it at each of them.</param>
+    /// <param name="between">What is left of it at places between them, where that does not follow from the points: who measures elsewhere finds it, so the larger of both is expected.</param>
+    internal static SurfacePrediction Of(string method, IReadOnlyList<ErrorSample> samples, ErrorField systematic, double[] left, double[] between)
     {
-        double[] left = [.. samples.Select(s => systematic.At(s.U, s.V) - (gain * compensation.At(s.U, s.V)))];
         var noise = systematic is FittedField { ResidualStandardDeviationMm: >= 0 } fitted ? fitted.ResidualStandardDeviationMm : Math.Sqrt(samples.Sum(s => Square(s.ErrorMm - systematic.At(s.U, s.V))) / Math.Max(1, samples.Count - 1));
         var field = Math.Sqrt(samples.Sum(s => Square(systematic.StandardUncertaintyAt(s.U, s.V))) / samples.Count);
         var spread = Hypot(noise, field);
         var statistics = DeviationStatistics.Of(left);
+        var everywhere = between.Length == 0 ? statistics : DeviationStatistics.Of(between);
         return new(
             method,
             left,
             statistics with
             {
-                StandardDeviationMm = Hypot(statistics.StandardDeviationMm, spread),
+                StandardDeviationMm = Hypot(Math.Max(statistics.StandardDeviationMm, everywhere.StandardDeviationMm), spread),
                 // The largest on either side is the largest of twice as many on one.
-                ProfileIsoMm = 2 * Hypot(statistics.ProfileIsoMm / 2, spread * Outermost(2 * samples.Count)),
-                ProfileRangeMm = Hypot(statistics.ProfileRangeMm, 2 * spread * Outermost(samples.Count)),
+                ProfileIsoMm = 2 * Hypot(Math.Max(statistics.ProfileIsoMm, everywhere.ProfileIsoMm) / 2, spread * Outermost(2 * samples.Count)),
+                ProfileRangeMm = Hypot(Math.Max(statistics.ProfileRangeMm, everywhere.ProfileRangeMm), 2 * spread * Outermost(samples.Count)),
             },
             Hypot(field, noise / Math.Sqrt(samples.Count)),
             spread);

@@ -13,6 +13,8 @@ namespace ErrorMatching.Jobs;
 /// </summary>
 public static class SurfaceRun
 {
+    private const string FollowsTheError = "The job's fit.of is points, but an existing program follows the error place by place, not a surface through the compensation points: the error was fitted by the best method instead.";
+
     /// <summary>Makes the finishing program of the compensated surface.</summary>
     /// <param name="files">The job's files.</param>
     /// <param name="request">What it is run with.</param>
@@ -66,7 +68,10 @@ public static class SurfaceRun
     public static RunOutcome<DisplacedSurface> Displace(FreeformFiles files, SurfaceRequest request, GivenFile program, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(program);
-        var job = Job(files, request);
+        var asked = Job(files, request);
+
+        // A program's places are moved by the error there: there is no such thing as a surface through the compensation points that they could follow.
+        var job = asked.Fit.OfError ? asked : asked with { Fit = asked.Fit with { Method = FitMethod.Best, OfError = true } };
         var dialect = files.Dialect(job.Toolpath.Dialect);
         var bytes = files.Program(program);
         cancellation.ThrowIfCancellationRequested();
@@ -75,6 +80,11 @@ public static class SurfaceRun
             if (Compensated(files, job, request, cancellation, out var refusals) is not { } compensation)
             {
                 return new(ErrorItems.Of(refusals, job.File));
+            }
+
+            if (!asked.Fit.OfError)
+            {
+                compensation = compensation with { Warnings = [.. compensation.Warnings, FollowsTheError] };
             }
 
             var displaced = SurfaceDisplacer.Displace(compensation.Input.Surface, compensation.Compensated, job.Compensation.Gain, job.Tool, bytes, dialect, job.Toolpath.ProgramsTip, MeasurementSha256(compensation));

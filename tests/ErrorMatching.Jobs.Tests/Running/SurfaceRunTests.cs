@@ -55,6 +55,30 @@ public sealed class SurfaceRunTests
         Assert.Throws<ArgumentOutOfRangeException>(() => Finished(new() { Measured = [Measured], Gain = 3 }));
     }
 
+    [Theory]
+    [InlineData("tensor")]
+    [InlineData("best")]
+    public void A_displaced_program_follows_the_error_where_the_job_fits_points_and_says_so(string method)
+    {
+        using var folder = new TemporaryFolder();
+        File.Copy(Repository.PathTo("samples", "surface-one", "surface.igs"), folder["surface.igs"]);
+        var text = File.ReadAllText(Job);
+        var fit = "\"method\": \"best\", \"of\": \"error\"";
+        Assert.Contains(fit, text, StringComparison.Ordinal);
+        var job = folder.File("job.json", text.Replace(fit, $"\"method\": \"{method}\", \"of\": \"points\"", StringComparison.Ordinal));
+
+        var byError = Displaced(Measured, Cam);
+        var byPoints = SurfaceRun.Displace(new(job), new() { Measured = [Measured] }, Cam, TestContext.Current.CancellationToken).Result!;
+
+        Assert.Equal(byError.Program.ToArray(), byPoints.Program.ToArray());
+        Assert.Contains("fit.of is points", Assert.Single(byPoints.Compensation.Warnings), StringComparison.Ordinal);
+        Assert.Empty(byError.Compensation.Warnings);
+
+        // What is said to be expected, and by how much points move, is of the program that was made.
+        Assert.Equal(byError.Compensation.Mirror.Statistics, byPoints.Compensation.Mirror.Statistics);
+        Assert.All(byPoints.Compensation.Samples, s => Assert.Equal(byError.Compensation.MoveAt(s), byPoints.Compensation.MoveAt(s)));
+    }
+
     // Whether the error was cut away by a displaced program or by one that was made anew, it must not be cut away again.
     [Theory]
     [InlineData(true)]
