@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
@@ -13,15 +14,38 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
     /// <summary>How far the surface that is written may be from what it stands for: a hundredth of what any probe tells.</summary>
     public const double ToleranceMm = 1e-5;
 
+    /// <summary>How far the points of a fit may stay from the edges: a probe does not meet a place to better than that, and CAD systems write edges no better.</summary>
+    private const double EdgeMm = RegionTracer.GapMm;
+
     private const int Dense = 60;
 
     // A foot this much beyond the outermost points, as a share of half their range, is beside them: rounding.
     private const double OnEdge = 1e-9;
 
+    /// <summary>Why no surface may be laid through the compensation points: it would end with them, and knows of no trimming, so that holes were cut over and edges left standing.</summary>
+    public static FreeformRefusal? Refusal(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, ErrorField field)
+    {
+        const string instead = "Use \"of\": \"error\" under fit, which keeps the limits of the nominal surface";
+        if (!IsThroughPoints(job, field))
+        {
+            return null;
+        }
+
+        if (!nominal.Region.IsWhole)
+        {
+            return new("limits-lost", $"Surface {nominal.Name} is trimmed, and one through the compensation points (\"of\": \"points\") has no limits but its own ends: holes would be cut over. {instead}.");
+        }
+
+        var (sample, shortMm) = Ends(nominal.Spline, samples).MaxBy(e => e.ShortMm);
+        return shortMm <= EdgeMm ? null : new("limits-lost", string.Create(
+            CultureInfo.InvariantCulture,
+            $"Point {sample.Point}, the outermost on its line, lies {shortMm:0.###} mm inside of the edge of the surface, and one through the compensation points (\"of\": \"points\") would end there: the edge would stay uncut. {instead}, or measure up to the edges."));
+    }
+
     public static CompensatedSurface Of(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, ErrorField field)
     {
         var gain = job.Compensation.Gain;
-        if (!job.Fit.OfError && job.Compensation.Mirror && field is not ConstantField)
+        if (IsThroughPoints(job, field))
         {
             return ThroughCompensationPoints(nominal, job, samples, gain);
         }
@@ -48,6 +72,34 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
             Knots(nominal.Spline.KnotsV, breaksV),
             ToleranceMm);
         return new(nominal with { Spline = approximation.Surface }, null, approximation.ErrorMm, largest, []);
+    }
+
+    private static bool IsThroughPoints(FreeformJob job, ErrorField field) => !job.Fit.OfError && job.Compensation.Mirror && field is not ConstantField;
+
+    // The ends of each curve, and the first and the last curve all along, with their distances from the edges there.
+    private static IEnumerable<(ErrorSample Sample, double ShortMm)> Ends(SplineSurface nominal, IReadOnlyList<ErrorSample> samples)
+    {
+        var (u, v) = (nominal.KnotsU, nominal.KnotsV);
+        foreach (var curve in samples.GroupBy(s => s.J))
+        {
+            var (first, last) = (curve.MinBy(s => s.I)!, curve.MaxBy(s => s.I)!);
+            yield return (first, (nominal.PointAt(u.Start, first.V) - first.Nominal).Length);
+            yield return (last, (nominal.PointAt(u.End, last.V) - last.Nominal).Length);
+        }
+
+        var (least, most) = (samples.Min(s => s.J), samples.Max(s => s.J));
+        foreach (var sample in samples)
+        {
+            if (sample.J == least)
+            {
+                yield return (sample, (nominal.PointAt(sample.U, v.Start) - sample.Nominal).Length);
+            }
+
+            if (sample.J == most)
+            {
+                yield return (sample, (nominal.PointAt(sample.U, v.End) - sample.Nominal).Length);
+            }
+        }
     }
 
     private static CompensatedSurface ThroughCompensationPoints(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, double gain)

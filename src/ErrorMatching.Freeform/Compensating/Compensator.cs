@@ -50,6 +50,11 @@ public static class Compensator
         // Where nothing but noise was found, the mean was judged already: it is what is systematic, or nothing is.
         var mean = systematic as ConstantField ?? new ConstantField(statistics.MeanMm, statistics.StandardDeviationMm / Math.Sqrt(samples.Count));
         var compensated = job.Compensation.Mirror ? systematic : mean;
+        if (CompensatedSurface.Refusal(nominal, job, samples, compensated) is { } lost)
+        {
+            return new(null, [lost]);
+        }
+
         var surface = CompensatedSurface.Of(nominal, job, samples, compensated);
         if (surface.LargestMoveMm > job.Compensation.LimitMm)
         {

@@ -224,6 +224,55 @@ public sealed class CompensatorTests
         }
     }
 
+    // A surface through points knows of no hole, and ends with its points: cut, it would go over the hole and leave the edge standing.
+    [Fact]
+    public void A_surface_through_points_is_not_laid_where_it_would_lose_the_trimming()
+    {
+        Point2[] rim = [new(0, 0), new(1, 0), new(1, 1), new(0, 1)];
+        Point2[] hole = [new(0.4, 0.4), new(0.4, 0.6), new(0.6, 0.6), new(0.6, 0.4)];
+        var trimmed = PaperDesign.Two with { Region = new([rim, hole]) };
+        var piece = new MeasuredDesign(trimmed, "\"of\": \"error\"", "\"of\": \"points\"");
+        var refusal = Assert.Single(piece.Compensate(piece.With(Tilted)).Refusals);
+
+        Assert.Equal("limits-lost", refusal.Code);
+        Assert.Contains("Use \"of\": \"error\" under fit", refusal.Message, StringComparison.Ordinal);
+        Assert.Equal(trimmed.Region, new MeasuredDesign(trimmed).Compensate(piece.With(Tilted)).Result!.Surface.Region);
+    }
+
+    [Theory]
+    [InlineData(true, false)]
+    [InlineData(true, true)]
+    [InlineData(false, false)]
+    [InlineData(false, true)]
+    public void A_surface_through_points_is_not_laid_where_it_would_end_before_the_edge(bool endOfCurves, bool last)
+    {
+        var piece = new MeasuredDesign(PaperDesign.Two, "\"of\": \"error\"", "\"of\": \"points\"");
+        var measured = piece.With(Tilted);
+        var edge = last ? piece.Plan.Points.Max(At) : 0;
+        var outermost = piece.Plan.Points.Where(p => At(p) == edge + (last ? -1 : 1));
+        var gap = outermost.Max(p => piece.Plan.Points.Where(q => At(q) == edge && Along(q) == Along(p)).Min(q => (p.Position - q.Position).Length));
+        var refusal = Assert.Single(piece.Compensate(measured with { Points = [.. measured.Points.Where(p => At(p.Planned) != edge)] }).Refusals);
+
+        Assert.Equal("limits-lost", refusal.Code);
+        Assert.Contains(string.Create(CultureInfo.InvariantCulture, $" lies {gap:0.###} mm inside of the edge"), refusal.Message, StringComparison.Ordinal);
+        Assert.Contains("measure up to the edges", refusal.Message, StringComparison.Ordinal);
+
+        int At(PlanPoint p) => endOfCurves ? p.I : p.J;
+        int Along(PlanPoint p) => endOfCurves ? p.J : p.I;
+    }
+
+    // A probe does not come down exactly where it was sent, and so never exactly on the edge.
+    [Fact]
+    public void Points_a_probe_s_error_from_the_edge_reach_it()
+    {
+        var piece = new MeasuredDesign(PaperDesign.Two, "\"of\": \"error\"", "\"of\": \"points\"");
+        var random = new Random(3);
+        var measured = piece.With(Tilted);
+        var beside = measured with { Points = [.. measured.Points.Select(p => p with { Contact = p.Contact + new Vector3(0.03 * (random.NextDouble() - 0.5), 0.03 * (random.NextDouble() - 0.5), 0) })] };
+
+        Assert.NotNull(piece.Compensate(beside).Result);
+    }
+
     [Fact]
     public void Compensation_points_are_those_of_the_equations()
     {
