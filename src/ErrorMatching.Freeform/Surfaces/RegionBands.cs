@@ -9,19 +9,20 @@ internal sealed class RegionBands
     private const int Share = 4;
 
     private readonly double _first, _height;
-    private readonly (Point2 A, Point2 B)[][] _bands;
+    private readonly (Point2 A, Point2 B, int Loop, int Side)[][] _bands;
 
     /// <summary>The bands of some loops.</summary>
     public RegionBands(IReadOnlyList<IReadOnlyList<Point2>> loops)
     {
-        var edges = new List<(Point2 A, Point2 B)>();
-        foreach (var loop in loops)
+        var edges = new List<(Point2 A, Point2 B, int Loop, int Side)>();
+        for (var k = 0; k < loops.Count; k++)
         {
+            var loop = loops[k];
             for (var i = 0; i < loop.Count; i++)
             {
                 if (loop[i].Y != loop[(i + 1) % loop.Count].Y)
                 {
-                    edges.Add((loop[i], loop[(i + 1) % loop.Count]));
+                    edges.Add((loop[i], loop[(i + 1) % loop.Count], k, i));
                 }
             }
         }
@@ -34,14 +35,14 @@ internal sealed class RegionBands
 
         var (last, rise) = (double.NegativeInfinity, 0.0);
         _first = double.PositiveInfinity;
-        foreach (var (a, b) in edges)
+        foreach (var (a, b, _, _) in edges)
         {
             (_first, last, rise) = (Math.Min(_first, Math.Min(a.Y, b.Y)), Math.Max(last, Math.Max(a.Y, b.Y)), rise + Math.Abs(b.Y - a.Y));
         }
 
         var count = Math.Max(1, (int)Math.Min(edges.Count, Share * edges.Count * ((last - _first) / rise)));
         _height = (last - _first) / count;
-        var bands = new List<(Point2, Point2)>[count];
+        var bands = new List<(Point2, Point2, int, int)>[count];
         for (var i = 0; i < count; i++)
         {
             bands[i] = [];
@@ -65,13 +66,36 @@ internal sealed class RegionBands
         var inside = false;
         if (_bands.Length > 0 && v >= _first)
         {
-            foreach (var (a, b) in _bands[BandOf(v, _bands.Length)])
+            foreach (var (a, b, _, _) in _bands[BandOf(v, _bands.Length)])
             {
                 inside ^= a.Y > v != b.Y > v && u < a.X + ((b.X - a.X) * ((v - a.Y) / (b.Y - a.Y)));
             }
         }
 
         return inside;
+    }
+
+    /// <summary>How often each loop goes round a place, counter-clockwise if positive; loops that do not go round it may be missing.</summary>
+    /// <param name="place">The place: on a line of one v, it counts as just above it.</param>
+    /// <param name="exceptLoop">Loop of a side that does not count, for places on it.</param>
+    /// <param name="exceptSide">That side of its polygon.</param>
+    /// <param name="turns">Receives loops and numbers.</param>
+    public void Turns(Point2 place, int exceptLoop, int exceptSide, Dictionary<int, int> turns)
+    {
+        turns.Clear();
+        var (u, v) = (place.X, place.Y);
+        if (_bands.Length == 0 || v < _first)
+        {
+            return;
+        }
+
+        foreach (var (a, b, loop, side) in _bands[BandOf(v, _bands.Length)])
+        {
+            if (a.Y > v != b.Y > v && u < a.X + ((b.X - a.X) * ((v - a.Y) / (b.Y - a.Y))) && !(loop == exceptLoop && side == exceptSide))
+            {
+                turns[loop] = turns.GetValueOrDefault(loop) + (b.Y > a.Y ? 1 : -1);
+            }
+        }
     }
 
     // Rounding is the same for edges and places, and grows with v: an edge that reaches over a place is in its band.

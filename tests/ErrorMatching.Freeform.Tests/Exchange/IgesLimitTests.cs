@@ -69,6 +69,14 @@ public sealed class IgesLimitTests
     }
 
     [Fact]
+    public void A_trimmed_surface_without_boundaries_is_whole()
+    {
+        var file = new IgesText();
+        file.Add(144, $"144,{file.Add(128, IgesText.Flat(60, 40), dependent: true)},0,0,0");
+        Assert.True(file.Read().Region.IsWhole);
+    }
+
+    [Fact]
     public void A_bounded_surface_joins_curves_in_their_sense()
     {
         var file = new IgesText();

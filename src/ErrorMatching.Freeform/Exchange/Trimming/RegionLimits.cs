@@ -12,12 +12,18 @@ internal static class RegionLimits
     /// <param name="surface">The surface.</param>
     /// <param name="loops">The polygons.</param>
     /// <param name="fail">Makes an error of a code and a problem.</param>
-    /// <exception cref="FreeformException">A polygon leaves the surface.</exception>
+    /// <exception cref="FreeformException">A polygon leaves the surface, they cross, or they are not holes in one of them.</exception>
     public static SurfaceRegion Of(SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
     {
         var seam = SurfaceSeam.Of(surface);
         var inside = loops.Select(l => (IReadOnlyList<Point2>)[.. (seam.Within(surface, l) ?? throw Crossing(surface, l, fail)).Select(q => Clamp(surface, q, fail))]).ToList();
-        return inside is [var only] && IsBorder(surface, only) ? SurfaceRegion.Whole : new(inside);
+        if (inside.Count == 0 || (inside is [var only] && IsBorder(surface, only)))
+        {
+            return SurfaceRegion.Whole;
+        }
+
+        new LoopNesting(surface, inside, fail).Check();
+        return new(inside);
     }
 
     /// <summary>The border of the parameters.</summary>
