@@ -33,7 +33,7 @@ public sealed class ProbingProgram
     /// <param name="job">Name of the job, for a comment.</param>
     /// <param name="dialect">The control.</param>
     /// <param name="template">How the control, the probe or the shop wants it: <see cref="ProbingTemplate.Named"/> with the dialect's name, or a shop's own.</param>
-    /// <exception cref="FreeformException">What comes of the template is no program that the dialect can follow (<c>bad-template</c>).</exception>
+    /// <exception cref="FreeformException">What comes of the template is no program that the dialect can follow (<c>bad-template</c>), or a value of the job would be written as 0 (<c>rounds-to-zero</c>).</exception>
     /// <exception cref="ArgumentException">The plan has refusals or no points.</exception>
     public static ProbingProgram Of(MeasuringPlan plan, string job, NcDialect dialect, ProbingTemplate template)
     {
@@ -45,7 +45,7 @@ public sealed class ProbingProgram
             throw new ArgumentException("The plan cannot be used.", nameof(plan));
         }
 
-        var program = new ProbingProgram(plan, dialect, template, new(plan, job, dialect));
+        var program = new ProbingProgram(plan, dialect, template, new(plan, job, dialect, template.File));
         program.Check();
         return program;
     }

@@ -5,7 +5,7 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Freeform;
 
 /// <summary>The values that a template's places stand for, as a control reads them.</summary>
-internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect dialect)
+internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect dialect, string template)
 {
     /// <summary>The way to a point and back is this many times as fast as measuring.</summary>
     private const double ApproachSpeed = 10;
@@ -21,11 +21,11 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
         "plan" => ProbingProgram.PlanId(plan),
         "count" => plan.Points.Count.ToString(CultureInfo.InvariantCulture),
         "clearance.z" => Mm(plan.ClearanceZ, up: true),
-        "feed.measuring" => Mm(plan.Measuring.FeedMmPerMin),
-        "feed.approach" => Mm(plan.Measuring.FeedMmPerMin * ApproachSpeed),
-        "stylus.diameter" => Mm(plan.Measuring.StylusDiameterMm),
-        "overtravel.mm" => Mm(plan.Measuring.OvertravelMm),
-        "approach.mm" => Mm(plan.Measuring.ApproachMm),
+        "feed.measuring" => NotZero("feedMmPerMin", plan.Measuring.FeedMmPerMin),
+        "feed.approach" => NotZero("feedMmPerMin", plan.Measuring.FeedMmPerMin * ApproachSpeed),
+        "stylus.diameter" => NotZero("stylusDiameterMm", plan.Measuring.StylusDiameterMm),
+        "overtravel.mm" => NotZero("overtravelMm", plan.Measuring.OvertravelMm),
+        "approach.mm" => NotZero("approachMm", plan.Measuring.ApproachMm),
         _ => OfOne(place, point!),
     };
 
@@ -55,6 +55,11 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
         var at = place[..^2] switch { "approach" => plan.ApproachOf(point), "contact" => plan.ContactOf(point), "center" => plan.CenterOf(point), _ => plan.OvertravelOf(point) };
         return Mm(place[^1] switch { 'x' => at.X, 'y' => at.Y, _ => at.Z });
     }
+
+    // What is more than 0 in the job must be so in the program: a control stands still at a feed of 0, and a probe that goes nowhere touches nothing.
+    private string NotZero(string key, double value) => Mm(value) is var text and not "0.0" ? text : throw new FreeformException("rounds-to-zero", template, string.Create(
+        CultureInfo.InvariantCulture,
+        $"measuring.{key} would be written as 0: {value} is less than half of the least increment of {dialect.Name}, {Math.Pow(10, -dialect.MetricDecimals)}. A larger one is expected"));
 
     // In least increments, with a point always: some controls count increments without one.
     private string Mm(double value, bool up = false)

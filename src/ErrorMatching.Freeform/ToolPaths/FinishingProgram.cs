@@ -12,6 +12,7 @@ public static class FinishingProgram
 
     /// <summary>The program as bytes.</summary>
     /// <exception cref="ArgumentException">As of <see cref="Write(ToolPath, FreeformJob, NcDialect, CuttingStage, Stream, Marker?)"/>.</exception>
+    /// <exception cref="FreeformException">As of the same.</exception>
     public static byte[] Write(ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage = CuttingStage.Finishing, Marker? marker = null)
     {
         using var stream = new MemoryStream();
@@ -27,6 +28,7 @@ public static class FinishingProgram
     /// <param name="stream">Where it goes; it stays open.</param>
     /// <param name="marker">The comment by which a compensated program tells what it was made of; null where it follows no measurement.</param>
     /// <exception cref="ArgumentException">The path was planned for a control with another least increment.</exception>
+    /// <exception cref="FreeformException">Speed or feed of the job would be written as 0 (<c>rounds-to-zero</c>).</exception>
     public static void Write(ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage, Stream stream, Marker? marker = null)
     {
         ArgumentNullException.ThrowIfNull(path);
@@ -43,7 +45,7 @@ public static class FinishingProgram
         var head = ProgramFrame.Fill(frame.Before, values);
         stream.Write(marker is null ? head : marker.InsertInto(NcProgram.Read(head, dialect.Syntax)));
         var tipBelow = job.Toolpath.ProgramsTip ? path.RadiusMm : 0;
-        var writer = new MoveWriter(stream, path.Decimals, tipBelow, Encoding.ASCII.GetBytes("F" + Number(job.Tool.FeedMmPerMin, 3)), path.TravelCenterZ);
+        var writer = new MoveWriter(stream, path.Decimals, tipBelow, Encoding.ASCII.GetBytes("F" + Word(job, "feedMmPerMin", job.Tool.FeedMmPerMin, 3)), path.TravelCenterZ);
         foreach (var move in path.Moves())
         {
             writer.Write(move);
@@ -66,9 +68,13 @@ public static class FinishingProgram
         ["stock"] = Number(path.StockMm, 4),
         ["scallop"] = Number(path.Certificate.ScallopMm, 6),
         ["chord"] = Number(path.Certificate.ChordMm, 6),
-        ["rpm"] = Number(job.Tool.SpindleRpm, 0),
+        ["rpm"] = Word(job, "spindleRpm", job.Tool.SpindleRpm, 0),
         ["travel"] = (path.TravelCenterZ - (job.Toolpath.ProgramsTip ? path.RadiusMm : 0)).ToString("F" + path.Decimals.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture),
     };
+
+    // A spindle that stands still, or a feed that never arrives, is nothing that a job can mean.
+    private static string Word(FreeformJob job, string key, double value, int decimals) => Number(value, decimals) is var text and not "0" ? text : throw new FreeformException(
+        "rounds-to-zero", job.File, string.Create(CultureInfo.InvariantCulture, $"{key} of {value} would be written as 0; at least {Math.Pow(10, -decimals)} is expected"));
 
     private static string Number(double value, int decimals) => Math.Round(value, decimals).ToString("0." + new string('#', decimals), CultureInfo.InvariantCulture);
 

@@ -41,6 +41,30 @@ public sealed class FreeformJobTests
         Assert.Equal(new JobMirror(false, 0.5, 0.2), job.Compensation);
     }
 
+    // Speeds, feeds and lengths that no machine has: written, they would round to 0 or be words of hundreds of digits.
+    [Theory]
+    [InlineData("\"spindleRpm\": 10000", "\"spindleRpm\": 0.3", "too-small", "$.spindleRpm", "at least 1")]
+    [InlineData("\"spindleRpm\": 10000", "\"spindleRpm\": 1e300", "too-large", "$.spindleRpm", "at most 500000")]
+    [InlineData("\"feedMmPerMin\": 1200", "\"feedMmPerMin\": 0.0001", "too-small", "$.feedMmPerMin", "at least 0.1")]
+    [InlineData("\"feedMmPerMin\": 1200", "\"feedMmPerMin\": 1e7", "too-large", "$.feedMmPerMin", "at most 1000000")]
+    [InlineData("\"approachMm\": 2", "\"feedMmPerMin\": 0.00001", "too-small", "$.measuring.feedMmPerMin", "at least 0.1")]
+    [InlineData("\"approachMm\": 2", "\"approachMm\": 0.001", "too-small", "$.measuring.approachMm", "at least 0.01")]
+    [InlineData("\"approachMm\": 2", "\"overtravelMm\": 1e5", "too-large", "$.measuring.overtravelMm", "at most 1000")]
+    [InlineData("\"approachMm\": 2", "\"clearanceMm\": 1e9", "too-large", "$.measuring.clearanceMm", "at most 1000")]
+    [InlineData("\"stylusDiameterMm\": 6", "\"stylusDiameterMm\": 1e-5", "too-small", "$.measuring.stylusDiameterMm", "at least 0.01")]
+    [InlineData("\"diameterMm\": 6", "\"diameterMm\": 1e9", "too-large", "$.tool.diameterMm", "at most 500")]
+    [InlineData("\"diameterMm\": 6", "\"diameterMm\": 1e-4", "too-small", "$.tool.diameterMm", "at least 0.01")]
+    [InlineData("\"roughing\": 0.4", "\"roughing\": 1e6", "too-large", "$.stockMm.roughing", "at most 1000")]
+    [InlineData("\"limitMm\": 0.2", "\"limitMm\": 1e6", "too-large", "$.compensation.limitMm", "at most 1000")]
+    public void What_no_machine_does_is_refused_with_its_limit(string old, string text, string code, string path, string expected)
+    {
+        Assert.Contains(old, FreeformTemplate.Text, StringComparison.Ordinal);
+        var problem = Assert.Single(Assert.Throws<JsonDocumentException>(() => Parse(FreeformTemplate.Text.Replace(old, text, StringComparison.Ordinal))).Problems);
+
+        Assert.Equal((code, path, expected), (problem.Code, problem.Path, problem.Expected));
+        Assert.Contains(text.Split(' ')[1], problem.Found, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("\"curves\": 7, \"pointsPerCurve\": 10,", "", "points-missing", "$.measuring")]
     [InlineData("\"pointsPerCurve\": 10,", "\"pointsPerCurve\": 10, \"reconstructionErrorMm\": 0.001,", "points-twice", "$.measuring.reconstructionErrorMm")]

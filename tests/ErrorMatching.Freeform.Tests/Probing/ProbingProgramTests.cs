@@ -107,6 +107,21 @@ public sealed class ProbingProgramTests
         Assert.Contains("(PROBE bad__G0 Z-100_)", text, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("feed.measuring", "feedMmPerMin")]
+    [InlineData("feed.approach", "feedMmPerMin")]
+    [InlineData("stylus.diameter", "stylusDiameterMm")]
+    [InlineData("overtravel.mm", "overtravelMm")]
+    [InlineData("approach.mm", "approachMm")]
+    public void A_value_that_would_round_to_zero_is_not_written(string place, string key)
+    {
+        var plan = Programs.Plan() with { Measuring = Surfaces.Measuring(4, 5) with { FeedMmPerMin = 0.00004, StylusDiameterMm = 0.0004, OvertravelMm = 0.0004, ApproachMm = 0.0004 } };
+        var template = ProbingTemplate.Parse(Encoding.UTF8.GetBytes($"@body\nG0 Z{{{place}}}\nM30\n"), "own.txt");
+        var error = Assert.Throws<FreeformException>(() => ProbingProgram.Of(plan, "", NcDialects.FanucMill, template));
+        Assert.Equal(("rounds-to-zero", "own.txt"), (error.Code, error.File));
+        Assert.Contains($"measuring.{key} would be written as 0", error.Problem, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void A_template_whose_program_cannot_be_followed_is_refused()
     {

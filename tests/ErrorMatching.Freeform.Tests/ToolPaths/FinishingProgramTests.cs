@@ -112,6 +112,18 @@ public sealed class FinishingProgramTests
         Assert.Contains("(roughing: ", Encoding.ASCII.GetString(bytes), StringComparison.Ordinal);
     }
 
+    // What reads a job refuses such numbers; a job that was made otherwise comes here.
+    [Theory]
+    [InlineData(0.4, 1200, "spindleRpm of 0.4 would be written as 0; at least 1 is expected")]
+    [InlineData(10_000, 0.0004, "feedMmPerMin of 0.0004 would be written as 0; at least 0.001 is expected")]
+    public void A_word_that_would_round_to_zero_is_not_written(double speed, double feed, string problem)
+    {
+        var toolpath = Plans.Passes(0.05, 0.01);
+        var job = Plans.Job(toolpath, "linuxcnc") with { Tool = new(6, 2, speed, feed) };
+        var error = Assert.Throws<FreeformException>(() => FinishingProgram.Write(Plans.Path(Shapes.Plane(10, 1), toolpath), job, NcDialects.LinuxCnc));
+        Assert.Equal(("rounds-to-zero", "job.json", problem), (error.Code, error.File, error.Problem));
+    }
+
     [Fact]
     public void A_control_with_another_increment_than_planned_for_is_an_error() => Assert.Throws<ArgumentException>(() =>
         FinishingProgram.Write(Plans.Path(Shapes.Plane(10, 1), Plans.Passes(0.05, 0.01)), Plans.Job(Plans.Passes(), "fanuc"), NcDialects.FanucMill));
