@@ -12,6 +12,9 @@ public static class Compensator
     private const double MuchMore = 2;
     private const double RidgeMm = 0.001;
 
+    // The error of left-out lines is near that of a point where noise makes both: this many times it is no noise.
+    private const double FarMore = 4;
+
     /// <summary>Makes the compensated surface, or says why not.</summary>
     /// <exception cref="FreeformException">A measured point has no foot on the surface, or there are too few for the job's fit or alignment.</exception>
     public static CompensationOutcome Compensate(CompensationInput input)
@@ -82,6 +85,13 @@ public static class Compensator
             Warnings = warnings,
             Notes = notes,
         };
+        if (systematic is FittedField { LeaveLineOutMm: > RidgeMm } fitted && fitted.LeaveLineOutMm > FarMore * result.Mirror.PointUncertaintyMm)
+        {
+            notes.Add(string.Create(
+                CultureInfo.InvariantCulture,
+                $"Where a line of points is left out, the error fitted without it is {fitted.LeaveLineOutMm * 1000:0.00} um off in the mean, and {result.Mirror.PointUncertaintyMm * 1000:0.00} um are expected at the points: the error changes much from one to the next, and between them more may be left. Measure more points to know."));
+        }
+
         return new(result.ThroughPoints is null ? result : result with { Mirror = ThroughPoints(result, surface.Between, warnings) }, []);
     }
 

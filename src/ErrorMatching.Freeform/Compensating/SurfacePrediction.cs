@@ -4,7 +4,8 @@ namespace ErrorMatching.Freeform;
 /// <remarks>
 /// At each measured point the compensation takes its part off the systematic error. Two things come on top, independent of each other and of what is left, and are added to the spread by root sum of squares: what the field does
 /// not explain (cutting and probing do not repeat) comes again, drawn anew; and the field is itself off by its uncertainty, which was cut into the surface. The residuals of a fit tell less than the first, because it follows
-/// part of the noise: they count by the degrees of freedom that it left, where it knows them. A fit that goes through every point has no residuals at all; its uncertainty is then all there is.
+/// part of the noise: they count by the degrees of freedom that it left, where it knows them. A fit that goes through every point has no residuals at all; its uncertainty is then all there is:
+/// the error of left-out lines is no measure of its noise, for it is that of a grid half as dense. Where errors of short waves were measured without noise it was 0.3 to 1 um, and nothing was left at the points.
 /// Where a surface was fitted to the compensation points, its own distance from the nominal one is what the compensation takes off: at the points, with the noise that it follows, and between them, where it may go its own way.
 /// </remarks>
 /// <param name="Method">Name of the compensation: <c>mirror</c> or <c>tool-radius</c>.</param>

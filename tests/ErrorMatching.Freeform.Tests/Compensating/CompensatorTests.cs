@@ -98,6 +98,21 @@ public sealed class CompensatorTests
         Assert.Equal(["out of order"], Assert.Single(SurfaceEvaluation.Of(piece.Job, piece.Surface, [strange]).Pieces).Warnings);
     }
 
+    // Measured without noise, so that nothing is left at the points: the lines that were left out tell that it is little to go by.
+    [Fact]
+    public void A_field_that_its_points_hardly_tell_is_said_to_be_one()
+    {
+        var piece = new MeasuredDesign(PaperDesign.One);
+        var result = piece.Compensate(piece.With((u, v) => 0.03 * Math.Sin((13.9 * u) + 1) * Math.Cos((8.8 * v) + 2))).Result!;
+
+        Assert.InRange(result.Mirror.Statistics.StandardDeviationMm, 0, 5e-4);
+        Assert.Contains("Where a line of points is left out", Assert.Single(result.Notes), StringComparison.Ordinal);
+        Assert.Empty(piece.Compensate(piece.With(Tilted)).Result!.Notes);
+
+        var random = new Random(3);
+        Assert.Empty(piece.Compensate(piece.With((u, v) => Tilted(u, v) + (0.003 * (random.NextDouble() - 0.5)))).Result!.Notes);
+    }
+
     [Fact]
     public void Noise_is_reported_and_not_cut()
     {
