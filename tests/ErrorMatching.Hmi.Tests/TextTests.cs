@@ -73,7 +73,7 @@ public sealed partial class TextTests
     [Fact]
     public void No_words_stand_in_the_views_themselves() => Assert.All(
         Directory.EnumerateFiles(Repository.PathTo("src", "ErrorMatching.Hmi"), "*.axaml", SearchOption.AllDirectories),
-        f => Assert.Empty(Literal().Matches(File.ReadAllText(f)).Select(m => m.Groups["words"].Value).Where(w => w != "mm" && w.Any(char.IsLetter))));
+        f => Assert.DoesNotContain(Literal().Matches(File.ReadAllText(f)).Select(m => m.Groups["words"].Value), w => w != "mm" && w.Any(char.IsLetter)));
 
     [Theory]
     [InlineData(Language.English, "2026-03-01 07:05:09")]
