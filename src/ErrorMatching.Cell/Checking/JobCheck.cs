@@ -16,7 +16,7 @@ internal static class JobCheck
             {
                 var files = new FreeformFiles(job.File);
                 _ = files.Surface();
-                (program, dialect) = (job.Program, files.Dialect(files.Job.Toolpath.Dialect));
+                (program, dialect) = (job.Program, files.ToolpathDialect());
             }
             else
             {

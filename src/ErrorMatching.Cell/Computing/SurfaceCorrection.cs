@@ -29,8 +29,8 @@ internal sealed class SurfaceCorrection
             return refusal;
         }
 
-        _ = _files.Dialect(_files.Job.Toolpath.Dialect);
-        _ = _files.Bytes("surface", _files.Job.PathOf(_files.Job.Surface.File), SurfaceReader.MaxBytes);
+        _ = _files.ToolpathDialect();
+        _ = _files.SurfaceBytes();
         return new Identified(Basis(_request.Job.Program is { } program ? _files.Program(new(program)) : default(ReadOnlyMemory<byte>?)));
     }
 

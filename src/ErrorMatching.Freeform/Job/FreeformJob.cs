@@ -47,6 +47,13 @@ public sealed record FreeformJob
     /// <summary>What is made of the error.</summary>
     public required JobMirror Compensation { get; init; }
 
+    internal IReadOnlyDictionary<string, JsonPlace> Places { get; init; } = new Dictionary<string, JsonPlace>();
+
+    /// <summary>Where the file names another file, a dialect or a template.</summary>
+    /// <param name="path">The JSON path, such as <c>$.surface</c>, <c>$.toolpath.dialect</c>, <c>$.measuring.dialect</c> or <c>$.measuring.template</c>.</param>
+    /// <returns>Null if it does not.</returns>
+    public JsonPlace? PlaceOf(string path) => Places.TryGetValue(path, out var place) ? place : null;
+
     /// <summary>The job in some bytes.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
     /// <param name="file">Name for messages, and the place that relative paths start from.</param>

@@ -20,6 +20,7 @@ internal sealed class FreeformJobReader(JsonItem root)
         Fit = ReadFit(),
         Toolpath = ReadToolpath(root["toolpath"]),
         Compensation = ReadMirror(),
+        Places = new[] { root["surface"], root["toolpath"]["dialect"], root["measuring"]["dialect"], root["measuring"].Find("template") }.OfType<JsonItem>().ToDictionary(i => i.Path, i => i.Place),
     };
 
     private JobStock ReadStock()

@@ -52,8 +52,10 @@ public static class ErrorItems
     /// <summary>A measurement of the other piece.</summary>
     public static ErrorItem Of(WrongPieceException e) => new("wrong-piece", NotNull(e).Message) { File = e.File, Problem = e.Problem };
 
-    /// <summary>An input that cannot be opened.</summary>
-    public static ErrorItem Of(InputException e) => new(MeasurementError.FileUnreadable, NotNull(e).Message) { File = e.File };
+    /// <summary>An input that cannot be opened. What a job names wrongly is mended in the job, so that is the file.</summary>
+    public static ErrorItem Of(InputException e) => NotNull(e).NamedAt is { } at
+        ? new(MeasurementError.FileUnreadable, Placed(at.File, at.Place, at.Path, e.Message)) { File = at.File, Line = at.Place.Line, Column = at.Place.Column, Path = at.Path, Problem = e.Message }
+        : new(MeasurementError.FileUnreadable, e.Message) { File = e.File };
 
     /// <summary>An output that cannot be written, or must not be.</summary>
     public static ErrorItem Of(OutputException e) => new(NotNull(e).Code, e.Message) { File = e.File };
@@ -88,7 +90,7 @@ public static class ErrorItems
 
     private static T NotNull<T>(T value) => value ?? throw new ArgumentNullException(nameof(value));
 
-    private static IReadOnlyList<ErrorItem> Document(string file, IReadOnlyList<JsonProblem> problems) => [.. problems.Select(p => new ErrorItem(p.Code, string.Create(CultureInfo.InvariantCulture, $"{file}, line {p.Line}, column {p.Column}, {p.Path}: {Sentence(p.Message)}"))
+    private static IReadOnlyList<ErrorItem> Document(string file, IReadOnlyList<JsonProblem> problems) => [.. problems.Select(p => new ErrorItem(p.Code, Placed(file, p.Place, p.Path, Sentence(p.Message)))
     {
         File = file,
         Line = p.Line,
@@ -96,6 +98,8 @@ public static class ErrorItems
         Path = p.Path,
         Problem = Sentence(p.Message),
     })];
+
+    private static string Placed(string file, JsonPlace place, string path, string problem) => string.Create(CultureInfo.InvariantCulture, $"{file}, line {place.Line}, column {place.Column}, {path}: {problem}");
 
     private static string Sentence(string problem) => problem.TrimEnd('.') + ".";
 

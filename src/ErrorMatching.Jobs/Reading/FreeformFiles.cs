@@ -1,5 +1,6 @@
 using System.Security.Cryptography;
 using ErrorMatching.Freeform;
+using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Reporting;
 
@@ -16,7 +17,7 @@ public sealed class FreeformFiles
     /// <summary>Reads the job.</summary>
     /// <param name="job">The job's file.</param>
     /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="Json.JsonDocumentException">The job cannot be used.</exception>
+    /// <exception cref="JsonDocumentException">The job cannot be used.</exception>
     public FreeformFiles(string job)
         : this(InputFile.Freeform(job))
     {
@@ -47,8 +48,12 @@ public sealed class FreeformFiles
     public PartSurface Surface()
     {
         var file = Job.PathOf(Job.Surface.File);
-        return SurfaceReader.Read(Bytes(SurfaceRole, file, SurfaceReader.MaxBytes), file, Job.Surface.Entity, Job.Surface.OutsideIsUp);
+        return SurfaceReader.Read(SurfaceBytes(), file, Job.Surface.Entity, Job.Surface.OutsideIsUp);
     }
+
+    /// <summary>The file of the nominal surface.</summary>
+    /// <exception cref="InputException">It cannot be opened.</exception>
+    public byte[] SurfaceBytes() => AtPlace("$.surface", () => Bytes(SurfaceRole, Job.PathOf(Job.Surface.File), SurfaceReader.MaxBytes));
 
     /// <summary>The measuring plan of the surface at the stage after which it is measured.</summary>
     public MeasuringPlan Plan(PartSurface surface) => MeasuringPlanner.Plan(surface, Job.Measuring, Job.Stock.Of(Job.Measuring.After));
@@ -79,21 +84,38 @@ public sealed class FreeformFiles
         return Note("program", file.File, InputFile.Program(file.File));
     }
 
-    /// <summary>A dialect that the job names: a file of the shop is found from the job's folder.</summary>
+    /// <summary>The dialect of the probing program: a file of the shop is found from the job's folder.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="Json.JsonDocumentException">It cannot be used.</exception>
-    /// <exception cref="NcException">No dialect has this name.</exception>
-    public NcDialect Dialect(string name)
+    /// <exception cref="JsonDocumentException">It cannot be used, or no dialect has this name (<c>unknown-dialect</c>).</exception>
+    public NcDialect MeasuringDialect() => Dialect(Job.Measuring.Dialect, "$.measuring.dialect");
+
+    /// <summary>The dialect of the programs that cut, likewise.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used, or no dialect has this name (<c>unknown-dialect</c>).</exception>
+    public NcDialect ToolpathDialect() => Dialect(Job.Toolpath.Dialect, "$.toolpath.dialect");
+
+    /// <summary>The template of the probing program: the job's own, which may be a built-in one by its name, or the one of the dialect.</summary>
+    /// <param name="dialect">The dialect of the probing program.</param>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="FreeformException">It cannot be used.</exception>
+    /// <exception cref="JsonDocumentException">None is built in for the dialect (<c>unknown-template</c>).</exception>
+    public ProbingTemplate Template(NcDialect dialect)
     {
-        if (!NcDialects.IsFile(name))
+        if (Job.Measuring.Template is { } own)
         {
-            return InputFile.Dialect(name);
+            return ProbingTemplate.Names.Contains(own)
+                ? ProbingTemplate.Named(own)
+                : ProbingTemplate.Parse(AtPlace("$.measuring.template", () => Bytes("template", Job.PathOf(own), ProbingTemplate.MaxBytes)), Job.PathOf(own));
         }
 
-        var dialect = InputFile.Dialect(Job.PathOf(name));
-        _read.AddRange(dialect.Files.Select(f => f.File));
-        _inputs.AddRange(dialect.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)));
-        return dialect;
+        try
+        {
+            return ProbingTemplate.For(dialect);
+        }
+        catch (FreeformException e) when (Job.PlaceOf("$.measuring.dialect") is { } place)
+        {
+            throw Wrong(e.Code, "$.measuring.dialect", place, $"the dialect \"{Job.Measuring.Dialect}\", which no probing template is built in for", $"one of {string.Join(", ", ProbingTemplate.Names)}, or one of them or a file of your own as \"template\" beside it");
+        }
     }
 
     /// <summary>The bytes of a file that the job or the command line names.</summary>
@@ -108,6 +130,36 @@ public sealed class FreeformFiles
         _ = Note(role, file, bytes);
         return bytes;
     }
+
+    private NcDialect Dialect(string name, string path)
+    {
+        if (!NcDialects.IsFile(name))
+        {
+            return NcDialects.Names.Contains(name) || Job.PlaceOf(path) is not { } place
+                ? NcDialects.Named(name)
+                : throw Wrong("unknown-dialect", path, place, $"the dialect \"{name}\"", $"one of {string.Join(", ", NcDialects.Names)}, or a shop's own file that ends in .json");
+        }
+
+        var dialect = AtPlace(path, () => InputFile.Dialect(Job.PathOf(name)));
+        _read.AddRange(dialect.Files.Select(f => f.File));
+        _inputs.AddRange(dialect.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)));
+        return dialect;
+    }
+
+    // What cannot be opened is said together with where the job names it.
+    private T AtPlace<T>(string path, Func<T> read)
+    {
+        try
+        {
+            return read();
+        }
+        catch (InputException e) when (Job.PlaceOf(path) is { } place)
+        {
+            throw new InputException(e.File, e.Message, e) { NamedAt = new(Job.File, path, place) };
+        }
+    }
+
+    private JsonDocumentException Wrong(string code, string path, JsonPlace place, string found, string expected) => new(Job.File, [new(code, path, place, found, expected, $"found {found}; expected {expected}")]);
 
     private ReadOnlyMemory<byte> Note(string role, string file, ReadOnlyMemory<byte> bytes)
     {

@@ -5,4 +5,7 @@ public sealed class InputException(string file, string message, Exception cause)
 {
     /// <summary>The file as the user named it.</summary>
     public string File => file;
+
+    /// <summary>Where a job names it; null for a file of the command line.</summary>
+    public NamedPlace? NamedAt { get; init; }
 }

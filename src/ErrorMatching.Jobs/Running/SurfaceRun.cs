@@ -21,15 +21,14 @@ public static class SurfaceRun
     /// <param name="cancellation">Looked at between the stages of the calculation.</param>
     /// <exception cref="InputException">A file cannot be opened.</exception>
     /// <exception cref="FreeformException">A file cannot be used.</exception>
-    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used.</exception>
-    /// <exception cref="NcException">No dialect has the job's name.</exception>
+    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used, or is none.</exception>
     /// <exception cref="PointsException">The measured points determine no fit.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The gain is none.</exception>
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
     public static RunOutcome<FinishedSurface> Compensate(FreeformFiles files, SurfaceRequest request, CancellationToken cancellation)
     {
         var job = Job(files, request);
-        var dialect = files.Dialect(job.Toolpath.Dialect);
+        var dialect = files.ToolpathDialect();
         cancellation.ThrowIfCancellationRequested();
         return Fitted<FinishedSurface>(request, () =>
         {
@@ -60,8 +59,8 @@ public static class SurfaceRun
     /// <param name="cancellation">Looked at between the stages of the calculation.</param>
     /// <exception cref="InputException">A file cannot be opened.</exception>
     /// <exception cref="FreeformException">A file cannot be used.</exception>
-    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used.</exception>
-    /// <exception cref="NcException">No dialect has the job's name, or the program is too large.</exception>
+    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used, or is none.</exception>
+    /// <exception cref="NcException">The program is too large.</exception>
     /// <exception cref="PointsException">The measured points determine no fit.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The gain is none.</exception>
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
@@ -72,7 +71,7 @@ public static class SurfaceRun
 
         // A program's places are moved by the error there: there is no such thing as a surface through the compensation points that they could follow.
         var job = asked.Fit.OfError ? asked : asked with { Fit = asked.Fit with { Method = FitMethod.Best, OfError = true } };
-        var dialect = files.Dialect(job.Toolpath.Dialect);
+        var dialect = files.ToolpathDialect();
         var bytes = files.Program(program);
         cancellation.ThrowIfCancellationRequested();
         return Fitted<DisplacedSurface>(request, () =>

@@ -23,6 +23,7 @@ public sealed class ErrorItemsTests
             (new PointsException("p.csv", new GeometryException(GeometryError.NearParallel, "no corner")), "near-parallel", "p.csv", null),
             (new WrongPieceException("p.csv", SourceSide.Part), "wrong-piece", "p.csv", null),
             (new InputException("job.json", "cannot be opened", new IOException()), "file-unreadable", "job.json", null),
+            (new InputException("s.igs", "cannot be opened", new IOException()) { NamedAt = new("job.json", "$.surface", new(4, 14)) }, "file-unreadable", "job.json", 4),
             (new NcException(NcErrorCode.BadSelector, "no selector"), "bad-selector", null, null),
         ];
         foreach (var (exception, code, file, line) in expected)

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
+using ErrorMatching.Json;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
@@ -20,7 +21,7 @@ internal sealed class JobCheck : Verb
         var file = arguments.GetRequiredValue(_job);
         if (InputFile.KindOfJob(file) == JobKind.Freeform)
         {
-            return Freeform(InputFile.Freeform(file));
+            return Freeform(new(file));
         }
 
         var job = InputFile.Job(file);
@@ -33,13 +34,21 @@ internal sealed class JobCheck : Verb
         return new JobCheckAnswer(job);
     }
 
-    private static FreeformCheckAnswer Freeform(FreeformJob job)
+    private static FreeformCheckAnswer Freeform(FreeformFiles files)
     {
-        foreach (var dialect in new[] { job.Measuring.Dialect, job.Toolpath.Dialect })
+        var problems = new List<JsonProblem>();
+        foreach (var read in new Action[] { () => files.Template(files.MeasuringDialect()), () => files.ToolpathDialect() })
         {
-            _ = InputFile.Dialect(NcDialects.IsFile(dialect) ? job.PathOf(dialect) : dialect);
+            try
+            {
+                read();
+            }
+            catch (JsonDocumentException e) when (e.File == files.Job.File)
+            {
+                problems.AddRange(e.Problems);
+            }
         }
 
-        return new(job);
+        return problems.Count == 0 ? new(files.Job) : throw new JsonDocumentException(files.Job.File, problems);
     }
 }

@@ -30,20 +30,13 @@ internal sealed class SurfaceProbe : Verb
             return FailureOf.Refused(files.Job.File, plan.Refusals);
         }
 
-        var dialect = files.Dialect(files.Job.Measuring.Dialect);
+        var dialect = files.MeasuringDialect();
         cancellation.ThrowIfCancellationRequested();
-        var probing = ProbingProgram.Of(plan, files.Job.Name, dialect, Template(files, dialect));
+        var probing = ProbingProgram.Of(plan, files.Job.Name, dialect, files.Template(dialect));
         var after = arguments.GetValue(_after);
         var program = after is null ? probing.Bytes : probing.MergeAfter(files.Program(new(after)), after, files.Job.Toolpath.Dialect);
         var answer = new SurfaceProbeAnswer(files.Job, probing, after, arguments.GetValue(_out));
         OutputFile.WriteAll(answer.Files(program), files.Read, cancellation);
         return answer;
     }
-
-    // The job's own template, which may be a built-in one by its name, or the one of the dialect.
-    private static ProbingTemplate Template(FreeformFiles files, Nc.NcDialect dialect) => files.Job.Measuring.Template is not { } own
-        ? ProbingTemplate.For(dialect)
-        : ProbingTemplate.Names.Contains(own)
-            ? ProbingTemplate.Named(own)
-            : ProbingTemplate.Parse(files.Bytes("template", files.Job.PathOf(own), ProbingTemplate.MaxBytes), files.Job.PathOf(own));
 }

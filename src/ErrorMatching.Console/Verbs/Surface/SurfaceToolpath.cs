@@ -39,7 +39,7 @@ internal sealed class SurfaceToolpath : Verb
             _ => CuttingStage.Finishing,
         };
         var surface = files.Surface();
-        var dialect = files.Dialect(job.Toolpath.Dialect);
+        var dialect = files.ToolpathDialect();
         cancellation.ThrowIfCancellationRequested();
         var planned = ToolPathPlanner.Plan(surface, job.Tool, job.Toolpath, job.Stock.Of(stage), dialect);
         if (!planned.IsUsable)
