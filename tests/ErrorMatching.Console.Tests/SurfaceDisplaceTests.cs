@@ -31,5 +31,15 @@ public sealed class SurfaceDisplaceTests
         Assert.False(Directory.Exists(folder["out"]));
     }
 
+    [Fact]
+    public void The_line_of_a_program_that_was_displaced_already_is_said_once()
+    {
+        using var folder = new TemporaryFolder();
+        string[] Again(string program) => ["surface", "displace", Sample("job.json"), "--measured", Sample("measured.csv"), "--program", program, "--out", folder["out"]];
+        Assert.Equal(0, Shell.Run(Again(Sample("cam.nc"))).Exit);
+        var displaced = folder["out/cam.nc"];
+        Assert.StartsWith($"{displaced}:1: the program carries a marker", Shell.Run(Again(displaced)).Error, StringComparison.Ordinal);
+    }
+
     private static string Sample(string file) => Repository.PathTo("samples", "surface-one", file);
 }

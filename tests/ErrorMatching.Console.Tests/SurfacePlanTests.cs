@@ -112,6 +112,11 @@ public sealed class SurfacePlanTests
             Assert.DoesNotContain("-0.0000 ", Shell.Run("surface", "plan", Job(sample)).Output, StringComparison.Ordinal);
         }
 
+        foreach (var sample in new[] { "surface-one", "surface-two", "surface-three" })
+        {
+            Assert.DoesNotMatch(@"[\s\[]-0(?![.0-9])", Shell.Run("surface", "plan", Job(sample), "--json").Output);
+        }
+
         Assert.Equal(["0.0000", "0.0000", "-0.0001"], new[] { -0.0, -0.00004, -0.00006 }.Select(Show.Mm));
     }
 

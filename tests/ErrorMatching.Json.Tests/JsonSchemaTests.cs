@@ -59,6 +59,13 @@ public sealed class JsonSchemaTests
         Assert.Equal(["missing-key", "unknown-key", "wrong-type", "too-small", "wrong-type"], problems.Select(p => p.Code));
     }
 
+    [Fact]
+    public void A_number_of_hundreds_of_digits_is_not_repeated_in_full()
+    {
+        var problem = Assert.Single(Check("""{ "properties": { "x": { "maximum": 5 } } }""", $$"""{ "x": 1{{new string('0', 300)}} }"""));
+        Assert.Equal($"found the number 1{new string('0', 39)}...; expected at most 5", problem.Message);
+    }
+
     [Theory]
     [InlineData("toleranceMM", "toleranceMm")]
     [InlineData("tolerance", "toleranceMm")]

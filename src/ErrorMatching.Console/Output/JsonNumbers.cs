@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The forms that numbers take in every JSON document of the console.</summary>
+/// <summary>The forms that numbers take in every JSON document of the console: a zero has no minus.</summary>
 internal static class JsonNumbers
 {
     /// <summary>Writes a number with all digits that tell it from its neighbors; null where there is none (JSON has no NaN).</summary>
@@ -11,7 +11,7 @@ internal static class JsonNumbers
     {
         if (double.IsFinite(value))
         {
-            json.WriteNumber(name, value);
+            json.WriteNumber(name, value + 0.0);
         }
         else
         {
@@ -25,7 +25,7 @@ internal static class JsonNumbers
         json.WriteStartArray(name);
         foreach (var value in values)
         {
-            json.WriteNumberValue(value);
+            json.WriteNumberValue(value + 0.0);
         }
 
         json.WriteEndArray();

@@ -53,5 +53,5 @@ internal static class SurfaceSide
         }
     }
 
-    private static string Place(Point3 p) => string.Create(CultureInfo.InvariantCulture, $"({p.X:0.###}, {p.Y:0.###}, {p.Z:0.###})");
+    private static string Place(Point3 p) => PlaceText.Triple(p);
 }

@@ -23,7 +23,7 @@ public static class SurfaceErrors
             {
                 throw new FreeformException("no-foot", file, string.Create(
                     CultureInfo.InvariantCulture,
-                    $"point {plan.Number} was measured at X{contact.X:0.####} Y{contact.Y:0.####} Z{contact.Z:0.####}, where no normal of the surface leads; near X{plan.Position.X:0.####} Y{plan.Position.Y:0.####} Z{plan.Position.Z:0.####} is expected"));
+                    $"point {plan.Number} was measured at {PlaceText.Words(contact, 4)}, where no normal of the surface leads; near {PlaceText.Words(plan.Position, 4)} is expected"));
             }
 
             var normal = surface.NormalOf(foot);

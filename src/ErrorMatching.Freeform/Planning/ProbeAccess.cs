@@ -45,7 +45,7 @@ internal sealed class ProbeAccess
     public IReadOnlyList<FreeformRefusal> Refusals { get; } = [];
 
     private FreeformRefusal? Refusal(PlanPoint point) => Reason(point) is { } reason
-        ? new("untouchable-point", string.Create(CultureInfo.InvariantCulture, $"point {point.Number} (i {point.I}, j {point.J}) at X{point.Position.X:0.###} Y{point.Position.Y:0.###} Z{point.Position.Z:0.###} cannot be touched: {reason}"))
+        ? new("untouchable-point", string.Create(CultureInfo.InvariantCulture, $"point {point.Number} (i {point.I}, j {point.J}) at {PlaceText.Words(point.Position)} cannot be touched: {reason}"))
         : null;
 
     private string? Reason(PlanPoint point)
@@ -96,7 +96,6 @@ internal sealed class ProbeAccess
         return deepest;
     }
 
-    private static string Collision(string when, Point3 at) => string.Create(
-        CultureInfo.InvariantCulture,
-        $"{when} the stylus meets the surface at X{at.X:0.###} Y{at.Y:0.###} Z{at.Z:0.###}. Use a thinner stylus, another approachMm, or leave this part of the surface out.");
+    private static string Collision(string when, Point3 at) =>
+        $"{when} the stylus meets the surface at {PlaceText.Words(at)}. Use a thinner stylus, another approachMm, or leave this part of the surface out.";
 }

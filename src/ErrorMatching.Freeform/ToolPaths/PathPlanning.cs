@@ -332,8 +332,7 @@ internal sealed partial class PathPlanning
     /// <summary>A place in the surface's own parameters and in millimetres.</summary>
     private string Named(Point2 at)
     {
-        var place = PlaceOf(at);
         var (u, v) = _toolpath.AlongU ? (at.X, at.Y) : (at.Y, at.X);
-        return string.Create(CultureInfo.InvariantCulture, $"u {u:0.####}, v {v:0.####} (X{place.X:0.000} Y{place.Y:0.000} Z{place.Z:0.000})");
+        return string.Create(CultureInfo.InvariantCulture, $"u {u:0.####}, v {v:0.####} ({PlaceText.Words(PlaceOf(at))})");
     }
 }

@@ -73,7 +73,7 @@ public static class ErrorItems
         File = file,
         Line = r.Line > 0 ? r.Line : null,
         Block = r.Block.Length > 0 ? r.Block : null,
-        Problem = r.Message,
+        Problem = WithoutLine(r.Message, r.Line),
     })];
 
     /// <summary>A match that must not lead to a program.</summary>
@@ -85,7 +85,7 @@ public static class ErrorItems
         File = r.Line > 0 || r.Block is not null ? program : job,
         Line = r.Line > 0 ? r.Line : null,
         Block = r.Block,
-        Problem = r.Message,
+        Problem = WithoutLine(r.Message, r.Line),
     })];
 
     private static T NotNull<T>(T value) => value ?? throw new ArgumentNullException(nameof(value));
@@ -99,9 +99,13 @@ public static class ErrorItems
         Problem = Sentence(p.Message),
     })];
 
+    // A block without a number is named by its line, which stands in front of a problem already.
+    private static string WithoutLine(string message, int line) =>
+        string.Create(CultureInfo.InvariantCulture, $"line {line}: ") is var name && message.StartsWith(name, StringComparison.Ordinal) ? message[name.Length..] : message;
+
     private static string Placed(string file, JsonPlace place, string path, string problem) => string.Create(CultureInfo.InvariantCulture, $"{file}, line {place.Line}, column {place.Column}, {path}: {problem}");
 
-    private static string Sentence(string problem) => problem.TrimEnd('.') + ".";
+    private static string Sentence(string problem) => problem.EndsWith('?') ? problem : problem.TrimEnd('.') + ".";
 
     private static string CodeOf(GeometryError error) => error switch
     {

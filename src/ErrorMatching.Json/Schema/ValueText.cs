@@ -9,8 +9,8 @@ internal static class ValueText
 
     public static string Of(JsonItem item) => item.Kind switch
     {
-        JsonItemKind.Text => item.Text.Length <= Longest ? $"the text \"{item.Text}\"" : $"the text \"{item.Text[..Longest]}...\"",
-        JsonItemKind.Number => $"the number {item.Text}",
+        JsonItemKind.Text => $"the text \"{Short(item.Text)}\"",
+        JsonItemKind.Number => $"the number {Short(item.Text)}",
         JsonItemKind.Boolean => item.Flag ? "true" : "false",
         JsonItemKind.List => item.Items.Count == 0 ? "an empty list" : string.Create(CultureInfo.InvariantCulture, $"a list of {item.Items.Count}"),
         JsonItemKind.Object => "an object",
@@ -46,6 +46,8 @@ internal static class ValueText
         string[] all = [.. choices.Distinct(StringComparer.Ordinal)];
         return all.Length < 2 ? string.Concat(all) : string.Join(", ", all[..^1]) + " or " + all[^1];
     }
+
+    private static string Short(string text) => text.Length <= Longest ? text : text[..Longest] + "...";
 
     public static string Number(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 }

@@ -35,6 +35,14 @@ public sealed class IgesErrorTests
     [InlineData("128 F + 308 308,0,4HPART,1,1 + 408 408,3,0.,0.,0.,2.", "assembly", 4, "which entity 408 at D5 moves or scales", "in the coordinates in which it is cut")]
     public void A_file_is_refused_with_entity_and_line(string entities, string code, int? line, string found, string expected) => Refused(File(entities).Bytes(), code, line, found, expected);
 
+    [Fact]
+    public void A_file_that_is_cut_off_behind_its_directory_is_not_said_to_have_parameters()
+    {
+        var lines = Encoding.Latin1.GetString(File("128 F").Bytes()).Split('\n');
+        var cut = string.Join('\n', lines.Where(l => l.Length > 72 && l[72] is 'S' or 'G' or 'D'));
+        Refused(Encoding.Latin1.GetBytes(cut), "bad-pointer", 4, "has its parameters at P1; the file has no parameters", "is it cut off?");
+    }
+
     // The curve at D3, about the surface at D1.
     [Theory]
     [InlineData("112d 112,1", "not-read", 6, "entity 112 at D3 as a curve", "100, 102, 104 (ellipses), 106, 110 and 126 are read")]

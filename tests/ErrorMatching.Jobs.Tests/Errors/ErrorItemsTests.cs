@@ -38,6 +38,19 @@ public sealed class ErrorItemsTests
     public void All_problems_of_a_document_are_named() => Assert.Equal(2, ErrorItems.OfInput(new JobException("job.json", [Problem, Problem]))!.Count);
 
     [Fact]
+    public void A_question_ends_in_one_mark() => Assert.EndsWith(
+        "did you mean \"name\"?", Assert.Single(ErrorItems.OfInput(new JsonDocumentException("job.json", [Problem with { Message = "the key nmae; did you mean \"name\"?" }]))!).Problem, StringComparison.Ordinal);
+
+    // The text form puts file and line in front: a block that is named by its line must not say it again.
+    [Fact]
+    public void A_line_that_stands_in_the_place_does_not_stand_in_the_problem()
+    {
+        var items = ErrorItems.Of([new NcRefusal("no-good", "line 3", 3, "line 3: no good"), new NcRefusal("no-good", "N30", 3, "N30: no good"), new NcRefusal("no-good", "line 30", 3, "line 30: no good")], "p.nc");
+        Assert.Equal(["no good", "N30: no good", "line 30: no good"], items.Select(i => i.Problem));
+        Assert.Equal("p.nc: line 3: no good", items[0].Message);
+    }
+
+    [Fact]
     public void A_defect_is_no_error_of_an_input()
     {
         Assert.Null(ErrorItems.OfInput(new InvalidOperationException()));

@@ -68,7 +68,7 @@ internal sealed class IgesFile
 
         if (entity.FirstParameter < 1 || entity.FirstParameter > _sections.ParameterCount)
         {
-            throw Fail("bad-pointer", $"{entity} has its parameters at P{entity.FirstParameter}; the file has P1 to P{_sections.ParameterCount}", entity.Line);
+            throw Fail("bad-pointer", $"{entity} has its parameters at P{entity.FirstParameter}; the file has {(_sections.ParameterCount == 0 ? "no parameters: is it cut off?" : $"P1 to P{_sections.ParameterCount}")}", entity.Line);
         }
 
         FreeformException At(int at, string problem) => Fail("bad-record", $"{entity}: {problem}", _sections.ParameterLine(entity.FirstParameter - 1 + (at / 64)));

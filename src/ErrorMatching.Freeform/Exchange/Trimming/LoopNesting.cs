@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Runtime.InteropServices;
 using ErrorMatching.Geometry;
 
@@ -203,9 +202,5 @@ internal sealed class LoopNesting
         bands.Turns(at.From.Lerp(at.To, share), at.Loop, at.Index, turns);
     }
 
-    private string Place(int side, double share)
-    {
-        var p = _sides[side].At(share);
-        return string.Create(CultureInfo.InvariantCulture, $"({p.X:0.###}, {p.Y:0.###}, {p.Z:0.###})");
-    }
+    private string Place(int side, double share) => PlaceText.Triple(_sides[side].At(share));
 }

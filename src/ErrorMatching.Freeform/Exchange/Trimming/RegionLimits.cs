@@ -37,7 +37,7 @@ internal static class RegionLimits
     {
         var at = SurfaceSeam.Of(surface).Within(surface, loop[0]);
         var p = surface.PointAt(at.X, at.Y);
-        return fail("bad-loop", string.Create(CultureInfo.InvariantCulture, $"the limits, one of them through ({p.X:0.###}, {p.Y:0.###}, {p.Z:0.###}), cross the line where the surface closes on itself. Export the part that is cut as a surface of its own, or turn that line to its other side"));
+        return fail("bad-loop", $"the limits, one of them through {PlaceText.Triple(p)}, cross the line where the surface closes on itself. Export the part that is cut as a surface of its own, or turn that line to its other side");
     }
 
     private static Point2 Clamp(SplineSurface surface, Point2 q, Func<string, string, FreeformException> fail)

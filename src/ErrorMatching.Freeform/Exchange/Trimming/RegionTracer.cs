@@ -165,5 +165,5 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
         return (q - p).Length <= ToleranceMm && (middle - p).Length <= ToleranceMm && a.DistanceTo(b) <= 1e-3 * (1 + Math.Abs(a.X) + Math.Abs(a.Y));
     }
 
-    private static string Place(Point3 p) => string.Create(CultureInfo.InvariantCulture, $"({p.X:0.###}, {p.Y:0.###}, {p.Z:0.###})");
+    private static string Place(Point3 p) => PlaceText.Triple(p);
 }

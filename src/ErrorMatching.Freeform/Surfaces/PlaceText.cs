@@ -1,0 +1,20 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Places in messages, in millimetres: no zero has a minus, and what is far beyond any machine is told by its size and not by hundreds of digits.</summary>
+internal static class PlaceText
+{
+    private const double Far = 1e9;
+
+    /// <summary>A place as a control shows it: <c>X1.5 Y0 Z-2</c>.</summary>
+    public static string Words(Point3 p, int decimals = 3) => $"X{Mm(p.X, decimals)} Y{Mm(p.Y, decimals)} Z{Mm(p.Z, decimals)}";
+
+    /// <summary>A place as a drawing shows it: <c>(1.5, 0, -2)</c>.</summary>
+    public static string Triple(Point3 p) => $"({Mm(p.X, 3)}, {Mm(p.Y, 3)}, {Mm(p.Z, 3)})";
+
+    private static string Mm(double value, int decimals) => Math.Abs(value) >= Far
+        ? value.ToString("0.###E+0", CultureInfo.InvariantCulture)
+        : (Math.Round(value, decimals) + 0.0).ToString("0." + new string('#', decimals), CultureInfo.InvariantCulture);
+}
