@@ -41,15 +41,16 @@ internal sealed class NeighborPrediction
     {
         var n = samples.Count;
         (_x, _y, _errors) = (new double[n], new double[n], new double[n]);
-        var curves = new HashSet<int>();
+        var (first, last) = (samples[0].J, samples[0].J);
         for (var k = 0; k < n; k++)
         {
             (_x[k], _y[k], _errors[k]) = (samples[k].U, samples[k].V, samples[k].ErrorMm);
-            curves.Add(samples[k].J);
+            (first, last) = (Math.Min(first, samples[k].J), Math.Max(last, samples[k].J));
         }
 
         // In mean distances of points, so that neighborhoods reach as many points far in either direction. The longer one is sorted by: fewer points lie within a distance along it.
-        if (Scaled(_x, ((double)n / curves.Count) - 1) < Scaled(_y, curves.Count - 1))
+        var curves = last - first + 1;
+        if (Scaled(_x, ((double)n / curves) - 1) < Scaled(_y, curves - 1))
         {
             (_x, _y) = (_y, _x);
         }
@@ -60,7 +61,7 @@ internal sealed class NeighborPrediction
             _order[k] = k;
         }
 
-        Array.Sort((double[])_x.Clone(), _order);
+        Array.Sort(_order, (a, b) => _x[a] != _x[b] ? _x[a].CompareTo(_x[b]) : a.CompareTo(b));
         for (var at = 0; at < n; at++)
         {
             _place[_order[at]] = at;
@@ -88,9 +89,13 @@ internal sealed class NeighborPrediction
         _aside[k] = true;
         for (var other = 0; other < _x.Length; other++)
         {
-            if (NeighborsOf(other).Contains(k))
+            foreach (var neighbor in NeighborsOf(other))
             {
-                Predict(other);
+                if (neighbor == k)
+                {
+                    Predict(other);
+                    break;
+                }
             }
         }
     }

@@ -52,6 +52,11 @@ internal static class OutlyingPoints
             setAside.Add(worst);
         }
 
+        if (setAside.Count == 0)
+        {
+            return [];
+        }
+
         // The neighbor of two bad points may have looked worse than either.
         while (Cleared(neighbors, setAside) is >= 0 and var cleared)
         {
