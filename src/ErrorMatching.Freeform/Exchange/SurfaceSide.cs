@@ -1,4 +1,3 @@
-using System.Globalization;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;

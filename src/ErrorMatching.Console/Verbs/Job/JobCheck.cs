@@ -1,5 +1,4 @@
 using System.CommandLine;
-using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Nc;
