@@ -10,6 +10,9 @@ namespace ErrorMatching.Cell;
 /// <param name="clock">The clock.</param>
 public sealed class SlotReversal(CellSettings settings, CellStore store, Func<MachineSettings, IMachineFolder> open, TimeProvider clock)
 {
+    private const int Tries = 20;
+    private static readonly TimeSpan Pause = TimeSpan.FromMilliseconds(100);
+
     /// <summary>Reverts a correction whose program the slot holds.</summary>
     /// <param name="id">Its number.</param>
     /// <param name="by">The user's name.</param>
@@ -33,7 +36,7 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
             throw new DecisionException(DecisionException.WrongState, Sentence($"Slot {correction.Slot} of {correction.Machine} is not in {settings.File} any more: bring it back there first."));
         }
 
-        using var slotLock = store.TryLockSlot(machine.Name, slot.Name)
+        using var slotLock = await LockAsync(machine.Name, slot.Name, cancellation)
             ?? throw new DecisionException(DecisionException.SlotTaken, Sentence($"A program is being sent to slot {slot.Name} of {machine.Name} just now: try again in a moment."));
         if (store.Slot(machine.Name, slot.Name).Correction is { } holder && holder != id)
         {
@@ -79,4 +82,23 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
     }
 
     private static string Sentence(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+
+    // Whoever has just sent a program holds the slot a moment longer than the store says that it is there.
+    private async Task<ISlotLock?> LockAsync(string machine, string slot, CancellationToken cancellation)
+    {
+        for (var tries = Tries; ; tries--)
+        {
+            if (store.TryLockSlot(machine, slot) is { } held)
+            {
+                return held;
+            }
+
+            if (tries == 0)
+            {
+                return null;
+            }
+
+            await Task.Delay(Pause, clock, cancellation);
+        }
+    }
 }

@@ -158,7 +158,7 @@ public static class MeasuredSurfaceReader
         throw new FreeformException(
             "far-off-point",
             file,
-            string.Create(CultureInfo.InvariantCulture, $"point {first.Planned.Number} is {off.Length:0.####} mm from where it is expected ({along:0.###} mm along the normal; X{off.X:0.###} Y{off.Y:0.###} Z{off.Z:0.###}), and the measuring move reaches less than {limit:0.####} mm.{others} {hint}"),
+            string.Create(CultureInfo.InvariantCulture, $"point {first.Planned.Number} is {PlaceText.Mm(off.Length, 4)} mm from where it is expected ({PlaceText.Mm(along, 3)} mm along the normal; {PlaceText.Words(new(off.X, off.Y, off.Z))}), and the measuring move reaches less than {limit:0.####} mm.{others} {hint}"),
             first.Line);
     }
 

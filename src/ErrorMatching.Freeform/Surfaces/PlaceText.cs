@@ -14,7 +14,8 @@ internal static class PlaceText
     /// <summary>A place as a drawing shows it: <c>(1.5, 0, -2)</c>.</summary>
     public static string Triple(Point3 p) => $"({Mm(p.X, 3)}, {Mm(p.Y, 3)}, {Mm(p.Z, 3)})";
 
-    private static string Mm(double value, int decimals) => Math.Abs(value) >= Far
-        ? value.ToString("0.###E+0", CultureInfo.InvariantCulture)
+    /// <summary>A length or coordinate with so many decimals at most.</summary>
+    public static string Mm(double value, int decimals) => Math.Abs(value) >= Far
+        ? double.IsFinite(value) ? value.ToString("0.###E+0", CultureInfo.InvariantCulture) : "more than 1E+150"
         : (Math.Round(value, decimals) + 0.0).ToString("0." + new string('#', decimals), CultureInfo.InvariantCulture);
 }

@@ -54,6 +54,20 @@ public sealed class SlotReversalTests
         Assert.Equal(["reverted"], cell.Store.AuditEntries(before, 9).Select(e => e.What));
     }
 
+    // What was just sent holds its slot a moment longer than the store says.
+    [Fact]
+    public async Task A_reversal_waits_a_moment_for_whoever_has_just_sent()
+    {
+        await using var cell = new RunningCell();
+        await SendOne(cell);
+        var sending = cell.Store.TryLockSlot("m1", "B");
+        Assert.NotNull(sending);
+        var reverting = Revert(cell);
+        Assert.False(reverting.IsCompleted);
+        sending.Dispose();
+        Assert.Equal(CorrectionState.Reverted, (await reverting).State);
+    }
+
     // A program in a slot that held the original, and the machine's word that its piece is cut, which nobody has read yet.
     private static async Task<byte[]> SendOne(RunningCell cell)
     {

@@ -145,6 +145,10 @@ public sealed class MeasuredSurfaceReaderTests
         Refused(Programs.Log(Plan, p => p.Number == 6 ? Plan.CenterOf(p) + (p.Normal * 5) : Plan.CenterOf(p)), "far-off-point", 7, "point 6 is 5 mm from where it is expected (5 mm along the normal");
 
     [Fact]
+    public void A_point_beyond_all_machines_is_named_in_few_digits() =>
+        Refused("point,x,y,z\n" + string.Concat(Plan.Points.Select(p => FormattableString.Invariant($"{p.Number},{Plan.ContactOf(p).X:R},{Plan.ContactOf(p).Y:R},{(p.Number == 6 ? 1e200 : Plan.ContactOf(p).Z):R}\n"))), "far-off-point", 7, "point 6 is more than 1E+150 mm from where it is expected");
+
+    [Fact]
     public void A_touch_that_found_nothing_is_far_off() => Refused(Programs.Log(Plan, p => p.Number == 6 ? Plan.OvertravelOf(p) : Plan.CenterOf(p)), "far-off-point", 7, "(-2 mm along the normal");
 
     [Theory]

@@ -153,6 +153,7 @@ internal sealed class Seat : IAsyncDisposable
     public async ValueTask DisposeAsync()
     {
         Window.Close();
+        Texts.Current.Language = Language.English;
         User.Settle();
         Shell.Dispose();
         Station.Dispose();
