@@ -17,4 +17,8 @@ public sealed record EvaluatedPiece(
     SurfaceAlignment? Alignment,
     IReadOnlyList<ErrorSample> Samples,
     DeviationStatistics Statistics,
-    IReadOnlyList<string> Warnings);
+    IReadOnlyList<string> Warnings)
+{
+    /// <summary>That the points said after which stage they were measured, in a sentence; null if the job was right.</summary>
+    public string? StageNote => StageIsFound ? $"The points of {File} lie on the surface after {MeasuredStage.Name(Stage)}, not after the stage that the job names: its stock was used." : null;
+}

@@ -18,6 +18,9 @@ public sealed record EvaluationReport(ReportJob Job, IReadOnlyList<ReportInput> 
     /// <summary>The same of the pieces that were compensated by tool radius.</summary>
     public SurfaceImprovement? ToolRadiusImprovement => SurfaceImprovement.Of(ToolRadiusBefore, ToolRadius);
 
+    /// <summary>All pieces, in the order of reading.</summary>
+    public IEnumerable<EvaluatedPiece> Pieces => Parts.SelectMany(p => p.Evaluation.Pieces);
+
     /// <summary>All that is evaluated, in the order of reading: each with its name.</summary>
     internal IEnumerable<(string Name, SurfaceEvaluation Evaluation)> Parts
     {

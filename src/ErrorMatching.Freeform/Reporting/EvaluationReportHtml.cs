@@ -39,8 +39,8 @@ public static class EvaluationReportHtml
             html.Put("p", $"Mean {Micrometres.SignedOfMm(after.MeanMm)} µm, standard deviation {Micrometres.OfMm(after.StandardDeviationMm)} µm, profile {Micrometres.OfMm(after.ProfileIsoMm)} µm.");
         }
 
-        ReportFacts.WriteWarnings(html, [.. Pieces(report).SelectMany(p => p.Warnings)]);
-        ReportFacts.WriteNotes(html, [.. Pieces(report).Where(p => p.StageIsFound).Select(p => $"The points of {p.File} lie on the surface after {MeasuredStage.Name(p.Stage)}, not after the stage that the job names: its stock was used.")]);
+        ReportFacts.WriteWarnings(html, [.. report.Pieces.SelectMany(p => p.Warnings)]);
+        ReportFacts.WriteNotes(html, [.. report.Pieces.Select(p => p.StageNote).OfType<string>()]);
         ReportFacts.Write(html,
             ("Errors", "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
             ("Improvement", Improvement(report)),
@@ -56,9 +56,9 @@ public static class EvaluationReportHtml
     }
 
     // None is none for all of them.
-    private static string Alignment(EvaluationReport report) => Pieces(report).First().Alignment is null
+    private static string Alignment(EvaluationReport report) => report.Pieces.First().Alignment is null
         ? AlignmentWords.Of(null)
-        : string.Join(" ", Pieces(report).Select(p => $"{p.File}: {AlignmentWords.Of(p.Alignment)}"));
+        : string.Join(" ", report.Pieces.Select(p => $"{p.File}: {AlignmentWords.Of(p.Alignment)}"));
 
     private static void WriteStatistics(HtmlText html, EvaluationReport report)
     {
@@ -75,7 +75,7 @@ public static class EvaluationReportHtml
 
     private static void WriteMaps(HtmlText html, EvaluationReport report)
     {
-        var limit = 1000 * Pieces(report).SelectMany(p => p.Samples).Max(s => Math.Abs(s.ErrorMm));
+        var limit = 1000 * report.Pieces.SelectMany(p => p.Samples).Max(s => Math.Abs(s.ErrorMm));
         var map = new HeatMap(report.Surface, limit);
         var number = 0;
         foreach (var (name, evaluation) in report.Parts)
@@ -130,6 +130,4 @@ public static class EvaluationReportHtml
             }
         }
     }
-
-    private static IEnumerable<EvaluatedPiece> Pieces(EvaluationReport report) => report.Parts.SelectMany(b => b.Evaluation.Pieces);
 }

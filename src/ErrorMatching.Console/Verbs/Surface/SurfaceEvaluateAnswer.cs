@@ -37,15 +37,14 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
         }
 
         page.Line("Errors along the normal, positive where material is left, less the stock of the stage. Profile by ISO 1101: twice the largest absolute error. Standard deviations use n - 1.");
-        EvaluatedPiece[] pieces = [.. report.Measured.Pieces, .. report.Before?.Pieces ?? [], .. report.ToolRadius?.Pieces ?? [], .. report.ToolRadiusBefore?.Pieces ?? []];
 
         // None is none for all of them.
-        if (pieces[0].Alignment is null)
+        if (report.Measured.Pieces[0].Alignment is null)
         {
             page.Line("Alignment: " + AlignmentWords.Of(null));
         }
 
-        foreach (var piece in pieces)
+        foreach (var piece in report.Pieces)
         {
             if (piece.Alignment is not null)
             {
@@ -58,9 +57,9 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
             }
         }
 
-        foreach (var piece in pieces.Where(p => p.StageIsFound))
+        foreach (var note in report.Pieces.Select(p => p.StageNote).OfType<string>())
         {
-            page.Line($"Note: the points of {piece.File} lie on the surface after {(piece.Stage == CuttingStage.Finishing ? "finishing" : "semi-finishing")}, not after the stage that the job names: its stock was used.");
+            page.Line("Note: " + note);
         }
 
         page.Line();
