@@ -46,6 +46,19 @@ public sealed class CorrectionHeadTests
         Assert.Equal(("Complex mating", "Goes to vmc1/A as counterpart.nc"), (seat.TextOf("detail-job"), seat.TextOf("detail-target")));
         seat.Tap("approve");
         Assert.Equal(("Complex mating · #1 · 0001", "Goes to vmc1/A as counterpart.nc"), (seat.TextOf("signing-subject"), seat.TextOf("signing-target")));
+
+        // Who signs sees what for, although the dialog hides the head.
+        (string?, Severity)[] known = [(seat.TextOf("detail-largest"), Severity.Quiet), (seat.TextOf("detail-left-over"), Severity.Attention), ("Warnings: 2", Severity.Attention)];
+        Assert.Equal(known, seat.Shell.Signing!.Facts.Select(f => ((string?)f.Text, f.Severity)));
+        Assert.All(known, k => Assert.Contains(seat.See("signing-facts").GetVisualDescendants().OfType<TextBlock>(), t => t.Text == k.Item1 && t.IsEffectivelyVisible));
+        Texts.Current.Language = Language.TraditionalChinese;
+        seat.WaitFor(() => seat.Shell.Signing.Facts[0].Text.StartsWith("最大移動量", StringComparison.Ordinal), "What is signed stays in the language before.");
+        Texts.Current.Language = Language.English;
+        seat.Tap("signing-leave");
+
+        // Who rejects need not be warned of the program.
+        seat.Tap("reject");
+        Assert.Empty(seat.Shell.Signing!.Facts);
         seat.Tap("signing-leave");
 
         // A tap on the warnings leads to them, and each is to be read.

@@ -46,6 +46,12 @@ public sealed class SigningViewModel : Observable
     /// <summary>Gives what else there is to know, in words; null if nothing.</summary>
     public Func<string>? Told { get; init; }
 
+    /// <summary>Gives what a person should know of that to which it is done, as it is seen behind the dialog; nothing if null.</summary>
+    public Func<IReadOnlyList<Fact>>? Known { get; init; }
+
+    /// <summary>What a person should know before signing.</summary>
+    public IReadOnlyList<Fact> Facts => Known?.Invoke() ?? [];
+
     /// <summary>What it is done to.</summary>
     public string Subject { get; }
 
@@ -116,6 +122,7 @@ public sealed class SigningViewModel : Observable
     internal void Translate()
     {
         Say(nameof(Title));
+        Say(nameof(Facts));
         Say(nameof(Consequence));
         Say(nameof(PasswordLabel));
         Say(nameof(Target));

@@ -132,7 +132,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         () => Sign(kept => new(Station, _shell.Who!, act, kept.Subject, needsReason, (by, reason, cancellation) => carryOut(kept.Correction.Id, by.Name, reason, cancellation))
         {
             Correction = kept.Correction,
-            Told = act == Act.Approve && IsOfChangedJob(kept.Correction.Id) ? () => Texts.Current["Head.ChangedJob"] : null,
+            Known = act == Act.Approve && Detail is { } detail ? () => detail.Now().Facts : null,
         }),
         () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, act) && Detail!.Kept.Correction is var c && act switch
         {
@@ -255,6 +255,6 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Station.JobNames.Of(c) ?? "",
         Texts.Current.Word(c.State),
         c.LargestMm is { } mm ? Shown.Mm(mm) + " mm" : "",
-        c.State switch { CorrectionState.Failed => Severity.Alarm, CorrectionState.Proposed => Severity.Attention, _ => Severity.Quiet },
+        CorrectionLabel.SeverityOf(c.State),
         IsOfChangedJob(c.Id));
 }

@@ -160,6 +160,17 @@ public sealed class CorrectionDetail
     /// <summary>How many there are, and where.</summary>
     public string WarningCount => Texts.Current.With("Head.Warnings", Warnings.Count);
 
+    /// <summary>What is signed for where this is approved: how far the program moves, what is left over, and whatever is not as it should be.</summary>
+    public IReadOnlyList<Fact> Facts => [.. new[]
+    {
+        HasProof && !IsProved ? new Fact(Proof, ProofSeverity) : null,
+        Largest is { } largest ? new(largest, Severity.Quiet) : null,
+        LeftOver is { } left ? new(left, LeftOverSeverity) : null,
+        Missing is { } missing ? new(missing, Severity.Attention) : null,
+        IsOfChangedJob ? new(Texts.Current["Head.ChangedJob"], Severity.Attention) : null,
+        HasWarnings ? new(WarningCount, Severity.Attention) : null,
+    }.OfType<Fact>()];
+
     // The errors are the piece's, as the verification has them: one convention for both screens.
     private PointRow Row(KeptPoint p, VerifiedPoint errors) => new(
         p.Point, p.Feature, Shown.Mm(p.Theoretical.X), Shown.Mm(p.Theoretical.Y), Shown.Mm(p.Actual.X), Shown.Mm(p.Actual.Y), Shown.SignedMm(p.Correction.X), Shown.SignedMm(p.Correction.Y),
