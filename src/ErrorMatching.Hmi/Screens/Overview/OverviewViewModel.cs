@@ -101,7 +101,7 @@ public sealed class OverviewViewModel : ScreenViewModel
         correction.Id,
         Station.JobNames.Of(correction) ?? "",
         CorrectionLabel.Of(correction),
-        severity == Severity.Alarm && correction.Code is { } code ? CodeText.Of(code, correction.Reason) : Texts.Current["Waiting." + correction.State],
+        severity == Severity.Alarm && correction.Code is { } code ? CodeText.Of(code, correction.Reason) : string.Join(" · ", new[] { Texts.Current["Waiting." + correction.State], CorrectionLabel.Target(correction) }.OfType<string>()),
         correction.LargestMm is { } mm ? Shown.Mm(mm) + " mm" : "",
         Shown.Time(correction.ChangedAt, Station.Clock),
         severity);
