@@ -1,4 +1,7 @@
 using System.Text.Json;
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.VisualTree;
 using ErrorMatching.Cell;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
@@ -27,10 +30,23 @@ public sealed class FreeformTests
         seat.User.Click(plot, new(third.X + 3, third.Y - 2));
         Assert.Equal(drawing.Points[2].Values, plot.Values);
 
+        // In another language it does not go away and come back.
+        var screen = (FreeformViewModel)seat.Shell.Current!;
+        var english = screen.Plan;
+        Texts.Current.Language = Language.TraditionalChinese;
+        Assert.Same(english, screen.Plan);
+        seat.WaitFor(() => seat.TextOf("plan-caption")!.Contains($"共 {plan.Points.Count} 點", StringComparison.Ordinal), $"It says {seat.TextOf("plan-caption")}.");
+        Texts.Current.Language = Language.English;
+        seat.WaitFor(() => screen.Plan is not null && seat.TextOf("plan-caption")!.Contains("points on", StringComparison.Ordinal), "The plan stays in Chinese.");
+
         seat.Cell.DeliverSurface(1, 0);
         seat.WaitFor(() => seat.Find("surface-title") is not null, "The measured surface does not appear by itself.");
         Assert.Equal("#1 · 0001", seat.TextOf("surface-title"));
         Assert.Null(seat.Find("plan"));
+
+        // What waits for a person looks so in this list too, and where it is chosen.
+        var icon = seat.See("surface-1").GetVisualDescendants().OfType<Avalonia.Controls.Shapes.Path>().Single();
+        Assert.Equal(Application.Current!.FindResource(seat.Window.ActualThemeVariant, "Attention"), icon.Stroke);
     });
 
     [Fact]
@@ -74,6 +90,10 @@ public sealed class FreeformTests
         var before = report.RootElement.GetProperty("before");
         Assert.StartsWith($"Standard deviation {Shown.Micrometers(before.GetProperty("standardDeviationUm").GetDouble() / 1000)} µm, expected ", seat.TextOf("detail-surface-summary"), StringComparison.Ordinal);
         Assert.NotNull(seat.Find("detail-map"));
+
+        // The colors are told together with the maps, without scrolling.
+        var (legend, scroll) = (seat.See("detail-legend"), seat.See("surface-scroll"));
+        Assert.True(new Rect(scroll.Bounds.Size).Contains(new Rect(legend.Bounds.Size).TransformToAABB(legend.TransformToVisual(scroll)!.Value)), "The legend is below the edge.");
         Assert.Null(seat.Find("tab-points"));
         Assert.Contains("Chordal error at most", seat.TextOf("detail-proof"), StringComparison.Ordinal);
         Assert.StartsWith("The program calls no tool", seat.TextOf("detail-missing"), StringComparison.Ordinal);

@@ -17,6 +17,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     private SurfaceDetail? _detail;
     private SurfacePlan? _plan;
     private (long Id, int Version) _shown = (0, -1);
+    private bool _isPlanned;
     private int _load;
 
     /// <summary>The screen.</summary>
@@ -49,7 +50,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
             {
                 (_looked, _shown) = (null, (0, -1));
                 (_shell.Looked.SurfaceJob, _shell.Looked.Surface) = (value.Name, null);
-                (Detail, Plan) = (null, null);
+                (Detail, Plan, _isPlanned) = (null, null, false);
                 Refresh();
             }
         }
@@ -105,8 +106,8 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     /// <inheritdoc/>
     protected override void Translate()
     {
-        // What is shown is made anew, in other words.
-        (_shown, Plan) = ((0, -1), null);
+        // What is shown is made anew, in other words; until it is there, what was there stays.
+        (_shown, _isPlanned) = ((0, -1), false);
         Refresh();
     }
 
@@ -124,7 +125,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         (KeptCorrection Kept, SurfaceDetail Detail)? read = null;
         SurfacePlan? plan = null;
         string? trouble = null;
-        var (looked, shown, isPlanned) = (_looked, _shown, Plan is not null);
+        var (looked, shown, isPlanned) = (_looked, _shown, _isPlanned);
         var isRead = await TryAsync(() =>
         {
             measured = Measured(job);
@@ -159,6 +160,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         }
 
         Plan = plan ?? Plan;
+        _isPlanned = Plan is not null;
         _chosen = Rows.FirstOrDefault(r => r.Id == _shown.Id);
         Say(nameof(Chosen));
     }
@@ -196,5 +198,5 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     }
 
     private static SurfaceRow Row(Correction c, KeptSurface surface) =>
-        new(c.Id, CorrectionLabel.Of(c), surface.JobName, Texts.Current.Word(c.State), Shown.Micrometers(surface.Before.ProfileIsoMm) + " µm");
+        new(c.Id, CorrectionLabel.Of(c), surface.JobName, Texts.Current.Word(c.State), Shown.Micrometers(surface.Before.ProfileIsoMm) + " µm", CorrectionLabel.SeverityOf(c.State));
 }
