@@ -36,12 +36,24 @@ public sealed class ScreenshotTests
         pictures.Take("signing");
         seat.Tap("signing-leave");
 
+        seat.Shell.Look(1);
+        seat.WaitFor(() => seat.TextOf("detail-state") == "At the machine", "What is at the machine is not shown.");
+        pictures.Take("compensation-at-machine", isPictured: false);
         seat.Shell.Go(Screens.History);
         seat.See("found-1");
         pictures.Take("history");
+        seat.Tap("found-1").See("detail-title");
+        pictures.Take("history-opened", isPictured: false);
         seat.Shell.Go(Screens.Messages);
         seat.WaitFor(() => ((MessagesViewModel)seat.Shell.Current!).Entries.Count > 0, "The trail stays empty.");
         pictures.Take("messages");
+        seat.Tap("audit-verify").WaitFor(() => seat.Find("audit-finding") is { IsEffectivelyVisible: true }, "The trail is not verified.");
+        pictures.Take("messages-verified", isPictured: false);
+
+        new CorrectionDecisions(seat.Station.Store).Reject(2, DemoCell.Setter, "A chip lay under the stylus.");
+        seat.Shell.Go(Screens.Overview);
+        seat.WaitFor(() => seat.TextOf("overview-summary") == "All is well", "Something still waits.");
+        pictures.Take("overview-quiet", isPictured: false);
         pictures.MustBeClean();
     });
 }

@@ -16,6 +16,8 @@ internal sealed class Pictures(Seat seat)
     /// <param name="isPictured">False for what differs in content only: then two pictures are made instead of eight. All sizes and languages are measured all the same.</param>
     public void Take(string name, bool isPictured = true)
     {
+        // Nothing is meant to be pointed at.
+        seat.User.MoveTo(seat.Window, new(1, 1));
         foreach (var size in new Size[] { new(1280, 800), new(1920, 1080) })
         {
             (seat.Window.Width, seat.Window.Height) = (size.Width, size.Height);
