@@ -63,15 +63,13 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         }
     }
 
+    // Made, brought in and laid out one after the other: each takes its time by itself.
     private async Task ShowAsync(Func<Control> make, CancellationToken end)
     {
-        await StepAsync(
-            () =>
-            {
-                stage.Children.Clear();
-                stage.Children.Add(make());
-            },
-            end);
+        Control? made = null;
+        await StepAsync(stage.Children.Clear, end);
+        await StepAsync(() => made = make(), end);
+        await StepAsync(() => stage.Children.Add(made!), end);
         await StepAsync(stage.UpdateLayout, end);
     }
 }
