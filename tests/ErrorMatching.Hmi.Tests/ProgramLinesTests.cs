@@ -15,6 +15,13 @@ public sealed class ProgramLinesTests
     }
 
     [Fact]
+    public void Each_side_counts_the_lines_of_its_own_program()
+    {
+        var lines = Of("%\nN10 G0\n\nM30\n", "%\n(MARK)\nN10 G0\n\n(DONE)\nM30\n");
+        Assert.Equal(["1|1", "|2", "2|3", "3|4", "|5", "4|6"], lines.Select(l => $"{l.OriginalNumber}|{l.Number}"));
+    }
+
+    [Fact]
     public void A_million_blocks_are_counted_and_read_by_number_without_being_made_into_text()
     {
         var program = Encoding.ASCII.GetBytes(string.Concat(Enumerable.Repeat("G1 X1. Y2.\n", 1_000_000)));

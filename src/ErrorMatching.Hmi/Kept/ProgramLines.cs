@@ -57,13 +57,13 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
             if (place >= 0)
             {
                 var text = Text(_modified, index);
-                return new(index, "", text, [], [(0, text.Length)]);
+                return new(index, null, "", text, [], [(0, text.Length)]);
             }
 
             var block = index - ~place;
             return _changed.TryGetValue(block, out var change)
-                ? new(index, Text(_original, block), Text(_modified, index), change.OriginalSpans, change.ModifiedSpans)
-                : new(index, Text(_original, block), Text(_modified, index), [], []);
+                ? new(index, block, Text(_original, block), Text(_modified, index), change.OriginalSpans, change.ModifiedSpans)
+                : new(index, block, Text(_original, block), Text(_modified, index), [], []);
         }
     }
 
