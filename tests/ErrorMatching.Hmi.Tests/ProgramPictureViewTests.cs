@@ -123,7 +123,7 @@ public sealed class ProgramPictureViewTests
     });
 
     [Fact]
-    public async Task A_line_that_does_not_fit_ends_in_an_ellipsis_and_is_shown_whole_when_it_is_lit() => await At(Read($"N10 G1 X1.\nN20 ({new string('X', 200)})\nN30 X2. ({new string('X', 43)})\nN40 X3.\n"), async view =>
+    public async Task A_line_that_does_not_fit_ends_in_an_ellipsis_and_is_shown_whole_when_it_is_lit() => await At(Read($"N10 G1 X1.\nN20 ({new string('X', 200)})\nN30 X2. ({new string('X', 70)})\nN40 X3.\n"), async view =>
     {
         Assert.Equal([1], view.Text.RowsCut);
         Assert.True(view.EndsInDots("N20"), "The cut line looks whole.");
@@ -132,7 +132,7 @@ public sealed class ProgramPictureViewTests
         view.Tap(view.RowOf("N20"));
         Assert.Equal(top, view.Text.TranslatePoint(default, view.Window));
         view.Tap(view.RowOf("N30"));
-        Assert.Equal($"N30 X2. ({new string('X', 43)})", ((TextBlock)view.Find("program-line")!).Text);
+        Assert.Equal($"N30 X2. ({new string('X', 70)})", ((TextBlock)view.Find("program-line")!).Text);
         view.User.Press(Key.Down);
         Assert.Equal("N40 X3.", ((TextBlock)view.Find("program-line")!).Text);
 
@@ -141,6 +141,51 @@ public sealed class ProgramPictureViewTests
         view.User.Settle();
         Assert.Equal([1, 2], view.Text.RowsCut);
         Assert.True(view.EndsInDots("N30"), "The cut line looks whole.");
+    });
+
+    [Fact]
+    public Task What_does_not_fit_is_scrolled_to_by_keys_and_finger_and_the_line_numbers_stay() => At(Read($"N10 G1 X1.\nN20 ({new string('X', 200)})\nN30 X3.\n"), view =>
+    {
+        view.Tap(view.RowOf("N20"));
+        view.User.Press(Key.Right);
+        Assert.InRange(view.Text.Offset.X, 1, view.Text.Bounds.Width);
+        for (var i = 0; i < 20; i++)
+        {
+            view.User.Press(Key.Right);
+        }
+
+        Assert.Empty(view.Text.RowsCut);
+        Assert.Equal("N20", view.Picture.Chosen);
+        Assert.True(view.HasNumber("N30"), "The line number went along.");
+        Assert.InRange(view.Text.RowsEnd.Single(r => r.Block == 2).End, 0, view.Text.Gutter);
+        for (var i = 0; i < 20; i++)
+        {
+            view.User.Press(Key.Left);
+        }
+
+        Assert.Equal(0, view.Text.Offset.X);
+        Assert.Equal([1], view.Text.RowsCut);
+        view.User.Swipe(view.Text, new(500, 60), new(200, 60));
+        Assert.True(view.Text.Offset.X > 0);
+        Assert.Equal("N20", view.Picture.Chosen);
+    });
+
+    [Fact]
+    public async Task It_begins_at_the_blocks_of_the_feature_that_is_picked_for() => await At(Sample(), async view =>
+    {
+        view.Picture.Feature = "C1";
+        await view.Picture.MarkAsync([new("C1", ["N900..N1190"]), new("L1", ["N60"])]);
+        view.User.Settle();
+        Assert.InRange(view.RowOf("N900").Y, 0, view.Text.Bounds.Height);
+
+        // Whoever looks elsewhere stays there, until another feature is picked for.
+        view.Text.Offset = default;
+        await view.Picture.MarkAsync([new("C1", ["N900..N1180"]), new("L1", ["N60"])]);
+        view.User.Settle();
+        Assert.Equal(0, view.Text.Offset.Y);
+        view.Text.Offset = new(0, 1000);
+        view.Picture.Feature = "L1";
+        Assert.InRange(view.RowOf("N60").Y, 0, view.Text.Bounds.Height);
     });
 
     private static OpenedProgram Sample() => OpenedProgram.Read(File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")), NcDialects.DeltaNc300, TestContext.Current.CancellationToken);
@@ -210,6 +255,14 @@ public sealed class ProgramPictureViewTests
         }
 
         public bool HasInk(Point at) => User.PixelAt(InWindow(at)) == ((Avalonia.Media.ISolidColorBrush)Path.Ink!).Color;
+
+        /// <summary>True if a line number stands in a block's row.</summary>
+        public bool HasNumber(string name)
+        {
+            var row = Text.TranslatePoint(RowOf(name), Window)!.Value;
+            var (left, ground) = (Text.TranslatePoint(default, Window)!.Value.X, ((Avalonia.Media.ISolidColorBrush)Text.Ground!).Color);
+            return Enumerable.Range((int)left, (int)Text.Gutter).Any(x => User.PixelAt(new(x, (int)row.Y)) != ground);
+        }
 
         /// <summary>True if what a block's row ends with is low in it, as dots are and letters are not.</summary>
         public bool EndsInDots(string name)

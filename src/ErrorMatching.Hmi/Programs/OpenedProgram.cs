@@ -14,6 +14,7 @@ public sealed class OpenedProgram
     {
         Path = path;
         Moves = new(path);
+        LongestLine = Enumerable.Range(0, Count).Select(b => Math.Min(MostShown + 1, Path.Program[b].Length)).DefaultIfEmpty().Max();
     }
 
     /// <summary>What it does.</summary>
@@ -24,6 +25,9 @@ public sealed class OpenedProgram
 
     /// <summary>Number of blocks.</summary>
     public int Count => Path.Program.BlockCount;
+
+    /// <summary>So many characters are shown of the longest line, at most: a byte is no more than one.</summary>
+    public int LongestLine { get; }
 
     /// <summary>Why it could not be followed to its end, or what it has that is not understood; null if all is well.</summary>
     public string? Problem => Path.Refusal is { } refusal

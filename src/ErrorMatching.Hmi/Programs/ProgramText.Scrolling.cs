@@ -18,6 +18,7 @@ public sealed partial class ProgramText : ILogicalScrollable
     private readonly DispatcherTimer _scrolling;
     private Vector _offset;
     private Point? _dragged;
+    private string? _begun;
 
     /// <summary>The text of no program yet.</summary>
     public ProgramText() => _scrolling = new(ScrollEvery, DispatcherPriority.Input, (_, _) => DragOn());
@@ -35,13 +36,13 @@ public sealed partial class ProgramText : ILogicalScrollable
     public bool IsLogicalScrollEnabled => true;
 
     /// <inheritdoc/>
-    public Size ScrollSize => new(RowHeight, WheelRows * RowHeight);
+    public Size ScrollSize => new(WheelRows * RowHeight, WheelRows * RowHeight);
 
     /// <inheritdoc/>
     public Size PageScrollSize => new(Bounds.Width, Math.Max(RowHeight, Bounds.Height - RowHeight));
 
     /// <inheritdoc/>
-    public Size Extent => new(Bounds.Width, (Picture?.Program.Count ?? 0) * RowHeight);
+    public Size Extent => new(Bounds.Width + Beyond, (Picture?.Program.Count ?? 0) * RowHeight);
 
     /// <inheritdoc/>
     public Size Viewport => Bounds.Size;
@@ -52,15 +53,23 @@ public sealed partial class ProgramText : ILogicalScrollable
         get => _offset;
         set
         {
-            var y = Math.Clamp(value.Y, 0, Math.Max(0, Extent.Height - Bounds.Height));
-            if (y != _offset.Y)
+            var to = new Vector(Math.Clamp(value.X, 0, Beyond), Math.Clamp(value.Y, 0, Math.Max(0, Extent.Height - Bounds.Height)));
+            if (to != _offset)
             {
-                _offset = new(0, y);
+                if (to.X != _offset.X)
+                {
+                    Forget();
+                }
+
+                _offset = to;
                 RaiseScrollInvalidated(EventArgs.Empty);
                 InvalidateVisual();
             }
         }
     }
+
+    // How far the longest line goes beyond the right border; line numbers and names stay where they are.
+    private double Beyond => CanHorizontallyScroll ? Math.Max(0, _lineWidth - Room) : 0;
 
     private int RowsSeen => Math.Max(1, (int)(Bounds.Height / RowHeight));
 
@@ -84,6 +93,7 @@ public sealed partial class ProgramText : ILogicalScrollable
         Forget();
         Offset = _offset;
         RaiseScrollInvalidated(EventArgs.Empty);
+        ShowFeature();
     }
 
     /// <inheritdoc/>
@@ -159,6 +169,13 @@ public sealed partial class ProgramText : ILogicalScrollable
             return;
         }
 
+        if (e.Key is Key.Left or Key.Right && e.KeyModifiers == KeyModifiers.None && Beyond > 0)
+        {
+            Offset += new Vector((e.Key == Key.Left ? -1 : 1) * ScrollSize.Width, 0);
+            e.Handled = true;
+            return;
+        }
+
         int? lines = e.Key switch { Key.Up => -1, Key.Down => 1, Key.PageUp => -RowsSeen, Key.PageDown => RowsSeen, Key.Home => -count, Key.End => count, _ => null };
         if (lines is { } by)
         {
@@ -210,9 +227,24 @@ public sealed partial class ProgramText : ILogicalScrollable
         if (_dragged is null && Picture?.Selection is not null && (top < Offset.Y || top + RowHeight > Offset.Y + height))
         {
             var away = Math.Min(Math.Abs(top - Offset.Y), Math.Abs(top + RowHeight - Offset.Y - height));
-            Offset = new(0, away > 2 * RowHeight ? top - (height / 3) : top < Offset.Y ? top : top + RowHeight - height);
+            Offset = Offset.WithY(away > 2 * RowHeight ? top - (height / 3) : top < Offset.Y ? top : top + RowHeight - height);
         }
 
         AutomationProperties.SetHelpText(this, Picture?.Chosen ?? "");
+    }
+
+    // Begins at the blocks of the feature that is picked for, once it is known which they are, unless they are seen or others are lit.
+    private void ShowFeature()
+    {
+        if (Picture is { Selection: null, Feature: { } feature } picture && feature != _begun && Bounds.Height > 0
+            && picture.Marks.FirstOrDefault(m => m.Name == feature) is { Ranges: [{ First: var first }, ..] })
+        {
+            _begun = feature;
+            var top = first * RowHeight;
+            if (top < Offset.Y || top + RowHeight > Offset.Y + Bounds.Height)
+            {
+                Offset = Offset.WithY(top - (Bounds.Height / 3));
+            }
+        }
     }
 }

@@ -10,7 +10,7 @@ using Avalonia.Media.Imaging;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The text of a program, block by block: only the rows that are seen are made. A tap lights a block; dragging over the line numbers, with a mouse anywhere, lights all blocks on the way.</summary>
-/// <remarks>It scrolls within a <see cref="ScrollViewer"/>. Keys: up, down, page, home and end light another block; with Shift they light all blocks up to there; Enter takes what is lit for the feature that blocks are picked for.</remarks>
+/// <remarks>It scrolls within a <see cref="ScrollViewer"/>. Keys: left and right scroll to what does not fit; up, down, page, home and end light another block; with Shift they light all blocks up to there; Enter takes what is lit for the feature that blocks are picked for.</remarks>
 public sealed partial class ProgramText : Control
 {
     /// <summary>The program.</summary>
@@ -40,10 +40,10 @@ public sealed partial class ProgramText : Control
     /// <summary>The height of a row.</summary>
     public static readonly StyledProperty<double> RowHeightProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(RowHeight), 34);
 
-    private const double Bar = 4, Between = 10, LeastGutter = 57;
+    private const double Bar = 4, Between = 6, LeastGutter = 57;
     private readonly Dictionary<int, DrawnLine> _rows = [];
     private readonly Dictionary<string, FormattedText> _names = [];
-    private double _numberWidth, _nameWidth;
+    private double _numberWidth, _nameWidth, _lineWidth;
 
     static ProgramText()
     {
@@ -132,6 +132,9 @@ public sealed partial class ProgramText : Control
     /// <summary>Width of the line numbers and the names of features, over which a finger drags.</summary>
     internal double Gutter => Math.Max(LeastGutter, Bar + Between + _numberWidth + Between + (_nameWidth > 0 ? _nameWidth + Between : 0));
 
+    // Of a line so much is seen at once.
+    private double Room => Math.Max(1, Bounds.Width - Gutter - (2 * Between));
+
     /// <inheritdoc/>
     public override void Render(DrawingContext context)
     {
@@ -175,7 +178,7 @@ public sealed partial class ProgramText : Control
                 picture.PropertyChanged += Follow;
             }
 
-            Offset = default;
+            (Offset, _begun) = (default, null);
         }
 
         if (change.Property == PictureProperty || change.Property == InkProperty || change.Property == NumberInkProperty || change.Property == FontFamilyProperty || change.Property == TextSizeProperty || change.Property == RowHeightProperty)
@@ -240,14 +243,14 @@ public sealed partial class ProgramText : Control
         var (number, line) = (Text(Shown.Id(block + 1), NumberInk), Text(program.LineAt(block), Ink));
 
         // A line that ends at a word would look whole.
-        var room = Math.Max(1, Bounds.Width - Gutter - (2 * Between));
+        var room = Room + Offset.X;
         var isCut = line.WidthIncludingTrailingWhitespace > room;
         if (isCut)
         {
             (line.MaxTextWidth, line.MaxLineCount, line.Trimming) = (room, 1, TextTrimming.CharacterEllipsis);
         }
 
-        var end = Gutter + Between + line.Width;
+        var end = Math.Max(Gutter, Gutter + Between + line.Width - Offset.X);
         var width = Math.Clamp(end, 1, Math.Max(1, Bounds.Width));
 
         // A picture of pixels, to which text is scaled here: what a picture of more dots an inch is copied from is measured in units by some, and in pixels by others.
@@ -255,7 +258,8 @@ public sealed partial class ProgramText : Control
         using var context = row.CreateDrawingContext();
         using var scaled = context.PushTransform(Matrix.CreateScale(1 / Pixel, 1 / Pixel));
         context.DrawText(number, new Point(Bar + Between + _numberWidth - number.Width, (RowHeight - number.Height) / 2));
-        context.DrawText(line, new Point(Gutter + Between, (RowHeight - line.Height) / 2));
+        using var beside = context.PushClip(new Rect(Gutter, 0, Math.Max(0, width - Gutter), RowHeight));
+        context.DrawText(line, new Point(Gutter + Between - Offset.X, (RowHeight - line.Height) / 2));
         return new(row, isCut, end);
     }
 
@@ -283,6 +287,11 @@ public sealed partial class ProgramText : Control
         else if (e.PropertyName is nameof(ProgramPicture.Marks) or null)
         {
             Measure();
+            ShowFeature();
+        }
+        else if (e.PropertyName == nameof(ProgramPicture.Feature))
+        {
+            ShowFeature();
         }
 
         InvalidateVisual();
@@ -302,9 +311,10 @@ public sealed partial class ProgramText : Control
     {
         Forget();
         _names.Clear();
-        (_numberWidth, _nameWidth) = (0, 0);
+        (_numberWidth, _nameWidth, _lineWidth) = (0, 0, 0);
         if (Picture is { } picture)
         {
+            _lineWidth = picture.Program.LongestLine * Text("8", Ink).Width;
             _numberWidth = Text(new string('8', Shown.Id(picture.Program.Count).Length), NumberInk).Width;
             foreach (var mark in picture.Marks.Where(m => m.Ranges.Count > 0))
             {

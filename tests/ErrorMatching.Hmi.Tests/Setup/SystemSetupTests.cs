@@ -246,12 +246,12 @@ public sealed class SystemSetupTests
             pictures.Take("system-" + side, side is "coordinates" or "blocks");
         }
 
-        // A block that does not fit beside its path stands whole above it.
+        // A usual block fits beside its path; one that does not stands whole above it.
         seat.Seat.Tap("side-blocks");
         seat.System.Picture!.Light(Enumerable.Range(0, seat.System.Picture.Program.Count).First(b => seat.System.Picture.Program.NameOf(b) == "N140"));
         pictures.Take("system-blocks-lit", isPictured: false);
         var text = (ProgramText)seat.Seat.See("program-text");
-        Assert.Contains(seat.System.Picture.Cursor, text.RowsCut);
+        Assert.DoesNotContain(seat.System.Picture.Cursor, text.RowsCut);
         Assert.Equal("N140 G3 X-48.334 Y48.745 I2.941 J-5.23", seat.TextOf("program-line"));
 
         seat.Shell.Editing.Change("", d => d with { Chain = [new("housing", "17.5", "-0.03", "0.03"), new("cover", "15", "0.02", "x", "-1")], Alignment = new("best-fit"), Compensation = d.Compensation with { From = "counterpart" } });
