@@ -1,3 +1,5 @@
+using Avalonia.Controls;
+using Avalonia.VisualTree;
 using ErrorMatching.Cell;
 using Microsoft.Data.Sqlite;
 
@@ -28,6 +30,21 @@ public sealed class MessagesTests
         Assert.Equal(seat.Station.Store.AuditEntries(0, 1000).Count, screen.Entries.Count);
         seat.Tap("audit-verify").See("audit-finding");
         Assert.Equal($"All {screen.Entries.Count} entries are as they were written.", seat.TextOf("audit-finding"));
+    });
+
+    [Fact]
+    public Task What_there_is_to_know_is_as_high_as_it_needs_to_be_and_the_trail_has_the_rest() => Seat.AtAsync(seat =>
+    {
+        seat.RunCell().SignIn(DemoCell.Setter).Tap("nav-messages").See("messages-quiet");
+        var (now, trail) = (seat.Window.GetVisualDescendants().OfType<Border>().Single(b => b.Name == "Now"), seat.See("audit"));
+        seat.WaitFor(() => now.Bounds.Height < 100 && trail.Bounds.Height > seat.Window.Height / 2, $"Nothing takes {now.Bounds.Height}, and the trail {trail.Bounds.Height}.");
+
+        // However much there is to know, the trail is read as well.
+        seat.Cell.Deliver(1, 0);
+        seat.Cell.Deliver(2, 0.02);
+        seat.WaitFor(2, CorrectionState.Proposed);
+        (seat.Window.Width, seat.Window.Height) = (960, 540);
+        seat.WaitFor(() => seat.Find("messages-quiet") is null && now.Bounds.Height > 0 && trail.Bounds.Height > now.Bounds.Height / 2, "The trail has no room.");
     });
 
     [Fact]
