@@ -3,6 +3,7 @@ using System.Text.Json;
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
+using Avalonia.VisualTree;
 using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
@@ -52,6 +53,27 @@ public sealed class CompensationTests
         // Table 5 of Wang, Tu and Gunawan (2021): point 1 is designed at (-31.950, 76.008) and measured at (-32.067, 76.005).
         var first = Arrive(seat, DemoCell.Operator).Points[0];
         Assert.Equal(("1", "−31.9500", "76.0080", "−32.0670", "76.0050"), (first.Point, first.TheoreticalX, first.TheoreticalY, first.ActualX, first.ActualY));
+    });
+
+    [Theory]
+    [InlineData(Language.English)]
+    [InlineData(Language.TraditionalChinese)]
+    public Task Each_group_of_figures_has_its_name_over_its_middle(Language language) => Seat.AtAsync(seat =>
+    {
+        Arrive(seat, DemoCell.Operator);
+        Texts.Current.Language = language;
+        seat.User.Settle();
+        var texts = seat.Window.GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible).ToArray();
+        var (x, y) = (All("Detail.X"), All("Detail.Y"));
+        string[] names = ["Detail.Theoretical", "Detail.Actual", "Detail.Compensation"];
+        for (var group = 0; group < names.Length; group++)
+        {
+            // Each of two columns of one width ends with its head.
+            var width = y[group].Right - x[group].Right;
+            Assert.Equal(x[group].Right, Assert.Single(All(names[group])).Center.X, width / 20);
+        }
+
+        Rect[] All(string key) => [.. texts.Where(t => t.Text == Texts.Current[key]).Select(t => Layout.In(t, seat.Window)).OrderBy(r => r.X)];
     });
 
     [Fact]
