@@ -13,6 +13,7 @@ public sealed class Views : IRecyclingDataTemplate
         [typeof(PointsViewModel)] = (typeof(PointsView), () => new PointsView()),
         [typeof(SystemViewModel)] = (typeof(SystemView), () => new SystemView()),
         [typeof(FieldRow)] = (typeof(FieldRowView), () => new FieldRowView()),
+        [typeof(SideHead)] = (typeof(SideHeadView), () => new SideHeadView()),
         [typeof(BlocksRow)] = (typeof(BlocksRowView), () => new BlocksRowView()),
         [typeof(TextField)] = (typeof(TextFieldView), () => new TextFieldView()),
         [typeof(ChoiceField)] = (typeof(ChoiceFieldView), () => new ChoiceFieldView()),

@@ -1,4 +1,5 @@
 using Avalonia;
+using Avalonia.Automation;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
@@ -53,6 +54,33 @@ public sealed class SystemSetupTests
 
         Assert.Equal(Sides.Length, seen.Count);
         Assert.Equal(job, File.ReadAllBytes(seat.JobFile));
+    });
+
+    [Fact]
+    public Task Each_side_says_how_much_is_to_be_corrected_on_it_and_saving_looks_ready_once_nothing_is() => At(seat =>
+    {
+        var save = seat.Seat.See("setup-save");
+        seat.Shell.Editing.Change("", d => d with { Chain = [new("cover", "15", "0.02", "x", "-1")], Counterpart = d.Counterpart with { Rotate = "x" }, Name = "" });
+        seat.Settle();
+        var place = seat.Shell.Editing.Problems.Select(p => ProblemPlace.Of(seat.Draft, p.Field)).ToArray();
+        Assert.Contains(place, p => p.Screen == Screens.Points);
+        for (var side = 0; side < Sides.Length; side++)
+        {
+            var count = place.Count(p => p == new ProblemPlace(Screens.System, side));
+            Assert.Equal(side is ProblemPlace.Tolerances or ProblemPlace.Machine, count > 0);
+            var head = seat.Seat.See("side-" + Sides[side]);
+            Assert.Equal(count > 0 ? $"To correct: {count}" : null, AutomationProperties.GetHelpText(head));
+            Assert.Equal(count > 0, head.GetVisualDescendants().OfType<TextBlock>().Any(t => t.IsEffectivelyVisible && t.Text == Shown.Count(count)));
+        }
+
+        Assert.True(save.IsEffectivelyEnabled);
+        Assert.DoesNotContain("accent", save.Classes);
+        seat.Shell.Editing.DiscardChanges.Execute(null);
+        seat.Shell.Editing.Change("", d => d with { Name = "Again" });
+        seat.Settle();
+        Assert.True(save.IsEffectivelyEnabled);
+        Assert.Contains("accent", save.Classes);
+        Assert.All(seat.System.Heads, h => Assert.False(h.HasProblems));
     });
 
     [Fact]

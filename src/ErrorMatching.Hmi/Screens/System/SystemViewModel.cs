@@ -50,6 +50,9 @@ public sealed partial class SystemViewModel : SetupViewModel
         }
     }
 
+    /// <summary>The heads of the sides, with what is to be corrected on each.</summary>
+    public IReadOnlyList<SideHead> Heads { get; } = [new("System.Coordinates"), new("System.ProgramAndBlocks"), new("System.Tolerances"), new("System.Machine"), new("System.Gauge")];
+
     /// <summary>The theoretical points.</summary>
     public ObservableCollection<CoordinateRow> Coordinates { get; } = [];
 
@@ -199,6 +202,12 @@ public sealed partial class SystemViewModel : SetupViewModel
         foreach (var command in new[] { ReadPoints, ReadProgram, DryRun, DryRunFile })
         {
             command.Refresh();
+        }
+
+        var sides = Editing.Problems.Select(p => ProblemPlace.Of(Editing.Draft, p.Field)).Where(p => p.Screen == Key).ToLookup(p => p.Side);
+        for (var side = 0; side < Heads.Count; side++)
+        {
+            Heads[side].Show(sides[side].Count());
         }
 
         ShowPicture();
