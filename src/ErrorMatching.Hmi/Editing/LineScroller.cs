@@ -1,5 +1,8 @@
+using System.Globalization;
 using Avalonia;
 using Avalonia.Controls;
+using Avalonia.Controls.Documents;
+using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
@@ -7,7 +10,12 @@ namespace ErrorMatching.Hmi;
 // All that a field needs of a scroll viewer, whose parts would take most of the time in which a screen of fields is opened.
 public sealed class LineScroller : Decorator
 {
+    /// <summary>What a number lacks that others under it or above have behind their decimal signs, such as <c>.000</c>: so much room is left at the right, and the signs stand under each other. What is typed is not touched.</summary>
+    public static readonly AttachedProperty<string?> MissingProperty = AvaloniaProperty.RegisterAttached<LineScroller, Control, string?>("Missing", inherits: true);
+
     private double _offset;
+
+    static LineScroller() => AffectsArrange<LineScroller>(MissingProperty);
 
     /// <summary>A line from its beginning.</summary>
     public LineScroller()
@@ -15,6 +23,16 @@ public sealed class LineScroller : Decorator
         ClipToBounds = true;
         AddHandler(RequestBringIntoViewEvent, OnWanted);
     }
+
+    // Digits of one width, as the field has them.
+    private double Room => GetMissing(this) is not { Length: > 0 } missing ? 0
+        : WidthOf(missing);
+
+    /// <summary>What the number in a field lacks.</summary>
+    public static string? GetMissing(Control field) => (field ?? throw new ArgumentNullException(nameof(field))).GetValue(MissingProperty);
+
+    /// <summary>Leaves room in a field for what its number lacks.</summary>
+    public static void SetMissing(Control field, string? digits) => (field ?? throw new ArgumentNullException(nameof(field))).SetValue(MissingProperty, digits);
 
     /// <inheritdoc/>
     protected override Size MeasureOverride(Size availableSize)
@@ -29,10 +47,17 @@ public sealed class LineScroller : Decorator
         if (Child is { } line)
         {
             _offset = Math.Clamp(_offset, 0, Math.Max(0, line.DesiredSize.Width - finalSize.Width));
-            line.Arrange(new(-_offset, 0, Math.Max(finalSize.Width, line.DesiredSize.Width), finalSize.Height));
+            line.Arrange(new(-_offset, 0, Math.Max(finalSize.Width - Room, line.DesiredSize.Width), finalSize.Height));
         }
 
         return finalSize;
+    }
+
+    private double WidthOf(string text)
+    {
+        var shown = new FormattedText(text, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(TextElement.GetFontFamily(this)), TextElement.GetFontSize(this), null);
+        shown.SetFontFeatures(TextElement.GetFontFeatures(this));
+        return shown.Width;
     }
 
     // Not handled: what is around the field brings the field into view.

@@ -12,6 +12,7 @@ namespace ErrorMatching.Hmi;
 public sealed class TextField(JobEditing editing, string path, string label, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set, Func<string, string?>? misread = null) : EditField(editing, path, label)
 {
     private string _shown = "";
+    private string _missing = "";
 
     /// <summary>What holds while it is empty: a value; null where nothing does.</summary>
     public string? Default { get; init; }
@@ -41,6 +42,13 @@ public sealed class TextField(JobEditing editing, string path, string label, Fun
                 }
             }
         }
+    }
+
+    /// <summary>What the number lacks to as many decimals as others of its column have (<see cref="Decimals"/>); empty if nothing.</summary>
+    public string Missing
+    {
+        get => _missing;
+        internal set => Set(ref _missing, value);
     }
 
     /// <inheritdoc/>

@@ -1,5 +1,6 @@
 using Avalonia;
 using Avalonia.Controls;
+using Avalonia.Controls.Presenters;
 using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi.Tests;
@@ -20,6 +21,41 @@ public sealed class SetupLayoutTests
         Assert.Equal(MiddleOf(seat.Seat.See("edit-alignment.kind")), MiddleOf(box), Slack);
 
         double MiddleOf(Visual visual) => visual.TranslatePoint(new(0, visual.Bounds.Height / 2), seat.Seat.Window)!.Value.Y;
+    });
+
+    [Fact]
+    public Task Coordinates_stand_with_their_decimal_signs_under_each_other_and_are_not_changed_by_it() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        string[] typed = ["-31.950", "76", "5.1234", "-0.5"];
+        seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Flanks = [[new("1", typed[0], "1"), new("2", "1", "1"), new("3", typed[1], "1"), new("4", "1", "1"), new("5", typed[2], "1"), new("6", "1", "1"), new("7", typed[3], "1")]] }));
+        seat.Settle();
+        var signs = typed.Select((text, i) =>
+        {
+            var box = (TextBox)seat.Seat.See($"edit-features[0].points[{2 * i}]/x");
+            Assert.Equal(text, box.Text);
+            var presenter = box.GetVisualDescendants().OfType<TextPresenter>().Single();
+            var sign = text.IndexOf('.', StringComparison.Ordinal) is >= 0 and var at ? at : text.Length;
+            return presenter.TranslatePoint(presenter.TextLayout.HitTestTextPosition(sign).TopLeft, seat.Seat.Window)!.Value.X;
+        }).ToArray();
+        Assert.All(signs, x => Assert.Equal(signs[0], x, 1.0));
+        Assert.Equal(typed[1], seat.Draft.Features[0].Flanks[0][2].X);
+    });
+
+    [Fact]
+    public Task Most_points_of_the_sample_are_seen_at_once() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        var seen = seat.System.Coordinates.Select(c => seat.Seat.Find(c.X.AutomationId)).Count(f => f is not null && Layout.Seen(f, seat.Seat.Window).Height > f.Bounds.Height - 1);
+        Assert.InRange(seen, 10, seat.System.Coordinates.Count);
+    });
+
+    [Fact]
+    public Task Points_with_three_coordinates_have_the_whole_width() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Plane = "ZX" }));
+        seat.Settle().Seat.See("edit-features[0].points[1]/z");
+        Assert.Equal(seat.System.Coordinates, seat.System.Pairs.Select(p => p.First));
+        Assert.True(seat.Seat.See("edit-features[0].points[1]/x").Bounds.Width > 200);
+        Assert.Empty(Layout.Problems(seat.Seat.Window));
     });
 
     [Theory]

@@ -56,6 +56,9 @@ public sealed partial class SystemViewModel : SetupViewModel
     /// <summary>The theoretical points.</summary>
     public ObservableCollection<CoordinateRow> Coordinates { get; } = [];
 
+    /// <summary>The same, as they stand beside each other.</summary>
+    public ObservableCollection<CoordinatePair> Pairs { get; } = [];
+
     /// <summary>True if points have a third coordinate.</summary>
     public bool HasZ => Coordinates.Any(c => c.HasZ);
 
@@ -169,8 +172,8 @@ public sealed partial class SystemViewModel : SetupViewModel
     /// <summary>A field by its AutomationId.</summary>
     internal EditField Field(string automationId) => Fields.First(f => f.AutomationId == automationId);
 
-    /// <summary>The row of a field; -1 if it is no coordinate's.</summary>
-    internal int RowOf(string automationId) => Coordinates.ToList().FindIndex(c => c.Fields.Any(f => f.AutomationId == automationId));
+    /// <summary>The row of <see cref="Pairs"/> that a field stands in; -1 if it is no coordinate's.</summary>
+    internal int RowOf(string automationId) => Pairs.ToList().FindIndex(p => new[] { p.First, p.Second }.OfType<CoordinateRow>().SelectMany(c => c.Fields).Any(f => f.AutomationId == automationId));
 
     /// <inheritdoc/>
     protected override string ShapeOf(MatingDraft draft) => string.Join('|', draft.Features.Select(f => $"{f.Kind} {f.Name} {f.Tolerance} {string.Join(' ', f.Flanks.Select(k => k.Count))}"))
@@ -184,6 +187,12 @@ public sealed partial class SystemViewModel : SetupViewModel
         foreach (var row in CoordinateRow.Of(Editing))
         {
             Coordinates.Add(row);
+        }
+
+        Pairs.Clear();
+        foreach (var pair in CoordinatePair.Of(Coordinates))
+        {
+            Pairs.Add(pair);
         }
 
         (Blocks, Tolerances, Chain) = (MakeBlocks(), _fields.Tolerances(), _fields.Chain());
@@ -204,6 +213,9 @@ public sealed partial class SystemViewModel : SetupViewModel
             command.Refresh();
         }
 
+        Decimals.Align(Coordinates.Select(c => c.X));
+        Decimals.Align(Coordinates.Select(c => c.Y));
+        Decimals.Align(Coordinates.Select(c => c.Z).OfType<TextField>());
         var sides = Editing.Problems.Select(p => ProblemPlace.Of(Editing.Draft, p.Field)).Where(p => p.Screen == Key).ToLookup(p => p.Side);
         for (var side = 0; side < Heads.Count; side++)
         {
