@@ -18,6 +18,9 @@ public sealed partial class HouseOfScreensTests
         ("InkQuiet", "SurfaceQuiet"), ("InkQuiet", "AttentionGround"), ("InkQuiet", "AlarmGround"), ("Accent", "AccentGround"), ("OnAccent", "Accent"), ("Attention", "Surface"), ("Attention", "AttentionGround"), ("Alarm", "Surface"), ("Alarm", "AlarmGround"),
     ];
 
+    // Numbers in drawings that are no lengths: micrometers of a millimeter, the units of a schematic drawing, what is as good as zero, bits and dots of a bitmap, a time.
+    private static readonly string[] NoLengths = ["1000 * LimitMm", "Step = 10, Depth = 12", "1e-6", "1e-9", "new(96, 96)", "<< 24", "<< 16", "<< 8", "FromMilliseconds(40)"];
+
     [Fact]
     public void View_models_know_no_Avalonia()
     {
@@ -48,6 +51,18 @@ public sealed partial class HouseOfScreensTests
         var files = Directory.EnumerateFiles(Repository.PathTo("src", "ErrorMatching.Hmi"), "*.cs", SearchOption.AllDirectories).Where(f => !f.Contains($"{Path.DirectorySeparatorChar}Styles{Path.DirectorySeparatorChar}", StringComparison.Ordinal)).ToArray();
         Assert.True(files.Length > 100);
         Assert.All(files, f => Assert.All(InlineInCode().Matches(File.ReadAllText(f)).Select(m => m.Value), v => Assert.Fail($"{Path.GetFileName(f)} has {v}.")));
+    }
+
+    [Fact]
+    public void Drawings_have_no_lengths_of_their_own()
+    {
+        var files = new[] { ("Drawings", "*.cs"), ("Plots", "*.cs"), ("Programs", "Path*.cs"), ("Programs", "ProgramText*.cs") }.SelectMany(p => Directory.EnumerateFiles(Repository.PathTo("src", "ErrorMatching.Hmi", p.Item1), p.Item2)).ToArray();
+        Assert.True(files.Length > 30);
+        foreach (var (file, line) in files.SelectMany(f => File.ReadLines(f).Select(l => (Path.GetFileName(f), Line: NoCode().Replace(l, "")))))
+        {
+            Assert.False(LengthOfItsOwn().IsMatch(line), $"{file}: a length of its own in{line}");
+            Assert.All(Number().Matches(NoLengths.Aggregate(NamedShare().Replace(line, ""), (l, n) => l.Replace(n, "", StringComparison.Ordinal))).Select(m => m.Value), v => Assert.Fail($"{file} has {v} in{line}"));
+        }
     }
 
     [Theory]
@@ -86,4 +101,19 @@ public sealed partial class HouseOfScreensTests
 
     [GeneratedRegex("""\b(Brushes|Colors)\.[A-Z][A-Za-z]*|\bColor\.(Parse|From[A-Za-z0-9]+)|"#[0-9A-Fa-f]{3,8}["]""", RegexOptions.None | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex InlineInCode();
+
+    // Comments and strings, with the numbers in them.
+    [GeneratedRegex("""\s*//.*|"([^"\\]|\\.)*"|'[^']*'""", RegexOptions.None | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex NoCode();
+
+    // Shares and factors say by their names that they are none, counts by their type.
+    [GeneratedRegex("""const double (\w*(Share|Factor) = [0-9./ ]+(, )?)+;|const int .*""", RegexOptions.None | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex NamedShare();
+
+    [GeneratedRegex("""const double (?!\w*(Share|Factor)\b)(?!Step = 10)|DashStyle\(|DashStyle \w+ = new""", RegexOptions.None | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex LengthOfItsOwn();
+
+    // Neither ends and halves nor an index.
+    [GeneratedRegex("""(?<![\w.])(?!(0|1|2|0\.5|0\.0|1\.0)(?![\w.]))(?<!\[(?=[0-9]+\]))[0-9]+(\.[0-9]+)?(e-?[0-9]+)?(?!\w)""", RegexOptions.None | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Number();
 }

@@ -56,7 +56,7 @@ public sealed class SurfaceMapTests
 
         // Near enough they are as large as they are to be seen.
         plot.Zoom(100, default);
-        Assert.Equal(3.5, plot.DotRadius(plot.View));
+        Assert.Equal(DrawnSizes.Dot, plot.DotRadius(plot.View));
     });
 
     private static void Arrive(Seat seat, TouchSize size)

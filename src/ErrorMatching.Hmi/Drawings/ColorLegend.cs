@@ -17,9 +17,8 @@ public sealed class ColorLegend : Control
     public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<ColorLegend, IBrush?>(nameof(Ink));
 
     /// <summary>Size of the numbers.</summary>
-    public static readonly StyledProperty<double> LabelSizeProperty = AvaloniaProperty.Register<ColorLegend, double>(nameof(LabelSize), 14);
+    public static readonly StyledProperty<double> LabelSizeProperty = AvaloniaProperty.Register<ColorLegend, double>(nameof(LabelSize), 1);
 
-    private const double Bar = 18, Below = 4;
     private static readonly double[] Ticks = [-1, -0.5, 0, 0.5, 1];
 
     static ColorLegend()
@@ -62,13 +61,13 @@ public sealed class ColorLegend : Control
 
         for (var i = 0; i < DivergingColors.Count; i++)
         {
-            context.FillRectangle(MapColors.Scale[i], new Rect(left + (width * i / DivergingColors.Count), 0, (width / DivergingColors.Count) + 0.5, Bar));
+            context.FillRectangle(MapColors.Scale[i], new Rect(left + (width * i / DivergingColors.Count), 0, (width / DivergingColors.Count) + DrawnSizes.Overlap, DrawnSizes.ColorBar));
         }
 
         // The color of zero is that of paper.
-        using (context.PushOpacity(0.4))
+        using (context.PushOpacity(DrawnSizes.FrameOpacity))
         {
-            context.DrawRectangle(null, new Pen(Ink), new Rect(left, 0.5, width, Bar - 0.5));
+            context.DrawRectangle(null, new Pen(Ink), new Rect(left, DrawnSizes.HalfThin, width, DrawnSizes.ColorBar - DrawnSizes.HalfThin));
         }
 
         foreach (var tick in Ticks)
@@ -76,8 +75,8 @@ public sealed class ColorLegend : Control
             // The first and the last color reach half a step beyond their values.
             var x = left + (width * (0.5 + (tick * (DivergingColors.Count - 1) / DivergingColors.Count / 2)));
             var text = Text(tick);
-            context.DrawLine(new Pen(Ink), new(x, Bar), new(x, Bar + Below));
-            context.DrawText(text, new(Math.Clamp(x - (text.Width / 2), 0, Bounds.Width - text.Width), Bar + Below));
+            context.DrawLine(new Pen(Ink), new(x, DrawnSizes.ColorBar), new(x, DrawnSizes.ColorBar + DrawnSizes.Tick));
+            context.DrawText(text, new(Math.Clamp(x - (text.Width / 2), 0, Bounds.Width - text.Width), DrawnSizes.ColorBar + DrawnSizes.Tick));
         }
     }
 
@@ -85,7 +84,7 @@ public sealed class ColorLegend : Control
     protected override AutomationPeer OnCreateAutomationPeer() => new DrawnPeer(this, AutomationControlType.Image, () => $"{Words(-1)}, {Words(1)}");
 
     /// <inheritdoc/>
-    protected override Size MeasureOverride(Size availableSize) => new(0, Bar + Below + Text(1).Height);
+    protected override Size MeasureOverride(Size availableSize) => new(0, DrawnSizes.ColorBar + DrawnSizes.Tick + Text(1).Height);
 
     private string Words(double share) => (1000 * LimitMm * share).ToString("+0.#;−0.#;0", CultureInfo.InvariantCulture) + (share == 0 ? "" : " µm");
 

@@ -19,8 +19,6 @@ public sealed class GapPlot : PlotArea
     /// <summary>What lies between the two lines.</summary>
     public static readonly StyledProperty<IBrush?> GapBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(GapBrush));
 
-    private const double Thick = 2, Dot = 3.5, LabelAway = 8;
-    private static readonly DashStyle Dashes = new([4, 2], 0);
     private PlotBox _extent = PlotBox.Empty;
 
     static GapPlot() => AffectsRender<GapPlot>(PartBrushProperty, CounterpartBrushProperty, GapBrushProperty);
@@ -85,16 +83,16 @@ public sealed class GapPlot : PlotArea
             context.DrawGeometry(GapBrush, null, Area(part.Concat(counterpart.Reverse()), view));
         }
 
-        foreach (var (line, pen) in Drawing.Counterpart.Select(l => (l, new Pen(CounterpartBrush, Thick, Dashes))).Concat(Drawing.Part.Select(l => (l, new Pen(PartBrush, Thick)))))
+        foreach (var (line, pen) in Drawing.Counterpart.Select(l => (l, new Pen(CounterpartBrush, DrawnSizes.Line, DrawnSizes.Dashes))).Concat(Drawing.Part.Select(l => (l, new Pen(PartBrush, DrawnSizes.Line)))))
         {
             Line(context, pen, line, view);
         }
 
-        var labels = new PlotLabels(Drawing.Part.Concat(Drawing.Counterpart).Select(l => (IReadOnlyList<Point>)[.. l.Select(p => view.At(p))]), [.. Drawing.Points.Select(p => view.At(p.At))], Dot);
+        var labels = new PlotLabels(Drawing.Part.Concat(Drawing.Counterpart).Select(l => (IReadOnlyList<Point>)[.. l.Select(p => view.At(p))]), [.. Drawing.Points.Select(p => view.At(p.At))], DrawnSizes.Dot);
         foreach (var (name, at, _, _) in Drawing.Points)
         {
             var text = Label(name);
-            if (labels.Place(text, view.At(at), LabelAway) is { } room)
+            if (labels.Place(text, view.At(at), DrawnSizes.LabelAway) is { } room)
             {
                 Words(context, text, room);
             }
@@ -103,7 +101,7 @@ public sealed class GapPlot : PlotArea
         // Over the ground of words beside them.
         foreach (var (_, at, _, _) in Drawing.Points)
         {
-            context.DrawEllipse(PartBrush, null, view.At(at), Dot, Dot);
+            context.DrawEllipse(PartBrush, null, view.At(at), DrawnSizes.Dot, DrawnSizes.Dot);
         }
     }
 

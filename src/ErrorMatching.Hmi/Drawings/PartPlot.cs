@@ -13,8 +13,6 @@ public sealed class PartPlot : PlotArea
     /// <summary>Lines and points.</summary>
     public static readonly StyledProperty<IBrush?> PartBrushProperty = AvaloniaProperty.Register<PartPlot, IBrush?>(nameof(PartBrush));
 
-    private const double Thick = 2, Dot = 4, LabelAway = 8;
-    private static readonly DashStyle Dashes = new([4, 3], 0);
     private (string Label, Point2 At)[] _points = [];
     private PlotBox _extent = PlotBox.Empty;
 
@@ -61,7 +59,7 @@ public sealed class PartPlot : PlotArea
     protected override void Draw(DrawingContext context, PlotView view)
     {
         ArgumentNullException.ThrowIfNull(context);
-        var pen = new Pen(PartBrush, Thick, Drawing!.IsSchematic ? Dashes : null);
+        var pen = new Pen(PartBrush, DrawnSizes.Line, Drawing!.IsSchematic ? DrawnSizes.Dashes : null);
         foreach (var line in Drawing.Lines.Where(l => l.Points.Count > 0))
         {
             if (line.Points.Count > 1)
@@ -70,7 +68,7 @@ public sealed class PartPlot : PlotArea
             }
         }
 
-        var labels = new PlotLabels(Drawing.Lines.Select(l => (IReadOnlyList<Point>)[.. l.Points.Select(p => view.At(p.At))]), [.. _points.Select(p => view.At(p.At))], Dot);
+        var labels = new PlotLabels(Drawing.Lines.Select(l => (IReadOnlyList<Point>)[.. l.Points.Select(p => view.At(p.At))]), [.. _points.Select(p => view.At(p.At))], DrawnSizes.Dot);
         foreach (var line in Drawing.Lines.Where(l => l.Points.Count > 0))
         {
             Write(context, labels, line.Name, view.At(line.Points[line.Points.Count / 2].At), isName: true);
@@ -84,7 +82,7 @@ public sealed class PartPlot : PlotArea
         // Over the ground of words beside them.
         foreach (var (_, at) in _points)
         {
-            context.DrawEllipse(PartBrush, null, view.At(at), Dot, Dot);
+            context.DrawEllipse(PartBrush, null, view.At(at), DrawnSizes.Dot, DrawnSizes.Dot);
         }
     }
 
@@ -94,7 +92,7 @@ public sealed class PartPlot : PlotArea
     private void Write(DrawingContext context, PlotLabels labels, string words, Point place, bool isName)
     {
         var text = Label(words, isStrong: isName);
-        if (labels.Place(text, place, LabelAway, isBelow: isName) is { } room)
+        if (labels.Place(text, place, DrawnSizes.LabelAway, isBelow: isName) is { } room)
         {
             Words(context, text, room);
         }

@@ -21,8 +21,8 @@ public sealed class SeriesPlot : PlotArea
     /// <summary>What lies between limits.</summary>
     public static readonly StyledProperty<IBrush?> BandBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(BandBrush));
 
-    private const double Thick = 2, Thin = 1, Mark = 5, SmallMark = 1.5, LeftStrip = 62, BottomStrip = 30, TicksApart = 44, LabelsApart = 14, LegendMark = 34, LegendApart = 24;
-    private static readonly DashStyle Dashes = new([4, 3], 0);
+    // A mark takes at most half of the way to the next one.
+    private const double MarkShare = 0.25;
     private PlotBox _extent = PlotBox.Empty;
 
     static SeriesPlot() => AffectsRender<SeriesPlot>(BeforeBrushProperty, AfterBrushProperty, BandBrushProperty);
@@ -65,7 +65,7 @@ public sealed class SeriesPlot : PlotArea
     protected override bool IsTrueToScale => false;
 
     /// <inheritdoc/>
-    protected override Thickness Frame => Drawing is { Lines.Count: > 0 } drawing ? new(LeftStrip, LegendHeight(drawing), 0, BottomStrip) : default;
+    protected override Thickness Frame => Drawing is { Lines.Count: > 0 } drawing ? new(DrawnSizes.LeftStrip, LegendHeight(drawing), 0, DrawnSizes.BottomStrip) : default;
 
     /// <inheritdoc/>
     protected override int DatumCount => Drawing?.Labels.Count ?? 0;
@@ -107,8 +107,8 @@ public sealed class SeriesPlot : PlotArea
             {
                 var (low, high) = (To(view, band.First - 0.5, band.Low), To(view, band.Last + 0.5, band.High));
                 context.DrawRectangle(BandBrush, null, new Rect(low.X, high.Y, high.X - low.X, low.Y - high.Y));
-                context.DrawLine(new Pen(Rule, Thin, Dashes), low, new(high.X, low.Y));
-                context.DrawLine(new Pen(Rule, Thin, Dashes), new(low.X, high.Y), high);
+                context.DrawLine(new Pen(Rule, DrawnSizes.Thin, DrawnSizes.Dashes), low, new(high.X, low.Y));
+                context.DrawLine(new Pen(Rule, DrawnSizes.Thin, DrawnSizes.Dashes), new(low.X, high.Y), high);
             }
         }
 
@@ -135,7 +135,7 @@ public sealed class SeriesPlot : PlotArea
 
     private void Ticks(DrawingContext context, PlotView view, Rect inside)
     {
-        var step = RoundNumber.AtLeast(TicksApart / view.ScaleY);
+        var step = RoundNumber.AtLeast(DrawnSizes.TicksApart / view.ScaleY);
         var decimals = Math.Max(0, (int)Math.Ceiling(-Math.Log10(step) - 1e-9));
         var format = decimals == 0 ? "+0;−0;0" : $"+0.{new string('0', decimals)};−0.{new string('0', decimals)};0";
         var (low, high) = (view.ToPlot(new(0, inside.Bottom)).Y, view.ToPlot(new(0, inside.Top)).Y);
@@ -143,23 +143,23 @@ public sealed class SeriesPlot : PlotArea
         {
             var y = To(view, 0, tick * step).Y;
             var isZero = tick == 0;
-            using (context.PushOpacity(isZero ? 1 : 0.35))
+            using (context.PushOpacity(isZero ? 1 : DrawnSizes.RuleOpacity))
             {
-                context.DrawLine(new Pen(isZero ? Ink : Rule, Thin), new(inside.Left, y), new(inside.Right, y));
+                context.DrawLine(new Pen(isZero ? Ink : Rule, DrawnSizes.Thin), new(inside.Left, y), new(inside.Right, y));
             }
 
             var text = Label((tick * step).ToString(format, CultureInfo.InvariantCulture));
-            context.DrawText(text, new(inside.Left - text.Width - 6, y - (text.Height / 2)));
+            context.DrawText(text, new(inside.Left - text.Width - DrawnSizes.Near, y - (text.Height / 2)));
         }
 
-        context.DrawLine(new Pen(Rule, Thin), inside.TopLeft, inside.BottomLeft);
+        context.DrawLine(new Pen(Rule, DrawnSizes.Thin), inside.TopLeft, inside.BottomLeft);
         var end = double.NegativeInfinity;
         for (var i = 0; i < Drawing!.Labels.Count; i++)
         {
             var (x, text) = (To(view, i, 0).X, Label(Drawing.Labels[i]));
-            if (x >= inside.Left && x <= inside.Right && x - (text.Width / 2) > end + LabelsApart)
+            if (x >= inside.Left && x <= inside.Right && x - (text.Width / 2) > end + DrawnSizes.LabelsApart)
             {
-                context.DrawText(text, new(x - (text.Width / 2), inside.Bottom + 6));
+                context.DrawText(text, new(x - (text.Width / 2), inside.Bottom + DrawnSizes.Near));
                 end = x + (text.Width / 2);
             }
         }
@@ -180,38 +180,38 @@ public sealed class SeriesPlot : PlotArea
         {
             if (line.Values[i] is { } value)
             {
-                MarkAt(context, line.Kind, To(view, i, value), Math.Clamp(view.ScaleX / 4, SmallMark, Mark), Drawing!.IsHollow.ElementAtOrDefault(i));
+                MarkAt(context, line.Kind, To(view, i, value), Math.Clamp(MarkShare * view.ScaleX, DrawnSizes.LeastMark, DrawnSizes.Mark), Drawing!.IsHollow.ElementAtOrDefault(i));
             }
         }
     }
 
-    private Pen PenOf(SeriesKind kind) => new Pen(BrushOf(kind), Thick, kind is SeriesKind.BeforeMean or SeriesKind.AfterMean ? Dashes : null);
+    private Pen PenOf(SeriesKind kind) => new Pen(BrushOf(kind), DrawnSizes.Line, kind is SeriesKind.BeforeMean or SeriesKind.AfterMean ? DrawnSizes.Dashes : null);
 
     private IBrush? BrushOf(SeriesKind kind) => kind is SeriesKind.Before or SeriesKind.BeforeMean ? BeforeBrush : AfterBrush;
 
     private void MarkAt(DrawingContext context, SeriesKind kind, Point at, double size, bool isHollow)
     {
-        var (fill, pen) = (isHollow ? Ground : BrushOf(kind), new Pen(BrushOf(kind), Thick));
+        var (fill, pen) = (isHollow ? Ground : BrushOf(kind), new Pen(BrushOf(kind), DrawnSizes.Line));
         switch (kind)
         {
             case SeriesKind.Before:
                 context.DrawEllipse(fill, pen, at, size, size);
                 break;
             case SeriesKind.After:
-                var diamond = new StreamGeometry();
+                var (diamond, reach) = (new StreamGeometry(), size + DrawnSizes.DiamondMore);
                 using (var figure = diamond.Open())
                 {
-                    figure.BeginFigure(new(at.X, at.Y - size - 1), isFilled: true);
-                    figure.LineTo(new(at.X + size + 1, at.Y));
-                    figure.LineTo(new(at.X, at.Y + size + 1));
-                    figure.LineTo(new(at.X - size - 1, at.Y));
+                    figure.BeginFigure(new(at.X, at.Y - reach), isFilled: true);
+                    figure.LineTo(new(at.X + reach, at.Y));
+                    figure.LineTo(new(at.X, at.Y + reach));
+                    figure.LineTo(new(at.X - reach, at.Y));
                     figure.EndFigure(isClosed: true);
                 }
 
                 context.DrawGeometry(fill, pen, diamond);
                 break;
             default:
-                context.DrawRectangle(BrushOf(kind), null, new Rect(at.X - 2, at.Y - 2, 4, 4));
+                context.DrawRectangle(BrushOf(kind), null, new Rect(at, default(Size)).Inflate(DrawnSizes.MeanMark));
                 break;
         }
     }
@@ -219,33 +219,33 @@ public sealed class SeriesPlot : PlotArea
     // Names in rows above the drawing, as many as fit beside each other.
     private IEnumerable<(SeriesLine Line, FormattedText Name, Point At)> Named(SeriesDrawing drawing)
     {
-        var (x, y) = (LeftStrip, 6.0);
+        var (x, y) = (DrawnSizes.LeftStrip, DrawnSizes.Near);
         foreach (var line in drawing.Lines)
         {
             var name = Label(line.Name);
-            var width = LegendMark + 8 + name.Width;
-            if (x > LeftStrip && x + width > Bounds.Width - ButtonsRoom)
+            var width = DrawnSizes.LegendMark + DrawnSizes.Around + name.Width;
+            if (x > DrawnSizes.LeftStrip && x + width > Bounds.Width - ButtonsRoom)
             {
-                (x, y) = (LeftStrip, y + name.Height + 6);
+                (x, y) = (DrawnSizes.LeftStrip, y + name.Height + DrawnSizes.Near);
             }
 
             yield return (line, name, new(x, y));
-            x += width + LegendApart;
+            x += width + DrawnSizes.LegendApart;
         }
     }
 
-    private double LegendHeight(SeriesDrawing drawing) => Named(drawing).Max(n => n.At.Y + n.Name.Height) + 8;
+    private double LegendHeight(SeriesDrawing drawing) => Named(drawing).Max(n => n.At.Y + n.Name.Height) + DrawnSizes.Around;
 
     private void Legend(DrawingContext context, SeriesDrawing drawing)
     {
         foreach (var (line, name, at) in Named(drawing))
         {
             var middle = at.Y + (name.Height / 2);
-            context.DrawLine(PenOf(line.Kind), new(at.X, middle), new(at.X + LegendMark, middle));
-            MarkAt(context, line.Kind, new(at.X + (LegendMark / 2), middle), Mark, isHollow: false);
-            context.DrawText(name, new(at.X + LegendMark + 8, at.Y));
+            context.DrawLine(PenOf(line.Kind), new(at.X, middle), new(at.X + DrawnSizes.LegendMark, middle));
+            MarkAt(context, line.Kind, new(at.X + (DrawnSizes.LegendMark / 2), middle), DrawnSizes.Mark, isHollow: false);
+            context.DrawText(name, new(at.X + DrawnSizes.LegendMark + DrawnSizes.Around, at.Y));
         }
 
-        context.DrawLine(new Pen(Rule, Thin), new(LeftStrip, View.Height - BottomStrip), new(View.Width, View.Height - BottomStrip));
+        context.DrawLine(new Pen(Rule, DrawnSizes.Thin), new(DrawnSizes.LeftStrip, View.Height - DrawnSizes.BottomStrip), new(View.Width, View.Height - DrawnSizes.BottomStrip));
     }
 }

@@ -26,7 +26,6 @@ public sealed class SurfacePlot : PlotArea
 
     // Each cell of the net is drawn in so many by so many: colors change little from one to the next.
     private const int Parts = 3;
-    private const double Dot = 3.5, LeastDot = 0.5, First = 7, Thick = 2, Hairline = 0.6, Away = 5, Beside = 2;
 
     // Of the distance between two points: the surface is to be seen between their dots.
     private const double DotShare = 0.15;
@@ -106,7 +105,7 @@ public sealed class SurfacePlot : PlotArea
             {
                 // The stroke closes the hairlines between neighbors.
                 var brush = color < 0 ? AreaBrush : MapColors.Scale[color];
-                context.DrawGeometry(brush, new Pen(brush, Hairline / view.ScaleX), geometry);
+                context.DrawGeometry(brush, new Pen(brush, DrawnSizes.Hairline / view.ScaleX), geometry);
             }
         }
 
@@ -115,7 +114,7 @@ public sealed class SurfacePlot : PlotArea
     }
 
     /// <summary>How large a point's dot is, in units of the screen: small where the points lie close together, so that a small map does not disappear behind them.</summary>
-    internal double DotRadius(PlotView view) => Math.Clamp(DotShare * _nearest * view.ScaleX, LeastDot, Dot);
+    internal double DotRadius(PlotView view) => Math.Clamp(DotShare * _nearest * view.ScaleX, DrawnSizes.LeastDot, DrawnSizes.Dot);
 
     private static Point To(PlotView view, Point2 place)
     {
@@ -147,7 +146,7 @@ public sealed class SurfacePlot : PlotArea
 
     private static IEnumerable<(int Color, Point[] Corners)> Quadrangles(SurfaceDrawing drawing)
     {
-        const double Side = 1.0 / Parts;
+        const double SideShare = 1.0 / Parts;
         var (net, outside) = (drawing.Net, drawing.Net.Outside.ToHashSet());
         Point[] places = [.. net.Places.Select(p => new Point(p.X, p.Y))];
         for (var cell = 0; cell < (net.CountU - 1) * (net.CountV - 1); cell++)
@@ -169,8 +168,8 @@ public sealed class SurfacePlot : PlotArea
             {
                 var (s, t) = ((double)(part / Parts) / Parts, (double)(part % Parts) / Parts);
                 Point At(double u, double v) => Between(corners, c => places[c], u, v);
-                var value = Between(corners, c => new Point(values[c], 0), s + (Side / 2), t + (Side / 2)).X;
-                yield return (DivergingColors.IndexOf(value, drawing.LimitMm), [At(s, t), At(s + Side, t), At(s + Side, t + Side), At(s, t + Side)]);
+                var value = Between(corners, c => new Point(values[c], 0), s + (SideShare / 2), t + (SideShare / 2)).X;
+                yield return (DivergingColors.IndexOf(value, drawing.LimitMm), [At(s, t), At(s + SideShare, t), At(s + SideShare, t + SideShare), At(s, t + SideShare)]);
             }
         }
     }
@@ -194,7 +193,7 @@ public sealed class SurfacePlot : PlotArea
             return;
         }
 
-        var pen = new Pen(WayBrush, Thick);
+        var pen = new Pen(WayBrush, DrawnSizes.Line);
         for (var i = 1; i < drawing.Points.Count; i++)
         {
             context.DrawLine(pen, To(view, drawing.Points[i - 1].At), To(view, drawing.Points[i].At));
@@ -202,7 +201,7 @@ public sealed class SurfacePlot : PlotArea
 
         if (drawing.Points.Count > 0)
         {
-            var first = First / Dot * DotRadius(view);
+            var first = DrawnSizes.Ring / DrawnSizes.Dot * DotRadius(view);
             context.DrawEllipse(Ground, pen, To(view, drawing.Points[0].At), first, first);
         }
     }
@@ -224,11 +223,11 @@ public sealed class SurfacePlot : PlotArea
                 text.SetForegroundBrush(ink);
             }
 
-            labels.Add((text, new Rect(place.X - (text.Width / 2), place.Y - text.Height - Away, text.Width, text.Height).Inflate(new Thickness(Beside, 0))));
+            labels.Add((text, new Rect(place.X - (text.Width / 2), place.Y - text.Height - DrawnSizes.NumberAbove, text.Width, text.Height).Inflate(new Thickness(DrawnSizes.VeilBeside, 0))));
         }
 
         // All or none: labels that find no room appear when one goes nearer. A brush that shows through is drawn at once; a group that does takes a picture of its own for each label.
-        var veil = (isMap ? MapPaper : Ground) is ISolidColorBrush paper ? new ImmutableSolidColorBrush(paper.Color, isMap ? 0.65 : 0.85) : null;
+        var veil = (isMap ? MapPaper : Ground) is ISolidColorBrush paper ? new ImmutableSolidColorBrush(paper.Color, isMap ? DrawnSizes.MapVeilOpacity : DrawnSizes.VeilOpacity) : null;
         if (HaveRoom(labels, new Rect(Bounds.Size)))
         {
             foreach (var (text, room) in labels)
@@ -236,10 +235,10 @@ public sealed class SurfacePlot : PlotArea
                 // What lies behind shows through; on a line it would cross the number.
                 if (veil is not null)
                 {
-                    context.FillRectangle(veil, room, 3);
+                    context.FillRectangle(veil, room, (float)DrawnSizes.VeilRound);
                 }
 
-                context.DrawText(text, new(room.X + Beside, room.Y));
+                context.DrawText(text, new(room.X + DrawnSizes.VeilBeside, room.Y));
             }
         }
     }

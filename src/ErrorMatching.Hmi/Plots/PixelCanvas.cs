@@ -3,9 +3,6 @@ namespace ErrorMatching.Hmi;
 /// <summary>A picture of single pixels, for what has too many lines to be drawn one by one as shapes: a line costs here what its pixels cost.</summary>
 internal sealed class PixelCanvas
 {
-    // What is not drawn of a rapid, in pixels: so many of so many.
-    private const int Dash = 6, Gap = 4;
-
     private int[] _pixels = [];
 
     /// <summary>Width in pixels.</summary>
@@ -52,7 +49,7 @@ internal sealed class PixelCanvas
             if (isDashed)
             {
                 // By place and not by length, so that pieces of a pixel are dashed as one line.
-                if ((x + y & int.MaxValue) % (Dash + Gap) < Dash && Has(x, y) && _pixels[(y * Width) + x] == 0)
+                if ((x + y & int.MaxValue) % (DrawnSizes.RapidDash + DrawnSizes.RapidGap) < DrawnSizes.RapidDash && Has(x, y) && _pixels[(y * Width) + x] == 0)
                 {
                     _pixels[(y * Width) + x] = color;
                 }

@@ -11,12 +11,7 @@ namespace ErrorMatching.Hmi;
 /// <content>Fingers, pointer, wheel and keys.</content>
 public abstract partial class PlotArea
 {
-    // What a finger does before it drags, and half of what it covers, in units of the screen.
-    private const double Still = 8, Reach = 28;
-    private const double Step = 1.5, WheelStep = 1.25, KeyShare = 0.125;
-
-    // How far the box of values is from its datum, the nearest that is free.
-    private static readonly double[] Aways = [12, 30, 60, 100];
+    private const double StepFactor = 1.5, WheelFactor = 1.25, KeyShare = 0.125;
 
     private readonly Dictionary<int, Point> _fingers = [];
     private Point _pressed;
@@ -61,12 +56,12 @@ public abstract partial class PlotArea
             _hasMoved = true;
             var (was, now) = (Point.Distance(before, other), Point.Distance(at, other));
             Pan((at - before) / 2);
-            if (was > Still && now > Still)
+            if (was > DrawnSizes.FingerStill && now > DrawnSizes.FingerStill)
             {
                 Zoom(now / was, (at + other) / 2);
             }
         }
-        else if (_hasMoved || Point.Distance(at, _pressed) > Still)
+        else if (_hasMoved || Point.Distance(at, _pressed) > DrawnSizes.FingerStill)
         {
             Pan(at - (_hasMoved ? before : _pressed));
             _hasMoved = true;
@@ -84,7 +79,7 @@ public abstract partial class PlotArea
         if (_fingers.Remove(e.Pointer.Id) && _fingers.Count == 0 && !_hasMoved)
         {
             var at = e.GetPosition(this);
-            AskFor(DatumNear(new(at.X, at.Y), Reach));
+            AskFor(DatumNear(new(at.X, at.Y), DrawnSizes.FingerReach));
         }
 
         e.Handled = true;
@@ -103,7 +98,7 @@ public abstract partial class PlotArea
     {
         ArgumentNullException.ThrowIfNull(e);
         base.OnPointerWheelChanged(e);
-        Zoom(Math.Pow(WheelStep, e.Delta.Y), e.GetPosition(this));
+        Zoom(Math.Pow(WheelFactor, e.Delta.Y), e.GetPosition(this));
         e.Handled = true;
     }
 
@@ -162,7 +157,7 @@ public abstract partial class PlotArea
         }
     }
 
-    private void ZoomStep(int steps) => Zoom(Math.Pow(Step, steps), new Point(Bounds.Width / 2, Bounds.Height / 2));
+    private void ZoomStep(int steps) => Zoom(Math.Pow(StepFactor, steps), new Point(Bounds.Width / 2, Bounds.Height / 2));
 
     private static Button MakeButton(string text, string icon, Action act)
     {
@@ -179,25 +174,24 @@ public abstract partial class PlotArea
     // A cross through the datum from border to border, and a box with its values beside it, where there is room.
     private void Crosshair(DrawingContext context, PlotDatum datum)
     {
-        const double Padding = 8, Ring = 6, Thin = 1, Thick = 2;
         var at = View.ToScreen(datum.At);
         var (x, y) = (at.X, at.Y);
-        var pen = new Pen(Rule, Thin);
+        var pen = new Pen(Rule, DrawnSizes.Thin);
         context.DrawLine(pen, new Point(x, 0), new Point(x, Bounds.Height));
         context.DrawLine(pen, new Point(0, y), new Point(Bounds.Width, y));
-        context.DrawEllipse(null, new Pen(Ink, Thick), new Point(x, y), Ring, Ring);
+        context.DrawEllipse(null, new Pen(Ink, DrawnSizes.Line), new Point(x, y), DrawnSizes.Ring, DrawnSizes.Ring);
         var text = Label(datum.Text);
-        var (width, height) = (text.Width + (2 * Padding), text.Height + (2 * Padding));
+        var (width, height) = (text.Width + (2 * DrawnSizes.Around), text.Height + (2 * DrawnSizes.Around));
         var box = ValuesRoom = RoomFor(new(width, height), new(x, y));
-        context.DrawRectangle(Ground, new Pen(Ink, Thin), box);
-        context.DrawText(text, box.TopLeft + new Point(Padding, Padding));
+        context.DrawRectangle(Ground, new Pen(Ink, DrawnSizes.Thin), box);
+        context.DrawText(text, box.TopLeft + new Point(DrawnSizes.Around, DrawnSizes.Around));
     }
 
     // Beside the datum, nearest first, else in a corner: where no line is hidden. Where there is no such place, as far away as there is room, for what leads through the datum is what its values are of.
     private Rect RoomFor(Size size, Point at)
     {
         var (right, low) = (Math.Max(0, Bounds.Width - ButtonsRoom - size.Width), Math.Max(0, Bounds.Height - size.Height));
-        var beside = Aways.SelectMany(a => new[] { (1, -1), (-1, -1), (1, 1), (-1, 1) }.Select(s => new Point(
+        var beside = DrawnSizes.BoxAway.SelectMany(a => new[] { (1, -1), (-1, -1), (1, 1), (-1, 1) }.Select(s => new Point(
             s.Item1 > 0 ? at.X + a : at.X - a - size.Width,
             s.Item2 > 0 ? at.Y + a : at.Y - a - size.Height))).Where(p => p.X >= 0 && p.X <= right && p.Y >= 0 && p.Y <= low);
         Point[] corners = [new(0, 0), new(0, low), new(right, low), new(right, 0)];

@@ -29,10 +29,10 @@ public abstract partial class PlotArea : Control
     public static readonly StyledProperty<IBrush?> GroundProperty = AvaloniaProperty.Register<PlotArea, IBrush?>(nameof(Ground));
 
     /// <summary>Size of the labels.</summary>
-    public static readonly StyledProperty<double> LabelSizeProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(LabelSize), 14);
+    public static readonly StyledProperty<double> LabelSizeProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(LabelSize), 1);
 
     /// <summary>Room around what is drawn when all is shown.</summary>
-    public static readonly StyledProperty<double> AroundProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(Around), 28);
+    public static readonly StyledProperty<double> AroundProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(Around));
 
     /// <summary>The plot beside it that shows the same place, as of before and after; null if there is none.</summary>
     public static readonly StyledProperty<PlotArea?> TwinProperty = AvaloniaProperty.Register<PlotArea, PlotArea?>(nameof(Twin));
@@ -40,8 +40,8 @@ public abstract partial class PlotArea : Control
     /// <summary>The exact values under the finger; null while none are asked for.</summary>
     public static readonly DirectProperty<PlotArea, string?> ValuesProperty = AvaloniaProperty.RegisterDirect<PlotArea, string?>(nameof(Values), p => p.Values);
 
-    // What lies behind words shows through, so that it can be followed.
-    private const double VeilOpacity = 0.85, VeilRound = 3, VeilBeside = 2;
+    // Not further than to a quarter of all, and not nearer than a micrometer of a meter takes.
+    private const double LeastShare = 0.25, MostFactor = 1000;
 
     private readonly StackPanel _buttons;
     private PlotDatum? _datum;
@@ -158,8 +158,7 @@ public abstract partial class PlotArea : Control
     /// <summary>Nearer or further; the place under a point of the screen stays there.</summary>
     public void Zoom(double factor, Point about)
     {
-        // Not further than to a quarter of all, and not nearer than a micrometer of a meter takes.
-        var (least, most) = (_whole.ScaleX / 4, _whole.ScaleX * 1000);
+        var (least, most) = (LeastShare * _whole.ScaleX, MostFactor * _whole.ScaleX);
         View = Kept(View.Zoom(Math.Clamp(View.ScaleX * factor, least, most) / View.ScaleX, new(about.X, about.Y)));
         Lead();
     }
@@ -263,7 +262,7 @@ public abstract partial class PlotArea : Control
         ArgumentNullException.ThrowIfNull(text);
         if (Ground is ISolidColorBrush ground)
         {
-            context.FillRectangle(new ImmutableSolidColorBrush(ground.Color, VeilOpacity), new Rect(at, new Size(text.Width, text.Height)).Inflate(new Thickness(VeilBeside, 0)), (float)VeilRound);
+            context.FillRectangle(new ImmutableSolidColorBrush(ground.Color, DrawnSizes.VeilOpacity), new Rect(at, new Size(text.Width, text.Height)).Inflate(new Thickness(DrawnSizes.VeilBeside, 0)), (float)DrawnSizes.VeilRound);
         }
 
         context.DrawText(text, at);

@@ -10,6 +10,12 @@ internal sealed class PlotLabels
     // Looking at every line for every side of every label is worth it while a person can read the labels.
     private const int MostLooks = 200_000;
     private const int Sides = 8;
+
+    // A dot that is covered is as bad as so many lines.
+    private const int LinesADot = 10;
+
+    // A label at a corner is nearer along each side, as far away in all.
+    private const double SlantShare = 0.6;
     private readonly (Point From, Point To)[] _lines;
     private readonly Point[] _dots;
     private readonly double _dot;
@@ -34,7 +40,7 @@ internal sealed class PlotLabels
     public Point? Place(FormattedText text, Point at, double away, bool isBelow = false)
     {
         var (w, h) = (text.Width, text.Height);
-        var (right, left, above, below, slant) = (at.X + away, at.X - away - w, at.Y - away - h, at.Y + away, away * 0.6);
+        var (right, left, above, below, slant) = (at.X + away, at.X - away - w, at.Y - away - h, at.Y + away, SlantShare * away);
         Rect[] beside = [new(right, at.Y - (h / 2), w, h), new(left, at.Y - (h / 2), w, h)];
         Rect[] over = [new(at.X - (w / 2), above, w, h), new(at.X - (w / 2), below, w, h)];
         Rect[] corners = [new(at.X + slant, at.Y - slant - h, w, h), new(at.X - slant - w, at.Y - slant - h, w, h), new(at.X + slant, at.Y + slant, w, h), new(at.X - slant - w, at.Y + slant, w, h)];
@@ -45,8 +51,8 @@ internal sealed class PlotLabels
             return null;
         }
 
-        var best = free.MinBy(s => (10 * _dots.Count(d => s.Inflate(_dot).Contains(d))) + _lines.Count(l => Crosses(l, s)));
-        _taken.Add(best.Inflate(new Thickness(2, 0)));
+        var best = free.MinBy(s => (LinesADot * _dots.Count(d => s.Inflate(_dot).Contains(d))) + _lines.Count(l => Crosses(l, s)));
+        _taken.Add(best.Inflate(new Thickness(DrawnSizes.VeilBeside, 0)));
         return best.TopLeft;
     }
 

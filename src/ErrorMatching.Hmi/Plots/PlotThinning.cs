@@ -6,16 +6,13 @@ namespace ErrorMatching.Hmi;
 /// <remarks>A line of 100,000 points over 1,000 pixels becomes one of at most 4,000, and no pixel of it is drawn elsewhere than before by more than its own width.</remarks>
 public sealed class PlotThinning
 {
-    // Lines go on so far beyond the border, so that their ends and joins are not seen.
-    private const double Beyond = 16;
-
     private readonly PlotView _view;
     private readonly PlotBox _seen;
     private readonly List<(Point2 At, bool Begins)> _points = [];
     private Point2? _end;
     private (Point2 First, Point2 Low, Point2 High, Point2 Last, bool LowFirst)? _column;
 
-    private PlotThinning(PlotView view) => (_view, _seen) = (view, new(-Beyond, -Beyond, view.Width + Beyond, view.Height + Beyond));
+    private PlotThinning(PlotView view) => (_view, _seen) = (view, new(-DrawnSizes.Beyond, -DrawnSizes.Beyond, view.Width + DrawnSizes.Beyond, view.Height + DrawnSizes.Beyond));
 
     /// <summary>The points of a line that are drawn, in units of the screen; one that begins is not joined to the one before.</summary>
     /// <param name="line">The line in the plot's units; a point that is no finite number interrupts it.</param>

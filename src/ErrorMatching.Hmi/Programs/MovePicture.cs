@@ -10,7 +10,7 @@ public sealed class MovePicture
     private const int Leaf = 16, Branch = 8, MostChords = 4096;
 
     // How far the chords of an arc may lie off it, in pixels, and what a rapid must be nearer than a cut to be meant, as a share of the reach.
-    private const double ChordError = 0.25, RapidPenalty = 0.25, Beyond = 16;
+    private const double ChordError = 0.25, RapidPenalty = 0.25;
 
     private readonly NcMotions _motions;
     private readonly CoordinatePlane _plane;
@@ -133,7 +133,7 @@ public sealed class MovePicture
 
     // A little more than is seen, so that ends and joins are not.
     private static PlotBox Around(PlotView view) => view.Seen is var s
-        ? new(s.Left - (Beyond / view.ScaleX), s.Low - (Beyond / view.ScaleY), s.Right + (Beyond / view.ScaleX), s.High + (Beyond / view.ScaleY))
+        ? new(s.Left - (DrawnSizes.Beyond / view.ScaleX), s.Low - (DrawnSizes.Beyond / view.ScaleY), s.Right + (DrawnSizes.Beyond / view.ScaleX), s.High + (DrawnSizes.Beyond / view.ScaleY))
         : default;
 
     private bool Visit(int level, int index, Seeing seeing)

@@ -13,9 +13,6 @@ namespace ErrorMatching.Hmi;
 /// <param name="Lit">Color of what is chosen.</param>
 internal sealed record PathFrame(OpenedProgram Program, PlotView View, double Pixel, BlockRange? Chosen, BitArray? Featured, int Rapid, int Cut, int Lit)
 {
-    // Features and what is chosen are so many units thick.
-    private const double Thick = 3;
-
     /// <summary>Width in pixels.</summary>
     public int Width => (int)Math.Ceiling(View.Width / Pixel);
 
@@ -30,7 +27,7 @@ internal sealed record PathFrame(OpenedProgram Program, PlotView View, double Pi
     /// <summary>Draws it.</summary>
     public void Paint(PixelCanvas canvas)
     {
-        var (scale, thick) = (1 / Pixel, (int)Math.Max(2, Math.Round(Thick / Pixel)));
+        var (scale, thick) = (1 / Pixel, (int)Math.Max(2, Math.Round(DrawnSizes.Thick / Pixel)));
         var colors = new[] { Rapid, Cut, Cut, Lit };
         canvas.Clear(Width, Height);
         Program.Moves.Strokes(View, Pixel, stroke =>

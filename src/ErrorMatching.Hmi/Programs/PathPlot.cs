@@ -19,8 +19,6 @@ public sealed class PathPlot : PlotArea
     /// <summary>Most pieces that are drawn as shapes.</summary>
     public const int MostShapes = 1500;
 
-    private const double Thin = 1, Cut = 1.5, Thick = 3, Ring = 7, Dot = 4, LabelAway = 8;
-    private static readonly DashStyle Dashes = new([6, 4], 0);
     private readonly PixelLayer _layer = new();
     private readonly List<MoveStroke> _strokes = [];
     private BitArray? _featured;
@@ -232,10 +230,10 @@ public sealed class PathPlot : PlotArea
 
     private Pen PenOf(StrokeKind kind) => kind switch
     {
-        StrokeKind.Rapid => new Pen(Rule, Thin, Dashes),
-        StrokeKind.Cut => new Pen(Ink, Cut, lineJoin: PenLineJoin.Bevel),
-        StrokeKind.Feature => new Pen(Ink, Thick, lineJoin: PenLineJoin.Bevel),
-        _ => new Pen(ChosenBrush, Thick, lineJoin: PenLineJoin.Bevel),
+        StrokeKind.Rapid => new Pen(Rule, DrawnSizes.Thin, DrawnSizes.RapidDashes),
+        StrokeKind.Cut => new Pen(Ink, DrawnSizes.Cut, lineJoin: PenLineJoin.Bevel),
+        StrokeKind.Feature => new Pen(Ink, DrawnSizes.Thick, lineJoin: PenLineJoin.Bevel),
+        _ => new Pen(ChosenBrush, DrawnSizes.Thick, lineJoin: PenLineJoin.Bevel),
     };
 
     private void DrawShapes(DrawingContext context, StrokeKind kind)
@@ -326,7 +324,7 @@ public sealed class PathPlot : PlotArea
                 if (program.MotionsOf(range) is var (first, last) && program.Moves.EndsOf((first + last) / 2) is var (from, to))
                 {
                     var text = Label(mark.Name, isStrong: true);
-                    var at = view.At(from.Lerp(to, 0.5)) + new Point(LabelAway, -text.Height / 2);
+                    var at = view.At(from.Lerp(to, 0.5)) + new Point(DrawnSizes.LabelAway, -text.Height / 2);
                     context.FillRectangle(Ground!, new Rect(at, new Size(text.Width, text.Height)));
                     context.DrawText(text, at);
                 }
@@ -339,15 +337,15 @@ public sealed class PathPlot : PlotArea
     {
         if (Picture!.Selection is { } range && program.MotionsOf(range) is var (first, last))
         {
-            var pen = new Pen(ChosenBrush, Thick);
+            var pen = new Pen(ChosenBrush, DrawnSizes.Thick);
             if (program.Moves.EndsOf(first) is var (from, _))
             {
-                context.DrawEllipse(Ground, pen, view.At(from), Ring, Ring);
+                context.DrawEllipse(Ground, pen, view.At(from), DrawnSizes.Ring, DrawnSizes.Ring);
             }
 
             if (program.Moves.EndsOf(last) is var (_, to))
             {
-                context.DrawEllipse(ChosenBrush, null, view.At(to), Dot, Dot);
+                context.DrawEllipse(ChosenBrush, null, view.At(to), DrawnSizes.Dot, DrawnSizes.Dot);
             }
         }
     }

@@ -13,6 +13,10 @@ public sealed partial class ProgramText : ILogicalScrollable
     // Names of features take so many times the size of the text.
     private const int MostName = 6;
     private const int WheelRows = 3;
+
+    // Rows of so many screens are kept.
+    private const int MostScreens = 3;
+    private const double FromAfarShare = 1.0 / 3;
     private static readonly TimeSpan ScrollEvery = TimeSpan.FromMilliseconds(40);
 
     private readonly DispatcherTimer _scrolling;
@@ -227,7 +231,7 @@ public sealed partial class ProgramText : ILogicalScrollable
         if (_dragged is null && Picture?.Selection is not null && (top < Offset.Y || top + RowHeight > Offset.Y + height))
         {
             var away = Math.Min(Math.Abs(top - Offset.Y), Math.Abs(top + RowHeight - Offset.Y - height));
-            Offset = Offset.WithY(away > 2 * RowHeight ? top - (height / 3) : top < Offset.Y ? top : top + RowHeight - height);
+            Offset = Offset.WithY(away > 2 * RowHeight ? top - (FromAfarShare * height) : top < Offset.Y ? top : top + RowHeight - height);
         }
 
         AutomationProperties.SetHelpText(this, Picture?.Chosen ?? "");

@@ -35,12 +35,11 @@ public sealed partial class ProgramText : Control
     public static readonly StyledProperty<FontFamily> FontFamilyProperty = AvaloniaProperty.Register<ProgramText, FontFamily>(nameof(FontFamily), FontFamily.Default);
 
     /// <summary>The size of the text.</summary>
-    public static readonly StyledProperty<double> TextSizeProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(TextSize), 14);
+    public static readonly StyledProperty<double> TextSizeProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(TextSize), 1);
 
     /// <summary>The height of a row.</summary>
-    public static readonly StyledProperty<double> RowHeightProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(RowHeight), 34);
+    public static readonly StyledProperty<double> RowHeightProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(RowHeight), 1);
 
-    private const double Bar = 4, Between = 6, LeastGutter = 57;
     private readonly Dictionary<int, DrawnLine> _rows = [];
     private readonly Dictionary<string, FormattedText> _names = [];
     private double _numberWidth, _nameWidth, _lineWidth;
@@ -130,10 +129,10 @@ public sealed partial class ProgramText : Control
     internal IEnumerable<(int Block, double End)> RowsEnd => _rows.Select(r => (r.Key, r.Value.End));
 
     /// <summary>Width of the line numbers and the names of features, over which a finger drags.</summary>
-    internal double Gutter => Math.Max(LeastGutter, Bar + Between + _numberWidth + Between + (_nameWidth > 0 ? _nameWidth + Between : 0));
+    internal double Gutter => Math.Max(DrawnSizes.LeastGutter, DrawnSizes.TextBar + DrawnSizes.TextApart + _numberWidth + DrawnSizes.TextApart + (_nameWidth > 0 ? _nameWidth + DrawnSizes.TextApart : 0));
 
     // Of a line so much is seen at once.
-    private double Room => Math.Max(1, Bounds.Width - Gutter - (2 * Between));
+    private double Room => Math.Max(1, Bounds.Width - Gutter - (2 * DrawnSizes.TextApart));
 
     /// <inheritdoc/>
     public override void Render(DrawingContext context)
@@ -215,7 +214,7 @@ public sealed partial class ProgramText : Control
         if (picture.Selection is { } chosen && chosen.Contains(block))
         {
             context.FillRectangle(ChosenGround!, new Rect(0, top, Bounds.Width, RowHeight));
-            context.FillRectangle(ChosenBrush!, new Rect(0, top, Bar, RowHeight));
+            context.FillRectangle(ChosenBrush!, new Rect(0, top, DrawnSizes.TextBar, RowHeight));
         }
 
         if (!_rows.TryGetValue(block, out var row))
@@ -225,14 +224,14 @@ public sealed partial class ProgramText : Control
 
         // On whole pixels, so that it is copied and not computed.
         context.DrawImage(row.Picture, new Rect(0, Math.Round(top / Pixel) * Pixel, row.Picture.PixelSize.Width * Pixel, row.Picture.PixelSize.Height * Pixel));
-        var left = Bar + Between + _numberWidth + Between;
+        var left = DrawnSizes.TextBar + DrawnSizes.TextApart + _numberWidth + DrawnSizes.TextApart;
         if (picture.FeatureOf(block) is { } name)
         {
             // A bar along all blocks of a feature, and its name at the first one that is seen.
-            context.FillRectangle(Ink!, new Rect(left, top, Bar / 2, RowHeight));
+            context.FillRectangle(Ink!, new Rect(left, top, DrawnSizes.FeatureBar, RowHeight));
             if ((isFirst || picture.FeatureOf(block - 1) != name) && _names.TryGetValue(name, out var shown))
             {
-                context.DrawText(shown, new Point(left + (1.5 * Bar), top + ((RowHeight - shown.Height) / 2)));
+                context.DrawText(shown, new Point(left + DrawnSizes.Near, top + ((RowHeight - shown.Height) / 2)));
             }
         }
     }
@@ -250,16 +249,16 @@ public sealed partial class ProgramText : Control
             (line.MaxTextWidth, line.MaxLineCount, line.Trimming) = (room, 1, TextTrimming.CharacterEllipsis);
         }
 
-        var end = Math.Max(Gutter, Gutter + Between + line.Width - Offset.X);
+        var end = Math.Max(Gutter, Gutter + DrawnSizes.TextApart + line.Width - Offset.X);
         var width = Math.Clamp(end, 1, Math.Max(1, Bounds.Width));
 
         // A picture of pixels, to which text is scaled here: what a picture of more dots an inch is copied from is measured in units by some, and in pixels by others.
         var row = new RenderTargetBitmap(new((int)Math.Ceiling(width / Pixel), (int)Math.Ceiling(RowHeight / Pixel)));
         using var context = row.CreateDrawingContext();
         using var scaled = context.PushTransform(Matrix.CreateScale(1 / Pixel, 1 / Pixel));
-        context.DrawText(number, new Point(Bar + Between + _numberWidth - number.Width, (RowHeight - number.Height) / 2));
+        context.DrawText(number, new Point(DrawnSizes.TextBar + DrawnSizes.TextApart + _numberWidth - number.Width, (RowHeight - number.Height) / 2));
         using var beside = context.PushClip(new Rect(Gutter, 0, Math.Max(0, width - Gutter), RowHeight));
-        context.DrawText(line, new Point(Gutter + Between - Offset.X, (RowHeight - line.Height) / 2));
+        context.DrawText(line, new Point(Gutter + DrawnSizes.TextApart - Offset.X, (RowHeight - line.Height) / 2));
         return new(row, isCut, end);
     }
 
@@ -267,7 +266,7 @@ public sealed partial class ProgramText : Control
     private void LetGo(int first, int last)
     {
         var seen = last - first + 1;
-        if (_rows.Count > 3 * seen)
+        if (_rows.Count > MostScreens * seen)
         {
             foreach (var block in _rows.Keys.Where(b => b < first || b > last).ToArray())
             {
@@ -319,7 +318,7 @@ public sealed partial class ProgramText : Control
             foreach (var mark in picture.Marks.Where(m => m.Ranges.Count > 0))
             {
                 _names[mark.Name] = new(mark.Name, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(FontFamily.Default, FontStyle.Normal, FontWeight.SemiBold), TextSize, Ink) { MaxTextWidth = MostName * TextSize, MaxLineCount = 1, Trimming = TextTrimming.CharacterEllipsis };
-                _nameWidth = Math.Max(_nameWidth, (1.5 * Bar) + _names[mark.Name].Width);
+                _nameWidth = Math.Max(_nameWidth, DrawnSizes.Near + _names[mark.Name].Width);
             }
         }
 
