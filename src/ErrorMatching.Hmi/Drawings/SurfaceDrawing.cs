@@ -11,6 +11,9 @@ namespace ErrorMatching.Hmi;
 /// <param name="ShowsWay">True if the way from point to point is drawn.</param>
 public sealed record SurfaceDrawing(SurfaceNet Net, IReadOnlyList<double>? ValuesMm, double LimitMm, IReadOnlyList<(string Label, Point2 At, string Values)> Points, bool ShowsWay)
 {
+    /// <summary>What it is drawn of, made with the drawing, beside the screen where that is.</summary>
+    public SurfaceCells Cells { get; } = new(Net, ValuesMm, LimitMm);
+
     /// <summary>How much there is.</summary>
     public PlotBox Extent => PlotBox.Of(Net.Places.Select(p => new Point2(p.X, p.Y)));
 

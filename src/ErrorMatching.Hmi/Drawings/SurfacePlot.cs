@@ -2,7 +2,6 @@ using Avalonia;
 using Avalonia.Media;
 using Avalonia.Media.Immutable;
 using ErrorMatching.Geometry;
-using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
@@ -24,13 +23,12 @@ public sealed class SurfacePlot : PlotArea
     /// <summary>What lies behind that: the color of zero.</summary>
     public static readonly StyledProperty<IBrush?> MapPaperProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(MapPaper));
 
-    // Each cell of the net is drawn in so many by so many: colors change little from one to the next.
-    private const int Parts = 3;
-
     // Of the distance between two points: the surface is to be seen between their dots.
     private const double DotShare = 0.15;
     private PlotBox _extent = PlotBox.Empty;
-    private IReadOnlyList<(int Color, StreamGeometry Geometry)> _cells = [];
+    private List<(int Color, StreamGeometry Geometry)>? _shapes;
+    private StreamGeometry? _border;
+    private List<FormattedText>? _texts;
     private double _nearest = double.PositiveInfinity;
 
     static SurfacePlot() => AffectsRender<SurfacePlot>(AreaBrushProperty, WayBrushProperty, MapInkProperty, MapPaperProperty);
@@ -70,6 +68,14 @@ public sealed class SurfacePlot : PlotArea
         set => SetValue(MapPaperProperty, value);
     }
 
+    /// <summary>True once it was seen: shapes are made when they are drawn first, for of the maps of a screen most are on sides that nobody looks at.</summary>
+    internal bool HasShapes => _shapes is not null;
+
+    /// <summary>True if each point has its number, here and in the twin.</summary>
+    internal bool ShowsNumbers => HasRoom && (Twin is not SurfacePlot twin || twin.HasRoom);
+
+    private bool HasRoom => Drawing is null || HaveRoom(Labels(), new Rect(Bounds.Size));
+
     /// <inheritdoc/>
     protected override PlotBox Extent => _extent;
 
@@ -81,10 +87,15 @@ public sealed class SurfacePlot : PlotArea
     {
         ArgumentNullException.ThrowIfNull(change);
         base.OnPropertyChanged(change);
+        if (change.Property == DrawingProperty || change.Property == InkProperty || change.Property == MapInkProperty || change.Property == LabelSizeProperty)
+        {
+            _texts = null;
+        }
+
         if (change.Property == DrawingProperty)
         {
             _extent = Drawing?.Extent ?? PlotBox.Empty;
-            _cells = Drawing is null ? [] : CellsOf(Drawing);
+            (_shapes, _border) = (null, null);
             _nearest = Drawing?.NearestDistance() ?? double.PositiveInfinity;
             Renew([.. Drawing?.Points.Select(p => p.At) ?? []]);
         }
@@ -101,12 +112,15 @@ public sealed class SurfacePlot : PlotArea
         var origin = To(view, Point2.Origin);
         using (context.PushTransform(new Matrix(view.ScaleX, 0, 0, -view.ScaleY, origin.X, origin.Y)))
         {
-            foreach (var (color, geometry) in _cells)
+            foreach (var (color, geometry) in _shapes ??= ShapesOf(drawing.Cells))
             {
                 // The stroke closes the hairlines between neighbors.
                 var brush = color < 0 ? AreaBrush : MapColors.Scale[color];
                 context.DrawGeometry(brush, new Pen(brush, DrawnSizes.Hairline / view.ScaleX), geometry);
             }
+
+            // The color of zero is that of paper.
+            context.DrawGeometry(null, new Pen(Rule, DrawnSizes.Thin / view.ScaleX), _border ??= BorderOf(drawing.Cells));
         }
 
         Way(context, view, drawing);
@@ -122,11 +136,11 @@ public sealed class SurfacePlot : PlotArea
         return new(x, y);
     }
 
-    // Made once, in the plot's units, one geometry a color: whoever moves the map or goes nearer draws the same again.
-    private static List<(int Color, StreamGeometry Geometry)> CellsOf(SurfaceDrawing drawing)
+    // In the plot's units, one geometry a color: whoever moves the map or goes nearer draws the same again.
+    private static List<(int Color, StreamGeometry Geometry)> ShapesOf(SurfaceCells cells)
     {
-        var geometries = new List<(int Color, StreamGeometry Geometry)>();
-        foreach (var color in Quadrangles(drawing).GroupBy(q => q.Color))
+        var shapes = new List<(int Color, StreamGeometry Geometry)>();
+        foreach (var color in cells.Quadrangles.GroupBy(q => q.Color))
         {
             var geometry = new StreamGeometry();
             using (var figures = geometry.Open())
@@ -134,56 +148,37 @@ public sealed class SurfacePlot : PlotArea
                 figures.SetFillRule(FillRule.NonZero);
                 foreach (var (_, corners) in color)
                 {
-                    Quadrangle(figures, corners);
+                    Figure(figures, corners, isClosed: true);
                 }
             }
 
-            geometries.Add((color.Key, geometry));
+            shapes.Add((color.Key, geometry));
         }
 
-        return geometries;
+        return shapes;
     }
 
-    private static IEnumerable<(int Color, Point[] Corners)> Quadrangles(SurfaceDrawing drawing)
+    private static StreamGeometry BorderOf(SurfaceCells cells)
     {
-        const double SideShare = 1.0 / Parts;
-        var (net, outside) = (drawing.Net, drawing.Net.Outside.ToHashSet());
-        Point[] places = [.. net.Places.Select(p => new Point(p.X, p.Y))];
-        for (var cell = 0; cell < (net.CountU - 1) * (net.CountV - 1); cell++)
+        var geometry = new StreamGeometry();
+        using var figures = geometry.Open();
+        foreach (var (from, to) in cells.Border)
         {
-            if (outside.Contains(cell))
-            {
-                continue;
-            }
-
-            var a = (cell / (net.CountV - 1) * net.CountV) + (cell % (net.CountV - 1));
-            int[] corners = [a, a + net.CountV, a + net.CountV + 1, a + 1];
-            if (drawing.ValuesMm is not { } values)
-            {
-                yield return (-1, [.. corners.Select(c => places[c])]);
-                continue;
-            }
-
-            for (var part = 0; part < Parts * Parts; part++)
-            {
-                var (s, t) = ((double)(part / Parts) / Parts, (double)(part % Parts) / Parts);
-                Point At(double u, double v) => Between(corners, c => places[c], u, v);
-                var value = Between(corners, c => new Point(values[c], 0), s + (SideShare / 2), t + (SideShare / 2)).X;
-                yield return (DivergingColors.IndexOf(value, drawing.LimitMm), [At(s, t), At(s + SideShare, t), At(s + SideShare, t + SideShare), At(s, t + SideShare)]);
-            }
+            Figure(figures, [from, to], isClosed: false);
         }
+
+        return geometry;
     }
 
-    private static Point Between(int[] corners, Func<int, Point> at, double s, double t) =>
-        (at(corners[0]) * ((1 - s) * (1 - t))) + (at(corners[1]) * (s * (1 - t))) + (at(corners[2]) * (s * t)) + (at(corners[3]) * ((1 - s) * t));
-
-    private static void Quadrangle(StreamGeometryContext figures, Point[] corners)
+    private static void Figure(StreamGeometryContext figures, IReadOnlyList<Point2> corners, bool isClosed)
     {
-        figures.BeginFigure(corners[0], isFilled: true);
-        figures.LineTo(corners[1]);
-        figures.LineTo(corners[2]);
-        figures.LineTo(corners[3]);
-        figures.EndFigure(isClosed: true);
+        figures.BeginFigure(new(corners[0].X, corners[0].Y), isFilled: isClosed);
+        for (var i = 1; i < corners.Count; i++)
+        {
+            figures.LineTo(new(corners[i].X, corners[i].Y));
+        }
+
+        figures.EndFigure(isClosed);
     }
 
     private void Way(DrawingContext context, PlotView view, SurfaceDrawing drawing)
@@ -210,37 +205,45 @@ public sealed class SurfacePlot : PlotArea
     {
         // Colors of the map are the same in both themes, and so is what is written on them.
         var isMap = drawing.ValuesMm is not null;
-        var ink = isMap ? MapInk : Ink;
         var radius = DotRadius(view);
-        var labels = new List<(FormattedText Text, Rect Room)>();
-        foreach (var (label, at, _) in drawing.Points)
+        foreach (var (_, at, _) in drawing.Points)
         {
-            var place = To(view, at);
-            context.DrawEllipse(isMap ? ink : WayBrush, null, place, radius, radius);
-            var text = Label(label);
-            if (ink is not null)
-            {
-                text.SetForegroundBrush(ink);
-            }
-
-            labels.Add((text, new Rect(place.X - (text.Width / 2), place.Y - text.Height - DrawnSizes.NumberAbove, text.Width, text.Height).Inflate(new Thickness(DrawnSizes.VeilBeside, 0))));
+            context.DrawEllipse(isMap ? MapInk : WayBrush, null, To(view, at), radius, radius);
         }
 
-        // All or none: labels that find no room appear when one goes nearer. A brush that shows through is drawn at once; a group that does takes a picture of its own for each label.
+        // All or none, here and in the twin beside it: labels that find no room appear when one goes nearer. A brush that shows through is drawn at once; a group that does takes a picture of its own for each label.
+        if (!ShowsNumbers)
+        {
+            return;
+        }
+
         var veil = (isMap ? MapPaper : Ground) is ISolidColorBrush paper ? new ImmutableSolidColorBrush(paper.Color, isMap ? DrawnSizes.MapVeilOpacity : DrawnSizes.VeilOpacity) : null;
-        if (HaveRoom(labels, new Rect(Bounds.Size)))
+        foreach (var (text, room) in Labels())
         {
-            foreach (var (text, room) in labels)
+            // What lies behind shows through; on a line it would cross the number.
+            if (veil is not null)
             {
-                // What lies behind shows through; on a line it would cross the number.
-                if (veil is not null)
-                {
-                    context.FillRectangle(veil, room, (float)DrawnSizes.VeilRound);
-                }
+                context.FillRectangle(veil, room, (float)DrawnSizes.VeilRound);
+            }
 
-                context.DrawText(text, new(room.X + DrawnSizes.VeilBeside, room.Y));
+            context.DrawText(text, new(room.X + DrawnSizes.VeilBeside, room.Y));
+        }
+    }
+
+    // The labels and the room of each, as all is seen now; the texts are made once.
+    private List<(FormattedText Text, Rect Room)> Labels()
+    {
+        var drawing = Drawing!;
+        if (_texts is null)
+        {
+            _texts = [.. drawing.Points.Select(p => Label(p.Label))];
+            if ((drawing.ValuesMm is not null ? MapInk : Ink) is { } ink)
+            {
+                _texts.ForEach(t => t.SetForegroundBrush(ink));
             }
         }
+
+        return [.. drawing.Points.Zip(_texts, (point, text) => (text, To(View, point.At) is var place ? new Rect(place.X - (text.Width / 2), place.Y - text.Height - DrawnSizes.NumberAbove, text.Width, text.Height).Inflate(new Thickness(DrawnSizes.VeilBeside, 0)) : default))];
     }
 
     private static bool HaveRoom(List<(FormattedText Text, Rect Room)> labels, Rect seen)
