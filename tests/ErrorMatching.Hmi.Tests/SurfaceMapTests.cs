@@ -1,5 +1,7 @@
 using Avalonia;
+using Avalonia.Automation;
 using Avalonia.Controls;
+using Avalonia.LogicalTree;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
 using ErrorMatching.Geometry;
@@ -57,6 +59,45 @@ public sealed class SurfaceMapTests
         // Near enough they are as large as they are to be seen.
         plot.Zoom(100, default);
         Assert.Equal(DrawnSizes.Dot, plot.DotRadius(plot.View));
+    });
+
+    [Fact]
+    public Task Of_two_maps_beside_each_other_both_have_numbers_or_none() => Seat.AtAsync(seat =>
+    {
+        Arrive(seat, TouchSize.Standard);
+        var (map, other) = ((SurfacePlot)seat.See(Maps[0]), (SurfacePlot)seat.See(Maps[1]));
+
+        // Numbers that are wider find less room.
+        other.Drawing = other.Drawing! with { Points = [.. other.Drawing.Points.Select(p => ("-" + p.Label + p.Label + p.Label, p.At, p.Values))] };
+        var seen = new HashSet<bool>();
+        foreach (var factor in Enumerable.Repeat(1.3, 10))
+        {
+            map.Zoom(factor, new(map.Bounds.Width / 2, map.Bounds.Height / 2));
+            Assert.Equal(map.ShowsNumbers, other.ShowsNumbers);
+            seen.Add(map.ShowsNumbers);
+        }
+
+        Assert.Equal(2, seen.Count);
+    });
+
+    [Fact]
+    public Task Only_maps_that_are_looked_at_are_made() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.DeliverSurface(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Operator).Tap("nav-freeform").See("map");
+        Assert.Equal(["map"], Made());
+        seat.Tap("tab-compare").See("map-radius");
+        Assert.Equal(["map", "map-mirror", "map-radius"], Made());
+
+        IEnumerable<string?> Made()
+        {
+            seat.User.Settle();
+            var maps = seat.Window.GetLogicalDescendants().OfType<SurfacePlot>().Where(p => p.Drawing is not null).ToArray();
+            Assert.True(maps.Length >= 4);
+            return maps.Where(p => p.HasShapes).Select(AutomationProperties.GetAutomationId).Distinct().Order();
+        }
     });
 
     private static void Arrive(Seat seat, TouchSize size)

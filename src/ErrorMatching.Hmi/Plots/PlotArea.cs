@@ -123,6 +123,9 @@ public abstract partial class PlotArea : Control
             {
                 _view = value;
                 InvalidateVisual();
+
+                // What is written here may depend on what has room there.
+                Twin?.InvalidateVisual();
             }
         }
     }
