@@ -18,6 +18,33 @@ public sealed class LayoutTests
         "TextPresenter  has a character without a glyph");
 
     [Fact]
+    public async Task A_character_that_no_font_has_is_noticed_in_what_draws_its_words_itself()
+    {
+        var marked = Lines();
+        await marked.MarkAsync([new("\u0378", ["N10"])]);
+        await Within(
+            () =>
+            [
+                Drawn("whole", new SeriesPlot { Drawing = new(["1 µm → 誤"], ["1"], [new(SeriesKind.Before, "誤差", [1])], [], []) }),
+                Drawn("place", new SeriesPlot { Drawing = new(["\u0378"], ["1"], [new(SeriesKind.Before, "name", [1])], [], []) }),
+                Drawn("name", new SeriesPlot { Drawing = new(["1"], ["1"], [new(SeriesKind.Before, "\u0378", [1])], [], []) }),
+                Drawn("values", new SeriesPlot { Drawing = new(["1"], ["1\n\u0378"], [new(SeriesKind.Before, "name", [1])], [], []) }),
+                Drawn("number", new SurfacePlot { Drawing = new(new(2, 2, [new(0, 0, 0), new(0, 1, 0), new(1, 0, 0), new(1, 1, 0)], []), null, 1, [("\u0378", new(0, 0), "1")], ShowsWay: false) }),
+                Drawn("feature", new PartPlot { Drawing = new([new("\u0378", [("1", new(0, 0)), ("2", new(1, 1))])], IsSchematic: false, 2, 2) }),
+                Drawn("limit", new ColorLegend { LimitMm = 1 }),
+                new MarkedText { Line = "N10 \u0378", Spans = [(4, 1)] },
+                Drawn("marked", new ProgramText { Picture = marked }),
+            ],
+            "SeriesPlot place has a character without a glyph",
+            "SeriesPlot name has a character without a glyph",
+            "SeriesPlot values has a character without a glyph",
+            "SurfacePlot number has a character without a glyph",
+            "PartPlot feature has a character without a glyph",
+            "\"N10 \u0378\" has a character without a glyph",
+            "ProgramText marked has a character without a glyph");
+    }
+
+    [Fact]
     public Task What_is_touched_and_clipped_is_noticed_unless_it_is_scrolled_to() => Within(
         () =>
         [
@@ -64,6 +91,14 @@ public sealed class LayoutTests
         return field;
     }
 
+    private static Control Drawn(string name, Control control)
+    {
+        (control.MinHeight, control.Width) = (control is PlotArea ? 200 : 70, 300);
+        AutomationProperties.SetAutomationId(control, name);
+        AutomationProperties.SetName(control, name);
+        return control;
+    }
+
     private static ProgramPicture Lines() => new(OpenedProgram.Read(Encoding.ASCII.GetBytes("N10 G1\nN20 G1 X11.111 Y11\n"), NcDialects.FanucMill, TestContext.Current.CancellationToken));
 
     // Each complaint is found, and nothing else.
@@ -71,7 +106,7 @@ public sealed class LayoutTests
     {
         var stack = new StackPanel();
         stack.Children.AddRange(content());
-        var window = new Window { Width = 800, Height = 700, Content = stack };
+        var window = new Window { Width = 800, Height = 2000, Content = stack };
         window.Show();
         try
         {

@@ -8,7 +8,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Hmi;
 
 /// <summary>What the colors of a map mean: a bar from the lowest value to the highest, zero in its middle, with signs and unit.</summary>
-public sealed class ColorLegend : Control
+public sealed class ColorLegend : Control, IDrawnWords
 {
     /// <summary>The absolute value of the last colors, in mm.</summary>
     public static readonly StyledProperty<double> LimitMmProperty = AvaloniaProperty.Register<ColorLegend, double>(nameof(LimitMm));
@@ -47,6 +47,9 @@ public sealed class ColorLegend : Control
         get => GetValue(LabelSizeProperty);
         set => SetValue(LabelSizeProperty, value);
     }
+
+    /// <inheritdoc/>
+    IEnumerable<(string Words, Typeface Typeface)> IDrawnWords.DrawnWords => Ticks.Select(t => (Words(t), Typeface.Default));
 
     /// <inheritdoc/>
     public override void Render(DrawingContext context)

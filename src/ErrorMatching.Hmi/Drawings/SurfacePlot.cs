@@ -80,6 +80,9 @@ public sealed class SurfacePlot : PlotArea
     protected override PlotBox Extent => _extent;
 
     /// <inheritdoc/>
+    protected override IEnumerable<string> KeptWords => Drawing?.Points.Select(p => p.Label) ?? [];
+
+    /// <inheritdoc/>
     protected override int DatumCount => Drawing?.Points.Count ?? 0;
 
     /// <inheritdoc/>

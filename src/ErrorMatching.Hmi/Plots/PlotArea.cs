@@ -17,7 +17,7 @@ namespace ErrorMatching.Hmi;
 /// are others. The data themselves belong to view models. Keys: arrows move, plus and minus zoom, 0 shows all, space or Enter asks for the values nearest to the middle, page up and down go to the datum before and behind.
 /// </remarks>
 [System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "The layer is let go when the plot leaves the screen.")]
-public abstract partial class PlotArea : Control
+public abstract partial class PlotArea : Control, IDrawnWords
 {
     /// <summary>Labels.</summary>
     public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<PlotArea, IBrush?>(nameof(Ink));
@@ -43,7 +43,10 @@ public abstract partial class PlotArea : Control
     // Not further than to a quarter of all, and not nearer than a micrometer of a meter takes.
     private const double LeastShare = 0.25, MostFactor = 1000;
 
+    private static readonly Typeface Plain = new(FontFamily.Default), Strong = new(FontFamily.Default, FontStyle.Normal, FontWeight.SemiBold);
+
     private readonly StackPanel _buttons;
+    private readonly HashSet<(string Words, Typeface Typeface)> _words = [];
     private PlotDatum? _datum;
     private PlotIndex _index = new([]);
     private PlotView _view;
@@ -133,6 +136,12 @@ public abstract partial class PlotArea : Control
     /// <summary>True while all is seen.</summary>
     public bool ShowsAll => _view == _whole;
 
+    /// <inheritdoc/>
+    IEnumerable<(string Words, Typeface Typeface)> IDrawnWords.DrawnWords => [.. _words, .. KeptWords.Append(DatumCount > 0 ? DatumAt(0)?.Text : null).OfType<string>().Select(w => (w, Plain))];
+
+    /// <summary>Words that are drawn again from frame to frame without being made anew.</summary>
+    protected virtual IEnumerable<string> KeptWords => [];
+
     /// <summary>How much there is to be seen; an empty box if there is nothing.</summary>
     protected abstract PlotBox Extent { get; }
 
@@ -203,6 +212,7 @@ public abstract partial class PlotArea : Control
             return;
         }
 
+        _words.Clear();
         Draw(context, View);
         ShowPixels(context);
         if (_datum is { } datum)
@@ -272,8 +282,12 @@ public abstract partial class PlotArea : Control
     }
 
     /// <summary>A label in the plot's ink.</summary>
-    protected FormattedText Label(string text, bool isStrong = false) => new(
-        text, System.Globalization.CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(FontFamily.Default, FontStyle.Normal, isStrong ? FontWeight.SemiBold : FontWeight.Normal), LabelSize, Ink);
+    protected FormattedText Label(string text, bool isStrong = false)
+    {
+        var typeface = isStrong ? Strong : Plain;
+        _words.Add((text, typeface));
+        return new(text, System.Globalization.CultureInfo.InvariantCulture, FlowDirection.LeftToRight, typeface, LabelSize, Ink);
+    }
 
     // What is looked at closely here is looked at closely there.
     private void Lead()

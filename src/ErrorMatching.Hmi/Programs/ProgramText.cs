@@ -11,7 +11,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>The text of a program, block by block: only the rows that are seen are made. A tap lights a block; dragging over the line numbers, with a mouse anywhere, lights all blocks on the way.</summary>
 /// <remarks>It scrolls within a <see cref="ScrollViewer"/>. Keys: left and right scroll to what does not fit; up, down, page, home and end light another block; with Shift they light all blocks up to there; Enter takes what is lit for the feature that blocks are picked for.</remarks>
-public sealed partial class ProgramText : Control
+public sealed partial class ProgramText : Control, IDrawnWords
 {
     /// <summary>The program.</summary>
     public static readonly StyledProperty<ProgramPicture?> PictureProperty = AvaloniaProperty.Register<ProgramText, ProgramPicture?>(nameof(Picture));
@@ -40,6 +40,7 @@ public sealed partial class ProgramText : Control
     /// <summary>The height of a row.</summary>
     public static readonly StyledProperty<double> RowHeightProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(RowHeight), 1);
 
+    private static readonly Typeface NameFace = new(FontFamily.Default, FontStyle.Normal, FontWeight.SemiBold);
     private readonly Dictionary<int, DrawnLine> _rows = [];
     private readonly Dictionary<string, FormattedText> _names = [];
     private double _numberWidth, _nameWidth, _lineWidth;
@@ -133,6 +134,10 @@ public sealed partial class ProgramText : Control
 
     // Of a line so much is seen at once.
     private double Room => Math.Max(1, Bounds.Width - Gutter - (2 * DrawnSizes.TextApart));
+
+    /// <inheritdoc/>
+    IEnumerable<(string Words, Typeface Typeface)> IDrawnWords.DrawnWords => Picture is not { Program: var program } ? []
+        : [.. _rows.Keys.SelectMany(b => new[] { Shown.Id(b + 1), program.LineAt(b) }).Append("…").Select(w => (w, new Typeface(FontFamily))), .. _names.Keys.Select(n => (n, NameFace))];
 
     /// <inheritdoc/>
     public override void Render(DrawingContext context)
@@ -317,7 +322,7 @@ public sealed partial class ProgramText : Control
             _numberWidth = Text(new string('8', Shown.Id(picture.Program.Count).Length), NumberInk).Width;
             foreach (var mark in picture.Marks.Where(m => m.Ranges.Count > 0))
             {
-                _names[mark.Name] = new(mark.Name, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(FontFamily.Default, FontStyle.Normal, FontWeight.SemiBold), TextSize, Ink) { MaxTextWidth = MostName * TextSize, MaxLineCount = 1, Trimming = TextTrimming.CharacterEllipsis };
+                _names[mark.Name] = new(mark.Name, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, NameFace, TextSize, Ink) { MaxTextWidth = MostName * TextSize, MaxLineCount = 1, Trimming = TextTrimming.CharacterEllipsis };
                 _nameWidth = Math.Max(_nameWidth, DrawnSizes.Near + _names[mark.Name].Width);
             }
         }

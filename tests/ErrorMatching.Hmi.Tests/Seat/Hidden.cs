@@ -1,5 +1,6 @@
 using Avalonia.Controls;
 using Avalonia.Controls.Presenters;
+using Avalonia.Media;
 using Avalonia.Media.TextFormatting;
 using Avalonia.VisualTree;
 
@@ -14,10 +15,18 @@ internal static class Hidden
     public static IEnumerable<string> Problems(Window window) => [.. MissingGlyphs(window), .. Clipped(window), .. Slits(window), .. LowFields(window), .. CutLines(window)];
 
     // Characters that the font, and whatever takes its place, has no picture for: a box is drawn instead.
-    private static IEnumerable<string> MissingGlyphs(Window window) => window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible)
-        .Select(c => (Control: c, Layout: c switch { TextBlock text => text.TextLayout, TextPresenter typed => typed.TextLayout, _ => null }))
-        .Where(c => c.Layout is not null && c.Layout.TextLines.SelectMany(l => l.TextRuns).OfType<ShapedTextRun>().Any(r => r.ShapedBuffer.Any(g => g.GlyphIndex == 0)))
-        .Select(c => $"{Layout.Name(c.Control)} has a character without a glyph");
+    private static IEnumerable<string> MissingGlyphs(Window window) => window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && LayoutsOf(c).Any(IsMissing))
+        .Select(c => $"{Layout.Name(c)} has a character without a glyph");
+
+    private static IEnumerable<TextLayout> LayoutsOf(Control control) => control switch
+    {
+        TextBlock text => [text.TextLayout],
+        TextPresenter typed => [typed.TextLayout],
+        IDrawnWords drawn => drawn.DrawnWords.SelectMany(d => d.Words.Split('\n').Select(l => new TextLayout(l, d.Typeface, 14, Brushes.Black))),
+        _ => [],
+    };
+
+    private static bool IsMissing(TextLayout layout) => layout.TextLines.SelectMany(l => l.TextRuns).OfType<ShapedTextRun>().Any(r => r.ShapedBuffer.Any(g => g.GlyphIndex == 0));
 
     // What is touched, drawn or scrolled in, and is partly behind the border of something that clips it and does not scroll to it.
     private static IEnumerable<string> Clipped(Window window)
