@@ -16,6 +16,7 @@ public sealed partial class HouseOfScreensTests
     [
         ("Ink", "Ground"), ("Ink", "Surface"), ("Ink", "SurfaceQuiet"), ("Ink", "AccentGround"), ("Ink", "AttentionGround"), ("Ink", "AlarmGround"), ("InkQuiet", "Ground"), ("InkQuiet", "Surface"),
         ("InkQuiet", "SurfaceQuiet"), ("InkQuiet", "AttentionGround"), ("InkQuiet", "AlarmGround"), ("Accent", "AccentGround"), ("OnAccent", "Accent"), ("Attention", "Surface"), ("Attention", "AttentionGround"), ("Alarm", "Surface"), ("Alarm", "AlarmGround"),
+        ("PlotPart", "Surface"), ("PlotPart", "PlotGap"), ("PlotCounterpart", "Surface"), ("PlotCounterpart", "PlotGap"), ("PlotBefore", "Surface"), ("PlotBefore", "PlotBand"), ("PlotAfter", "Surface"), ("PlotAfter", "PlotBand"),
     ];
 
     // Numbers in drawings that are no lengths: micrometers of a millimeter, the units of a schematic drawing, what is as good as zero, bits and dots of a bitmap, a time.
@@ -73,8 +74,24 @@ public sealed partial class HouseOfScreensTests
         var theme = isDark ? ThemeVariant.Dark : ThemeVariant.Light;
         Assert.All(Read, r => Assert.True(Contrast(Color(r.Ink), Color(r.Ground)) >= LeastContrast, $"{r.Ink} on {r.Ground}: {Contrast(Color(r.Ink), Color(r.Ground)):0.00}"));
 
-        Color Color(string key) => Application.Current!.TryGetResource(key, theme, out var brush) ? ((ISolidColorBrush)brush!).Color : throw new KeyNotFoundException(key);
+        Color Color(string key) => Of(key, theme);
     });
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public Task Nothing_in_a_plot_looks_like_a_warning_but_what_is_between_two_pieces(bool isDark) => Drawing.Needed().RunAsync(() =>
+    {
+        // Amber and red have more red than blue; grays, blues and greens have not.
+        const int Warm = 24;
+        var theme = isDark ? ThemeVariant.Dark : ThemeVariant.Light;
+        Assert.All(["Attention", "Alarm", "PlotGap"], k => Assert.True(Color(k).R > Color(k).B + Warm, k));
+        Assert.All(["PlotTheoretical", "PlotBefore", "PlotAfter", "PlotPart", "PlotCounterpart", "PlotBand"], k => Assert.True(Color(k).R <= Color(k).B + Warm, k));
+
+        Color Color(string key) => Of(key, theme);
+    });
+
+    private static Color Of(string key, ThemeVariant theme) => Application.Current!.TryGetResource(key, theme, out var brush) ? ((ISolidColorBrush)brush!).Color : throw new KeyNotFoundException(key);
 
     // WCAG 2.1, 1.4.3: relative luminance and contrast ratio.
     private static double Contrast(Color a, Color b)
