@@ -1,4 +1,5 @@
 using ErrorMatching.Cell;
+using ErrorMatching.Geometry;
 using ErrorMatching.Jobs;
 using ErrorMatching.Testing;
 
@@ -23,8 +24,9 @@ public sealed class KeptPieceTests
         var (before, after) = (GapDrawing.Before(piece), GapDrawing.After(piece));
         Assert.All(before.Counterpart.Zip(after.Counterpart), lines => Assert.All(lines.First.Zip(lines.Second), p => Assert.True(p.First.DistanceTo(p.Second) < 1e-6)));
 
-        // And the counterpart is the outline that the program cuts.
-        Assert.All(report.Features.Zip(after.Counterpart), f => Assert.All(f.First.Outline.Zip(f.Second), p => Assert.True(p.First.DistanceTo(p.Second) < 1e-6)));
+        // And the counterpart is the outline that the program cuts; it stands upright, and is drawn lying.
+        Assert.True(after.IsLong && after.IsTurned);
+        Assert.All(report.Features.Zip(after.Counterpart), f => Assert.All(f.First.Outline.Zip(f.Second), p => Assert.True(new Point2(p.First.Y, -p.First.X).DistanceTo(p.Second) < 1e-6)));
     }
 
     [Fact]
@@ -40,6 +42,11 @@ public sealed class KeptPieceTests
         Assert.Equal(0, after.Points.Single(p => p.Label == "1").GapMm, 0.001);
         Assert.True(after.LargestMm < before.LargestMm);
         Assert.Equal(before.Factor, after.Factor);
+
+        // What is said under the finger is not turned with the drawing, and neither are the limits of 0.05 mm.
+        Assert.Equal(piece.Result.Points.Select(p => (p.Label, -p.AfterError.NormalMm, Math.Abs(p.AfterError.NormalMm) > 0.05)), after.Points.OrderBy(p => piece.Result.Points.ToList().FindIndex(r => r.Label == p.Label)).Select(p => (p.Label, p.GapMm, p.IsOutside)));
+        Assert.True(after.Points.Max(p => p.At.X) - after.Points.Min(p => p.At.X) > 5 * (after.Points.Max(p => p.At.Y) - after.Points.Min(p => p.At.Y)));
+        Assert.EndsWith(" Turned clockwise by 90°.", after.Note, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -4,17 +4,32 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The two boundaries of a mating as lines in the part's frame, deviations exaggerated: the measured part, and the counterpart that a program cuts.</summary>
+/// <summary>The two boundaries of a mating as lines, deviations exaggerated: the measured part, and the counterpart that a program cuts. In the part's frame, or turned where it stands upright: what is long lies.</summary>
 /// <param name="Part">The part's boundary, a line a feature, mm.</param>
 /// <param name="Counterpart">The counterpart's boundary, a line a feature, mm.</param>
-/// <param name="Points">The key points on the part's boundary, mm, with their labels, the gap and the part's deviation there.</param>
+/// <param name="Points">The key points on the part's boundary, mm, with their labels, the gap and the part's deviation there, and whether the mating error leaves its limits.</param>
 /// <param name="Factor">How many times deviations are drawn larger than they are.</param>
 /// <param name="LargestMm">The largest gap or overlap at a key point, without sign.</param>
+/// <param name="IsLong">True if it is much longer than high.</param>
+/// <param name="IsTurned">True if it is turned clockwise by 90 degrees.</param>
 public sealed record GapDrawing(
-    IReadOnlyList<IReadOnlyList<Point2>> Part, IReadOnlyList<IReadOnlyList<Point2>> Counterpart, IReadOnlyList<(string Label, Point2 At, double GapMm, double PartMm)> Points, double Factor, double LargestMm)
+    IReadOnlyList<IReadOnlyList<Point2>> Part, IReadOnlyList<IReadOnlyList<Point2>> Counterpart, IReadOnlyList<(string Label, Point2 At, double GapMm, double PartMm, bool IsOutside)> Points, double Factor, double LargestMm, bool IsLong, bool IsTurned)
 {
     // The largest deviation takes this much of the drawing.
     private const double Share = 0.08;
+
+    // What is so many times as long as wide is long.
+    private const double LongFactor = 1.5;
+
+    /// <summary>How it is drawn, in words: how much deviations are exaggerated, and whether it is turned.</summary>
+    public string Note
+    {
+        get
+        {
+            var note = Factor == 1 ? Texts.Current["Detail.TrueToScale"] : Texts.Current.With("Detail.Exaggerated", Shown.Count((long)Factor));
+            return IsTurned ? Texts.Current.With("Detail.NoteTurned", note) : note;
+        }
+    }
 
     /// <summary>The assembly without compensation.</summary>
     public static GapDrawing Before(KeptPiece piece) => Of(piece, p => p.BeforeError);
@@ -26,22 +41,29 @@ public sealed record GapDrawing(
     private static GapDrawing Of(KeptPiece piece, Func<VerifiedPoint, MatingError> error)
     {
         var factor = FactorOf(piece);
-        var (part, counterpart, labels) = (new List<IReadOnlyList<Point2>>(), new List<IReadOnlyList<Point2>>(), new List<(string, Point2, double, double)>());
+        var (width, height) = SizeOf(piece);
+        var (isLong, isTurned) = (Math.Max(width, height) >= LongFactor * Math.Min(width, height), height >= LongFactor * width);
+        var (part, counterpart, labels) = (new List<IReadOnlyList<Point2>>(), new List<IReadOnlyList<Point2>>(), new List<(string, Point2, double, double, bool)>());
         var byLabel = piece.Result.Points.ToDictionary(p => p.Label, StringComparer.Ordinal);
         foreach (var boundary in piece.Boundaries)
         {
             var points = boundary.Points.Select(p => (Point: byLabel[p.Label], p.Theoretical, PartMm: (byLabel[p.Label].Part - p.Theoretical).Dot(byLabel[p.Label].Normal))).ToArray();
-            labels.AddRange(points.Select(p => (p.Point.Label, p.Theoretical + (factor * p.PartMm * p.Point.Normal), -error(p.Point).NormalMm, p.PartMm)));
+            labels.AddRange(points.Select(p => (p.Point.Label, Lying(p.Theoretical + (factor * p.PartMm * p.Point.Normal)), -error(p.Point).NormalMm, p.PartMm, piece.IsOutside(p.Point.Label, error(p.Point).NormalMm))));
             if (boundary.Outline.Count > 1)
             {
                 var outline = new DisplacedOutline(boundary.Outline, [.. points.Select(p => (p.Theoretical, p.Point.Normal))]);
-                part.Add(outline.By([.. points.Select(p => factor * p.PartMm)]));
-                counterpart.Add(outline.By([.. points.Select(p => factor * (p.PartMm + error(p.Point).NormalMm))]));
+                part.Add([.. outline.By([.. points.Select(p => factor * p.PartMm)]).Select(Lying)]);
+                counterpart.Add([.. outline.By([.. points.Select(p => factor * (p.PartMm + error(p.Point).NormalMm))]).Select(Lying)]);
             }
         }
 
-        return new(part, counterpart, labels, factor, piece.Result.Points.Select(p => Math.Abs(error(p).NormalMm)).DefaultIfEmpty().Max());
+        return new(part, counterpart, labels, factor, piece.Result.Points.Select(p => Math.Abs(error(p).NormalMm)).DefaultIfEmpty().Max(), isLong, isTurned);
+
+        Point2 Lying(Point2 place) => isTurned ? new(place.Y, -place.X) : place;
     }
+
+    private static (double Width, double Height) SizeOf(KeptPiece piece) =>
+        PlotBox.Of(piece.Boundaries.SelectMany(b => b.Points.Select(p => p.Theoretical).Concat(b.Outline))) is { IsEmpty: false } box ? (box.Right - box.Left, box.High - box.Low) : (0, 0);
 
     // The same before and after, so that the two can be compared.
     private static double FactorOf(KeptPiece piece)

@@ -70,7 +70,7 @@ public sealed class GapPlot : PlotArea
     }
 
     /// <inheritdoc/>
-    protected override PlotDatum? DatumAt(int index) => index >= 0 && Drawing?.Points[index] is var (label, at, gap, part)
+    protected override PlotDatum? DatumAt(int index) => index >= 0 && Drawing?.Points[index] is var (label, at, gap, part, _)
         ? new(at, Texts.Current.With("Detail.GapAt", label, Shown.SignedMm(gap), Shown.SignedMm(part)), index)
         : null;
 
@@ -89,7 +89,9 @@ public sealed class GapPlot : PlotArea
         }
 
         var labels = new PlotLabels(Drawing.Part.Concat(Drawing.Counterpart).Select(l => (IReadOnlyList<Point>)[.. l.Select(p => view.At(p))]), [.. Drawing.Points.Select(p => view.At(p.At))], DrawnSizes.Dot);
-        foreach (var (name, at, _, _) in Drawing.Points)
+
+        // Where there is not room for all, those are named that ask for it.
+        foreach (var (name, at, _, _, _) in Drawing.Points.OrderByDescending(p => p.IsOutside))
         {
             var text = Label(name);
             if (labels.Place(text, view.At(at), DrawnSizes.LabelAway) is { } room)
@@ -99,7 +101,7 @@ public sealed class GapPlot : PlotArea
         }
 
         // Over the ground of words beside them.
-        foreach (var (_, at, _, _) in Drawing.Points)
+        foreach (var (_, at, _, _, _) in Drawing.Points)
         {
             context.DrawEllipse(PartBrush, null, view.At(at), DrawnSizes.Dot, DrawnSizes.Dot);
         }

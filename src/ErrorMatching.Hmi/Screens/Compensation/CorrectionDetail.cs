@@ -135,8 +135,8 @@ public sealed class CorrectionDetail
     /// <summary>The largest gap that is predicted.</summary>
     public string AfterCaption => After is null ? "" : Texts.Current.With("Detail.GapAfter", Shown.Mm(After.LargestMm));
 
-    /// <summary>How much deviations are exaggerated.</summary>
-    public string Exaggeration => Before is null ? "" : Before.Factor == 1 ? Texts.Current["Detail.TrueToScale"] : Texts.Current.With("Detail.Exaggerated", Shown.Count((long)Before.Factor));
+    /// <summary>How much deviations are exaggerated, and whether the drawing is turned.</summary>
+    public string Exaggeration => Before?.Note ?? "";
 
     /// <summary>True unless a proof does not hold.</summary>
     public bool IsProved => ProofSeverity != Severity.Alarm;

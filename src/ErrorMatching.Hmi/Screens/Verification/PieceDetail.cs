@@ -110,8 +110,8 @@ public sealed class PieceDetail
     /// <summary>The largest gap or overlap with it.</summary>
     public string AfterCaption => Texts.Current.With(_piece.IsMeasured ? "Verify.AssemblyAfter" : "Verify.AssemblyPredicted", Shown.Mm(After.LargestMm));
 
-    /// <summary>How much deviations are exaggerated.</summary>
-    public string Exaggeration => Before.Factor == 1 ? Texts.Current["Detail.TrueToScale"] : Texts.Current.With("Detail.Exaggerated", Shown.Count((long)Before.Factor));
+    /// <summary>How much deviations are exaggerated, and whether the drawing is turned.</summary>
+    public string Exaggeration => Before.Note;
 
     /// <summary>The features' quantities.</summary>
     public IReadOnlyList<ImprovementRow> Features { get; }
