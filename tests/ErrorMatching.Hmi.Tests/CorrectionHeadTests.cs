@@ -36,7 +36,7 @@ public sealed class CorrectionHeadTests
         using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
         var (proof, points) = (report.RootElement.GetProperty("proof"), report.RootElement.GetProperty("keyPoints").EnumerateArray().ToArray());
         Assert.Equal(
-            $"Proved: {proof.GetProperty("movedMotions")} of {proof.GetProperty("motions")} motions move as wanted, to {Shown.Mm(proof.GetProperty("maxDeviationFromWantedMm").GetDouble())} mm; nothing else does.", seat.TextOf("detail-proof"));
+            $"Proved: {proof.GetProperty("movedMotions")} of {proof.GetProperty("motions")} motions are displaced, each as wanted to within {Shown.Mm(proof.GetProperty("maxDeviationFromWantedMm").GetDouble())} mm; the others are unchanged.", seat.TextOf("detail-proof"));
         var worst = points.MaxBy(p => Math.Abs(p.GetProperty("predictedMm").GetDouble()));
         Assert.Equal(
             $"Left over, predicted: at most {Shown.Mm(Math.Abs(worst.GetProperty("predictedMm").GetDouble()))} mm ({worst.GetProperty("point").GetString()}); outside the limits: 2 (2, 4)", seat.TextOf("detail-left-over"));
