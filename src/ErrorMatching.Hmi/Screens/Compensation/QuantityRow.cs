@@ -4,8 +4,8 @@ namespace ErrorMatching.Hmi;
 /// <param name="Feature">The feature.</param>
 /// <param name="Quantity">What it is, in words.</param>
 /// <param name="Ideal">As designed.</param>
-/// <param name="Actual">As measured.</param>
-/// <param name="Corrected">As the corrected counterpart is predicted to have it.</param>
+/// <param name="Actual">As measured on the part.</param>
+/// <param name="Corrected">As the corrected counterpart is predicted to have it: near the actual value, but for what is left over at its points and what lies along the boundary.</param>
 /// <param name="Unit">mm or degrees.</param>
 public sealed record QuantityRow(string Feature, string Quantity, string Ideal, string Actual, string Corrected, string Unit)
 {
