@@ -46,7 +46,7 @@ public sealed class VerificationTests
         var missed = console.Result.Points.Select(p => (p.Label, Mm: Math.Abs(p.AfterError.NormalMm - predicted[p.Label]))).Where(p => p.Mm > 0.0108).ToArray();
         var worst = missed.MaxBy(p => p.Mm);
         Assert.Equal(
-            $"Prediction missed by more than the gauge's uncertainty: {missed.Length} ({string.Join(", ", missed.Select(p => p.Label))}); most by {Shown.Mm(worst.Mm)} mm at {worst.Label}.", seat.TextOf("piece-missed"));
+            $"Prediction missed by more than twice the gauge's standard uncertainty: {missed.Length} ({string.Join(", ", missed.Select(p => p.Label))}); most by {Shown.Mm(worst.Mm)} mm at {worst.Label}.", seat.TextOf("piece-missed"));
         var outside = detail.Points.Where(p => p.IsOutside).Select(p => p.Point).Intersect(missed.Select(p => p.Label));
         Assert.Equal($"Before the next piece, look for what made {string.Join(", ", outside)} other than predicted: clamping, worn tool, chip under the probe.", seat.TextOf("piece-to-do"));
     });

@@ -55,7 +55,7 @@ public sealed class PieceDetail
     /// <summary>Whether everything is within its limits, and where not.</summary>
     public string Verdict => _piece.Outside is { Count: > 0 } outside ? Texts.Current.With("Verify.Outside", outside.Count, Listed(outside)) : Texts.Current["Verify.AllWithin"];
 
-    /// <summary>Where the prediction was missed by more than the gauge's uncertainty tells; null where there is nothing to compare.</summary>
+    /// <summary>Where the prediction was missed by more than measuring explains, which is twice the standard uncertainty; null where there is nothing to compare.</summary>
     public string? Missed => _piece.Misses is not { Count: > 0 } all ? null
         : Significant is { Count: > 0 } missed && missed.MaxBy(m => Math.Abs(m.Mm)) is var worst
             ? Texts.Current.With("Verdict.Missed", missed.Count, Listed(missed.Select(m => m.Point)), Shown.Mm(Math.Abs(worst.Mm)), worst.Point)
