@@ -42,6 +42,13 @@ public sealed partial class TextTests
         Assert.DoesNotContain("工件之間", texts["Detail.GapBefore"], StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("位移。一點。", "位移。", "一點。")]
+    [InlineData("Displaced. One point.", "Displaced.", "", "One point.")]
+    [InlineData("位移。One point. 一點。", "位移。", "One point.", "一點。")]
+    [InlineData("")]
+    public void Sentences_have_a_space_between_them_where_their_full_stop_has_none(string joined, params string[] sentences) => Assert.Equal(joined, Sentence.Joined(sentences));
+
     [Fact]
     public void Every_value_that_is_shown_by_name_has_a_text()
     {

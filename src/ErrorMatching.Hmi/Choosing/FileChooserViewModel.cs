@@ -72,7 +72,7 @@ public sealed class FileChooserViewModel : Observable
     }
 
     /// <summary>What is shown and what is not, in words.</summary>
-    public string Summary => _listing is not { } l ? "" : string.Join(' ', Sentences(l));
+    public string Summary => _listing is not { } l ? "" : Sentence.Joined(Sentences(l));
 
     /// <summary>Why it does not work; null if it does.</summary>
     public string? Message

@@ -55,7 +55,7 @@ public abstract class EditField(JobEditing editing, string path, string label) :
         // First what stands there: fields that were made anew are empty until then.
         Refresh();
         var texts = problems.Select(p => ProblemText.Of(p, IsEmpty)).Distinct(StringComparer.Ordinal).ToArray();
-        Problem = texts.Length > 0 && (editing.IsTold || _isTouched || !IsEmpty) ? string.Join(" ", texts) : null;
+        Problem = texts.Length > 0 && (editing.IsTold || _isTouched || !IsEmpty) ? Sentence.Joined(texts) : null;
         Say(nameof(CanEdit));
         Say(nameof(Label));
     }

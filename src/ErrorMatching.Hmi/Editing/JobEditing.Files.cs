@@ -99,12 +99,10 @@ public sealed partial class JobEditing
             await _keeping.Running;
             await TryAsync(() => _drafts.Forget(job.Name));
             var waiting = _station.State.Status?.Proposed.Count(c => c.Job == job.Name) ?? 0;
-            _notice = () => string.Join(" ", new[]
-            {
+            _notice = () => Sentence.Joined(
                 Texts.Current["Setup.Saved"],
                 isOtherProgram ? Texts.Current["Setup.SavedProgram"] : "",
-                waiting > 0 ? Texts.Current.With("Setup.SavedWaiting", waiting) : "",
-            }.Where(t => t.Length > 0));
+                waiting > 0 ? Texts.Current.With("Setup.SavedWaiting", waiting) : "");
             Changed?.Invoke();
         }
 

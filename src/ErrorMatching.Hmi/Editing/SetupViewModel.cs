@@ -42,7 +42,7 @@ public abstract class SetupViewModel : ScreenViewModel
 
     /// <summary>Whether the draft is what stands there.</summary>
     public string StateText => Editing.Job is not { } job ? "" : !Editing.IsChanged ? Texts.Current.With("Setup.AsSaved", job.Machine, job.Slot)
-        : Texts.Current.With("Setup.Unsaved", job.Machine, job.Slot) + (Editing.HasComments ? " " + Texts.Current["Setup.CommentsLost"] : "");
+        : Sentence.Joined(Texts.Current.With("Setup.Unsaved", job.Machine, job.Slot), Editing.HasComments ? Texts.Current["Setup.CommentsLost"] : "");
 
     /// <summary>Why nothing can be edited; null if it can.</summary>
     public string? Forbidden => Editing.Jobs.Count == 0 ? Texts.Current["Setup.NoJobs"] : Editing.MayEdit ? null : Texts.Current["Setup.TakesSetter"];

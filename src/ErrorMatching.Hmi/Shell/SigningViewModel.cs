@@ -77,7 +77,7 @@ public sealed class SigningViewModel : Observable
     public string PasswordLabel => Texts.Current.With("Signing.Password", UserName);
 
     /// <summary>What follows, in words.</summary>
-    public string Consequence => Texts.Current[Key + ".Consequence"] + (Told is { } told ? " " + told() : "");
+    public string Consequence => Sentence.Joined(Texts.Current[Key + ".Consequence"], Told?.Invoke() ?? "");
 
     /// <summary>Does it.</summary>
     public LongCommand Confirm { get; }

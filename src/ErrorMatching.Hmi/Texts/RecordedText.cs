@@ -55,7 +55,7 @@ public static class RecordedText
         {
             if (Whole(recorded[..(end + 1)]) is { } first)
             {
-                return first + " " + Of(recorded[(end + 2)..]);
+                return Sentence.Joined(first, Of(recorded[(end + 2)..]));
             }
         }
 

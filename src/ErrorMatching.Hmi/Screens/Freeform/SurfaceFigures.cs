@@ -84,8 +84,9 @@ public sealed class SurfaceFigures
     public string Proof => (_kept.Proof, _kept.ToolPath) switch
     {
         ({ } proof, _) => Texts.Current.With(proof.Holds ? "Detail.ProofHolds" : "Detail.ProofFails", Shown.Count(proof.Motions), Shown.Count(proof.MovedMotions), Shown.Mm(proof.MaxDeviationFromWantedMm)),
-        (_, { } path) => Texts.Current.With("Freeform.Path", Shown.Count(path.Passes), Shown.Count(path.Points), Shown.Count((long)Math.Round(path.LengthMm)), Shown.Micrometers(path.ChordMm), Shown.Micrometers(path.ScallopMm))
-            + " " + (path.RaisedPoints == 0 ? Texts.Current.With("Freeform.NoGouge", Shown.Micrometers(path.GougeMm)) : Texts.Current.With("Freeform.Raised", Shown.Count(path.RaisedPoints), Shown.Micrometers(path.RaisedMm))),
+        (_, { } path) => Sentence.Joined(
+            Texts.Current.With("Freeform.Path", Shown.Count(path.Passes), Shown.Count(path.Points), Shown.Count((long)Math.Round(path.LengthMm)), Shown.Micrometers(path.ChordMm), Shown.Micrometers(path.ScallopMm)),
+            path.RaisedPoints == 0 ? Texts.Current.With("Freeform.NoGouge", Shown.Micrometers(path.GougeMm)) : Texts.Current.With("Freeform.Raised", Shown.Count(path.RaisedPoints), Shown.Micrometers(path.RaisedMm))),
         _ => "",
     };
 

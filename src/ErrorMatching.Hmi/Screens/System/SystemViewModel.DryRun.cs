@@ -106,12 +106,12 @@ public sealed partial class SystemViewModel
             try
             {
                 var outcome = MatingDraftRun.Of(draft, job.File, request, cancellation);
-                refusal = outcome.Result is null ? () => string.Join(" ", outcome.Refusals.Select(r => CodeText.Of(r.Code, r.Message))) : null;
+                refusal = outcome.Result is null ? () => Sentence.Joined(outcome.Refusals.Select(r => CodeText.Of(r.Code, r.Message))) : null;
                 kept = outcome.Result is { } matched ? Kept(correction, matched) : null;
             }
             catch (Exception e) when (ErrorItems.OfInput(e) is { } items)
             {
-                refusal = () => string.Join(" ", items.Select(i => CodeText.Of(i.Code, i.Message)));
+                refusal = () => Sentence.Joined(items.Select(i => CodeText.Of(i.Code, i.Message)));
             }
         });
         if (refusal is not null)

@@ -250,13 +250,11 @@ public sealed partial class SystemViewModel : SetupViewModel
             : table.Count == 0 ? () => Texts.Current["System.NoCoordinates"] : null);
         if (table.Count > 0)
         {
-            Editing.Note(() => string.Join(" ", new[]
-            {
+            Editing.Note(() => Sentence.Joined(
                 file is not null && IsMeasurement(file) ? Texts.Current.With("System.TableMeasured", file) : "",
                 Texts.Current.With("System.Table", table.Count),
                 other.Count > 0 ? Texts.Current.With("System.TableOther", Listed(other)) : "",
-                missing.Count > 0 ? Texts.Current.With("System.TableMissing", Listed(missing)) : "",
-            }.Where(t => t.Length > 0)));
+                missing.Count > 0 ? Texts.Current.With("System.TableMissing", Listed(missing)) : ""));
         }
 
         Show();

@@ -32,8 +32,7 @@ public sealed class PieceDetail
     public string Kind => KindOf(_piece);
 
     /// <summary>Whose figures these are, in a sentence.</summary>
-    public string Origin => string.Join(
-        " ",
+    public string Origin => Sentence.Joined(
         _piece.Counterpart is { } counterpart ? Texts.Current.With("Verify.Measured", CorrectionLabel.Of(counterpart)) : Texts.Current["Verify.Predicted"],
         Texts.Current[_piece.IsBeforeMeasured ? "Verify.BeforeMeasured" : "Verify.BeforeDesigned"]);
 
