@@ -224,6 +224,21 @@ public sealed class FileChooserTests
     });
 
     [Fact]
+    public Task A_time_follows_the_language_and_what_is_typed_stays() => At((seat, folder) =>
+    {
+        File.SetLastWriteTimeUtc(Path.Combine(folder, "programs", "a.nc"), new(2026, 3, 1, 7, 5, 9, DateTimeKind.Utc));
+        _ = Open(seat, new(FileChoiceKind.Open, "History.Program", [".nc"]) { Start = Path.Combine(folder, "programs") });
+        seat.Tap("entry-a.nc");
+        Assert.Equal("2026-03-01 07:05:09", seat.Shell.Choosing!.Rows[0].Changed);
+        Texts.Current.Language = Language.TraditionalChinese;
+        seat.User.Settle();
+        Assert.Equal("2026/03/01 07:05:09", seat.Shell.Choosing!.Rows[0].Changed);
+        Assert.Equal(Path.Combine(folder, "programs", "a.nc"), seat.Shell.Choosing!.Typed);
+        Texts.Current.Language = Language.English;
+        return Task.CompletedTask;
+    });
+
+    [Fact]
     public Task Nothing_of_it_is_cut_off() => At((seat, folder) =>
     {
         File.WriteAllText(Path.Combine(folder, "bell\u0007\u202Egnp.nc"), "");

@@ -75,6 +75,27 @@ public sealed class HistoryTests
         Assert.StartsWith("A day is written as year-month-day", seat.TextOf("history-message"), StringComparison.Ordinal);
     });
 
+    // On the screen the custom of the language; what is typed may follow either.
+    [Theory]
+    [InlineData(Language.English, "2026-11-22", "A day is written as year-month-day, such as 2026-11-22;")]
+    [InlineData(Language.TraditionalChinese, "2026/11/22", "日期請寫成 年/月/日，例如 2026/11/22；")]
+    public Task A_day_is_shown_by_the_custom_of_the_language_and_taken_in_either(Language language, string example, string rule) => Seat.AtAsync(seat =>
+    {
+        seat.SignIn(DemoCell.Operator).Tap("nav-history");
+        Texts.Current.Language = language;
+        seat.User.Settle();
+        Assert.Equal([example, example], new[] { "history-from", "history-to" }.Select(f => ((Avalonia.Controls.TextBox)seat.See(f)).PlaceholderText));
+        seat.Type("history-from", "22.11.2026").Tap("history-search");
+        Assert.StartsWith(rule, seat.TextOf("history-message"), StringComparison.Ordinal);
+        foreach (var day in new[] { "2026-11-22", "2026/11/22" })
+        {
+            seat.Type("history-from", day).Tap("history-search");
+            seat.WaitFor(() => ((HistoryViewModel)seat.Shell.Current!).Message is null, $"{day} is taken for no day.");
+        }
+
+        Texts.Current.Language = Language.English;
+    });
+
     [Fact]
     public Task What_is_chosen_stays_chosen_in_the_other_language() => Seat.AtAsync(seat =>
     {

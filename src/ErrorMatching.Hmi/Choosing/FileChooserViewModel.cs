@@ -131,6 +131,7 @@ public sealed class FileChooserViewModel : Observable
     {
         Message = null;
         Places = [.. Places];
+        Rows.Show([.. Rows.Select(r => r.Now(_clock))]);
         Say();
     }
 

@@ -42,7 +42,7 @@ internal sealed record FolderListing(string Folder, IReadOnlyList<FolderEntry> E
             }
             else if (found is DirectoryInfo)
             {
-                folders.Add(new(found.FullName, IsFolder: true, Shown.Time(new(found.LastWriteTimeUtc), clock), ""));
+                folders.Add(new(found.FullName, IsFolder: true, found.LastWriteTimeUtc, Shown.Time(found.LastWriteTimeUtc, clock), ""));
             }
             else if (extensions is null || (extensions.Count > 0 && !extensions.Contains(found.Extension, StringComparer.OrdinalIgnoreCase)))
             {
@@ -50,7 +50,7 @@ internal sealed record FolderListing(string Folder, IReadOnlyList<FolderEntry> E
             }
             else
             {
-                files.Add(new(found.FullName, IsFolder: false, Shown.Time(new(found.LastWriteTimeUtc), clock), SizeOf((FileInfo)found)));
+                files.Add(new(found.FullName, IsFolder: false, found.LastWriteTimeUtc, Shown.Time(found.LastWriteTimeUtc, clock), SizeOf((FileInfo)found)));
             }
         }
 

@@ -56,14 +56,14 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         set => Set(ref _workOrder, value ?? "");
     }
 
-    /// <summary>The first day, as year-month-day; empty for any.</summary>
+    /// <summary>The first day, as year-month-day or year/month/day; empty for any.</summary>
     public string From
     {
         get => _from;
         set => Set(ref _from, value ?? "");
     }
 
-    /// <summary>The last day, as year-month-day; empty for any.</summary>
+    /// <summary>The last day, as year-month-day or year/month/day; empty for any.</summary>
     public string To
     {
         get => _to;
