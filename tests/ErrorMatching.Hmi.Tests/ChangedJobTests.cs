@@ -28,7 +28,7 @@ public sealed class ChangedJobTests
         seat.Tap("signing-leave");
         seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", "compensation-changed-job-en.png"));
         Texts.Current.Language = Language.TraditionalChinese;
-        seat.WaitFor(() => seat.TextOf("detail-changed-job")!.StartsWith("此補償以變更前的工作計算。", StringComparison.Ordinal), "It is said in English only.");
+        seat.WaitFor(() => seat.TextOf("detail-changed-job")!.StartsWith("此補償以變更前的作業計算。", StringComparison.Ordinal), "It is said in English only.");
         seat.User.Settle();
         Assert.Empty(Layout.Problems(seat.Window));
         seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", "compensation-changed-job-zh.png"));

@@ -15,8 +15,8 @@ public sealed partial class CompensationWordsTests
 {
     // Table 5 of Wang, Tu and Gunawan (2021): point 1 of L1 lies 0.117 mm off, where 0.05 are allowed; of L2L3 two points are outside by 0.051 and 0.086.
     [Theory]
-    [InlineData(0, "L1 · line", "+0.1170", "Points outside: 1, the furthest is 1, 0.0670 mm beyond its limit.")]
-    [InlineData(1, "L2L3 · triangle", "+0.1359", "Points outside: 2, the furthest is 3b, 0.0859 mm beyond its limit.")]
+    [InlineData(0, "L1 · line", "+0.1170", "Points outside: 1; furthest: point 1, 0.0670 mm beyond its limit.")]
+    [InlineData(1, "L2L3 · triangle", "+0.1359", "Points outside: 2; furthest: point 3b, 0.0859 mm beyond its limit.")]
     public Task A_decision_says_its_reason(int row, string feature, string largest, string reason) => Seat.AtAsync(seat =>
     {
         var decision = Arrive(seat).Decisions[row];
@@ -67,7 +67,7 @@ public sealed partial class CompensationWordsTests
         Assert.Contains("L1 · length", names);
     });
 
-    // The corner beside point 2 cannot be followed: what is left over there turns the predicted line by about 0.087 mm in 17.66 mm, which looks like a correction made twice.
+    // The corner beside point 2 cannot be followed: what is left over there turns the predicted line, which looks like a correction made twice.
     [Fact]
     public Task What_is_ideal_actual_and_corrected_is_said_below_the_lengths_and_angles() => Seat.AtAsync(seat =>
     {

@@ -42,7 +42,7 @@ public sealed class CorrectionHeadTests
             $"Left over, predicted: at most {Shown.Mm(Math.Abs(worst.GetProperty("predictedMm").GetDouble()))} mm ({worst.GetProperty("point").GetString()}); outside the limits: 2 (2, 4)", seat.TextOf("detail-left-over"));
 
         // The tip of the tooth moves most, where both flanks meet.
-        Assert.Equal($"Largest move {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)} mm at N150", seat.TextOf("detail-largest"));
+        Assert.Equal($"Largest displacement {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)} mm at N150", seat.TextOf("detail-largest"));
         Assert.Equal(("Complex mating", "Goes to vmc1/A as counterpart.nc"), (seat.TextOf("detail-job"), seat.TextOf("detail-target")));
         seat.Tap("approve");
         Assert.Equal(("Complex mating · #1 · 0001", "Goes to vmc1/A as counterpart.nc"), (seat.TextOf("signing-subject"), seat.TextOf("signing-target")));

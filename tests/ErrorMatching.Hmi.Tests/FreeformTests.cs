@@ -96,9 +96,14 @@ public sealed class FreeformTests
         Assert.True(new Rect(scroll.Bounds.Size).Contains(new Rect(legend.Bounds.Size).TransformToAABB(legend.TransformToVisual(scroll)!.Value)), "The legend is below the edge.");
         Assert.Null(seat.Find("tab-points"));
         Assert.Contains("Chordal error at most", seat.TextOf("detail-proof"), StringComparison.Ordinal);
+
+        // One unit for one quantity: what the program is displaced by is said in mm wherever it stands.
+        var largest = Shown.Mm(seat.Station.Store.Find(1)!.LargestMm);
+        Assert.Contains($"by at most {largest} mm", ((CompensationViewModel)seat.Shell.Current!).Detail!.Surface!.How, StringComparison.Ordinal);
+        Assert.StartsWith($"Largest displacement {largest} mm at ", seat.TextOf("detail-largest"), StringComparison.Ordinal);
         Assert.StartsWith("The program calls no tool", seat.TextOf("detail-missing"), StringComparison.Ordinal);
         Texts.Current.Language = Language.TraditionalChinese;
-        seat.WaitFor(() => seat.TextOf("detail-largest") is "最大移動量 0.0248 mm，位於 點 9 及其附近", $"It says {seat.TextOf("detail-largest")}.");
+        seat.WaitFor(() => seat.TextOf("detail-largest") is "最大位移 0.0248 mm，位於 點 9 及其附近", $"It says {seat.TextOf("detail-largest")}.");
         Texts.Current.Language = Language.English;
 
         // A mating behind it has its own sides again.

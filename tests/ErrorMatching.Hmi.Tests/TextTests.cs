@@ -38,8 +38,22 @@ public sealed partial class TextTests
         Assert.DoesNotContain(texts, t => t.Value.Contains("量測點", StringComparison.Ordinal));
         Assert.NotEqual(texts["System.From"], texts["Detail.Basis"]);
 
+        // What a program is displaced by; a job, which is no work order and no workpiece; a screen, beside the proof of a program and the seals of the trail.
+        Assert.DoesNotContain(texts, t => t.Value.Contains("移動量", StringComparison.Ordinal));
+        Assert.DoesNotContain(texts, t => t.Value.Contains("工作", StringComparison.Ordinal));
+        Assert.Equal(["Screen.verification"], texts.Where(t => t.Value.Contains("驗證", StringComparison.Ordinal)).Select(t => t.Key));
+
         // Two pieces are compared; only one of them is the part.
         Assert.DoesNotContain("工件之間", texts["Detail.GapBefore"], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void One_thing_has_one_word_in_English()
+    {
+        var texts = Texts.Of(Language.English);
+        Assert.DoesNotContain(texts, t => t.Value.Contains("largest move", StringComparison.OrdinalIgnoreCase));
+        Assert.Single(texts.Where(t => t.Key is "Signing.Leave" or "Chooser.Leave" or "Connection.Cancel").Select(t => t.Value).Distinct(StringComparer.Ordinal));
+        Assert.Equal((texts["System.Lower"], texts["System.Upper"]), (texts["Verify.Low"], texts["Verify.High"]));
     }
 
     [Theory]

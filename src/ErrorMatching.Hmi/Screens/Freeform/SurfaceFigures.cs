@@ -60,7 +60,7 @@ public sealed class SurfaceFigures
 
     /// <summary>How it is compensated, by how much, and after which stage it was measured.</summary>
     public string How => Texts.Current.With(
-        _kept.IsMirror ? "Freeform.HowMirror" : "Freeform.HowToolRadius", Shown.Micrometers(_kept.LargestMoveMm), Shown.Number(_kept.Gain), Texts.Current[_kept.IsFinished ? "Freeform.Finishing" : "Freeform.SemiFinishing"]);
+        _kept.IsMirror ? "Freeform.HowMirror" : "Freeform.HowToolRadius", Shown.Mm(_kept.LargestMoveMm), Shown.Number(_kept.Gain), Texts.Current[_kept.IsFinished ? "Freeform.Finishing" : "Freeform.SemiFinishing"]);
 
     /// <summary>How far the expected error can be trusted.</summary>
     public string Trust => Texts.Current.With("Freeform.Trust", Shown.Micrometers(_kept.PointUncertaintyMm), Texts.Current[_kept.IsSystematic switch { true => "Freeform.Systematic", false => "Freeform.Noise", null => "Freeform.Undetermined" }]);
