@@ -22,6 +22,7 @@ public sealed partial class App : Application
     {
         AvaloniaXamlLoader.Load(this);
         TabRow.Mend();
+        WholeField.Mend();
     }
 
     /// <inheritdoc/>
