@@ -1,4 +1,5 @@
 using ErrorMatching.Cell;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -67,6 +68,43 @@ public sealed class HistoryTests
         seat.SignIn(DemoCell.Operator).Tap("nav-history").Type("history-work-order", "wo-2021").Tap("history-search").See("found-1");
         Assert.Equal("WO-2021-02", ((HistoryViewModel)seat.Shell.Current!).Rows[0].WorkOrder);
     });
+
+    // A screen of 1920 x 1080 at 200 %.
+    [Theory]
+    [InlineData(Language.English)]
+    [InlineData(Language.TraditionalChinese)]
+    public Task On_a_small_screen_what_was_found_is_seen_below_the_fields(Language language) => Seat.AtAsync(
+        seat =>
+        {
+            seat.RunCell();
+            for (var i = 1; i <= 2; i++)
+            {
+                seat.Cell.Deliver(i, 0.003);
+                seat.WaitFor(i, CorrectionState.Proposed);
+            }
+
+            seat.SignIn(DemoCell.Setter);
+            seat.Shell.Preferences.TouchSize = TouchSize.Largest;
+            seat.Shell.Go(Screens.History);
+            seat.See("found-2");
+            Texts.Current.Language = language;
+            seat.User.Settle();
+            seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", $"history-small-{language}.png"));
+            foreach (var id in new[] { "found-1", "found-2" })
+            {
+                var row = seat.See(id);
+                Assert.Equal(row.Bounds.Height, Layout.Seen(row, seat.Window).Height, 1.0);
+            }
+
+            // The other fields come when they are asked for, and go again.
+            Assert.Null(seat.Find("history-state"));
+            seat.Tap("history-more").Type("history-user", "nobody").Tap("history-search").WaitFor(() => seat.Find("found-1") is null, "The field does not count.");
+            Assert.NotNull(seat.Find("history-state"));
+            seat.Tap("history-fewer").See("history-more");
+            Assert.Contains("accent", seat.See("history-more").Classes);
+            Assert.Null(seat.Find("history-state"));
+        },
+        new(960, 540));
 
     [Fact]
     public Task A_day_that_is_none_is_said() => Seat.AtAsync(seat =>

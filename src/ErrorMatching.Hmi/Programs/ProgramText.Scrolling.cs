@@ -247,7 +247,7 @@ public sealed partial class ProgramText : ILogicalScrollable
             var top = first * RowHeight;
             if (top < Offset.Y || top + RowHeight > Offset.Y + Bounds.Height)
             {
-                Offset = Offset.WithY(top - (Bounds.Height / 3));
+                Offset = Offset.WithY(top - (FromAfarShare * Bounds.Height));
             }
         }
     }

@@ -8,8 +8,24 @@ namespace ErrorMatching.Hmi;
 /// <summary>Where what was is found.</summary>
 public sealed partial class HistoryView : UserControl
 {
+    // Below it, all fields would leave no room for what they find.
+    private const double LowHeight = 520;
+
+    private bool _isOpen;
+
     /// <summary>The view.</summary>
-    public HistoryView() => InitializeComponent();
+    public HistoryView()
+    {
+        InitializeComponent();
+        ShowFields();
+    }
+
+    /// <inheritdoc/>
+    protected override void OnSizeChanged(SizeChangedEventArgs e)
+    {
+        base.OnSizeChanged(e);
+        ShowFields();
+    }
 
     /// <inheritdoc/>
     protected override void OnLoaded(RoutedEventArgs e)
@@ -24,6 +40,26 @@ public sealed partial class HistoryView : UserControl
         }
 
         SerialBox.AddHandler(KeyDownEvent, OnSerialKey, RoutingStrategies.Bubble, handledEventsToo: true);
+    }
+
+    private void OnMore(object? sender, RoutedEventArgs e) => Open(true);
+
+    private void OnFewer(object? sender, RoutedEventArgs e) => Open(false);
+
+    private void Open(bool isOpen)
+    {
+        _isOpen = isOpen;
+        ShowFields();
+
+        // The button that was tapped is gone; the keys go on from the one in its place.
+        (isOpen ? Fewer : More).Focus();
+    }
+
+    private void ShowFields()
+    {
+        var isLow = Bounds.Height is > 0 and < LowHeight;
+        (More.IsVisible, Fewer.IsVisible) = (isLow && !_isOpen, isLow && _isOpen);
+        Fields.Classes.Set("few", isLow && !_isOpen);
     }
 
     private void OnSerialKey(object? sender, KeyEventArgs e)

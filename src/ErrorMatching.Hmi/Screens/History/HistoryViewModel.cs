@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Runtime.CompilerServices;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 
@@ -60,28 +61,28 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     public string From
     {
         get => _from;
-        set => Set(ref _from, value ?? "");
+        set => SetMore(ref _from, value ?? "");
     }
 
     /// <summary>The last day, as year-month-day or year/month/day; empty for any.</summary>
     public string To
     {
         get => _to;
-        set => Set(ref _to, value ?? "");
+        set => SetMore(ref _to, value ?? "");
     }
 
     /// <summary>The program's name at the machine, or the first digits of its SHA-256; empty for any.</summary>
     public string Program
     {
         get => _program;
-        set => Set(ref _program, value ?? "");
+        set => SetMore(ref _program, value ?? "");
     }
 
     /// <summary>Who took any of its steps; empty for any.</summary>
     public string UserName
     {
         get => _userName;
-        set => Set(ref _userName, value ?? "");
+        set => SetMore(ref _userName, value ?? "");
     }
 
     /// <summary>How far it has come.</summary>
@@ -93,13 +94,16 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
             // A list that is made anew in another language has nothing chosen for a moment.
             if (value is not null)
             {
-                Set(ref _state, value);
+                SetMore(ref _state, value);
             }
         }
     }
 
     /// <summary>The states to choose from.</summary>
     public IReadOnlyList<StateChoice> States { get; } = [new(null), .. Enum.GetValues<CorrectionState>().Select(s => new StateChoice(s))];
+
+    /// <summary>True if one of the fields is filled in that a small screen keeps back.</summary>
+    public bool HasMore => new[] { From, To, Program, UserName }.Any(t => Given(t) is not null) || State.State is not null;
 
     /// <summary>What was found, the latest first.</summary>
     public RowList<HistoryRow> Rows { get; } = [];
@@ -194,6 +198,14 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         Rows.Show([.. _found.Select(Row)]);
         _detail = _detail is null ? null : new(_detail.Kept, Station.Clock);
         Say();
+    }
+
+    private void SetMore<T>(ref T field, T value, [CallerMemberName] string? name = null)
+    {
+        if (Set(ref field, value, name))
+        {
+            Say(nameof(HasMore));
+        }
     }
 
     private static string? Given(string text) => string.IsNullOrWhiteSpace(text) ? null : text.Trim();
