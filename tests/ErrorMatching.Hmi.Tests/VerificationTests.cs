@@ -121,6 +121,15 @@ public sealed class VerificationTests
         seat.User.Click(plot, new(at.X + 3, at.Y - 20));
         Assert.Equal($"Point {row.Point}\nwithout {row.Before} mm\nwith {row.After} mm\nlimits −0.0500 to +0.0500 mm", plot.Values);
         var scale = plot.View.ScaleX;
+
+        // The axis says its unit and the limits; what is drawn ends before the buttons.
+        Assert.All(["mm", "+0.05", "−0.05", "+0.1", "−0.3", "0"], w => Assert.Contains(w, Words(plot)));
+        Assert.True(plot.Inside.Right <= Avalonia.VisualExtensions.TranslatePoint(seat.See("plot-errors-nearer"), default, plot)!.Value.X);
+        seat.Tap("tab-trend");
+        var trend = Words((SeriesPlot)seat.See("plot-trend"));
+        Assert.All(["mm", "0.1", "0.5", "0"], w => Assert.Contains(w, trend));
+        Assert.DoesNotContain(trend, w => w.StartsWith('+'));
+        seat.Tap("tab-errors").See("plot-errors");
         seat.Tap("plot-errors-nearer");
         Assert.True(plot.View.ScaleX > scale);
         seat.User.Press(Avalonia.Input.Key.Tab);
@@ -185,6 +194,8 @@ public sealed class VerificationTests
 
         IEnumerable<TextBlock> Percents() => seat.See("improvements").GetVisualDescendants().OfType<TextBlock>().Where(t => t.Text?.EndsWith(" %", StringComparison.Ordinal) == true);
     });
+
+    private static HashSet<string> Words(SeriesPlot plot) => [.. ((IDrawnWords)plot).DrawnWords.Select(d => d.Words)];
 
     // What the verb verify of the console calls, of the sample's files.
     private static VerifyReport Console()

@@ -6,7 +6,9 @@ namespace ErrorMatching.Hmi;
 /// <param name="Lines">The lines.</param>
 /// <param name="Bands">Limits that are shaded.</param>
 /// <param name="IsHollow">For each place whether its marks are hollow: predicted and not measured. Empty if none is.</param>
-public sealed record SeriesDrawing(IReadOnlyList<string> Labels, IReadOnlyList<string> Values, IReadOnlyList<SeriesLine> Lines, IReadOnlyList<SeriesBand> Bands, IReadOnlyList<bool> IsHollow)
+/// <param name="Unit">The unit of the values, written at their axis.</param>
+/// <param name="IsMagnitude">True if they have no sign.</param>
+public sealed record SeriesDrawing(IReadOnlyList<string> Labels, IReadOnlyList<string> Values, IReadOnlyList<SeriesLine> Lines, IReadOnlyList<SeriesBand> Bands, IReadOnlyList<bool> IsHollow, string Unit = "mm", bool IsMagnitude = false)
 {
     /// <summary>How much there is: half a place on either side, zero, all values and all limits.</summary>
     public PlotBox Extent

@@ -24,6 +24,7 @@ public sealed class SeriesPlot : PlotArea
     // A mark takes at most half of the way to the next one.
     private const double MarkShare = 0.25;
     private PlotBox _extent = PlotBox.Empty;
+    private string _longest = "";
 
     static SeriesPlot() => AffectsRender<SeriesPlot>(BeforeBrushProperty, AfterBrushProperty, BandBrushProperty);
 
@@ -55,8 +56,8 @@ public sealed class SeriesPlot : PlotArea
         set => SetValue(BandBrushProperty, value);
     }
 
-    /// <summary>Where lines and marks are drawn, within numbers and names.</summary>
-    public Rect Inside => new Rect(Bounds.Size).Deflate(Frame);
+    /// <summary>Where lines and marks are drawn, within numbers, names and buttons.</summary>
+    public Rect Inside => new Rect(Bounds.Size).Deflate(Frame + new Thickness(0, 0, ButtonsRoom, 0));
 
     /// <inheritdoc/>
     protected override PlotBox Extent => _extent;
@@ -78,6 +79,7 @@ public sealed class SeriesPlot : PlotArea
         if (change.Property == DrawingProperty)
         {
             _extent = Drawing?.Extent ?? PlotBox.Empty;
+            _longest = Drawing?.Labels.MaxBy(l => l.Length) ?? "";
             Renew([]);
         }
     }
@@ -136,10 +138,12 @@ public sealed class SeriesPlot : PlotArea
     private void Ticks(DrawingContext context, PlotView view, Rect inside)
     {
         var step = RoundNumber.AtLeast(DrawnSizes.TicksApart / view.ScaleY);
-        var decimals = Math.Max(0, (int)Math.Ceiling(-Math.Log10(step) - 1e-9));
-        var format = decimals == 0 ? "+0;−0;0" : $"+0.{new string('0', decimals)};−0.{new string('0', decimals)};0";
         var (low, high) = (view.ToPlot(new(0, inside.Bottom)).Y, view.ToPlot(new(0, inside.Top)).Y);
-        for (var tick = Math.Ceiling(low / step); tick <= Math.Floor(high / step); tick++)
+        var (first, last) = (Math.Ceiling(low / step), Math.Floor(high / step));
+        var decimals = new string('0', Math.Max(0, (int)Math.Ceiling(-Math.Log10(step) - 1e-9)));
+        var numbers = new List<(double Value, string Text)> { (0, "0") };
+        numbers.AddRange(Drawing!.Bands.SelectMany(b => new[] { b.Low, b.High }).Distinct().Select(l => (l, Number(l, "####"))));
+        for (var tick = first; tick <= last; tick++)
         {
             var y = To(view, 0, tick * step).Y;
             var isZero = tick == 0;
@@ -148,19 +152,47 @@ public sealed class SeriesPlot : PlotArea
                 context.DrawLine(new Pen(isZero ? Ink : Rule, DrawnSizes.Thin), new(inside.Left, y), new(inside.Right, y));
             }
 
-            var text = Label((tick * step).ToString(format, CultureInfo.InvariantCulture));
-            context.DrawText(text, new(inside.Left - text.Width - DrawnSizes.Near, y - (text.Height / 2)));
+            numbers.Add((tick * step, Number(tick * step, decimals)));
         }
 
+        Numbers(context, view, inside, numbers.Where(n => n.Value >= low && n.Value <= high));
         context.DrawLine(new Pen(Rule, DrawnSizes.Thin), inside.TopLeft, inside.BottomLeft);
-        var end = double.NegativeInfinity;
-        for (var i = 0; i < Drawing!.Labels.Count; i++)
+        Places(context, view, inside);
+    }
+
+    private string Number(double value, string decimals) => value.ToString(Drawing!.IsMagnitude ? $"0.{decimals}" : $"+0.{decimals};−0.{decimals};0", CultureInfo.InvariantCulture);
+
+    // Zero and limits before what is between them: a number that finds no room is left out.
+    private void Numbers(DrawingContext context, PlotView view, Rect inside, IEnumerable<(double Value, string Text)> numbers)
+    {
+        var unit = Label(Drawing!.Unit);
+        var taken = new List<double>();
+        foreach (var (value, words) in numbers)
         {
-            var (x, text) = (To(view, i, 0).X, Label(Drawing.Labels[i]));
-            if (x >= inside.Left && x <= inside.Right && x - (text.Width / 2) > end + DrawnSizes.LabelsApart)
+            var y = To(view, 0, value).Y;
+            if (!taken.Exists(t => Math.Abs(t - y) < unit.Height))
             {
-                context.DrawText(text, new(x - (text.Width / 2), inside.Bottom + DrawnSizes.Near));
-                end = x + (text.Width / 2);
+                var text = Label(words);
+                context.DrawText(text, new(inside.Left - text.Width - DrawnSizes.Near, y - (text.Height / 2)));
+                taken.Add(y);
+            }
+        }
+
+        // Above them, beside the names of the lines.
+        context.DrawText(unit, new(inside.Left - unit.Width - DrawnSizes.LabelsApart, DrawnSizes.Near));
+    }
+
+    // Every one, every second, fifth, tenth and so on, as they have room.
+    private void Places(DrawingContext context, PlotView view, Rect inside)
+    {
+        var step = (int)RoundNumber.AtLeast(Math.Max(1, (Label(_longest).Width + DrawnSizes.LabelsApart) / view.ScaleX));
+        var (first, last) = (view.ToPlot(new(inside.Left, 0)).X, view.ToPlot(new(inside.Right, 0)).X);
+        for (var i = Math.Max(0, (int)Math.Ceiling(first)); i <= Math.Min(Drawing!.Labels.Count - 1, last); i++)
+        {
+            if ((i + 1) % step == 0)
+            {
+                var text = Label(Drawing.Labels[i]);
+                context.DrawText(text, new(To(view, i, 0).X - (text.Width / 2), inside.Bottom + DrawnSizes.Near));
             }
         }
     }
@@ -246,6 +278,6 @@ public sealed class SeriesPlot : PlotArea
             context.DrawText(name, new(at.X + DrawnSizes.LegendMark + DrawnSizes.Around, at.Y));
         }
 
-        context.DrawLine(new Pen(Rule, DrawnSizes.Thin), new(DrawnSizes.LeftStrip, View.Height - DrawnSizes.BottomStrip), new(View.Width, View.Height - DrawnSizes.BottomStrip));
+        context.DrawLine(new Pen(Rule, DrawnSizes.Thin), Inside.BottomLeft, Inside.BottomRight);
     }
 }

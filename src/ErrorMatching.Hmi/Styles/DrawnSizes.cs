@@ -82,7 +82,7 @@ internal static class DrawnSizes
     public const double BottomStrip = 30;
 
     /// <summary>The least distance between two lines of its net.</summary>
-    public const double TicksApart = 44;
+    public const double TicksApart = 30;
 
     /// <summary>The least distance between two of the names below it.</summary>
     public const double LabelsApart = 14;

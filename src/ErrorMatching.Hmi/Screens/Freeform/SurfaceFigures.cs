@@ -128,7 +128,8 @@ public sealed class SurfaceFigures
                 new(SeriesKind.After, texts[_kept.IsMirror ? "Freeform.ExpectedMirror" : "Freeform.ExpectedToolRadius"], [.. _kept.Points.Select(p => (double?)(1000 * expected(p)))]),
             ],
             [],
-            []);
+            [],
+            Unit: "µm");
     }
 
     private static string Caption(string name, DeviationStatistics statistics, bool isChosen) =>

@@ -166,7 +166,8 @@ public sealed class PieceDetail
                 new(SeriesKind.AfterMean, texts["Verify.RmsAfter"], [.. series.Select(p => (double?)p.Result.RmsAfterMm)]),
             ],
             [],
-            [.. series.Select(p => !p.IsMeasured)]);
+            [.. series.Select(p => !p.IsMeasured)],
+            IsMagnitude: true);
     }
 
     // Angles have as many decimals as lengths, so that they stand under each other.
