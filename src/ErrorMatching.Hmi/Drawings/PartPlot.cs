@@ -13,6 +13,9 @@ public sealed class PartPlot : PlotArea
     /// <summary>Lines and points.</summary>
     public static readonly StyledProperty<IBrush?> PartBrushProperty = AvaloniaProperty.Register<PartPlot, IBrush?>(nameof(PartBrush));
 
+    private const double QuarterShare = 0.25;
+    private static readonly double[] NameShares = [0.5, QuarterShare, 1 - QuarterShare];
+    private readonly List<string> _leftOut = [];
     private (string Label, Point2 At)[] _points = [];
     private PlotBox _extent = PlotBox.Empty;
 
@@ -31,6 +34,9 @@ public sealed class PartPlot : PlotArea
         get => GetValue(PartBrushProperty);
         set => SetValue(PartBrushProperty, value);
     }
+
+    /// <summary>What found no room when it was drawn last.</summary>
+    internal IReadOnlyList<string> LeftOut => _leftOut;
 
     /// <inheritdoc/>
     protected override PlotBox Extent => _extent;
@@ -69,14 +75,16 @@ public sealed class PartPlot : PlotArea
         }
 
         var labels = new PlotLabels(Drawing.Lines.Select(l => (IReadOnlyList<Point>)[.. l.Points.Select(p => view.At(p.At))]), [.. _points.Select(p => view.At(p.At))], DrawnSizes.Dot);
-        foreach (var line in Drawing.Lines.Where(l => l.Points.Count > 0))
-        {
-            Write(context, labels, line.Name, view.At(line.Points[line.Points.Count / 2].At), isName: true);
-        }
-
+        _leftOut.Clear();
         foreach (var (label, at) in _points)
         {
-            Write(context, labels, label, view.At(at), isName: false);
+            Write(context, labels, label, isName: false, view.At(at));
+        }
+
+        // At its line and not at one of its points: in its middle, or else where there is room.
+        foreach (var line in Drawing.Lines.Where(l => l.Points.Count > 0))
+        {
+            Write(context, labels, line.Name, isName: true, [.. NameShares.Select(s => view.At(line.At(s)))]);
         }
 
         // Over the ground of words beside them.
@@ -89,12 +97,16 @@ public sealed class PartPlot : PlotArea
     /// <inheritdoc/>
     protected override bool IsDrawnIn(PlotBox box) => Drawing!.Lines.Any(l => box.IsCrossedBy([.. l.Points.Select(p => p.At)]));
 
-    private void Write(DrawingContext context, PlotLabels labels, string words, Point place, bool isName)
+    private void Write(DrawingContext context, PlotLabels labels, string words, bool isName, params Point[] places)
     {
         var text = Label(words, isStrong: isName);
-        if (labels.Place(text, place, DrawnSizes.LabelAway, isBelow: isName) is { } room)
+        if (places.Select(p => labels.Place(text, p, DrawnSizes.LabelAway, isBelow: isName)).FirstOrDefault(r => r is not null) is { } room)
         {
             Words(context, text, room);
+        }
+        else
+        {
+            _leftOut.Add(words);
         }
     }
 }

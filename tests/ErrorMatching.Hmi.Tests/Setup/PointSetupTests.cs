@@ -17,6 +17,7 @@ public sealed class PointSetupTests
 
         // The first point under the finger: the sample's own place.
         var plot = (PartPlot)seat.Seat.See("points-drawing");
+        Assert.Empty(plot.LeftOut);
         var first = plot.View.ToScreen(new(-31.95, 76.008));
         seat.Seat.User.Click(plot, new(first.X + 3, first.Y - 2));
         Assert.Equal("1  x −31.9500  y 76.0080 mm", plot.Values);
