@@ -27,8 +27,17 @@ public sealed class VerificationTests
 
         Assert.Equal(console.Result.Points.Select(p => (p.Label, Shown.SignedMm(p.BeforeError.NormalMm), Shown.SignedMm(p.AfterError.NormalMm))), detail.Points.Select(p => (p.Point, p.Before, p.After)));
         Assert.Equal(
-            console.Result.Features.Select(f => (f.Name, Shown.Mm(f.After), f.ImprovementPercent < -0.5 ? "Worse by " + Shown.Percent(-f.ImprovementPercent) : Shown.Percent(f.ImprovementPercent))),
-            detail.Features.Select(f => (f.Feature, f.After, f.Improvement)));
+            console.Result.Features.Select(f => (f.Name, Shown.Mm(f.After).TrimStart('−'), f.ImprovementPercent < -0.5 ? "Worse by " + Shown.Percent(-f.ImprovementPercent) : Shown.Percent(f.ImprovementPercent))),
+            detail.Features.Select(f => (f.Feature, f.After.TrimStart('+', '−'), f.Improvement)));
+
+        // Deviations have their sign and are the counterpart's alone; the paper's comparison in x leaves out point 5, where the curve is furthest off.
+        Assert.All(detail.Features, f => Assert.Equal(f.Quantity.StartsWith("largest", StringComparison.Ordinal), f.Wanted == Shown.Nothing));
+        var (curve, comparison) = (detail.Features.Single(f => f.Feature == "C1" && f.Quantity == "largest in X"), detail.Features.Single(f => f.Feature == "C1 in x"));
+        Assert.Equal(Shown.SignedMm(console.Result.Points.Single(p => p.Label == "5").AfterError.Vector.X), curve.After);
+        Assert.Equal("largest in X, points 6..14", comparison.Quantity);
+        Assert.Equal(Shown.SignedMm(console.Result.Points.Skip(7).Select(p => p.AfterError.Vector.X).MaxBy(Math.Abs)), comparison.After);
+        Assert.Contains(detail.Features, f => f.Before.StartsWith('−'));
+        seat.Tap("tab-improvement").See("improvement-note");
 
         // The paper's improvement, through the whole cell.
         Assert.Equal("81 %", detail.Features.Single(f => f.Feature == "L1-L2").Improvement);

@@ -33,6 +33,7 @@ public static class VerifyReportJson
                 w.Number("before", f.Before);
                 w.Number("after", f.After);
                 w.Number("improvementPercent", f.ImprovementPercent);
+                w.Texts("points", f.Points);
             });
             w.Flag("beforeMeasured", report.IsBeforeMeasured);
             w.Number("maxBeforeMm", report.Result.MaxBeforeMm);

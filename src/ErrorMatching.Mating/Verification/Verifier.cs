@@ -68,7 +68,7 @@ internal static class Verifier
     }
 
     private static VerifiedFeature Deviation(string name, bool alongX, IReadOnlyList<VerifiedPoint> points) => alongX
-        ? new(name, VerifiedQuantity.DeviationX, 0, points.Max(p => Math.Abs(p.BeforeError.Vector.X)), points.Max(p => Math.Abs(p.AfterError.Vector.X)))
+        ? new(name, VerifiedQuantity.DeviationX, 0, points.Max(p => Math.Abs(p.BeforeError.Vector.X)), points.Max(p => Math.Abs(p.AfterError.Vector.X))) { Points = [.. points.Select(p => p.Label)] }
         : VerifiedFeature.DeviationOf(name, points);
 
     private static VerifiedFeature Of(string name, VerifiedQuantity quantity, Func<Func<VerifiedPoint, Point2>, double> value) =>

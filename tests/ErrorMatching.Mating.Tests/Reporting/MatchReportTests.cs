@@ -138,13 +138,15 @@ public sealed class MatchReportTests
     public void A_verification_has_what_the_contract_promises()
     {
         var point = new VerifiedPoint("6", new(1, 1), new(1.3, 1.4), new(1, 1.05), new(0.6, 0.8));
-        var result = new VerificationResult([point], [new("L1", VerifiedQuantity.Length, 17.649, 17.308, 17.562), new("C1", VerifiedQuantity.DeviationX, 0, 0, 0), new("A", VerifiedQuantity.Angle, 1, 2, 1), new("B", VerifiedQuantity.Deviation, 0, 2, 1)]);
+        var result = new VerificationResult([point], [new("L1", VerifiedQuantity.Length, 17.649, 17.308, 17.562), new("C1", VerifiedQuantity.DeviationX, 0, 0, 0), new("A", VerifiedQuantity.Angle, 1, 2, 1), VerifiedFeature.DeviationOf("B", [point])]);
         var json = JsonDocument.Parse(VerifyReportJson.Write(new(Report.Job, Report.Inputs, result, ["w"]) { Boundaries = [new("C1", new(-0.05, 0.02), [("6", new(1, 1.5))], [new(0, 0), new(2, 1)])] })).RootElement;
 
         Assert.Equal("errormatch/verify/1|job.json|part", Text(json, "schema", "job.file", "inputs.0.role"));
         Assert.Equal("6|0.3|0.4|0.5|0|0.05|0.04", Text(json, "points.0.point", "points.0.before.dx", "points.0.before.dy", "points.0.before.normalMm", "points.0.after.dx", "points.0.after.dy", "points.0.after.normalMm"));
         Assert.Equal("L1|length|17.649|17.308|17.562|74.486803519", Text(json, "features.0.name", "features.0.quantity", "features.0.wanted", "features.0.before", "features.0.after", "features.0.improvementPercent"));
         Assert.Equal("deviation-x|null|angle|deviation", Text(json, "features.1.quantity", "features.1.improvementPercent", "features.2.quantity", "features.3.quantity"));
+        Assert.Equal(["6"], json.GetProperty("features")[3].GetProperty("points").EnumerateArray().Select(p => p.GetString()));
+        Assert.Equal(0, json.GetProperty("features")[0].GetProperty("points").GetArrayLength());
         Assert.Equal("0.5|0.04|0.5|0.04|w", Text(json, "maxBeforeMm", "maxAfterMm", "rmsBeforeMm", "rmsAfterMm", "warnings.0"));
         Assert.Equal("1|0.8", Text(json, "points.0.part.x", "points.0.normal.y"));
         Assert.Equal("C1|-0.05|0.02|6|1.5|2", Text(json, "boundaries.0.name", "boundaries.0.toleranceMm.0", "boundaries.0.toleranceMm.1", "boundaries.0.points.0.point", "boundaries.0.points.0.theoretical.y", "boundaries.0.outline.1.x"));

@@ -21,6 +21,12 @@ public sealed class VerifierTests
         AssertFeature(result, "L2L3", VerifiedQuantity.Angle, 63.948, 64.878, 63.83, 87, 3);
         AssertFeature(result, "C1 without the corner", VerifiedQuantity.DeviationX, 0, 0.137, 0.029, 79, 9);
 
+        // Each says whose deviation it is; a length or an angle is no point's.
+        string[] curve = ["5", "6", "7", "8", "9", "10", "11", "12", "13", "14"];
+        Assert.All(result.Features.Where(f => f.Name == "C1"), f => Assert.Equal(curve, f.Points));
+        Assert.Equal(curve.Skip(1), result.Features.Single(f => f.Name == "C1 without the corner").Points);
+        Assert.All(result.Features, f => Assert.Equal(f.Quantity is VerifiedQuantity.Deviation or VerifiedQuantity.DeviationX, f.Points.Count > 0));
+
         // The point beside the corner is what the paper leaves out.
         AssertFeature(result, "C1", VerifiedQuantity.DeviationX, 0, 0.137, 0.056, 59, 9);
     }

@@ -171,13 +171,27 @@ public sealed class PieceDetail
     }
 
     // Angles have as many decimals as lengths, so that they stand under each other.
-    private static ImprovementRow Row(VerifiedFeature f)
+    private ImprovementRow Row(VerifiedFeature f)
     {
         // By what is shown: a difference that rounds to nothing is none.
         var isWorse = f.ImprovementPercent is { } percent && Math.Round(percent) < 0;
         var improvement = isWorse ? Texts.Current.With("Verify.WorseBy", Shown.Percent(-f.ImprovementPercent)) : Shown.Percent(f.ImprovementPercent);
-        return new(f.Name, Texts.Current.Word(f.Quantity), Shown.Mm(f.Wanted), Shown.Mm(f.Before), Shown.Mm(f.After), improvement, f.Quantity == VerifiedQuantity.Angle ? "°" : "mm", isWorse);
+        var (quantity, unit) = (Texts.Current.Word(f.Quantity), f.Quantity == VerifiedQuantity.Angle ? "°" : "mm");
+        if (f.Quantity is not (VerifiedQuantity.Deviation or VerifiedQuantity.DeviationX))
+        {
+            return new(f.Name, quantity, Shown.Mm(f.Wanted), Shown.Mm(f.Before), Shown.Mm(f.After), improvement, unit, isWorse);
+        }
+
+        // Which points a feature has is known; a comparison has its own.
+        var isComparison = f.Points.Count > 0 && _piece.Boundaries.All(b => b.Name != f.Name);
+        return new(
+            f.Name, isComparison ? Texts.Current.With("Verify.OfPoints", quantity, LabelList.Short(f.Points)) : quantity, Shown.Nothing,
+            Deviation(f, f.Before, p => p.BeforeError), Deviation(f, f.After, p => p.AfterError), improvement, unit, isWorse);
     }
+
+    // With its sign, where the report says whose it is.
+    private string Deviation(VerifiedFeature f, double largestMm, Func<VerifiedPoint, MatingError> error) => f.Points.Count == 0 ? Shown.Mm(largestMm) : Shown.SignedMm(
+        _piece.Result.Points.Where(p => f.Points.Contains(p.Label)).Select(p => f.Quantity == VerifiedQuantity.DeviationX ? error(p).Vector.X : error(p).NormalMm).MaxBy(Math.Abs));
 
     private MatingErrorRow Row(VerifiedPoint p)
     {
