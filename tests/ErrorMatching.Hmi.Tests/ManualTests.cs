@@ -37,12 +37,24 @@ public sealed partial class ManualTests
             b => Assert.True(texts.Contains(b.Words), $"{Path.GetFileName(b.Page)} ({m.Code}) names \"{b.Words}\", which no screen shows."));
     });
 
+    [Fact]
+    public void Words_in_quotation_marks_stand_on_a_screen_too()
+    {
+        var texts = Manuals.SelectMany(m => Texts.Of(m.Language).Values).ToHashSet(StringComparer.Ordinal);
+        var quoted = Manuals.SelectMany(m => Pages(m.Folder)).SelectMany(p => Quoted().Matches(File.ReadAllText(p)).Select(q => (Page: p, Words: q.Groups["words"].Value))).ToArray();
+        Assert.NotEmpty(quoted);
+        Assert.All(quoted, q => Assert.True(texts.Contains(q.Words), $"{q.Page} quotes \"{q.Words}\", which no screen shows."));
+    }
+
     private static string Folder(string language) => Repository.PathTo("docs", "station", language);
 
     private static IEnumerable<string> Pages(string language) => Directory.EnumerateFiles(Folder(language), "*.md").Order(StringComparer.Ordinal);
 
     [GeneratedRegex(@"\]\((?<to>[^)#:]+)(#[^)]*)?\)", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Link();
+
+    [GeneratedRegex("[“「](?<words>[^”」\\n]+)[”」]", RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Quoted();
 
     [GeneratedRegex(@"\*\*(?<words>[^*\n]+)\*\*", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Bold();
