@@ -38,7 +38,9 @@ public sealed partial class CompensationWordsTests
         foreach (var drawing in new[] { detail.Before!, detail.After! })
         {
             Assert.Equal(16, drawing.Points.Count);
-            Assert.All(drawing.Points, p => Assert.Equal(factor * Math.Abs(p.PartMm), (p.At - new Point2(designed[p.Label].GetProperty("x").GetDouble(), designed[p.Label].GetProperty("y").GetDouble())).Length, 1e-6));
+
+            // The part stands upright and is drawn lying, turned clockwise: its x is seen downward, its y to the right.
+            Assert.All(drawing.Points, p => Assert.Equal(factor * Math.Abs(p.PartMm), (p.At - new Point2(designed[p.Label].GetProperty("y").GetDouble(), -designed[p.Label].GetProperty("x").GetDouble())).Length, 1e-6));
         }
     });
 

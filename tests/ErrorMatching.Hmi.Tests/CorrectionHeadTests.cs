@@ -52,7 +52,7 @@ public sealed class CorrectionHeadTests
         Assert.Equal(known, seat.Shell.Signing!.Facts.Select(f => ((string?)f.Text, f.Severity)));
         Assert.All(known, k => Assert.Contains(seat.See("signing-facts").GetVisualDescendants().OfType<TextBlock>(), t => t.Text == k.Item1 && t.IsEffectivelyVisible));
         Texts.Current.Language = Language.TraditionalChinese;
-        seat.WaitFor(() => seat.Shell.Signing.Facts[0].Text.StartsWith("最大移動量", StringComparison.Ordinal), "What is signed stays in the language before.");
+        seat.WaitFor(() => seat.Shell.Signing.Facts[0].Text.StartsWith("最大位移", StringComparison.Ordinal), "What is signed stays in the language before.");
         Texts.Current.Language = Language.English;
         seat.Tap("signing-leave");
 
