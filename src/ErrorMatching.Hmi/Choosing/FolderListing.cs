@@ -36,13 +36,14 @@ internal sealed record FolderListing(string Folder, IReadOnlyList<FolderEntry> E
                 break;
             }
 
+            var changed = new DateTimeOffset(found.LastWriteTimeUtc);
             if (found.Attributes.HasFlag(FileAttributes.Hidden))
             {
                 hidden++;
             }
             else if (found is DirectoryInfo)
             {
-                folders.Add(new(found.FullName, IsFolder: true, found.LastWriteTimeUtc, Shown.Time(found.LastWriteTimeUtc, clock), ""));
+                folders.Add(new(found.FullName, IsFolder: true, changed, Shown.Time(changed, clock), ""));
             }
             else if (extensions is null || (extensions.Count > 0 && !extensions.Contains(found.Extension, StringComparer.OrdinalIgnoreCase)))
             {
@@ -50,7 +51,7 @@ internal sealed record FolderListing(string Folder, IReadOnlyList<FolderEntry> E
             }
             else
             {
-                files.Add(new(found.FullName, IsFolder: false, found.LastWriteTimeUtc, Shown.Time(found.LastWriteTimeUtc, clock), SizeOf((FileInfo)found)));
+                files.Add(new(found.FullName, IsFolder: false, changed, Shown.Time(changed, clock), SizeOf((FileInfo)found)));
             }
         }
 
