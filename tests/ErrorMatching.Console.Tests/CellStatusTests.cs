@@ -47,6 +47,17 @@ public sealed class CellStatusTests : IDisposable
     }
 
     [Fact]
+    public void What_is_approved_and_waits_behind_others_says_behind_whom()
+    {
+        To(CorrectionState.Proposed);
+        To(CorrectionState.Approved, "S2.csv");
+        using var life = Alive();
+        var heldUp = Assert.Single(IsWell().GetProperty("slots")[0].GetProperty("heldUp").EnumerateArray());
+        Assert.Equal((2, 1), (heldUp.GetProperty("correction").GetInt32(), Assert.Single(heldUp.GetProperty("behind").EnumerateArray()).GetInt32()));
+        Assert.Contains("2 is approved and waits in line behind 1: decide about what stands before it first.", Shell.Run("cell", "status", _cell.Config).Output, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void A_correction_that_failed_needs_help()
     {
         To(CorrectionState.Failed);
@@ -164,14 +175,15 @@ public sealed class CellStatusTests : IDisposable
     private void To(CorrectionState state, string fileName = "S1.csv")
     {
         using var store = CellStore.Open(_settings.Store, TimeProvider.System, AuditKey.Open(_settings.KeysFolder));
-        var correction = store.Archive(new Arrival("cmm", fileName, "S1", new byte[] { 1 })).Correction;
+        var key = Path.GetFileNameWithoutExtension(fileName);
+        var correction = store.Archive(new Arrival("cmm", fileName, key, new byte[] { 1 })).Correction;
         foreach (var next in Way(state))
         {
             correction = store.Step(correction, next, "cell", "for the test", c => c with
             {
                 Job = "housing",
                 Serial = "S1",
-                Identity = "1",
+                Identity = key,
                 Machine = "vmc1",
                 Slot = "A",
                 Program = "O2001.NC",
@@ -185,6 +197,7 @@ public sealed class CellStatusTests : IDisposable
     private static CorrectionState[] Way(CorrectionState state) => state switch
     {
         CorrectionState.Proposed => [CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed],
-        _ => [.. Way(CorrectionState.Proposed), CorrectionState.Approved, CorrectionState.Uploading, state],
+        CorrectionState.Approved => [.. Way(CorrectionState.Proposed), CorrectionState.Approved],
+        _ => [.. Way(CorrectionState.Approved), CorrectionState.Uploading, state],
     };
 }

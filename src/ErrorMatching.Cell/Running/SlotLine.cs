@@ -21,15 +21,23 @@ internal static class SlotLine
         return inOrderOfSerial(first.Job!) ? line.Where(c => c.Job == first.Job).MinBy(c => c.Serial, SerialOrder.Instance) : first;
     }
 
-    /// <summary>The first few in the order in which they are sent if nothing changes.</summary>
-    public static IReadOnlyList<Correction> Order(IReadOnlyList<Correction> line, Func<string, bool> inOrderOfSerial, int most)
+    /// <summary>All in the order in which they are sent if nothing changes.</summary>
+    /// <param name="line">The corrections in line, in order of arrival.</param>
+    /// <param name="inOrderOfSerial">Whether a job goes by serial number.</param>
+    public static IReadOnlyList<Correction> Order(IReadOnlyList<Correction> line, Func<string, bool> inOrderOfSerial)
     {
-        List<Correction> rest = [.. line];
-        var order = new List<Correction>();
-        while (order.Count < most && First(rest, inOrderOfSerial) is { } next)
+        var bySerial = line.GroupBy(c => c.Job!).Where(j => inOrderOfSerial(j.Key)).ToDictionary(j => j.Key, j => new Queue<Correction>(j.OrderBy(c => c.Serial, SerialOrder.Instance)));
+        var order = new List<Correction>(line.Count);
+        var sent = new HashSet<long>();
+        foreach (var next in line)
         {
-            order.Add(next);
-            rest.Remove(next);
+            // Whose turn it is by arrival lets those of its job with lower serial numbers go before.
+            while (!sent.Contains(next.Id))
+            {
+                var first = bySerial.TryGetValue(next.Job!, out var queue) ? queue.Dequeue() : next;
+                order.Add(first);
+                sent.Add(first.Id);
+            }
         }
 
         return order;

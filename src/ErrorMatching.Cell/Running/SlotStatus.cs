@@ -5,22 +5,37 @@ namespace ErrorMatching.Cell;
 /// <param name="Slot">The slot.</param>
 /// <param name="Holding">What it holds.</param>
 /// <param name="Held">The correction that has it; null if it is free.</param>
-/// <param name="Waiting">How many stand in line for it.</param>
-/// <param name="Next">The first of them, as they will be sent.</param>
-public sealed record SlotStatus(MachineSettings Machine, SlotSettings Slot, SlotHolding Holding, Correction? Held, int Waiting, IReadOnlyList<Correction> Next)
+/// <param name="Line">All that stand in line for it, in the order in which they are sent if nothing changes: nobody overtakes.</param>
+public sealed record SlotStatus(MachineSettings Machine, SlotSettings Slot, SlotHolding Holding, Correction? Held, IReadOnlyList<Correction> Line)
 {
     private const int MostNext = 5;
+
+    /// <summary>How many stand in line for it.</summary>
+    public int Waiting => Line.Count;
+
+    /// <summary>The first of them.</summary>
+    public IReadOnlyList<Correction> Next => [.. Line.Take(MostNext)];
+
+    /// <summary>Those of them that are approved.</summary>
+    public IReadOnlyList<Correction> Approved => [.. Line.Where(c => c.State == CorrectionState.Approved)];
+
+    /// <summary>Those that are approved and wait behind others about which somebody has to decide first, in the order of the line.</summary>
+    public IReadOnlyList<HeldUpCorrection> HeldUp => [.. Approved.Select(c => new HeldUpCorrection(c, UndecidedBefore(c.Id))).Where(h => h.Behind.Count > 0)];
+
+    /// <summary>About whom somebody has to decide before a correction can be sent: those before it in line that are proposed or failed at the machine.</summary>
+    /// <param name="id">Number of the correction.</param>
+    /// <returns>In the order of the line; none if the correction is not in this line.</returns>
+    public IReadOnlyList<Correction> UndecidedBefore(long id) =>
+        Line.Any(c => c.Id == id) ? [.. Line.TakeWhile(c => c.Id != id).Where(c => c.State is CorrectionState.Proposed or CorrectionState.Failed)] : [];
 
     internal static SlotStatus Of(CellSettings settings, MachineSettings machine, SlotSettings slot, CellStore store)
     {
         var holding = store.Slot(machine.Name, slot.Name);
-        var line = store.Line(machine.Name, slot.Name);
         return new(
             machine,
             slot,
             holding,
             holding.Correction is { } id ? store.Find(id) : null,
-            line.Count,
-            SlotLine.Order(line, job => settings.Jobs.Any(j => j.Name == job && j.InOrderOfSerial), MostNext));
+            SlotLine.Order(store.Line(machine.Name, slot.Name), job => settings.Jobs.Any(j => j.Name == job && j.InOrderOfSerial)));
     }
 }

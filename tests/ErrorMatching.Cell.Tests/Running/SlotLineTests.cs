@@ -32,11 +32,28 @@ public sealed class SlotLineTests
 
     [Fact]
     public void The_line_keeps_the_order_of_arrival() =>
-        Assert.Equal([1L, 2, 3], SlotLine.Order([Of(1, "S3"), Of(2, "S1"), Of(3, "S2")], _ => false, 10).Select(c => c.Id));
+        Assert.Equal([1L, 2, 3], SlotLine.Order([Of(1, "S3"), Of(2, "S1"), Of(3, "S2")], _ => false).Select(c => c.Id));
 
     [Fact]
     public void A_job_by_serial_number_sorts_its_own_pieces_only() =>
-        Assert.Equal([2L, 1, 3, 4], SlotLine.Order([Of(1, "S3"), Of(2, "S1"), Of(3, "S9", "other"), Of(4, "S4")], j => j == "job", 10).Select(c => c.Id));
+        Assert.Equal([2L, 1, 3, 4], SlotLine.Order([Of(1, "S3"), Of(2, "S1"), Of(3, "S9", "other"), Of(4, "S4")], j => j == "job").Select(c => c.Id));
+
+    [Fact]
+    public void The_order_is_who_is_first_again_and_again() => Prop.ForAll(
+        Gen.Elements(0, 1, 2, 3).Two().ListOf().ToArbitrary(),
+        pieces =>
+        {
+            List<Correction> rest = [.. pieces.Select((p, i) => Of(i, $"S{p.Item1}", p.Item2 < 2 ? "job" : $"other{p.Item2}"))];
+            var order = SlotLine.Order([.. rest], IsBySerial);
+            Assert.Equal(rest.Count, order.Count);
+            Assert.All(order, c =>
+            {
+                Assert.Same(SlotLine.First(rest, IsBySerial), c);
+                rest.Remove(c);
+            });
+
+            static bool IsBySerial(string job) => job != "other2";
+        }).QuickCheckThrowOnFailure();
 
     private static Correction Of(long id, string serial, string job = "job") =>
         new(id, CorrectionState.Approved, 1, "gauge", "file", DateTimeOffset.UnixEpoch, "", 0) { Job = job, Serial = serial };

@@ -102,6 +102,22 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
 
         json.WriteNumber("waiting", slot.Waiting);
         Write(json, "next", slot.Next);
+        json.WriteStartArray("heldUp");
+        foreach (var heldUp in slot.HeldUp)
+        {
+            json.WriteStartObject();
+            json.WriteNumber("correction", heldUp.Correction.Id);
+            json.WriteStartArray("behind");
+            foreach (var before in heldUp.Behind)
+            {
+                json.WriteNumberValue(before.Id);
+            }
+
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
         json.WriteEndObject();
     }
 
@@ -184,6 +200,11 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
                 : $"{Number(failed.Id)}: put right what it says, then errormatch cell approve {settings.File} {Number(failed.Id)}, or reject it. Those behind it in its slot's line wait.";
         }
 
+        foreach (var heldUp in status.Slots.SelectMany(s => s.HeldUp).Take(MostListed))
+        {
+            yield return $"{Number(heldUp.Correction.Id)} is approved and waits in line behind {Numbers(heldUp.Behind)}: decide about what stands before it first.";
+        }
+
         foreach (var proposed in status.Proposed.Take(MostListed))
         {
             yield return $"{Number(proposed.Id)}: read its report (errormatch cell show {settings.File} {Number(proposed.Id)} --out DIR), then approve or reject it.";
@@ -196,6 +217,8 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
     }
 
     private static string Label(Correction correction) => correction.Serial is { } serial ? $"{Number(correction.Id)} {serial}" : Number(correction.Id);
+
+    private static string Numbers(IReadOnlyList<Correction> corrections) => string.Join(", ", corrections.Take(MostListed).Select(c => Number(c.Id))) + (corrections.Count > MostListed ? ", ..." : "");
 
     private static string Number(long value) => value.ToString(CultureInfo.InvariantCulture);
 
