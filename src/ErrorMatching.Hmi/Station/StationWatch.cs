@@ -41,8 +41,8 @@ internal sealed class StationWatch(Station station)
             }
 
             _last = CellStatus.Of(station.Settings, station.Store, station.Clock);
-            station.JobNames.Learn(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.InWork, .. _last.Slots.SelectMany(s => s.Next), .. _last.Slots.Select(s => s.Held).OfType<Correction>()]);
-            _ofChangedJob = _changedJobs.Among(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.Slots.SelectMany(s => s.Next)]);
+            station.JobNames.Learn(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.InWork, .. _last.Slots.SelectMany(s => s.Approved), .. _last.Slots.Select(s => s.Held).OfType<Correction>()]);
+            _ofChangedJob = _changedJobs.Among(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.Slots.SelectMany(s => s.Approved)]);
             _seen = count;
             return new(++_version, _last, null) { OfChangedJob = _ofChangedJob };
         }

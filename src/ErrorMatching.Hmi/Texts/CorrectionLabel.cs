@@ -13,8 +13,8 @@ public static class CorrectionLabel
         return correction.Id == 0 ? piece : $"#{Shown.Id(correction.Id)} · {piece}";
     }
 
-    /// <summary>How much a correction asks for attention: one that failed is an alarm, and one that is proposed waits for a person.</summary>
-    public static Severity SeverityOf(CorrectionState state) => state switch { CorrectionState.Failed => Severity.Alarm, CorrectionState.Proposed => Severity.Attention, _ => Severity.Quiet };
+    /// <summary>How much a correction asks for attention: one that failed is an alarm, one that is proposed waits for a person, and one that is reverted did not come to what it was approved for.</summary>
+    public static Severity SeverityOf(CorrectionState state) => state switch { CorrectionState.Failed => Severity.Alarm, CorrectionState.Proposed or CorrectionState.Reverted => Severity.Attention, _ => Severity.Quiet };
 
     /// <summary>Where its program goes, is or was, in a sentence: machine, slot and file; null where none goes to a machine.</summary>
     public static string? Target(Correction correction)

@@ -46,6 +46,13 @@ public sealed class Texts : Observable
     /// <exception cref="KeyNotFoundException">There is no such key.</exception>
     public string With(string key, params object[] values) => string.Format(CultureInfo.InvariantCulture, this[key], values);
 
+    /// <summary>The text of a key for so many; for one that of the key with <c>One</c> behind it.</summary>
+    /// <param name="key">The key.</param>
+    /// <param name="count">How many there are.</param>
+    /// <param name="values">What stands in the places of <c>{0}</c> and so on.</param>
+    /// <exception cref="KeyNotFoundException">There is no such key.</exception>
+    public string Counted(string key, int count, params object[] values) => With(count == 1 ? key + "One" : key, values);
+
     /// <summary>The text of a value of an enumeration, by the key TYPE.VALUE.</summary>
     public string Word<T>(T value)
         where T : struct, Enum => this[$"{typeof(T).Name}.{value}"];

@@ -27,6 +27,13 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Approve = Decision(Act.Approve, needsReason: false, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Approve(id, by, reason)));
         Reject = Decision(Act.Reject, needsReason: true, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Reject(id, by, reason!)));
         Release = Decision(Act.Release, needsReason: false, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Release(id, by, reason)));
+        LookAtFirst = new(() =>
+        {
+            if (Wait is { } wait)
+            {
+                LookAt(wait.First);
+            }
+        });
         Revert = new(() => Sign(k => RevertSigning.Of(_shell, k)), () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, Act.Revert) && RevertSigning.IsPossible(Detail?.Kept));
         Refresh();
     }
@@ -65,6 +72,15 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         set => Set(ref _tab, value);
     }
 
+    /// <summary>What it waits for before it can go to its machine; null if for nothing but a decision about itself.</summary>
+    public string? Waits => Wait?.Text;
+
+    /// <summary>How much that asks for attention.</summary>
+    public Severity WaitsSeverity => Wait?.Severity ?? Severity.Quiet;
+
+    /// <summary>Goes to what it waits for.</summary>
+    public Command LookAtFirst { get; }
+
     /// <summary>Lets it go to its machine.</summary>
     public Command Approve { get; }
 
@@ -93,6 +109,11 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 
     /// <summary>Done when what is chosen is shown.</summary>
     internal Task Loading { get; private set; } = Task.CompletedTask;
+
+    // It is in the head, and not in the detail: whom something waits behind changes while it stays as it is.
+    private WaitReason? Wait => Detail is { } detail ? WaitOf(detail.Kept.Correction) : null;
+
+    private WaitReason? WaitOf(Correction correction) => Station.State.Status is { } status ? WaitReason.Of(status, correction.Id) : null;
 
     private CorrectionState? State => Detail?.Kept.Correction.State;
 
@@ -132,7 +153,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         () => Sign(kept => new(Station, _shell.Who!, act, kept.Subject, needsReason, (by, reason, cancellation) => carryOut(kept.Correction.Id, by.Name, reason, cancellation))
         {
             Correction = kept.Correction,
-            Known = act == Act.Approve && Detail is { } detail ? () => detail.Now().Facts : null,
+            Known = act == Act.Approve && Detail is { } detail ? () => [.. WaitOf(kept.Correction) is { Severity: Severity.Attention } wait ? [new Fact(wait.Text, wait.Severity)] : Array.Empty<Fact>(), .. detail.Now().Facts] : null,
         }),
         () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, act) && Detail!.Kept.Correction is var c && act switch
         {
@@ -161,7 +182,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 
         // In order of arrival, whatever becomes of them: a row does not leave its place under a finger.
         Correction[] undecided = [.. status.Failed, .. status.Proposed], held = [.. status.Slots.Select(s => s.Held).OfType<Correction>()];
-        Rows.Show([.. undecided.Concat(held).Concat(status.Slots.SelectMany(s => s.Next.Where(c => c.State == CorrectionState.Approved))).OrderBy(c => c.Id).Select(Row)]);
+        Rows.Show([.. undecided.Concat(held).Concat(status.Slots.SelectMany(s => s.Approved)).OrderBy(c => c.Id).Select(Row)]);
         Say(nameof(IsEmpty));
         _waiting = [.. (_shell.Who is { } who && !Rights.Allows(who.Role, Act.Approve) ? undecided.Concat(held) : undecided).Select(c => c.Id)];
 
@@ -243,6 +264,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Say(nameof(IsUndecided));
         Say(nameof(IsAtMachine));
         Say(nameof(Forbidden));
+        Say(nameof(Waits));
+        Say(nameof(WaitsSeverity));
         foreach (var command in new[] { Approve, Reject, Release, Revert })
         {
             command.Refresh();
@@ -255,6 +278,6 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Station.JobNames.Of(c) ?? "",
         Texts.Current.Word(c.State),
         c.LargestMm is { } mm ? Shown.Mm(mm) + " mm" : "",
-        CorrectionLabel.SeverityOf(c.State),
+        c.State == CorrectionState.Approved ? WaitOf(c)?.Severity ?? Severity.Quiet : CorrectionLabel.SeverityOf(c.State),
         IsOfChangedJob(c.Id));
 }

@@ -11,5 +11,5 @@ public sealed record MessageRow(Severity Severity, string What, string Next, lon
     public bool CanLook => Correction is not null;
 
     /// <summary>Identifies the row.</summary>
-    public string AutomationId => Correction is { } id ? "message-" + Shown.Id(id) : "message";
+    public string AutomationId { get; init; } = Correction is { } id ? "message-" + Shown.Id(id) : "message";
 }

@@ -115,6 +115,18 @@ public sealed partial class MessagesViewModel : ScreenViewModel
                 failed.Id);
         }
 
+        foreach (var (slot, up) in status.Slots.SelectMany(s => s.HeldUp.Select(h => (s, h))))
+        {
+            yield return new(
+                Severity.Attention,
+                texts.With("Message.HeldUp", CorrectionLabel.Of(up.Correction), $"{slot.Machine.Name}/{slot.Slot.Name}", WaitReason.Numbers(up.Behind)),
+                texts["Message.HeldUp.Next"],
+                up.Behind[0].Id)
+            {
+                AutomationId = "message-held-up-" + Shown.Id(up.Correction.Id),
+            };
+        }
+
         foreach (var proposed in status.Proposed)
         {
             yield return new(Severity.Attention, texts.With("Message.Proposed", CorrectionLabel.Of(proposed), Shown.Mm(proposed.LargestMm)), texts["Message.Proposed.Next"], proposed.Id);
@@ -122,7 +134,10 @@ public sealed partial class MessagesViewModel : ScreenViewModel
 
         foreach (var slot in status.Slots.Where(s => s.Held is { State: CorrectionState.Reverted } || (s.Held is { State: CorrectionState.Verified } && s.Slot.ReadyFile is null)))
         {
-            yield return new(Severity.Attention, texts.With("Message.Taken", $"{slot.Machine.Name}/{slot.Slot.Name}", CorrectionLabel.Of(slot.Held!)), texts["Message.Taken.Next"], slot.Held!.Id);
+            var (name, held) = ($"{slot.Machine.Name}/{slot.Slot.Name}", CorrectionLabel.Of(slot.Held!));
+            yield return slot.Held!.State == CorrectionState.Reverted
+                ? new(Severity.Attention, texts.With("Message.TakenBack", name, held), texts["Message.TakenBack.Next"], slot.Held.Id)
+                : new(Severity.Attention, texts.With("Message.Taken", name, held), texts["Message.Taken.Next"], slot.Held.Id);
         }
     }
 

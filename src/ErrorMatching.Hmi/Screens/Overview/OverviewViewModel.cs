@@ -56,13 +56,14 @@ public sealed class OverviewViewModel : ScreenViewModel
         var texts = Texts.Current;
         Slots.Show([.. status.Slots.Select(s => Tile(status, s))]);
         Gauges.Show([.. Station.Settings.Gauges.Select(g => Tile(status, g))]);
-        Waiting.Show([.. status.Failed.Select(c => Tile(c, Severity.Alarm)), .. status.Proposed.Select(c => Tile(c, Severity.Attention)), .. status.InWork.Select(c => Tile(c, Severity.Quiet))]);
+        Waiting.Show([.. status.Failed.Select(c => Tile(c, Severity.Alarm)), .. status.Proposed.Select(c => Tile(c, Severity.Attention)), .. status.Slots.SelectMany(s => s.Approved).Select(c => Tile(status, c)), .. status.InWork.Select(c => Tile(c, Severity.Quiet))]);
         var (failed, proposed) = (status.CountOf(CorrectionState.Failed), status.CountOf(CorrectionState.Proposed));
         (Summary, Severity) =
             !status.IsRunning ? (texts["Overview.NotRunning"], Severity.Alarm)
             : failed > 0 ? (texts.With("Overview.Failed", Shown.Count(failed)), Severity.Alarm)
             : Troubles(status) is { Count: > 0 } troubles ? (texts.With("Overview.Troubles", Shown.Count(troubles.Count)), Severity.Alarm)
             : proposed > 0 ? (texts.With("Overview.Proposed", Shown.Count(proposed)), Severity.Attention)
+            : Slots.Count(s => s.Severity != Severity.Quiet) is > 0 and var slots ? (texts.With("Overview.SlotsWait", Shown.Count(slots)), Severity.Attention)
             : (texts["Overview.Well"], Severity.Quiet);
         Say();
     }
@@ -82,7 +83,9 @@ public sealed class OverviewViewModel : ScreenViewModel
         return (trouble, slot.Held) switch
         {
             ({ } t, var held) => new(name, slot.Slot.Program, texts["Overview.SlotTrouble"], CodeText.Of(t.Code, t.Message), waiting, Severity.Alarm, held?.Id),
+            (_, { State: CorrectionState.Reverted } held) => new(name, slot.Slot.Program, texts.Word(held.State), texts.With("Overview.TakenBack", CorrectionLabel.Of(held)), waiting, Severity.Attention, held.Id),
             (_, { } held) => new(name, slot.Slot.Program, texts.Word(held.State), $"{Label(held)}\n{Shown.Time(held.ChangedAt, Station.Clock)}", waiting, Severity.Quiet, held.Id),
+            _ when slot.HeldUp is [{ Behind: [var first, ..] } up, ..] => new(name, slot.Slot.Program, texts["Overview.HeldUp"], texts.With("Overview.HeldUpBy", CorrectionLabel.Of(up.Correction), CorrectionLabel.Of(first)), waiting, Severity.Attention, first.Id),
             _ => new(name, slot.Slot.Program, texts["Overview.Free"], texts[slot.Holding.ProgramSha256 is null ? "Overview.NothingSent" : "Overview.LastReleased"], waiting, Severity.Quiet, null),
         };
     }
@@ -97,14 +100,29 @@ public sealed class OverviewViewModel : ScreenViewModel
             : new(gauge.Name, source, CodeText.Of(trouble.Code, trouble.Message), Severity.Alarm);
     }
 
-    private WaitingTile Tile(Correction correction, Severity severity) => new(
+    private WaitingTile Tile(Correction correction, Severity severity) => Tile(
+        correction,
+        severity == Severity.Alarm && correction.Code is { } code ? CodeText.Of(code, correction.Reason) : string.Join(" · ", new[] { Texts.Current["Waiting." + correction.State], CorrectionLabel.Target(correction) }.OfType<string>()),
+        severity);
+
+    // What is approved is listed until it is sent: nobody is to wait for it without knowing why.
+    private WaitingTile Tile(CellStatus status, Correction approved)
+    {
+        var wait = WaitReason.Of(status, approved.Id);
+        return Tile(approved, $"{Texts.Current["Waiting." + approved.State]} · {wait?.Text ?? Texts.Current["Wait.Next"]}", wait?.Severity ?? Severity.Quiet);
+    }
+
+    private WaitingTile Tile(Correction correction, string state, Severity severity) => new(
         correction.Id,
         Station.JobNames.Of(correction) ?? "",
         CorrectionLabel.Of(correction),
-        severity == Severity.Alarm && correction.Code is { } code ? CodeText.Of(code, correction.Reason) : string.Join(" · ", new[] { Texts.Current["Waiting." + correction.State], CorrectionLabel.Target(correction) }.OfType<string>()),
+        state,
         correction.LargestMm is { } mm ? Shown.Mm(mm) + " mm" : "",
         Shown.Time(correction.ChangedAt, Station.Clock),
-        severity);
+        severity)
+    {
+        IsOfChangedJob = Station.State.OfChangedJob.Contains(correction.Id),
+    };
 
     private string Label(Correction correction) => string.Join(" · ", new[] { Station.JobNames.Of(correction), CorrectionLabel.Of(correction) }.OfType<string>());
 }

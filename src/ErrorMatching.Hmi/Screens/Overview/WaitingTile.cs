@@ -10,6 +10,9 @@ namespace ErrorMatching.Hmi;
 /// <param name="Severity">How much it asks for attention.</param>
 public sealed record WaitingTile(long Id, string Job, string Title, string State, string Largest, string Since, Severity Severity)
 {
+    /// <summary>True if it was made with its job as it was before somebody changed that.</summary>
+    public bool IsOfChangedJob { get; init; }
+
     /// <summary>True once it is known by how much it moves.</summary>
     public bool HasLargest => Largest.Length > 0;
 
