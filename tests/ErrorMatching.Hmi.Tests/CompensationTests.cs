@@ -131,6 +131,7 @@ public sealed class CompensationTests
         Assert.False(seat.See("signing-confirm").IsEffectivelyEnabled);
         seat.Type("signing-password", "not the password").Tap("signing-confirm");
         seat.WaitFor(() => seat.Find("signing-message") is not null, "A wrong password is not said.");
+        Assert.Equal("This is not the password of anna.", seat.TextOf("signing-message"));
         Assert.Equal(CorrectionState.Proposed, seat.Station.Store.Find(1)!.State);
         seat.Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         var sent = seat.WaitFor(1, CorrectionState.Verified);

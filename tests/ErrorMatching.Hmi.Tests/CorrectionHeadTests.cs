@@ -59,6 +59,7 @@ public sealed class CorrectionHeadTests
         // Who rejects need not be warned of the program.
         seat.Tap("reject");
         Assert.Empty(seat.Shell.Signing!.Facts);
+        Assert.Null(seat.Find("signing-target"));
         seat.Tap("signing-leave");
 
         // A tap on the warnings leads to them, and each is to be read.

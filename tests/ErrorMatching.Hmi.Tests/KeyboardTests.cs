@@ -10,6 +10,37 @@ public sealed class KeyboardTests
     private static readonly string[] Setup = ["coordinates", "blocks", "tolerances", "machine", "gauge"];
 
     [Fact]
+    public Task Enter_in_the_reason_goes_on_to_what_is_missing_and_confirms_once_nothing_is() => Seat.AtAsync(seat =>
+    {
+        seat.RunCell();
+        for (var id = 1; id <= 3; id++)
+        {
+            seat.Cell.Deliver(id, 0.003);
+            seat.WaitFor(id, CorrectionState.Proposed);
+        }
+
+        var decisions = new CorrectionDecisions(seat.Station.Store);
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.Tap("reject").See("signing-reason");
+        seat.User.Press(Key.Enter);
+        Assert.NotNull(seat.Find("signing-reason"));
+        seat.User.Type("chip under the probe").Press(Key.Enter);
+        Assert.Equal("chip under the probe", seat.WaitFor(1, CorrectionState.Rejected).Reason);
+
+        decisions.Approve(2, DemoCell.Setter, null);
+        seat.WaitFor(2, CorrectionState.Verified);
+        decisions.Release(2, DemoCell.Setter, null);
+        decisions.Approve(3, DemoCell.Setter, null);
+        seat.WaitFor(3, CorrectionState.Verified);
+        seat.Shell.Look(3);
+        seat.Tap("revert").See("signing-reason");
+        seat.User.Type("chatter").Press(Key.Enter);
+        seat.WaitFor(() => seat.See("signing-password").IsFocused, "Enter leads nowhere.");
+        seat.User.Type(DemoCell.Password).Press(Key.Enter);
+        Assert.Equal("chatter", seat.WaitFor(3, CorrectionState.Reverted).Reason);
+    });
+
+    [Fact]
     public Task Tab_gets_everywhere_in_the_order_of_reading_and_is_seen() => Seat.AtAsync(seat =>
     {
         var walk = new TabWalk(seat);

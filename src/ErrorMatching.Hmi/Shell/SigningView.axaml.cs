@@ -1,4 +1,5 @@
 using Avalonia.Controls;
+using Avalonia.Input;
 using Avalonia.Interactivity;
 
 namespace ErrorMatching.Hmi;
@@ -20,6 +21,16 @@ public sealed partial class SigningView : UserControl
         else
         {
             PasswordBox.Focus();
+        }
+    }
+
+    // Enter confirms once everything is there; before that it goes on to what is missing.
+    private void OnReasonKey(object? sender, KeyEventArgs e)
+    {
+        if (e.Key == Key.Enter && DataContext is SigningViewModel { NeedsPassword: true } signing && !signing.Confirm.CanExecute(null))
+        {
+            PasswordBox.Focus();
+            e.Handled = true;
         }
     }
 }

@@ -58,8 +58,8 @@ public sealed class SigningViewModel : Observable
     /// <summary>The correction that it is done to; null for anything else.</summary>
     public Correction? Correction { get; init; }
 
-    /// <summary>Where its program goes or is; null where none goes to a machine.</summary>
-    public string? Target => Correction is { } correction ? CorrectionLabel.Target(correction) : null;
+    /// <summary>Where its program goes or is; null where none goes to a machine, also because it is rejected.</summary>
+    public string? Target => Correction is { } correction && Act != Act.Reject ? CorrectionLabel.Target(correction) : null;
 
     /// <summary>Who signs.</summary>
     public string UserName { get; }
@@ -155,7 +155,8 @@ public sealed class SigningViewModel : Observable
         }
         catch (Exception e) when (Failures.IsKnown(e))
         {
-            Message = Failures.Of(e, _station.Clock);
+            // Nobody is asked for a name here.
+            Message = e is PeopleException { Error: PeopleError.SignInRefused } ? Texts.Current.With("Signing.WrongPassword", UserName) : Failures.Of(e, _station.Clock);
         }
         finally
         {
