@@ -47,7 +47,7 @@ public sealed class VerificationTests
         Assert.All(detail.Points, p => Assert.Equal(("−0.0500", "+0.0500"), (p.Low, p.High)));
         Assert.True(detail.Points.Single(p => p.Point == "4").IsOutside);
         Assert.Equal(console.Result.Points.Count(p => Math.Abs(p.AfterError.NormalMm) > 0.05), detail.Points.Count(p => p.IsOutside));
-        Assert.StartsWith("Points outside of their limits: ", seat.TextOf("piece-verdict"), StringComparison.Ordinal);
+        Assert.Equal($"{detail.Points.Count(p => p.IsOutside)} points outside their limits: {string.Join(", ", detail.Points.Where(p => p.IsOutside).Select(p => p.Point))}.", seat.TextOf("piece-verdict"));
 
         // What the match predicted is missed where the counterpart lies elsewhere by more than twice the gauge's 5.4 um, which the job states.
         using var match = System.Text.Json.JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
@@ -77,7 +77,7 @@ public sealed class VerificationTests
 
         // Two points on rounded corners cannot be followed, and the report warns of them.
         Assert.Equal(["2", "4"], detail.Points.Where(p => p.IsOutside).Select(p => p.Point));
-        Assert.Equal("Points outside of their limits: 2 (2, 4).", seat.TextOf("piece-verdict"));
+        Assert.Equal("2 points outside their limits: 2, 4.", seat.TextOf("piece-verdict"));
         Assert.StartsWith("Expected to be better by ", seat.TextOf("piece-summary"), StringComparison.Ordinal);
         Assert.Equal("Read the warnings of the correction before it is cut: 2, 4 will stay outside.", seat.TextOf("piece-to-do"));
         Assert.Null(seat.Find("piece-missed"));

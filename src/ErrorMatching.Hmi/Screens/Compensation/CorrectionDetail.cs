@@ -74,7 +74,7 @@ public sealed class CorrectionDetail
 
             var worst = _piece.Result.Points.MaxBy(p => Math.Abs(p.AfterError.NormalMm))!;
             var most = Texts.Current.With("Head.LeftOver", Shown.Mm(Math.Abs(worst.AfterError.NormalMm)), worst.Label);
-            return most + (_piece.Outside is { Count: > 0 } outside ? Texts.Current.With("Head.Outside", outside.Count, string.Join(", ", outside)) : Texts.Current["Head.NoneOutside"]);
+            return most + (_piece.Outside is { Count: > 0 } outside ? Texts.Current.Counted("Head.Outside", outside.Count, outside.Count, string.Join(", ", outside)) : Texts.Current["Head.NoneOutside"]);
         }
     }
 

@@ -52,7 +52,7 @@ public sealed class PieceDetail
     public bool IsWorse => _piece.Result.RmsImprovementPercent < 0;
 
     /// <summary>Whether everything is within its limits, and where not.</summary>
-    public string Verdict => _piece.Outside is { Count: > 0 } outside ? Texts.Current.With("Verify.Outside", outside.Count, Listed(outside)) : Texts.Current["Verify.AllWithin"];
+    public string Verdict => _piece.Outside is { Count: > 0 } outside ? Texts.Current.Counted("Verify.Outside", outside.Count, outside.Count, Listed(outside)) : Texts.Current["Verify.AllWithin"];
 
     /// <summary>Where the prediction was missed by more than measuring explains, which is twice the standard uncertainty; null where there is nothing to compare.</summary>
     public string? Missed => _piece.Misses is not { Count: > 0 } all ? null
