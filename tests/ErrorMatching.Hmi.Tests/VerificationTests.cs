@@ -82,6 +82,11 @@ public sealed class VerificationTests
         Assert.Equal("Read the warnings of the correction before it is cut: 2, 4 will stay outside.", seat.TextOf("piece-to-do"));
         Assert.Null(seat.Find("piece-missed"));
 
+        // A tap leads to those warnings, and they are what is seen.
+        seat.Tap("piece-warnings").See("warnings");
+        Assert.Equal(("#1 · 0001", Screens.Compensation), (seat.TextOf("detail-title"), seat.Shell.Chosen!.Screen.Key));
+        seat.Tap("nav-verification").See("piece-kind");
+
         new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
         seat.WaitFor(1, CorrectionState.Verified);
         seat.Cell.DeliverCounterpart(1, 0);

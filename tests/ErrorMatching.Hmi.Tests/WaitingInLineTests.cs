@@ -1,7 +1,6 @@
 using Avalonia.Controls;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
-using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -22,7 +21,7 @@ public sealed class WaitingInLineTests
         Assert.Equal(new Fact(Behind, Severity.Attention), seat.Shell.Signing!.Facts[0]);
         seat.Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         seat.WaitFor(() => seat.TextOf("detail-state") == "Approved", "It is not approved.").See("compensation-waits");
-        Picture(seat, "compensation-waits");
+        BothLanguages.Take(seat, "compensation-waits");
         Assert.Equal(Severity.Attention, ((CompensationViewModel)seat.Shell.Current!).Chosen!.Severity);
         seat.Tap("compensation-waits").WaitFor(() => seat.TextOf("detail-title") == "#1 · 0001", "The tap does not lead to the first.");
         Assert.Null(seat.Find("compensation-waits"));
@@ -46,11 +45,11 @@ public sealed class WaitingInLineTests
         Assert.Equal((Severity.Attention, "#3 · 0003 is approved and waits until #1 · 0001 is decided about. Tap to go there."), (overview.Slots[0].Severity, overview.Slots[0].Detail));
         var tile = overview.Waiting.Single(t => t.Id == 3);
         Assert.Equal((Severity.Attention, "Approved · " + Behind), (tile.Severity, tile.State));
-        Picture(seat, "overview-held-up");
+        BothLanguages.Take(seat, "overview-held-up");
         seat.Tap("slot-vmc1/A").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#1 · 0001", "The machine does not lead to what holds it up.");
         seat.Tap("nav-messages").See("message-held-up-3");
         Assert.Contains("#3 · 0003 is approved and not sent: it waits in line for vmc1/A behind #1, #2.", seat.See("message-held-up-3").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text));
-        Picture(seat, "messages-held-up");
+        BothLanguages.Take(seat, "messages-held-up");
         seat.Tap("message-held-up-3").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#1 · 0001", "The message does not lead to what holds it up.");
     });
 
@@ -88,7 +87,7 @@ public sealed class WaitingInLineTests
         seat.WaitFor(() => overview.Slots is [{ State: "Reverted" }, ..], "The machine does not say that the program was taken back.");
         Assert.Equal((Severity.Attention, "The program before #2 · 0002 is back at the machine. When the slot can be used again, release it."), (overview.Slots[0].Severity, overview.Slots[0].Detail));
         Assert.Equal("Machines that wait for somebody: 1", overview.Summary);
-        Picture(seat, "overview-taken-back");
+        BothLanguages.Take(seat, "overview-taken-back");
         seat.Tap("slot-vmc1/A").See("release");
         Assert.Equal(Severity.Attention, ((CompensationViewModel)seat.Shell.Current!).Rows.Single(r => r.Id == 2).Severity);
         seat.Tap("nav-messages").See("message-2");
@@ -107,20 +106,5 @@ public sealed class WaitingInLineTests
         }
 
         seat.WaitFor(() => seat.Station.State.Status?.Proposed.Count == parts, "What arrived is not seen.");
-    }
-
-    private static void Picture(Seat seat, string name)
-    {
-        foreach (var (language, isDark) in new[] { (Language.English, false), (Language.TraditionalChinese, true) })
-        {
-            Texts.Current.Language = language;
-            seat.Shell.IsDark = isDark;
-            seat.User.Settle();
-            Assert.Empty(Layout.Problems(seat.Window));
-            seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", $"{name}-{(isDark ? "zh" : "en")}.png"));
-        }
-
-        (Texts.Current.Language, seat.Shell.IsDark) = (Language.English, false);
-        seat.User.Settle();
     }
 }

@@ -5,6 +5,9 @@ namespace ErrorMatching.Hmi;
 /// <summary>The last pieces of a mating as the store keeps them. A report is read once, for it never changes.</summary>
 public sealed class KeptPieces
 {
+    /// <summary>How many measurements of a mating are looked at where its last pieces are shown.</summary>
+    public const int Most = 60;
+
     private readonly Dictionary<string, (KeptReport? Match, KeptVerification? Verification)> _read = new(StringComparer.Ordinal);
 
     /// <summary>The pieces, the first to arrive first. This takes its time: not to be called on the screen's thread.</summary>

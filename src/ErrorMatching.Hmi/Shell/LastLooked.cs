@@ -3,13 +3,17 @@ namespace ErrorMatching.Hmi;
 /// <summary>What the person who sits here chose last on each screen, so that it is there again when they come back to it. Somebody else begins anew.</summary>
 internal sealed class LastLooked
 {
-    /// <summary>The correction of the on-line compensation; null if none was chosen.</summary>
-    public long? Correction { get; set; }
+    /// <summary>The correction of the on-line compensation; null if none was chosen. What is chosen there is the <see cref="Piece"/> as well.</summary>
+    public long? Correction
+    {
+        get;
+        set => Piece = field = value;
+    }
 
     /// <summary>The mating of the verification; null if none was chosen.</summary>
     public string? Mating { get; set; }
 
-    /// <summary>The piece of the verification; null if none was chosen.</summary>
+    /// <summary>The piece of the verification, by the number of its correction or of its measured counterpart; null if none was chosen.</summary>
     public long? Piece { get; set; }
 
     /// <summary>The job of the free-form surfaces; null if none was chosen.</summary>

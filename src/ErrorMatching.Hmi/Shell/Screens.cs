@@ -33,14 +33,14 @@ public static class Screens
     /// <summary>The screens.</summary>
     public static IReadOnlyList<Screen> All { get; } =
     [
-        new(Overview, shell => new OverviewViewModel(shell.Station, shell.Look)),
+        new(Overview, shell => new OverviewViewModel(shell.Station, shell.Look, shell.LookAtPiece)),
         new(Points, shell => new PointsViewModel(shell)),
         new(System, shell => new SystemViewModel(shell)),
         new(Compensation, shell => new CompensationViewModel(shell)),
         new(Verification, shell => new VerificationViewModel(shell)),
         new(Freeform, shell => new FreeformViewModel(shell)),
         new(History, shell => new HistoryViewModel(shell)),
-        new(Messages, shell => new MessagesViewModel(shell.Station, shell.Look)),
+        new(Messages, shell => new MessagesViewModel(shell.Station, shell.Look, shell.LookAtPiece)),
         new(Settings, shell => new SettingsViewModel(shell)),
     ];
 }

@@ -153,14 +153,13 @@ public sealed class ShellViewModel : Observable, IDisposable
     internal LastLooked Looked { get; private set; } = new();
 
     /// <summary>Goes to where a correction is looked at.</summary>
-    public void Look(long correction)
-    {
-        if (!IsLocked && Items.FirstOrDefault(i => i.Screen.Key == Screens.Compensation) is { } item && item.Screen.Open(this) is { } screen)
-        {
-            (screen as ILooksAt)?.LookAt(correction);
-            Show(item, screen);
-        }
-    }
+    public void Look(long correction) => Open(Screens.Compensation, s => (s as ILooksAt)?.LookAt(correction));
+
+    /// <summary>Goes to the warnings of a correction.</summary>
+    public void LookAtWarnings(long correction) => Open(Screens.Compensation, s => (s as CompensationViewModel)?.LookAtWarnings(correction));
+
+    /// <summary>Goes to where is seen how well a piece fits.</summary>
+    public void LookAtPiece(long correction) => Open(Screens.Verification, s => (s as ILooksAt)?.LookAt(correction));
 
     /// <summary>Goes to a screen.</summary>
     public void Go(string key) => Chosen = Items.First(i => i.Screen.Key == key);
@@ -247,6 +246,15 @@ public sealed class ShellViewModel : Observable, IDisposable
         var samples = choice.Kind == FileChoiceKind.Open ? Station.SamplesFolder : null;
         var folder = Preferences.Folders is [var last, ..] ? last : samples ?? cellFolder;
         return folder == samples && choice.Sample is { } meant ? Path.Combine(folder, meant) : folder;
+    }
+
+    private void Open(string key, Action<ScreenViewModel> at)
+    {
+        if (!IsLocked && Items.FirstOrDefault(i => i.Screen.Key == key) is { } item && item.Screen.Open(this) is { } screen)
+        {
+            at(screen);
+            Show(item, screen);
+        }
     }
 
     private void Show(NavigationItem item, ScreenViewModel screen)

@@ -11,6 +11,7 @@ public sealed class Station : IDisposable
     private readonly SynchronizationContext _screen;
     private readonly CancellationTokenSource _end = new();
     private readonly Task _watching;
+    private readonly HashSet<long> _lookedAt = [];
 
     /// <summary>Opens the cell's store and begins to watch. To be called on the screen's thread.</summary>
     /// <param name="settings">The cell's configuration.</param>
@@ -62,6 +63,16 @@ public sealed class Station : IDisposable
 
     /// <summary>What is known of the cell.</summary>
     public StationState State { get; private set; } = StationState.Unknown;
+
+    /// <summary>Counterparts that were measured with points outside of their limits, and that nobody has looked at here since the station was started: of each mating the one that was measured last.</summary>
+    public IReadOnlyList<KeptPiece> Outside => [.. State.Outside.Where(p => !_lookedAt.Contains(p.LastId))];
+
+    /// <summary>Says that somebody has looked at a measured piece. On the screen's thread.</summary>
+    public void See(KeptPiece piece)
+    {
+        ArgumentNullException.ThrowIfNull(piece);
+        _lookedAt.Add(piece.LastId);
+    }
 
     /// <summary>Opens a machine's folder with the machine's password.</summary>
     public IMachineFolder Open(MachineSettings machine)

@@ -13,4 +13,7 @@ public sealed record StationState(long Version, CellStatus? Status, StoreExcepti
 
     /// <summary>Numbers of the corrections that wait and were made with a job as it was before it was changed.</summary>
     public IReadOnlySet<long> OfChangedJob { get; init; } = new HashSet<long>();
+
+    /// <summary>The counterpart of each mating that was measured last, where it has points outside of their limits.</summary>
+    public IReadOnlyList<KeptPiece> Outside { get; init; } = [];
 }

@@ -8,6 +8,8 @@ internal sealed class StationWatch(Station station)
     private const int LooksBetween = 8, LooksBetweenIfStill = 2;
     private static readonly TimeSpan Every = TimeSpan.FromMilliseconds(250);
     private readonly ChangedJobs _changedJobs = new(station.Settings);
+    private readonly MeasuredOutside _measured = new(station.Settings);
+    private IReadOnlyList<KeptPiece> _outside = [];
     private long _seen = -1;
     private CellStatus? _last;
     private IReadOnlySet<long> _ofChangedJob = new HashSet<long>();
@@ -43,12 +45,13 @@ internal sealed class StationWatch(Station station)
             _last = CellStatus.Of(station.Settings, station.Store, station.Clock);
             station.JobNames.Learn(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.InWork, .. _last.Slots.SelectMany(s => s.Approved), .. _last.Slots.Select(s => s.Held).OfType<Correction>()]);
             _ofChangedJob = _changedJobs.Among(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.Slots.SelectMany(s => s.Approved)]);
+            _outside = _measured.Now(station.Store);
             _seen = count;
-            return new(++_version, _last, null) { OfChangedJob = _ofChangedJob };
+            return new(++_version, _last, null) { OfChangedJob = _ofChangedJob, Outside = _outside };
         }
         catch (StoreException e)
         {
-            return new(++_version, _last, e) { OfChangedJob = _ofChangedJob };
+            return new(++_version, _last, e) { OfChangedJob = _ofChangedJob, Outside = _outside };
         }
     }
 }

@@ -15,7 +15,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private bool _isExpected = true;
     private CorrectionDetail? _detail;
     private (long Id, int Version, bool IsOfChangedJob) _shown = (0, -1, false);
-    private int _tab;
+    private bool _isAtWarnings;
 
     /// <summary>The screen.</summary>
     public CompensationViewModel(ShellViewModel shell)
@@ -63,13 +63,6 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     {
         get => _detail;
         private set => Set(ref _detail, value);
-    }
-
-    /// <summary>Which side of it is looked at: points, lengths and angles, program, gap, decisions, course.</summary>
-    public int Tab
-    {
-        get => _tab;
-        set => Set(ref _tab, value);
     }
 
     /// <summary>What it waits for before it can go to its machine; null if for nothing but a decision about itself.</summary>
@@ -123,6 +116,14 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _isOpened = true;
         Look(correction);
         Refresh();
+    }
+
+    /// <summary>Shows it with its warnings first.</summary>
+    /// <param name="correction">Its number.</param>
+    public void LookAtWarnings(long correction)
+    {
+        _isAtWarnings = true;
+        LookAt(correction);
     }
 
     /// <inheritdoc/>
@@ -228,13 +229,14 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private async Task LoadAsync(long id)
     {
         CorrectionDetail? read = null;
-        var (shown, detail, isOfChangedJob) = (_shown, Detail, IsOfChangedJob(id));
+        var (shown, detail, isOfChangedJob, isAtWarnings) = (_shown, Detail, IsOfChangedJob(id), _isAtWarnings);
+        _isAtWarnings = false;
         var isRead = await TryAsync(() =>
         {
             if (Station.Store.Find(id) is { } correction && (correction.Id, correction.Version, isOfChangedJob) != shown)
             {
                 var kept = detail?.Kept is { } known && known.Correction.Id == id && known.Correction.Version == correction.Version ? known : KeptCorrection.Read(Station.Store, correction);
-                read = new(kept, Station.Clock) { IsOfChangedJob = isOfChangedJob };
+                read = new(kept, Station.Clock) { IsOfChangedJob = isOfChangedJob, IsAtWarnings = isAtWarnings };
             }
         });
 

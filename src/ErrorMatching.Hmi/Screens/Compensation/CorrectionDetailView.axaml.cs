@@ -16,7 +16,14 @@ public sealed partial class CorrectionDetailView : UserControl
         InitializeComponent();
 
         // The last side has it when all have it: a side that is opened before shows what was there before.
-        CourseSide.DataContextChanged += (_, _) => OpenWhatIsThere();
+        CourseSide.DataContextChanged += (_, _) =>
+        {
+            OpenWhatIsThere();
+            if (CourseSide.DataContext is CorrectionDetail { IsAtWarnings: true, HasWarnings: true })
+            {
+                ShowWarnings();
+            }
+        };
         ProgramList.Loaded += (_, _) => BeginAtFirstChange();
         ProgramList.PropertyChanged += (_, e) =>
         {
@@ -45,7 +52,9 @@ public sealed partial class CorrectionDetailView : UserControl
 
     private void OnNext(object? sender, RoutedEventArgs e) => Show(Lines?.Changes.Where(c => c > At()).Select(c => (int?)c).FirstOrDefault());
 
-    private void OnWarnings(object? sender, RoutedEventArgs e) => Sides.SelectedItem = DecisionsSide.IsVisible ? DecisionsSide : SurfaceSide;
+    private void OnWarnings(object? sender, RoutedEventArgs e) => ShowWarnings();
+
+    private void ShowWarnings() => Sides.SelectedItem = DecisionsSide.IsVisible ? DecisionsSide : SurfaceSide;
 
     private int At() => ProgramList.SelectedIndex;
 

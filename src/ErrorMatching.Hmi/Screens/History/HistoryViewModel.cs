@@ -16,7 +16,9 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     private string _program = "";
     private string _userName = "";
     private StateChoice _state;
+    private readonly KeptPieces _kept = new();
     private CorrectionDetail? _detail;
+    private KeptPiece? _measured;
     private string _folder;
     private string? _exported;
     private IReadOnlyList<Correction> _found = [];
@@ -28,6 +30,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         _state = States[0];
         _folder = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(Station.Settings.File))!, "exports");
         Search = new(_ => SearchAsync());
+        LookAtMeasured = new(() => shell.LookAtPiece(_measured!.LastId), () => _measured is not null);
         Back = new(() => Detail = null);
         Revert = new(
             () =>
@@ -127,6 +130,15 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
             }
         }
     }
+
+    /// <summary>Whether the counterpart that was cut with the one that is opened, or that it is itself, is within its limits as measured; null where none of the last pieces is.</summary>
+    public string? Measured => _measured is { } piece ? Sentence.Joined(Texts.Current.With("History.Measured", CorrectionLabel.Of(piece.Counterpart!)), PieceDetail.VerdictOf(piece)) : null;
+
+    /// <summary>A point outside of its limits asks for attention.</summary>
+    public Severity MeasuredSeverity => _measured is { IsWithin: false } ? Severity.Attention : Severity.Quiet;
+
+    /// <summary>Goes to how well it fits.</summary>
+    public Command LookAtMeasured { get; }
 
     /// <summary>True while the list is shown.</summary>
     public bool IsList => Detail is null;
@@ -276,9 +288,20 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     private async Task OpenAsync(long id)
     {
         CorrectionDetail? read = null;
-        if (await TryAsync(() => read = new(KeptCorrection.Read(Station.Store, new CorrectionDecisions(Station.Store).Demand(id)), Station.Clock)))
+        KeptPiece? measured = null;
+        if (await TryAsync(() =>
         {
-            Detail = read!.Now();
+            var correction = new CorrectionDecisions(Station.Store).Demand(id);
+            read = new(KeptCorrection.Read(Station.Store, correction), Station.Clock);
+            measured = MatingChoice.Of(Station.Settings).FirstOrDefault(m => m.Jobs.Contains(correction.Job, StringComparer.Ordinal)) is { } mating
+                ? _kept.Read(Station.Store, mating.Jobs, KeptPieces.Most).FirstOrDefault(p => p.IsMeasured && (p.Correction.Id == id || p.LastId == id))
+                : null;
+        }))
+        {
+            (_measured, Detail) = (measured, read!.Now());
+            Say(nameof(Measured));
+            Say(nameof(MeasuredSeverity));
+            LookAtMeasured.Refresh();
         }
     }
 

@@ -20,7 +20,7 @@ public sealed class LoginViewModel : ScreenViewModel
     {
         (_unlock, LastName, _name) = (unlock, lastName, lastName);
         SignIn = new(_ => SignInAsync(), () => Name.Trim().Length > 0 && Password.Length > 0);
-        Live = new OverviewViewModel(station, null);
+        Live = new OverviewViewModel(station, null, null);
         Loading = LoadAsync().Watched();
     }
 

@@ -7,6 +7,9 @@ namespace ErrorMatching.Hmi;
 /// <param name="Correction">What to look at; null if there is nothing.</param>
 public sealed record MessageRow(Severity Severity, string What, string Next, long? Correction)
 {
+    /// <summary>True where what is to be looked at is how well a measured piece fits.</summary>
+    public bool IsMeasured { get; init; }
+
     /// <summary>True if a tap leads on.</summary>
     public bool CanLook => Correction is not null;
 

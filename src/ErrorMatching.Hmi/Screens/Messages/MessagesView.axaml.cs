@@ -22,9 +22,9 @@ public sealed partial class MessagesView : UserControl
 
     private void OnMessage(object? sender, RoutedEventArgs e)
     {
-        if ((sender as Control)?.DataContext is MessageRow { Correction: { } correction } && DataContext is MessagesViewModel messages)
+        if ((sender as Control)?.DataContext is MessageRow message && DataContext is MessagesViewModel messages)
         {
-            messages.Look(correction);
+            messages.Look(message);
         }
     }
 }

@@ -9,6 +9,7 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     private const int Page = 200;
     private const int Digits = 8;
     private readonly Action<long> _look;
+    private readonly Action<long> _lookAtPiece;
     private IReadOnlyList<AuditEntry> _entries = [];
     private long _newest = -1;
     private bool _isReading;
@@ -17,10 +18,11 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     /// <summary>The screen.</summary>
     /// <param name="station">The station.</param>
     /// <param name="look">Goes to a correction.</param>
-    public MessagesViewModel(Station station, Action<long> look)
+    /// <param name="lookAtPiece">Goes to how well a measured piece fits.</param>
+    public MessagesViewModel(Station station, Action<long> look, Action<long> lookAtPiece)
         : base(station)
     {
-        _look = look;
+        (_look, _lookAtPiece) = (look, lookAtPiece);
         Verify = new(async cancellation =>
         {
             AuditFinding? finding = null;
@@ -65,8 +67,14 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     /// <summary>Done when the trail is read.</summary>
     internal Task Reading { get; private set; } = Task.CompletedTask;
 
-    /// <summary>Goes to a correction.</summary>
-    public void Look(long correction) => _look(correction);
+    /// <summary>Goes to what a message tells of.</summary>
+    public void Look(MessageRow message)
+    {
+        if (message?.Correction is { } correction)
+        {
+            (message.IsMeasured ? _lookAtPiece : _look)(correction);
+        }
+    }
 
     /// <inheritdoc/>
     protected override void Follow() => Refresh();
@@ -113,6 +121,11 @@ public sealed partial class MessagesViewModel : ScreenViewModel
                 $"{CorrectionLabel.Of(failed)} · {(failed.Code is { } code ? CodeText.Of(code, failed.Reason) : failed.Reason)}",
                 texts[failed.ProgramSha256 is null ? "Message.FailedUncomputed.Next" : "Message.Failed.Next"],
                 failed.Id);
+        }
+
+        foreach (var outside in Station.Outside)
+        {
+            yield return new(Severity.Attention, texts.With("Message.Outside", CorrectionLabel.Of(outside.Counterpart!), PieceDetail.VerdictOf(outside)), texts["Message.Outside.Next"], outside.LastId) { IsMeasured = true };
         }
 
         foreach (var (slot, up) in status.Slots.SelectMany(s => s.HeldUp.Select(h => (s, h))))

@@ -11,7 +11,11 @@ public sealed partial class OverviewView : UserControl
 
     private void OnTile(object? sender, RoutedEventArgs e)
     {
-        if (DataContext is OverviewViewModel overview && (sender as Control)?.DataContext is { } tile
+        if (DataContext is OverviewViewModel piece && (sender as Control)?.DataContext is WaitingTile { IsMeasured: true } measured)
+        {
+            piece.LookAtPiece(measured.Id);
+        }
+        else if (DataContext is OverviewViewModel overview && (sender as Control)?.DataContext is { } tile
             && (tile is WaitingTile waiting ? waiting.Id : (tile as SlotTile)?.Correction) is { } correction)
         {
             overview.Look(correction);

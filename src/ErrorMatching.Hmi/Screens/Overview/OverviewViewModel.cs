@@ -6,14 +6,16 @@ namespace ErrorMatching.Hmi;
 public sealed class OverviewViewModel : ScreenViewModel
 {
     private readonly Action<long>? _look;
+    private readonly Action<long>? _lookAtPiece;
 
     /// <summary>The overview of a cell.</summary>
     /// <param name="station">The station.</param>
     /// <param name="look">Goes to a correction; null where nobody may, for nobody is signed in.</param>
-    public OverviewViewModel(Station station, Action<long>? look)
+    /// <param name="lookAtPiece">Goes to how well a measured piece fits; null where nobody may.</param>
+    public OverviewViewModel(Station station, Action<long>? look, Action<long>? lookAtPiece)
         : base(station)
     {
-        _look = look;
+        (_look, _lookAtPiece) = (look, lookAtPiece);
         Refresh();
     }
 
@@ -41,6 +43,9 @@ public sealed class OverviewViewModel : ScreenViewModel
     /// <summary>Goes to a correction.</summary>
     public void Look(long correction) => _look?.Invoke(correction);
 
+    /// <summary>Goes to how well a measured piece fits.</summary>
+    public void LookAtPiece(long counterpart) => _lookAtPiece?.Invoke(counterpart);
+
     /// <inheritdoc/>
     protected override void Follow() => Refresh();
 
@@ -56,12 +61,13 @@ public sealed class OverviewViewModel : ScreenViewModel
         var texts = Texts.Current;
         Slots.Show([.. status.Slots.Select(s => Tile(status, s))]);
         Gauges.Show([.. Station.Settings.Gauges.Select(g => Tile(status, g))]);
-        Waiting.Show([.. status.Failed.Select(c => Tile(c, Severity.Alarm)), .. status.Proposed.Select(c => Tile(c, Severity.Attention)), .. status.Slots.SelectMany(s => s.Approved).Select(c => Tile(status, c)), .. status.InWork.Select(c => Tile(c, Severity.Quiet))]);
+        Waiting.Show([.. status.Failed.Select(c => Tile(c, Severity.Alarm)), .. Station.Outside.Select(Tile), .. status.Proposed.Select(c => Tile(c, Severity.Attention)), .. status.Slots.SelectMany(s => s.Approved).Select(c => Tile(status, c)), .. status.InWork.Select(c => Tile(c, Severity.Quiet))]);
         var (failed, proposed) = (status.CountOf(CorrectionState.Failed), status.CountOf(CorrectionState.Proposed));
         (Summary, Severity) =
             !status.IsRunning ? (texts["Overview.NotRunning"], Severity.Alarm)
             : failed > 0 ? (texts.With("Overview.Failed", Shown.Count(failed)), Severity.Alarm)
             : Troubles(status) is { Count: > 0 } troubles ? (texts.With("Overview.Troubles", Shown.Count(troubles.Count)), Severity.Alarm)
+            : Station.Outside is { Count: > 0 } outside ? (texts.With("Overview.Outside", Shown.Count(outside.Count)), Severity.Attention)
             : proposed > 0 ? (texts.With("Overview.Proposed", Shown.Count(proposed)), Severity.Attention)
             : Slots.Count(s => s.Severity != Severity.Quiet) is > 0 and var slots ? (texts.With("Overview.SlotsWait", Shown.Count(slots)), Severity.Attention)
             : (texts["Overview.Well"], Severity.Quiet);
@@ -111,6 +117,9 @@ public sealed class OverviewViewModel : ScreenViewModel
         var wait = WaitReason.Of(status, approved.Id);
         return Tile(approved, $"{Texts.Current["Waiting." + approved.State]} · {wait?.Text ?? Texts.Current["Wait.Next"]}", wait?.Severity ?? Severity.Quiet);
     }
+
+    private WaitingTile Tile(KeptPiece outside) =>
+        new(outside.LastId, outside.JobName, CorrectionLabel.Of(outside.Counterpart!), Texts.Current.With("Overview.Measured", PieceDetail.VerdictOf(outside)), "", Shown.Time(outside.Counterpart!.ChangedAt, Station.Clock), Severity.Attention) { IsMeasured = true };
 
     private WaitingTile Tile(Correction correction, string state, Severity severity) => new(
         correction.Id,

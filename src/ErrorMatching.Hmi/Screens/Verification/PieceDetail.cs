@@ -52,7 +52,13 @@ public sealed class PieceDetail
     public bool IsWorse => _piece.Result.RmsImprovementPercent < 0;
 
     /// <summary>Whether everything is within its limits, and where not.</summary>
-    public string Verdict => _piece.Outside is { Count: > 0 } outside ? Texts.Current.Counted("Verify.Outside", outside.Count, outside.Count, Listed(outside)) : Texts.Current["Verify.AllWithin"];
+    public string Verdict => VerdictOf(_piece);
+
+    /// <summary>How many warnings its correction has; null if none, or the correction is not known.</summary>
+    public string? Warnings => _piece.Match is { Warnings: { Count: > 0 } warnings } ? Texts.Current.With("Head.Warnings", warnings.Count) : null;
+
+    /// <summary>Goes to those warnings.</summary>
+    public Command? ReadWarnings { get; init; }
 
     /// <summary>Where the prediction was missed by more than measuring explains, which is twice the standard uncertainty; null where there is nothing to compare.</summary>
     public string? Missed => _piece.Misses is not { Count: > 0 } all ? null
@@ -120,6 +126,9 @@ public sealed class PieceDetail
 
     /// <summary>Measured or predicted, in a word.</summary>
     internal static string KindOf(KeptPiece piece) => Texts.Current[piece.IsMeasured ? "Verify.KindMeasured" : "Verify.KindPredicted"];
+
+    /// <summary>Whether everything of a piece is within its limits, and where not.</summary>
+    internal static string VerdictOf(KeptPiece piece) => piece.Outside is { Count: > 0 } outside ? Texts.Current.Counted("Verify.Outside", outside.Count, outside.Count, Listed(outside)) : Texts.Current["Verify.AllWithin"];
 
     /// <summary>How much a piece asks for attention.</summary>
     internal static Severity SeverityOf(KeptPiece piece) => piece.IsWithin ? Severity.Quiet : Severity.Attention;

@@ -3,12 +3,12 @@ namespace ErrorMatching.Hmi;
 /// <summary>Verification: whether the compensation did what it promised, point by point, as an assembly, feature by feature, and from piece to piece.</summary>
 public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
 {
-    private const int Most = 60;
     private readonly KeptPieces _kept = new();
     private readonly ShellViewModel _shell;
     private MatingChoice? _mating;
     private PieceRow? _chosen;
     private long? _looked;
+    private long? _sought;
     private PieceDetail? _detail;
     private IReadOnlyList<KeptPiece> _pieces = [];
     private string _shown = "";
@@ -19,9 +19,9 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
         _shell = shell;
-        Matings = [.. Station.Settings.Jobs.Where(j => !j.IsFreeform).GroupBy(j => j.File, StringComparer.Ordinal).Select(g => new MatingChoice(g.First().Name, [.. g.Select(j => j.Name)]))];
+        Matings = MatingChoice.Of(Station.Settings);
         _mating = Matings.FirstOrDefault(m => m.Name == shell.Looked.Mating) ?? (Matings is [var first, ..] ? first : null);
-        _looked = shell.Looked.Piece;
+        _sought = _looked = shell.Looked.Piece;
         Refresh();
     }
 
@@ -39,7 +39,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         {
             if (value is not null && Set(ref _mating, value))
             {
-                (_looked, _shown) = (null, "");
+                (_looked, _sought, _shown) = (null, null, "");
                 (_shell.Looked.Mating, _shell.Looked.Piece) = (value.Name, null);
                 Refresh();
             }
@@ -52,7 +52,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     /// <summary>True once it is known that there is none.</summary>
     public bool IsEmpty { get; private set; }
 
-    /// <summary>The piece that is looked at. Until a person chooses one, it is the one whose counterpart was measured last, or while there is none the one that arrived last.</summary>
+    /// <summary>The piece that is looked at. Until a person chooses one, here or among the corrections, it is the one whose counterpart was measured last, or while there is none the one that arrived last.</summary>
     public PieceRow? Chosen
     {
         get => _chosen;
@@ -79,7 +79,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     /// <inheritdoc/>
     public void LookAt(long correction)
     {
-        _looked = correction;
+        _shell.Looked.Piece = _sought = _looked = correction;
         Refresh();
     }
 
@@ -99,9 +99,16 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     private async Task LoadAsync(int load)
     {
         IReadOnlyList<KeptPiece>? pieces = null;
-        var jobs = _mating?.Jobs ?? [];
-        if (await TryAsync(() => pieces = _kept.Read(Station.Store, jobs, Most)) && load == _load)
+        var (mating, sought) = (_mating, _sought);
+        if (await TryAsync(() =>
         {
+            // What was looked at on another screen may be of another mating.
+            mating = sought is { } id && Station.Store.Find(id)?.Job is { } job ? Matings.FirstOrDefault(m => m.Jobs.Contains(job, StringComparer.Ordinal)) ?? mating : mating;
+            pieces = _kept.Read(Station.Store, mating?.Jobs ?? [], KeptPieces.Most);
+        }) && load == _load)
+        {
+            _sought = null;
+            Set(ref _mating, mating, nameof(Mating));
             Show(pieces!);
         }
     }
@@ -122,7 +129,13 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         if (shown != _shown)
         {
             _shown = shown;
-            Detail = piece is null ? null : new(piece, pieces);
+            Detail = piece is null ? null : new(piece, pieces) { ReadWarnings = new(() => _shell.LookAtWarnings(piece.Correction.Id)) };
+        }
+
+        // Not where the screen is only made ready beside another one.
+        if (piece is { IsMeasured: true } && _shell.Current == this)
+        {
+            Station.See(piece);
         }
     }
 

@@ -1,0 +1,92 @@
+using Avalonia.Controls;
+using Avalonia.VisualTree;
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>A counterpart that was measured outside of its limits is told until somebody has looked at it, or a newer one was measured; and the history tells it for good.</summary>
+public sealed class MeasuredOutsideTests
+{
+    [Fact]
+    public Task It_is_told_in_overview_and_messages_leads_to_the_verification_and_is_over_when_it_was_looked_at() => Seat.AtAsync(seat =>
+    {
+        seat.RunCell();
+        CutAndMeasure(seat, 1);
+        seat.SignIn(DemoCell.Operator).See("measured-2");
+        var overview = (OverviewViewModel)seat.Shell.Current!;
+        var verdict = PieceDetail.VerdictOf(seat.Station.Outside.Single());
+        Assert.Matches("^[0-9]+ points outside their limits: .*4.*\\.$", verdict);
+        Assert.Equal(("Counterparts measured outside their limits: 1", Severity.Attention), (overview.Summary, overview.Severity));
+        Assert.Equal(("Complex mating · #2 · 0001", "Measured: " + verdict, Severity.Attention), overview.Waiting.Select(t => (t.Name, t.State, t.Severity)).Single());
+        BothLanguages.Take(seat, "overview-measured-outside");
+        seat.Tap("nav-messages").See("message-2");
+        Assert.Contains("#2 · 0001 was measured: " + verdict, seat.See("message-2").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text));
+        seat.Tap("message-2").See("piece-title");
+        Assert.Equal((Screens.Verification, "#1 · 0001", verdict), (seat.Shell.Chosen!.Screen.Key, seat.TextOf("piece-title"), seat.TextOf("piece-verdict")));
+        BothLanguages.Take(seat, "verification-measured-outside");
+        seat.Tap("nav-overview").See("overview-summary");
+        Assert.Equal("All is well", seat.TextOf("overview-summary"));
+        seat.Tap("nav-messages").See("messages-quiet");
+    });
+
+    [Fact]
+    public Task A_newer_one_takes_the_place_of_an_older_one_and_the_history_tells_of_both() => Seat.AtAsync(seat =>
+    {
+        seat.RunCell();
+        CutAndMeasure(seat, 1);
+        seat.Cell.FinishPiece();
+        seat.WaitFor(1, CorrectionState.Released);
+        CutAndMeasure(seat, 2);
+        seat.SignIn(DemoCell.Setter).See("measured-4");
+        Assert.Null(seat.Find("measured-2"));
+
+        // What was cut says how it was measured, and so does the measurement itself.
+        seat.Tap("nav-history").Tap("found-1").See("history-measured");
+        var history = (HistoryViewModel)seat.Shell.Current!;
+        Assert.StartsWith("The counterpart was measured as #2 · 0001. ", history.Measured, StringComparison.Ordinal);
+        Assert.Equal(Severity.Attention, history.MeasuredSeverity);
+        BothLanguages.Take(seat, "history-measured");
+        seat.Tap("history-back").Tap("found-2").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0001", "It is not opened.");
+        Assert.StartsWith("The counterpart was measured as #2 · 0001. ", history.Measured, StringComparison.Ordinal);
+        seat.Tap("history-measured").See("piece-title");
+        Assert.Equal("#1 · 0001", seat.TextOf("piece-title"));
+
+        // Only the older one was looked at.
+        seat.Tap("nav-overview").Tap("measured-4").See("piece-title");
+        Assert.Equal("#3 · 0002", seat.TextOf("piece-title"));
+    });
+
+    [Fact]
+    public Task The_verification_opens_on_the_piece_that_was_looked_at_before() => Seat.AtAsync(seat =>
+    {
+        seat.RunCell();
+        CutAndMeasure(seat, 1);
+        for (var serial = 2; serial <= 3; serial++)
+        {
+            seat.Cell.Deliver(serial, 0.003);
+            seat.WaitFor(serial + 1, CorrectionState.Proposed);
+        }
+
+        seat.SignIn(DemoCell.Setter).Tap("nav-verification").See("piece-title");
+        Assert.Equal("#1 · 0001", seat.TextOf("piece-title"));
+        seat.Tap("nav-overview").Tap("waiting-3").See("detail-title");
+        seat.Tap("nav-verification").See("piece-title");
+        Assert.Equal("#3 · 0002", seat.TextOf("piece-title"));
+        seat.Tap("nav-compensation").Tap("correction-4").WaitFor(() => seat.TextOf("detail-title") == "#4 · 0003", "It is not shown.");
+        seat.Tap("nav-verification").See("piece-title");
+        Assert.Equal("#4 · 0003", seat.TextOf("piece-title"));
+    });
+
+    // A part is measured, its counterpart is cut and measured: corrections 2 n - 1 and 2 n.
+    private static void CutAndMeasure(Seat seat, int serial)
+    {
+        var spread = serial == 1 ? 0 : 0.003;
+        seat.Cell.Deliver(serial, spread);
+        seat.WaitFor((2 * serial) - 1, CorrectionState.Proposed);
+        new CorrectionDecisions(seat.Station.Store).Approve((2 * serial) - 1, DemoCell.Setter, null);
+        seat.WaitFor((2 * serial) - 1, CorrectionState.Verified);
+        seat.Cell.DeliverCounterpart(serial, spread);
+        seat.WaitFor(2 * serial, CorrectionState.Recorded);
+        seat.WaitFor(() => seat.Station.State.Outside is [{ LastId: var id }] && id == 2 * serial, "The measured piece is not seen.");
+    }
+}
