@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Jobs;
@@ -16,6 +17,9 @@ internal static partial class DraftNumber
         var (whole, decimals) = (match.Groups["whole"].Value.TrimStart('0'), match.Groups["decimals"].Value);
         return (match.Groups["sign"].ValueSpan is "-" or "\u2212" ? "-" : "") + (whole.Length > 0 ? whole : "0") + (decimals.Length > 0 ? "." + decimals : "") + match.Groups["power"].Value;
     }
+
+    /// <summary>Its value; null for what is no number.</summary>
+    public static double? Value(string text) => Json(text) is { } json ? double.Parse(json, NumberStyles.Float, CultureInfo.InvariantCulture) : null;
 
     [GeneratedRegex(@"^(?<sign>[-+\u2212]?)(?=[0-9]|\.[0-9])(?<whole>[0-9]*)(\.(?<decimals>[0-9]*))?(?<power>([eE][-+]?[0-9]+)?)$", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Form();

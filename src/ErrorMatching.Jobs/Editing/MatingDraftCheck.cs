@@ -32,9 +32,10 @@ public static partial class MatingDraftCheck
         }
         catch (JobException e)
         {
-            problems.AddRange(e.Problems.Select(p => new DraftProblem(FieldOf(p), p.Code, p.Found, p.Message, p.Expected)));
+            problems.AddRange(e.Problems.Where(p => p.Code != DraftLimits.ReversedTolerance).Select(p => new DraftProblem(FieldOf(p), p.Code, p.Found, p.Message, p.Expected)));
         }
 
+        problems.AddRange(DraftLimits.Reversed(draft));
         var theoretical = DraftPoints.Check(draft, job, problems);
         var dialect = job is null ? null : Find(job, problems);
         ReadOnlyMemory<byte>? program = null;

@@ -19,7 +19,7 @@ public sealed class SystemSetupTests
         { "coordinates", "edit-features[0].points[1]/y", "", "problem-features[0].points[1]/y", "Fill this in." },
         { "coordinates", "edit-features[0].points[0]/x", "abc", "problem-features[0].points[0]/x", "A number is needed" },
         { "blocks", "edit-features[0].blocks", "N121", "problem-features[0].blocks", "The program has no such block" },
-        { "tolerances", "edit-features[0].toleranceMm[0]", "0.06", "problem-features[0].toleranceMm", "The lower limit is above the upper one." },
+        { "tolerances", "edit-features[0].toleranceMm[0]", "0.06", "problem-features[0].toleranceMm[0]", "The lower limit is above the upper one." },
         { "tolerances", "edit-features[0].toleranceMm[1]", "x", "problem-features[0].toleranceMm[1]", "A number is needed" },
         { "machine", "edit-counterpart.frame.translateMm[0]", "", "problem-counterpart.frame.translateMm[0]", "Fill this in." },
         { "machine", "edit-originCheck.point", "O", "problem-originCheck.limitMm", "Fill this in." },
@@ -54,6 +54,23 @@ public sealed class SystemSetupTests
 
         Assert.Equal(Sides.Length, seen.Count);
         Assert.Equal(job, File.ReadAllBytes(seat.JobFile));
+    });
+
+    [Fact]
+    public Task Limits_the_wrong_way_around_are_told_at_once_where_they_stand() => At(seat =>
+    {
+        seat.Seat.Tap("setup-anew");
+        seat.Shell.Editing.Change("", d => d with { Features = [FeatureDraft.New(ErrorMatching.Mating.FeatureKind.Line, "L1", d)], Chain = [new("cover", "15", "0.1", "-0.1")] });
+        seat.Seat.Tap("side-tolerances").Type("edit-features[0].toleranceMm[0]", "0.05").Type("edit-features[0].toleranceMm[1]", "-0.05");
+        seat.Settle();
+        Assert.Equal("The lower limit is above the upper one.", seat.TextOf("problem-features[0].toleranceMm[0]"));
+        Assert.Contains("wrong", seat.Seat.See("edit-features[0].toleranceMm[0]").Classes);
+        Assert.Equal("The lower limit is above the upper one.", seat.TextOf("problem-toleranceChain[0].toleranceMm[0]"));
+
+        // Limits that are not used are not judged.
+        seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Tolerance = "chain:rss" }));
+        seat.Settle();
+        Assert.DoesNotContain(seat.Shell.Editing.Problems, p => p.Field.StartsWith("$.features[0].toleranceMm[", StringComparison.Ordinal));
     });
 
     [Fact]

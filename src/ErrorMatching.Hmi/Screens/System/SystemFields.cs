@@ -27,7 +27,6 @@ internal sealed class SystemFields(JobEditing editing)
             Link(i, "toleranceMm[0]", "System.Lower", l => l.Lower, (l, t) => l with { Lower = t }),
             Link(i, "toleranceMm[1]", "System.Upper", l => l.Upper, (l, t) => l with { Upper = t }),
             Choice(At("toleranceChain", i, "sign"), "System.Sign", ["1", "-1"], d => d.Chain[i].Sign, (d, t) => d with { Chain = d.Chain.Replaced(i, d.Chain[i] with { Sign = t }) }),
-            new NoteField(editing, At("toleranceChain", i, "toleranceMm"), "System.Tolerance"),
         ]))];
 
     /// <summary>Frame and tool.</summary>
