@@ -9,6 +9,8 @@ internal static class DraftBlocks
     // The word of the mapping, which says the same once everything else is right.
     private const string BlocksOverlap = "blocks-overlap";
 
+    private const string BlocksBackwards = "blocks-backwards";
+
     /// <summary>Checks the blocks of each feature that has some.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="file">The job's file, for relative paths.</param>
@@ -45,7 +47,9 @@ internal static class DraftBlocks
             var field = DraftPaths.Feature(feature, "blocks");
             if (!found.IsUsable)
             {
-                yield return new(field, found.Refusal.Code, "", found.Refusal.Message);
+                yield return draft.Features[feature].BlockList.Select(b => Turned(program, b)).FirstOrDefault(b => b is not null) is { } turned
+                    ? new(field, BlocksBackwards, turned, found.Refusal.Message)
+                    : new(field, found.Refusal.Code, found.Refusal.Block.Length > 0 ? found.Refusal.Block : string.Join(", ", draft.Features[feature].BlockList.Where(b => b.StartsWith('/'))), found.Refusal.Message);
                 continue;
             }
 
@@ -53,12 +57,19 @@ internal static class DraftBlocks
             {
                 if (!owners.TryAdd(block, draft.Features[feature].Name) && owners[block] != draft.Features[feature].Name)
                 {
-                    yield return new(field, BlocksOverlap, "", $"{program.NameOf(program[block])}: it belongs to {owners[block]} and to {draft.Features[feature].Name}. Name each block once.");
+                    yield return new(field, BlocksOverlap, program.NameOf(program[block]), $"{program.NameOf(program[block])}: it belongs to {owners[block]} and to {draft.Features[feature].Name}. Name each block once.");
                     break;
                 }
             }
         }
     }
+
+    // A range the other way around; null for one that does not run backwards.
+    private static string? Turned(NcProgram program, string selector) =>
+        !selector.StartsWith('/') && selector.Split("..") is [var first, var last] && PlaceOf(program, last) < PlaceOf(program, first) ? $"{last}..{first}" : null;
+
+    // Null for a block that is not there, or there twice.
+    private static int? PlaceOf(NcProgram program, string name) => BlockSelector.Select(program, [BlockSelector.Parse(name)]) is { IsUsable: true } found ? found.Value[0] : null;
 
     // Null where nothing is named yet, or where the job's reader says what is wrong with a name.
     private static NcOutcome<int[]>? Find(NcProgram program, FeatureDraft feature)

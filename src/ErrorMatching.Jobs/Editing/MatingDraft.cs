@@ -105,6 +105,9 @@ public sealed record MatingDraft
         return WithFeature(feature, f => f with { Flanks = f.Flanks.Replaced(flank, now) });
     }
 
+    /// <summary>The draft with the limits of the first feature, or their source, at all features.</summary>
+    public MatingDraft WithSameLimits() => this with { Features = [.. Features.Select(f => f with { Tolerance = Features[0].Tolerance, Lower = Features[0].Lower, Upper = Features[0].Upper })] };
+
     /// <summary>The draft with a feature changed.</summary>
     /// <param name="feature">Number of the feature, from 0.</param>
     /// <param name="change">What it becomes.</param>

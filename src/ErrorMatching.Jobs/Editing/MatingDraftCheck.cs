@@ -25,6 +25,7 @@ public static partial class MatingDraftCheck
     {
         ArgumentNullException.ThrowIfNull(draft);
         var problems = new List<DraftProblem>();
+        var doubts = DraftDoubts.OfLimits(draft).ToList();
         MatingJob? job = null;
         try
         {
@@ -46,7 +47,13 @@ public static partial class MatingDraftCheck
 
         if (problems.Count == 0 && job is not null && theoretical is not null && program is { } bytes)
         {
-            Map(draft, new(job, theoretical, theoretical, theoretical, Path.GetFileName(job.Counterpart.Program), bytes) { OwnDialect = dialect }, problems);
+            Map(draft, new(job, theoretical, theoretical, theoretical, Path.GetFileName(job.Counterpart.Program), bytes) { OwnDialect = dialect }, problems, doubts);
+            if (problems.Exists(p => p.Code == NcRefusalCodes.BlockNotFound))
+            {
+                // The mapping does not say whether a range runs backwards.
+                problems.Clear();
+                problems.AddRange(DraftBlocks.Check(draft, file, bytes));
+            }
         }
         else if (program is { } given)
         {
@@ -54,7 +61,7 @@ public static partial class MatingDraftCheck
             problems.AddRange(DraftBlocks.Check(draft, file, given));
         }
 
-        return new(problems, job);
+        return new([.. problems.Select(p => DraftMissing.Marked(draft, p))], job) { Doubts = doubts };
     }
 
     /// <summary>The program of a draft that may be wrong elsewhere: the imported one, else the job's.</summary>
@@ -110,13 +117,15 @@ public static partial class MatingDraftCheck
         }
     }
 
-    private static void Map(MatingDraft draft, MatchInput input, List<DraftProblem> problems)
+    private static void Map(MatingDraft draft, MatchInput input, List<DraftProblem> problems, List<DraftProblem> doubts)
     {
         try
         {
-            foreach (var refusal in Matcher.Match(input).Refusals)
+            var match = Matcher.Match(input);
+            problems.AddRange(match.Refusals.Select(r => new DraftProblem(FieldOf(draft, r), r.Code, r.Point ?? r.Block ?? "", r.Message) { Amount = AmountOf(r) }));
+            if (match.Result is { } result)
             {
-                problems.Add(new(FieldOf(draft, refusal), refusal.Code, FoundBy(draft, refusal), refusal.Message));
+                doubts.AddRange(DraftDoubts.OfBlocks(result));
             }
         }
         catch (NcException e)
@@ -147,12 +156,8 @@ public static partial class MatingDraftCheck
         return feature >= 0 ? DraftPaths.Feature(feature, "blocks") : refusal.Code == "alignment-needs-one-plane" ? "$.alignment.kind" : Program;
     }
 
-    // The point or block that it is about, of a point how far away it is, of a block that is not there the name that was asked for.
-    private static string FoundBy(MatingDraft draft, MatingRefusal refusal) => refusal is { Code: "point-off-path", Point: { } point } && Length().Match(refusal.Message) is { Success: true } length
-        ? $"{point} ({length.Value})"
-        : refusal.Point ?? refusal.Block ?? (IndexOf(draft, refusal) is >= 0 and var feature
-        ? draft.Features[feature].BlockList.SelectMany(b => b.StartsWith('/') ? [b] : b.Split("..")).Where(b => refusal.Message.Contains(b, StringComparison.Ordinal)).MaxBy(b => b.Length)
-        : null) ?? "";
+    // How far a point lies from the nearest of its blocks.
+    private static string AmountOf(MatingRefusal refusal) => refusal.Code == NcRefusalCodes.PointOffPath ? Length().Match(refusal.Message).Value : "";
 
     private static int IndexOf(MatingDraft draft, MatingRefusal refusal) => draft.Features.ToList().FindIndex(f => f.Name.Trim() == refusal.Feature);
 

@@ -75,6 +75,75 @@ public sealed class MatingDraftCheckTests
         Assert.All(check.Problems, p => Assert.NotEmpty(p.Message));
     }
 
+    [Theory]
+    [InlineData("N160..N130", "blocks-backwards", "N130..N160")]
+    [InlineData("N130..N165", "block-not-found", "N165")]
+    [InlineData("/X-99999/", "block-not-found", "/X-99999/")]
+    public void What_is_wrong_with_blocks_is_named_whether_the_rest_is_right_or_not(string blocks, string code, string found)
+    {
+        var draft = MatingDraftFiles.Open(File).WithFeature(1, f => f with { Blocks = blocks });
+        foreach (var one in new[] { draft, draft with { Name = "", Program = Own } })
+        {
+            Assert.Contains(("$.features[1].blocks", code, found), MatingDraftCheck.Of(one, File).Problems.Select(p => (p.Field, p.Code, p.Found)));
+        }
+    }
+
+    [Fact]
+    public void A_point_off_its_blocks_says_how_far()
+    {
+        var draft = MatingDraftFiles.Open(File).WithFeature(0, f => f with { Blocks = "N130" }).WithFeature(1, f => f with { Blocks = "N120" });
+        var problem = Assert.Single(MatingDraftCheck.Of(draft, File).Problems);
+        Assert.Equal(("point-off-path", "1"), (problem.Code, problem.Found));
+        Assert.Matches("^[0-9]+[.][0-9]{3} mm$", problem.Amount);
+    }
+
+    [Fact]
+    public void What_is_only_missing_is_told_from_what_is_wrong()
+    {
+        var draft = MatingDraftFiles.Open(File).Emptied() with { Name = "a" };
+        draft = draft with { Features = [FeatureDraft.New(FeatureKind.Line, "L1", draft) with { Blocks = "abc", Lower = "x" }] };
+        var problems = MatingDraftCheck.Of(draft, File).Problems;
+        Assert.Equal(["$.features[0].blocks[0]", "$.features[0].toleranceMm[0]"], problems.Where(p => !p.IsMissing).Select(p => p.Field).Order(StringComparer.Ordinal));
+        Assert.Contains("$.gauge.uncertaintyMm", problems.Where(p => p.IsMissing).Select(p => p.Field));
+        Assert.Contains("$.features[0].points[1]/y", problems.Where(p => p.IsMissing).Select(p => p.Field));
+        Assert.Contains(MatingDraftCheck.Program, problems.Where(p => p.IsMissing).Select(p => p.Field));
+    }
+
+    [Theory]
+    [InlineData("-0.05", "90.05", "1", "90.05 mm")]
+    [InlineData("-1e3", "0.05", "", "-1e3 mm")]
+    [InlineData("-0.05", "0.3", "0.2", "0.3 mm")]
+    [InlineData("-0.05", "1", "", null)]
+    public void A_limit_that_no_deviation_reaches_is_asked_about_and_saved(string lower, string upper, string stop, string? asked)
+    {
+        var draft = MatingDraftFiles.Open(File).WithFeature(1, f => f with { Lower = lower, Upper = upper });
+        var check = MatingDraftCheck.Of(draft with { Compensation = draft.Compensation with { Limit = stop } }, File);
+        Assert.Empty(check.Problems);
+        Assert.Equal(asked, check.Doubts.SingleOrDefault()?.Found);
+    }
+
+    [Theory]
+    [InlineData(0, "N120", null)]
+    [InlineData(0, "N120, N110", "N110")]
+    [InlineData(2, "N170..N1190", null)]
+    [InlineData(2, "N170..N1210", "N1210")]
+    public void Blocks_that_lead_in_or_out_are_asked_about(int feature, string blocks, string? asked)
+    {
+        var check = MatingDraftCheck.Of(MatingDraftFiles.Open(File).WithFeature(feature, f => f with { Blocks = blocks }), File);
+        Assert.Empty(check.Problems);
+        Assert.Equal(asked is null ? [] : [(DraftPaths.Feature(feature, "blocks"), asked)], check.Doubts.Select(d => (d.Field, d.Found)));
+    }
+
+    [Theory]
+    [InlineData("complex-mating")]
+    [InlineData("curve-mating")]
+    public void Nothing_is_asked_about_a_job_that_is_meant_so(string sample)
+    {
+        var job = Repository.PathTo("samples", sample, "job.json");
+        var check = MatingDraftCheck.Of(MatingDraftFiles.Open(job), job);
+        Assert.Equal((0, 0), (check.Problems.Count, check.Doubts.Count));
+    }
+
     [Fact]
     public void Every_empty_coordinate_is_told_by_itself()
     {

@@ -1,0 +1,53 @@
+using System.Globalization;
+using ErrorMatching.Mating;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>What can be used and is hardly meant: asked at its field, and saved all the same.</summary>
+internal static class DraftDoubts
+{
+    // Cosine of 30 degrees: a boundary bends less from one block to the next where no key point is.
+    private const double BendCosine = 0.866;
+
+    /// <summary>Limits that no deviation reaches, because the job stops at smaller ones.</summary>
+    /// <param name="draft">The draft.</param>
+    public static IEnumerable<DraftProblem> OfLimits(MatingDraft draft)
+    {
+        var most = DraftNumber.Value(draft.Compensation.Limit) ?? JobCompensation.Default.LimitMm;
+        return draft.Features.Select((f, i) => (Feature: f, Index: i)).Where(f => f.Feature.Tolerance == FeatureDraft.Stated)
+            .SelectMany(f => new[] { (Text: f.Feature.Lower, Field: DraftPaths.Feature(f.Index, "toleranceMm[0]")), (Text: f.Feature.Upper, Field: DraftPaths.Feature(f.Index, "toleranceMm[1]")) })
+            .Where(l => Math.Abs(DraftNumber.Value(l.Text) ?? 0) > most)
+            .Select(l => new DraftProblem(l.Field, "limit-implausible", $"{l.Text.Trim()} mm", string.Create(CultureInfo.InvariantCulture, $"{l.Text.Trim()} mm: is that meant? The job stops at any deviation above {most} mm.")));
+    }
+
+    /// <summary>Blocks at an end of a feature's cut that turn off where no key point is any more, and behind which nothing is cut: the way in or out.</summary>
+    /// <param name="match">The draft's match.</param>
+    public static IEnumerable<DraftProblem> OfBlocks(MatchResult match)
+    {
+        var (path, program) = (match.Before, match.Before.Program);
+        for (var i = 0; i < match.Maps.Count; i++)
+        {
+            var ways = match.Maps[i].Passes.SelectMany(p => Ways(path, p)).Select(m => path.Motions[m].Block).Distinct().Order().Select(b => program.NameOf(program[b])).ToArray();
+            if (ways.Length > 0)
+            {
+                var found = string.Join(", ", ways);
+                yield return new(DraftPaths.Feature(i, "blocks"), "blocks-lead", found, $"{found}: no key point of {match.Maps[i].Feature.Name} lies there. Is it the lead-in or lead-out?");
+            }
+        }
+    }
+
+    // The motions of a pass from the first bend outside of its key points on, where the pass is the end of the cut.
+    private static IEnumerable<int> Ways(NcPath path, FeaturePass pass)
+    {
+        var moving = Enumerable.Range(pass.First, pass.Last - pass.First + 1).Where(m => path.Motions[m].MovesInPlane).ToArray();
+        var (first, last) = (Array.IndexOf(moving, pass.Feet.Min(f => f.Motion)), Array.IndexOf(moving, pass.Feet.Max(f => f.Motion)));
+        var into = Cuts(path, pass.First - 1) ? [] : Enumerable.Range(0, first).Where(m => Bends(path, moving[m], moving[m + 1])).TakeLast(1).SelectMany(m => moving[..(m + 1)]);
+        var outOf = Cuts(path, pass.Last + 1) ? [] : Enumerable.Range(last + 1, moving.Length - last - 1).Where(m => Bends(path, moving[m - 1], moving[m])).Take(1).SelectMany(m => moving[m..]);
+        return into.Concat(outOf);
+    }
+
+    private static bool Cuts(NcPath path, int motion) => motion >= 0 && motion < path.Motions.Length && path.Motions[motion] is { IsCut: true, MovesInPlane: true };
+
+    private static bool Bends(NcPath path, int before, int behind) => path.Motions[before].TangentAt(1).Dot(path.Motions[behind].TangentAt(0)) < BendCosine;
+}
