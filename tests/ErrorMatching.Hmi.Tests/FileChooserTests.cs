@@ -43,6 +43,22 @@ public sealed class FileChooserTests
     });
 
     [Fact]
+    public Task The_row_of_the_file_in_the_field_looks_chosen_and_no_other() => At((seat, folder) =>
+    {
+        var file = Path.Combine(folder, "programs", "b.NC");
+        _ = Open(seat, new(FileChoiceKind.Open, "History.Program", [".nc"]) { Start = file });
+        var rows = (ListBox)seat.See("chooser-entries");
+        seat.WaitFor(() => rows.SelectedItem is FolderEntry { Name: "b.NC" }, "The file that is proposed does not look chosen.");
+
+        // What is chosen stays so where more is shown, and the folder that is shown instead holds nothing chosen.
+        seat.Tap("chooser-filter").See("entry-c.txt");
+        Assert.Equal((file, "b.NC", true), (seat.Shell.Choosing!.Typed, (rows.SelectedItem as FolderEntry)?.Name, seat.See("chooser-confirm").IsEffectivelyEnabled));
+        seat.Tap("chooser-up").See("entry-empty");
+        Assert.Equal((null, false), (rows.SelectedItem, seat.See("chooser-confirm").IsEffectivelyEnabled));
+        return Task.CompletedTask;
+    });
+
+    [Fact]
     public Task Two_taps_on_a_file_choose_it() => At(async (seat, folder) =>
     {
         var chosen = Open(seat, new(FileChoiceKind.Open, "History.Program", [".nc"]) { Start = Path.Combine(folder, "programs") });

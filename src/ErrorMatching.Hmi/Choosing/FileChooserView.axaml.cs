@@ -73,7 +73,7 @@ public sealed partial class FileChooserView : UserControl
             FocusFirst(chooser);
             e.Handled = true;
         }
-        else if (e.Key is Key.Enter or Key.Space && Entries.SelectedItem is FolderEntry entry)
+        else if (e.Key is Key.Enter or Key.Space && Of<FolderEntry>(e) is { } entry)
         {
             chooser.Take(entry);
             FocusFirst(chooser);
@@ -89,15 +89,16 @@ public sealed partial class FileChooserView : UserControl
         }
     }
 
-    // Whoever goes by keyboard goes on at the first row of the next folder.
+    // Whoever goes by keyboard goes on at the file in the field, else at the first row: only what is in the field looks chosen.
     private async void FocusFirst(FileChooserViewModel chooser)
     {
         var before = chooser.Folder;
         await chooser.Loading;
         if (chooser.Folder != before)
         {
-            Entries.SelectedIndex = 0;
-            Dispatcher.UIThread.Post(() => (Entries.ContainerFromIndex(0) ?? Entries).Focus(NavigationMethod.Directional), DispatcherPriority.Loaded);
+            var row = chooser.Chosen is { } chosen ? chooser.Rows.IndexOf(chosen) : -1;
+            Entries.SelectedIndex = row;
+            Dispatcher.UIThread.Post(() => (Entries.ContainerFromIndex(Math.Max(0, row)) ?? Entries).Focus(NavigationMethod.Directional), DispatcherPriority.Loaded);
         }
     }
 }

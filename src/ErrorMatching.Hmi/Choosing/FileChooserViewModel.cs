@@ -67,9 +67,13 @@ public sealed class FileChooserViewModel : Observable
             {
                 Ask(null);
                 Confirm.Refresh();
+                Say(nameof(Chosen));
             }
         }
     }
+
+    /// <summary>The row of the file in the field; null if it is not among what is shown.</summary>
+    public FolderEntry? Chosen => Rows.FirstOrDefault(r => !r.IsFolder && r.Path == Typed);
 
     /// <summary>What is shown and what is not, in words.</summary>
     public string Summary => _listing is not { } l ? "" : Sentence.Joined(Sentences(l));
@@ -172,12 +176,14 @@ public sealed class FileChooserViewModel : Observable
             {
                 _listing = listing;
                 Rows.Show(listing.Entries);
-                Typed = _choice.Kind == FileChoiceKind.Save && Typed.Length > 0 && Path.GetFileName(Typed) is { Length: > 0 } name && !Directory.Exists(Typed)
+                Typed = _choice.Kind == FileChoiceKind.Open && Chosen is not null ? Typed
+                    : _choice.Kind == FileChoiceKind.Save && Typed.Length > 0 && Path.GetFileName(Typed) is { Length: > 0 } name && !Directory.Exists(Typed)
                     ? Path.Combine(listing.Folder, name)
                     : listing.Folder;
                 Up.Refresh();
                 Confirm.Refresh();
                 Say();
+                Say(nameof(Chosen));
             }
         }
         catch (OperationCanceledException) when (looking.IsCancellationRequested)
