@@ -27,6 +27,7 @@ public sealed partial class SystemViewModel : SetupViewModel
         AddPoint = Doing(() => Editing.Change("", d => d with { OtherPoints = [.. d.OtherPoints, new("")] }));
         RemovePoint = new(() => Editing.Change("", d => d with { OtherPoints = d.OtherPoints.Without(d.OtherPoints.Count - 1) }), () => Editing.CanEdit && Editing.Draft.OtherPoints.Count > 0);
         AddLink = Doing(() => Editing.Change("", d => d with { Chain = [.. d.Chain, new()] }));
+        SameLimits = new(() => Editing.Change("", d => d.WithSameLimits()), () => Editing.CanEdit && Editing.Draft.Features.Count > 1);
         AddComparison = Doing(() => Editing.Change("", d => d with { Comparisons = [.. d.Comparisons, new()] }));
         AddContribution = Doing(() => Editing.Change("", d => d with { Gauge = d.Gauge with { Contributions = [.. d.Gauge.Contributions, new("", d.Gauge.Contributions.Count == 0 ? d.Gauge.Uncertainty : "")], Uncertainty = "" } }));
         ReadPoints = new(async _ => await ReadAsync(new(FileChoiceKind.Open, "System.ChooseDrawing", [".csv", ".txt"]) { Sample = DemoCell.DrawingFile }, ImportPointsAsync), () => Editing.CanEdit);
@@ -118,6 +119,9 @@ public sealed partial class SystemViewModel : SetupViewModel
     /// <summary>Adds a dimension to the tolerance chain.</summary>
     public Command AddLink { get; }
 
+    /// <summary>Gives all features the limits of the first.</summary>
+    public Command SameLimits { get; }
+
     /// <summary>Adds a comparison.</summary>
     public Command AddComparison { get; }
 
@@ -203,7 +207,7 @@ public sealed partial class SystemViewModel : SetupViewModel
     /// <inheritdoc/>
     protected override void ShowMore()
     {
-        foreach (var command in new[] { AddPoint, RemovePoint, AddLink, AddComparison, AddContribution }.Concat(Chain.Concat(Contributions).Concat(Comparisons).Select(r => r.Remove!)))
+        foreach (var command in new[] { AddPoint, RemovePoint, AddLink, SameLimits, AddComparison, AddContribution }.Concat(Chain.Concat(Contributions).Concat(Comparisons).Select(r => r.Remove!)))
         {
             command.Refresh();
         }
