@@ -142,7 +142,7 @@ internal sealed class SystemFields(JobEditing editing)
         return new(feature.Name, cells) { Columns = ToleranceColumns };
 
         TextField Automatic(string field, string label, Func<FeatureDraft, string> get, Func<FeatureDraft, string, FeatureDraft> set) =>
-            new(editing, DraftPaths.Feature(f, field), label, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t))) { Default = "auto", MayBeEmpty = _ => true };
+            new(editing, DraftPaths.Feature(f, field), label, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t))) { Default = Texts.Current["System.Automatic"], MayBeEmpty = _ => true };
 
         TextField Text(string field, string label, Func<FeatureDraft, string> get, Func<FeatureDraft, string, FeatureDraft> set) =>
             new(editing, DraftPaths.Feature(f, field), label, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t)));
