@@ -10,6 +10,8 @@ public abstract class EditField(JobEditing editing, string path, string label) :
 {
     private string? _problem;
     private bool _isTouched;
+    private bool _isWrong;
+    private bool _isDoubtful;
 
     /// <summary>Where it stands in the draft.</summary>
     public string Path => path;
@@ -23,7 +25,7 @@ public abstract class EditField(JobEditing editing, string path, string label) :
     /// <summary>Identifies what is wrong with it.</summary>
     public string ProblemId => "problem-" + path.Replace("$.", "", StringComparison.Ordinal);
 
-    /// <summary>What is wrong with it; null if nothing is.</summary>
+    /// <summary>What is wrong with it, or that it is still to be filled in; null if nothing is.</summary>
     public string? Problem
     {
         get => _problem;
@@ -36,8 +38,22 @@ public abstract class EditField(JobEditing editing, string path, string label) :
         }
     }
 
-    /// <summary>True if something is wrong with it.</summary>
+    /// <summary>True if there is something to say of it.</summary>
     public bool HasProblem => Problem is not null;
+
+    /// <summary>True if something is wrong with it; false also while it is only still to be filled in.</summary>
+    public bool IsWrong
+    {
+        get => _isWrong;
+        private set => Set(ref _isWrong, value);
+    }
+
+    /// <summary>True if it can be saved and is hardly meant.</summary>
+    public bool IsDoubtful
+    {
+        get => _isDoubtful;
+        private set => Set(ref _isDoubtful, value);
+    }
 
     /// <summary>True if it can be edited now.</summary>
     public bool CanEdit => editing.CanEdit;
@@ -50,12 +66,18 @@ public abstract class EditField(JobEditing editing, string path, string label) :
 
     /// <summary>Shows what the draft has, and what is wrong there.</summary>
     /// <param name="problems">The problems at this field.</param>
-    public void Show(IEnumerable<DraftProblem> problems)
+    /// <param name="doubts">The questions at this field, which are asked where nothing is wrong.</param>
+    public void Show(IEnumerable<DraftProblem> problems, IEnumerable<DraftProblem> doubts)
     {
         // First what stands there: fields that were made anew are empty until then.
         Refresh();
-        var texts = problems.Select(p => ProblemText.Of(p, IsEmpty)).Distinct(StringComparer.Ordinal).ToArray();
-        Problem = texts.Length > 0 && (editing.IsTold || _isTouched || !IsEmpty) ? Sentence.Joined(texts) : null;
+        var all = problems.ToArray();
+        var texts = all.Select(p => ProblemText.Of(p, IsEmpty)).Distinct(StringComparer.Ordinal).ToArray();
+        var told = texts.Length > 0 && (editing.IsTold || _isTouched || !IsEmpty) ? Sentence.Joined(texts) : null;
+        var questions = doubts.Select(d => ProblemText.Of(d)).ToArray();
+        IsDoubtful = texts.Length == 0 && questions.Length > 0;
+        Problem = IsDoubtful ? Sentence.Joined(questions) : told;
+        IsWrong = HasProblem && all.Any(p => !p.IsMissing);
         Say(nameof(CanEdit));
         Say(nameof(Label));
     }

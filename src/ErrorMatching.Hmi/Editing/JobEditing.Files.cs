@@ -82,7 +82,9 @@ public sealed partial class JobEditing
         await Task.Yield();
         if (Problems.Count > 0)
         {
+            // Going there may open the other screen, with which everything that was said is over.
             Tell();
+            Note(() => Problems.Count > 0 ? Texts.Current.With("Setup.NotSaved", CountText) : "");
             return;
         }
 

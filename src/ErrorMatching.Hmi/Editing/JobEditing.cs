@@ -52,8 +52,8 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>Said on the screen's thread when something else is to be shown: what is wrong, who may edit, what was kept.</summary>
     public event Action? Shown;
 
-    /// <summary>Said when a field is to be gone to: the first that something is wrong with.</summary>
-    public event Action<string>? Wanted;
+    /// <summary>Said when the first field is to be gone to that something is wrong with or that is still to be filled in.</summary>
+    public event Action? Wanted;
 
     /// <summary>The cell's mating jobs.</summary>
     public IReadOnlyList<CellJobSettings> Jobs { get; }
@@ -64,8 +64,20 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>The draft.</summary>
     public MatingDraft Draft => _history.Draft;
 
-    /// <summary>What is wrong with the draft, as far as it is known.</summary>
+    /// <summary>What is wrong with the draft or still to be filled in, as far as it is known.</summary>
     public IReadOnlyList<DraftProblem> Problems => _typed is { } typed ? [typed, .. _found] : _found;
+
+    /// <summary>What can be saved and is hardly meant, as far as it is known.</summary>
+    public IReadOnlyList<DraftProblem> Doubts { get; private set; } = [];
+
+    /// <summary>How much is still to be filled in.</summary>
+    public int MissingCount => Problems.Count(p => p.IsMissing);
+
+    /// <summary>How much is wrong.</summary>
+    public int WrongCount => Problems.Count - MissingCount;
+
+    /// <summary>Both in words, as far as there is any.</summary>
+    public string CountText => CountOf(WrongCount, MissingCount);
 
     /// <summary>What is wrong with what was typed last, where the draft has no place for it: a count that is no number. It goes with the next change.</summary>
     public DraftProblem? Typed
@@ -147,7 +159,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     {
         if (job is not null && job != Job)
         {
-            (Job, _isLoaded, Kept, IsKeptBroken, _notice, _found, _typed) = (job, false, null, false, null, [], null);
+            (Job, _isLoaded, Kept, IsKeptBroken, _notice, _found, Doubts, _typed) = (job, false, null, false, null, [], [], null);
             Refresh();
             Loading = LoadAsync(job).Watched();
         }
@@ -181,7 +193,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         Refresh();
         if (Problems.Count > 0)
         {
-            Wanted?.Invoke(Problems[0].Field);
+            Wanted?.Invoke();
         }
     }
 
@@ -209,6 +221,11 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>Waits for what is being kept: what was typed last is not lost.</summary>
     public void Dispose() => _keeping.Running.GetAwaiter().GetResult();
 
+    /// <summary>In words how much is to be corrected and to be filled in, as far as there is any.</summary>
+    internal static string CountOf(int wrong, int missing) => string.Join(
+        " · ",
+        new[] { wrong > 0 ? Texts.Current.With("Setup.Problems", wrong) : "", missing > 0 ? Texts.Current.With("Setup.Missing", missing) : "" }.Where(t => t.Length > 0));
+
     private void Go(Action way)
     {
         way();
@@ -234,7 +251,7 @@ public sealed partial class JobEditing : Observable, IDisposable
             {
                 if (ReferenceEquals(snapshot.Draft, Draft))
                 {
-                    (_found, IsChecked) = (check.Problems, true);
+                    (_found, Doubts, IsChecked) = (check.Problems, check.Doubts, true);
                     Refresh();
                 }
             },

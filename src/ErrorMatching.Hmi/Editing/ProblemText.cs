@@ -17,7 +17,7 @@ internal static partial class ProblemText
         var key = "Problem." + (isEmpty && OfNumbers.Contains(problem.Code) ? "too-short" : problem.Code);
         var field = Index().Replace(problem.Field[(problem.Field.LastIndexOf('.') + 1)..], "");
         var text = Texts.Current.Or($"{key}.{field}", Texts.Current.Or(key, ""));
-        return text.Length > 0 ? string.Format(CultureInfo.InvariantCulture, text, About(problem)) : CodeText.Of(problem.Code, problem.Message);
+        return text.Length > 0 ? string.Format(CultureInfo.InvariantCulture, text, About(problem), problem.Amount) : CodeText.Of(problem.Code, problem.Message);
     }
 
     // Numbers and names are said in every language; of the reader's words only those of a bound are.

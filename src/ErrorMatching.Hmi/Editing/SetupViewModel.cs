@@ -34,10 +34,22 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>Tells what is wrong at every field, and goes to the first.</summary>
     public Command TellProblems { get; }
 
+    /// <summary>How much is wrong and how much is still to be filled in, in words.</summary>
+    public string ProblemCount => HasProblems ? Editing.CountText : Texts.Current["Setup.NothingWrong"];
+
     /// <summary>How much is wrong, in words.</summary>
-    public string ProblemCount => Editing.Problems.Count == 0 ? Texts.Current["Setup.NothingWrong"] : Texts.Current.With("Setup.Problems", Editing.Problems.Count);
+    public string WrongText => Texts.Current.With("Setup.Problems", Editing.WrongCount);
+
+    /// <summary>How much is still to be filled in, in words.</summary>
+    public string MissingText => Texts.Current.With("Setup.Missing", Editing.MissingCount);
 
     /// <summary>True if something is wrong.</summary>
+    public bool HasWrong => Editing.WrongCount > 0;
+
+    /// <summary>True if something is still to be filled in.</summary>
+    public bool HasMissing => Editing.MissingCount > 0;
+
+    /// <summary>True if something is wrong or still to be filled in.</summary>
     public bool HasProblems => Editing.Problems.Count > 0;
 
     /// <summary>Whether the draft is what stands there.</summary>
@@ -59,7 +71,7 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>True if nothing is in front of the screen.</summary>
     public bool IsInFront => _shell.IsFree && !_shell.IsLocked;
 
-    /// <summary>The fields of the screen.</summary>
+    /// <summary>The fields of the screen, as they are read.</summary>
     protected abstract IEnumerable<EditField> Fields { get; }
 
     /// <summary>The frame.</summary>
@@ -73,7 +85,7 @@ public abstract class SetupViewModel : ScreenViewModel
     {
         Editing.Changed += Forget;
         Editing.Shown += Show;
-        Editing.Wanted += GoTo;
+        Editing.Wanted += GoToFirst;
         Editing.Choose(Editing.Job ?? (Editing.Jobs is [var first, ..] ? first : null));
         Show();
     }
@@ -84,7 +96,7 @@ public abstract class SetupViewModel : ScreenViewModel
         Editing.Changed -= Forget;
         Editing.ForgetNotice();
         Editing.Shown -= Show;
-        Editing.Wanted -= GoTo;
+        Editing.Wanted -= GoToFirst;
         base.Dispose(isDisposing);
     }
 
@@ -140,44 +152,46 @@ public abstract class SetupViewModel : ScreenViewModel
         Show();
     }
 
-    // Each problem stands at the field with the longest path that leads to it.
     private void ShowFields()
     {
         var fields = Fields.ToArray();
-        var at = fields.ToDictionary(f => f.Path, _ => new List<DraftProblem>(), StringComparer.Ordinal);
-        foreach (var problem in Editing.Problems.Where(p => ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key))
-        {
-            if (fields.Where(f => Leads(f, problem.Field)).MaxBy(f => f.Path.Length) is { } field)
-            {
-                at[field.Path].Add(problem);
-            }
-        }
-
+        var (problems, doubts) = (ByField(fields, Editing.Problems), ByField(fields, Editing.Doubts));
         foreach (var field in fields)
         {
-            field.Show(at[field.Path]);
+            field.Show(problems[field], doubts[field]);
         }
     }
+
+    // Each problem stands at the field with the longest path that leads to it.
+    private ILookup<EditField?, DraftProblem> ByField(EditField[] fields, IEnumerable<DraftProblem> problems) =>
+        problems.Where(p => ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key).ToLookup(p => fields.Where(f => Leads(f, p.Field)).MaxBy(f => f.Path.Length));
 
     private static bool Leads(EditField field, string path) =>
         path == field.Path || (field is not NoteField && path.StartsWith(field.Path, StringComparison.Ordinal) && path[field.Path.Length] is '[' or '.');
 
-    private void GoTo(string path)
+    // As they are read: this screen after the other, its sides from the left, its fields from above.
+    private void GoToFirst()
     {
-        var place = ProblemPlace.Of(Editing.Draft, path);
-        if (place.Screen != Key)
+        var places = Editing.Problems.Select(p => (p.Field, Place: ProblemPlace.Of(Editing.Draft, p.Field))).ToLookup(p => p.Place, p => p.Field);
+        var first = places.MinBy(p => (p.Key.Screen == Screens.Points ? 0 : 1, p.Key.Side));
+        if (first is null)
+        {
+            return;
+        }
+
+        if (first.Key.Screen != Key)
         {
             if (_shell.Current == this)
             {
-                _shell.Go(place.Screen);
-                (_shell.Current as SetupViewModel)?.GoTo(path);
+                _shell.Go(first.Key.Screen);
+                (_shell.Current as SetupViewModel)?.GoToFirst();
             }
 
             return;
         }
 
-        Turn(place.Side);
-        if (Fields.Where(f => Leads(f, path)).MaxBy(f => f.Path.Length) is { } field)
+        Turn(first.Key.Side);
+        if (Fields.FirstOrDefault(f => f.HasProblem && first.Any(path => Leads(f, path))) is { } field)
         {
             FieldWanted?.Invoke(field.AutomationId);
         }

@@ -1,27 +1,34 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>The head of a side of a screen: its name, and how much is to be corrected there.</summary>
+/// <summary>The head of a side of a screen: its name, and how much is to be corrected and to be filled in there.</summary>
 /// <param name="title">Key of its name.</param>
 public sealed class SideHead(string title) : Observable
 {
-    private int _problems;
+    private int _wrong;
+    private int _missing;
 
     /// <summary>Its name.</summary>
     public string Title => Texts.Current[title];
 
     /// <summary>How much is to be corrected there.</summary>
-    public string Count => Shown.Count(_problems);
+    public string Wrong => Shown.Count(_wrong);
 
-    /// <summary>The same in words; null if nothing is.</summary>
-    public string? Problem => HasProblems ? Texts.Current.With("Setup.Problems", _problems) : null;
+    /// <summary>How much is still to be filled in there.</summary>
+    public string Missing => Shown.Count(_missing);
 
-    /// <summary>True if something is.</summary>
-    public bool HasProblems => _problems > 0;
+    /// <summary>Both in words; null if there is nothing.</summary>
+    public string? Problem => HasWrong || HasMissing ? JobEditing.CountOf(_wrong, _missing) : null;
 
-    /// <summary>Says how much is to be corrected there, in the language of the screen.</summary>
-    internal void Show(int problems)
+    /// <summary>True if something is to be corrected there.</summary>
+    public bool HasWrong => _wrong > 0;
+
+    /// <summary>True if something is still to be filled in there.</summary>
+    public bool HasMissing => _missing > 0;
+
+    /// <summary>Says how much is to be corrected and to be filled in there, in the language of the screen.</summary>
+    internal void Show(int wrong, int missing)
     {
-        _problems = problems;
+        (_wrong, _missing) = (wrong, missing);
         Say();
     }
 }

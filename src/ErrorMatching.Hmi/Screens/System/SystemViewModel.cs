@@ -51,7 +51,7 @@ public sealed partial class SystemViewModel : SetupViewModel
         }
     }
 
-    /// <summary>The heads of the sides, with what is to be corrected on each.</summary>
+    /// <summary>The heads of the sides, with what is to be corrected and to be filled in on each.</summary>
     public IReadOnlyList<SideHead> Heads { get; } = [new("System.Coordinates"), new("System.ProgramAndBlocks"), new("System.Tolerances"), new("System.Machine"), new("System.Gauge")];
 
     /// <summary>The theoretical points.</summary>
@@ -140,8 +140,8 @@ public sealed partial class SystemViewModel : SetupViewModel
     /// <inheritdoc/>
     protected override IEnumerable<EditField> Fields =>
     [
-        Points, Program, Dialect, Rules, .. Coordinates.SelectMany(c => c.Fields), .. Blocks.Select(b => b.Blocks), .. Tolerances.Concat(Chain).Concat(Contributions).Concat(Comparisons).SelectMany(r => r.Cells),
-        .. Frame, .. Alignment, .. Compensation, .. Gauge,
+        Points, .. Coordinates.SelectMany(c => c.Fields), Program, Dialect, .. Blocks.Select(b => b.Blocks), .. Tolerances.Concat(Chain).SelectMany(r => r.Cells), .. Frame, .. Alignment, .. Compensation,
+        .. Gauge, .. Contributions.Concat(Comparisons).SelectMany(r => r.Cells), Rules,
     ];
 
     /// <summary>Takes coordinates from the clipboard.</summary>
@@ -220,10 +220,10 @@ public sealed partial class SystemViewModel : SetupViewModel
         Decimals.Align(Coordinates.Select(c => c.X));
         Decimals.Align(Coordinates.Select(c => c.Y));
         Decimals.Align(Coordinates.Select(c => c.Z).OfType<TextField>());
-        var sides = Editing.Problems.Select(p => ProblemPlace.Of(Editing.Draft, p.Field)).Where(p => p.Screen == Key).ToLookup(p => p.Side);
+        var sides = Editing.Problems.Select(p => (Problem: p, Place: ProblemPlace.Of(Editing.Draft, p.Field))).Where(p => p.Place.Screen == Key).ToLookup(p => p.Place.Side);
         for (var side = 0; side < Heads.Count; side++)
         {
-            Heads[side].Show(sides[side].Count());
+            Heads[side].Show(sides[side].Count(p => !p.Problem.IsMissing), sides[side].Count(p => p.Problem.IsMissing));
         }
 
         ShowPicture();

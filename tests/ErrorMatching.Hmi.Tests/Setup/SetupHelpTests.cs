@@ -1,0 +1,46 @@
+using Avalonia.Controls;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>What helps whoever sets up a job beside telling mistakes: questions, one tap for all features, words for what holds while a field is empty.</summary>
+public sealed class SetupHelpTests
+{
+    [Fact]
+    public Task A_limit_that_is_hardly_meant_is_asked_about_and_keeps_nothing_from_being_saved() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        seat.Seat.Tap("side-tolerances").Type("edit-features[1].toleranceMm[1]", "90.05");
+        seat.Settle();
+        var question = seat.Seat.See("problem-features[1].toleranceMm[1]");
+        Assert.Equal("90.05 mm: is that meant? The job stops at smaller deviations already.", ((TextBlock)question).Text);
+        Assert.Contains("attention", question.Classes);
+        Assert.DoesNotContain("alarm", question.Classes);
+        Assert.DoesNotContain("wrong", seat.Seat.See("edit-features[1].toleranceMm[1]").Classes);
+        Assert.Equal("Nothing to correct", seat.System.ProblemCount);
+        seat.Seat.Tap("setup-save");
+        seat.Seat.WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
+        Assert.StartsWith("Saved", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+    });
+
+    [Fact]
+    public Task The_limits_of_the_first_feature_are_given_to_all_and_taken_back_in_one_step() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        seat.Seat.Tap("side-tolerances").Type("edit-features[0].toleranceMm[0]", "-0.01").Type("edit-features[0].toleranceMm[1]", "0.02");
+        seat.Seat.Tap("limits-same");
+        Assert.All(seat.Draft.Features, f => Assert.Equal(("-0.01", "0.02"), (f.Lower, f.Upper)));
+        Assert.Equal("0.02", ((TextBox)seat.Seat.See("edit-features[2].toleranceMm[1]")).Text);
+        seat.Seat.Tap("setup-undo");
+        Assert.Equal([("-0.01", "0.02"), ("-0.05", "0.05"), ("-0.05", "0.05")], seat.Draft.Features.Select(f => (f.Lower, f.Upper)));
+    });
+
+    [Fact]
+    public Task What_holds_while_a_field_is_empty_is_said_in_the_language_of_the_screen() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        seat.Shell.Editing.Change("", d => d.WithFeature(2, f => f with { Degree = "", Ridge = "" }));
+        seat.Settle();
+        var (degree, tolerances) = ("edit-features[2].degree", "side-tolerances");
+        Assert.Equal("empty: automatic", ((TextBox)seat.Seat.Tap(tolerances).See(degree)).PlaceholderText);
+        Texts.Current.Language = Language.TraditionalChinese;
+        seat.Settle();
+        Assert.Equal("空白時：自動", ((TextBox)seat.Seat.See(degree)).PlaceholderText);
+    });
+}
