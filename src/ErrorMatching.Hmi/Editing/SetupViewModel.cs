@@ -16,6 +16,7 @@ public abstract class SetupViewModel : ScreenViewModel
         _shell = shell;
         Editing = shell.Editing;
         TellProblems = new(Editing.Tell, () => Editing.Problems.Count > 0);
+        Step = new(() => _shell.Go(Key == Screens.Points ? Screens.System : Screens.Points));
     }
 
     /// <summary>Said when a field is to be gone to, by its AutomationId.</summary>
@@ -33,6 +34,12 @@ public abstract class SetupViewModel : ScreenViewModel
 
     /// <summary>Tells what is wrong at every field, and goes to the first.</summary>
     public Command TellProblems { get; }
+
+    /// <summary>To the other one of both screens: they are two steps of one thing.</summary>
+    public Command Step { get; }
+
+    /// <summary>Which one that is, in words.</summary>
+    public string StepText => Texts.Current[Key == Screens.Points ? "Setup.Next" : "Setup.Back"];
 
     /// <summary>How much is wrong and how much is still to be filled in, in words.</summary>
     public string ProblemCount => HasProblems ? Editing.CountText : Texts.Current["Setup.NothingWrong"];

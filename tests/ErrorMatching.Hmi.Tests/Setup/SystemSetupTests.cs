@@ -147,6 +147,19 @@ public sealed class SystemSetupTests
     });
 
     [Fact]
+    public Task Each_step_leads_to_the_other() => At(seat =>
+    {
+        seat.Seat.Tap("setup-step");
+        Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);
+        Assert.Equal("Next: coordinates, program, limits", seat.Setup.StepText);
+
+        // A tap right behind the first would be taken for its second half (TapTests).
+        seat.Seat.User.Wait(TimeSpan.FromMilliseconds(600));
+        seat.Seat.Tap("setup-step");
+        Assert.Equal((Screens.System, "Back: features and points"), (seat.Shell.Chosen!.Screen.Key, seat.System.StepText));
+    });
+
+    [Fact]
     public Task The_count_leads_to_the_first_mistake_on_whichever_screen() => At(seat =>
     {
         seat.Shell.Editing.Change("", d => d.WithFeature(2, f => f with { Name = "" }));
