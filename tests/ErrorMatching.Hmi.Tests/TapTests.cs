@@ -70,6 +70,24 @@ public sealed class TapTests
     });
 
     [Fact]
+    public Task A_second_quick_tap_does_not_fall_on_what_the_first_brought_there() => At(seat =>
+    {
+        // The other step opens with the button that leads back at the same place.
+        var place = new Rect(seat.Tap("nav-points").See("setup-step").Bounds.Size).Center;
+        place = seat.See("setup-step").TranslatePoint(place, seat.Window)!.Value;
+        seat.User.Click(seat.Window, place).Click(seat.Window, place);
+        Assert.Equal(Screens.System, seat.Shell.Chosen!.Screen.Key);
+
+        // After a moment it is meant.
+        seat.User.Wait(TimeSpan.FromMilliseconds(600)).Click(seat.Window, place);
+        Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);
+
+        // The same control may be tapped as quickly as one can.
+        seat.Tap("add-line").Tap("add-line");
+        Assert.Equal(5, ((PointsViewModel)seat.Shell.Current!).Features.Count);
+    });
+
+    [Fact]
     public Task A_tile_that_is_left_while_it_changes_does_not_open() => At(seat =>
     {
         seat.User.Hold(seat.See("waiting-1"), () => Texts.Current.Language = Language.TraditionalChinese, new Vector(40, 0));

@@ -26,6 +26,7 @@ public sealed partial class MainWindow : Window
         _tidying = new(Quiet, DispatcherPriority.ApplicationIdle, (_, _) => Tidy());
         _tidying.Stop();
         _focus = new(this);
+        _ = new TwiceKeeper(this);
         _ = new TapKeeper(this);
         AddHandler(PointerPressedEvent, (_, _) => Touch(isByKeyboard: false), RoutingStrategies.Tunnel, handledEventsToo: true);
         AddHandler(KeyDownEvent, (_, _) => Touch(isByKeyboard: true), RoutingStrategies.Tunnel, handledEventsToo: true);

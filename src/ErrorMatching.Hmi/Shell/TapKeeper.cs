@@ -28,7 +28,7 @@ internal sealed class TapKeeper
     }
 
     // Only what leads somewhere: a button that decides must be pressed as it stands there when the finger is lifted.
-    private static bool IsKept(Control control) => control is ListBoxItem || (control is Button && control.Classes.Contains("tile"));
+    internal static bool IsKept(Control control) => control is ListBoxItem || (control is Button && control.Classes.Contains("tile"));
 
     private void OnPressed(object? sender, PointerPressedEventArgs e)
     {
