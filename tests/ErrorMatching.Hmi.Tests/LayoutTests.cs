@@ -30,7 +30,7 @@ public sealed class LayoutTests
                 Drawn("name", new SeriesPlot { Drawing = new(["1"], ["1"], [new(SeriesKind.Before, "\u0378", [1])], [], []) }),
                 Drawn("values", new SeriesPlot { Drawing = new(["1"], ["1\n\u0378"], [new(SeriesKind.Before, "name", [1])], [], []) }),
                 Drawn("number", new SurfacePlot { Drawing = new(new(2, 2, [new(0, 0, 0), new(0, 1, 0), new(1, 0, 0), new(1, 1, 0)], []), null, 1, [("\u0378", new(0, 0), "1")], ShowsWay: false) }),
-                Drawn("feature", new PartPlot { Drawing = new([new("\u0378", [("1", new(0, 0)), ("2", new(1, 1))])], IsSchematic: false, 2, 2) }),
+                Drawn("feature", new PartPlot { Drawing = new([new("\u0378", [("1", new(0, 0)), ("2", new(1, 1))], [new(0, 0), new(1, 1)])], IsSchematic: false, 2, 2) }),
                 Drawn("limit", new ColorLegend { LimitMm = 1 }),
                 new MarkedText { Line = "N10 \u0378", Spans = [(4, 1)] },
                 Drawn("marked", new ProgramText { Picture = marked }),

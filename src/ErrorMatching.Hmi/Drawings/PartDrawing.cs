@@ -18,9 +18,37 @@ public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic
     public static PartDrawing Of(MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(draft);
-        var known = draft.Features.Select(f => new PartLine(f.Name, [.. f.Points.Select(p => (p.Label, At: Place(p, f.Plane))).Where(p => p.At is not null).Select(p => (p.Label, p.At!.Value))])).ToArray();
+        var known = draft.Features.Select(f => Line(f.Name, [.. f.Flanks.Select(k => k.Select(p => (p.Label, Place(p, f.Plane))).ToArray())])).ToArray();
         var (count, total) = (known.Sum(l => l.Points.Count), draft.Features.Sum(f => f.Points.Count()));
         return count > 0 ? new(known, false, count, total) : new(Schematic(draft), true, 0, total);
+    }
+
+    // A point that has no place is left out.
+    private static PartLine Line(string name, IReadOnlyList<(string Label, Point2? At)[]> flanks)
+    {
+        Point2[][] places = [.. flanks.Select(k => k.Select(p => p.At).OfType<Point2>().ToArray())];
+        return new(name, [.. flanks.SelectMany(k => k).Where(p => p.At is not null).Select(p => (p.Label, p.At!.Value))], places.Length == 2 && flanks.All(k => k.All(p => p.At is not null)) && ApexOf(places[0], places[1]) is { } apex
+            ? [.. places[0], apex, .. places[1]]
+            : [.. places.SelectMany(p => p)]);
+    }
+
+    // Null where the flanks have no apex between them: parallel ones, and points that do not lead there.
+    private static Point2? ApexOf(Point2[] first, Point2[] second)
+    {
+        if (first.Length < 2 || second.Length < 2)
+        {
+            return null;
+        }
+
+        try
+        {
+            var apex = Wedge.Fit(first, second).Apex;
+            return (apex - first[^1]).Dot(first[^1] - first[0]) > 0 && (apex - second[0]).Dot(second[0] - second[^1]) > 0 ? apex : null;
+        }
+        catch (GeometryException)
+        {
+            return null;
+        }
     }
 
     private static Point2? Place(PointDraft point, string plane)
@@ -37,14 +65,17 @@ public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic
         foreach (var feature in draft.Features)
         {
             var (first, from) = (feature.Flanks[0].Count, x);
-            lines.Add(new(feature.Name, [.. feature.Points.Select((p, i) => (p.Label, new Point2(from + (Step * i), Height(i))))]));
+            lines.Add(Line(feature.Name, [.. feature.Flanks.Select((k, flank) => k.Select((p, i) => (p.Label, (Point2?)At((flank == 0 ? 0 : first) + i))).ToArray())]));
             x += Step * (feature.Points.Count() + 0.5);
+
+            Point2 At(int i) => new(from + (Step * i), Height(i));
 
             double Height(int i) => feature.Kind switch
             {
                 FeatureKind.Line => 0,
-                FeatureKind.Triangle when i < first => -Depth * (i + 1) / first,
-                FeatureKind.Triangle => -Depth * (feature.Points.Count() - i) / Math.Max(1, feature.Flanks[1].Count),
+                // Straight down to the apex, which is half a step from the last point of either flank.
+                FeatureKind.Triangle when i < first => -Depth * (i + 1) / (first + 0.5),
+                FeatureKind.Triangle => -Depth * (feature.Points.Count() - i) / (feature.Flanks[1].Count + 0.5),
                 _ => Depth * Math.Sin(Math.PI * i / Math.Max(1, first - 1)),
             };
         }

@@ -5,22 +5,23 @@ namespace ErrorMatching.Hmi;
 /// <summary>A feature in the drawing of a part.</summary>
 /// <param name="Name">Its name.</param>
 /// <param name="Points">Its points, labels and places, mm or schematic.</param>
-public sealed record PartLine(string Name, IReadOnlyList<(string Label, Point2 At)> Points)
+/// <param name="Outline">The line through them; that of a triangle leads over its apex, which nobody measures.</param>
+public sealed record PartLine(string Name, IReadOnlyList<(string Label, Point2 At)> Points, IReadOnlyList<Point2> Outline)
 {
     /// <summary>The place at a share of its length from its first point.</summary>
     /// <param name="share">From 0 for the first point to 1 for the last one.</param>
     /// <exception cref="InvalidOperationException">There are no points.</exception>
     public Point2 At(double share)
     {
-        if (Points.Count == 0)
+        if (Outline.Count == 0)
         {
             throw new InvalidOperationException("A line without points has no places.");
         }
 
-        var left = share * Points.Zip(Points.Skip(1), (a, b) => a.At.DistanceTo(b.At)).Sum();
-        for (var i = 1; i < Points.Count; i++)
+        var left = share * Outline.Zip(Outline.Skip(1), (a, b) => a.DistanceTo(b)).Sum();
+        for (var i = 1; i < Outline.Count; i++)
         {
-            var (from, to) = (Points[i - 1].At, Points[i].At);
+            var (from, to) = (Outline[i - 1], Outline[i]);
             var length = from.DistanceTo(to);
             if (left <= length && length > 0)
             {
@@ -30,6 +31,6 @@ public sealed record PartLine(string Name, IReadOnlyList<(string Label, Point2 A
             left -= length;
         }
 
-        return Points[^1].At;
+        return Outline[^1];
     }
 }

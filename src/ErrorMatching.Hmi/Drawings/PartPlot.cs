@@ -52,7 +52,7 @@ public sealed class PartPlot : PlotArea
         if (change.Property == DrawingProperty)
         {
             _points = [.. Drawing?.Lines.SelectMany(l => l.Points) ?? []];
-            _extent = PlotBox.Of(_points.Select(p => p.At));
+            _extent = PlotBox.Of(Drawing?.Lines.SelectMany(l => l.Outline) ?? []);
             Renew([.. _points.Select(p => p.At)]);
         }
     }
@@ -66,15 +66,12 @@ public sealed class PartPlot : PlotArea
     {
         ArgumentNullException.ThrowIfNull(context);
         var pen = new Pen(PartBrush, DrawnSizes.Line, Drawing!.IsSchematic ? DrawnSizes.Dashes : null);
-        foreach (var line in Drawing.Lines.Where(l => l.Points.Count > 0))
+        foreach (var line in Drawing.Lines.Where(l => l.Outline.Count > 1))
         {
-            if (line.Points.Count > 1)
-            {
-                Line(context, pen, [.. line.Points.Select(p => p.At)], view);
-            }
+            Line(context, pen, line.Outline, view);
         }
 
-        var labels = new PlotLabels(Drawing.Lines.Select(l => (IReadOnlyList<Point>)[.. l.Points.Select(p => view.At(p.At))]), [.. _points.Select(p => view.At(p.At))], DrawnSizes.Dot);
+        var labels = new PlotLabels(Drawing.Lines.Select(l => (IReadOnlyList<Point>)[.. l.Outline.Select(p => view.At(p))]), [.. _points.Select(p => view.At(p.At))], DrawnSizes.Dot);
         _leftOut.Clear();
         foreach (var (label, at) in _points)
         {
@@ -82,7 +79,7 @@ public sealed class PartPlot : PlotArea
         }
 
         // At its line and not at one of its points: in its middle, or else where there is room.
-        foreach (var line in Drawing.Lines.Where(l => l.Points.Count > 0))
+        foreach (var line in Drawing.Lines.Where(l => l.Outline.Count > 0))
         {
             Write(context, labels, line.Name, isName: true, [.. NameShares.Select(s => view.At(line.At(s)))]);
         }
@@ -95,7 +92,7 @@ public sealed class PartPlot : PlotArea
     }
 
     /// <inheritdoc/>
-    protected override bool IsDrawnIn(PlotBox box) => Drawing!.Lines.Any(l => box.IsCrossedBy([.. l.Points.Select(p => p.At)]));
+    protected override bool IsDrawnIn(PlotBox box) => Drawing!.Lines.Any(l => box.IsCrossedBy(l.Outline));
 
     private void Write(DrawingContext context, PlotLabels labels, string words, bool isName, params Point[] places)
     {

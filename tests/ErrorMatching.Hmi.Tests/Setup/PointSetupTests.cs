@@ -139,6 +139,29 @@ public sealed class PointSetupTests
     }
 
     [Fact]
+    public void A_triangle_is_drawn_over_the_apex_that_nobody_measures()
+    {
+        var draft = new MatingDraft();
+        draft = draft with { Features = [FeatureDraft.New(FeatureKind.Triangle, "T", draft)] };
+        var schematic = PartDrawing.Of(draft).Lines[0];
+        Assert.Equal(5, schematic.Outline.Count);
+        Assert.True(schematic.Outline[2].Y < schematic.Points.Min(p => p.At.Y) - 1, "It has a flat bottom.");
+
+        // Down to the right and up again: the flanks meet at (4, -4).
+        Assert.Equal(0, Outline(("0", "0"), ("1", "-1"), ("6", "-2"), ("8", "0"))[2].DistanceTo(new(4, -4)), 1e-9);
+
+        // Parallel flanks, flanks that do not lead to where they meet, and a missing point have no apex.
+        Assert.Equal(4, Outline(("0", "0"), ("1", "-1"), ("6", "0"), ("7", "-1")).Count);
+        Assert.Equal(4, Outline(("1", "-1"), ("0", "0"), ("6", "-2"), ("8", "0")).Count);
+        Assert.Equal(3, Outline(("0", "0"), ("1", "-1"), ("6", "-2"), ("8", "")).Count);
+
+        IReadOnlyList<Geometry.Point2> Outline(params (string X, string Y)[] at) => PartDrawing.Of(draft.WithFeature(0, f => f with
+        {
+            Flanks = [[new("1", at[0].X, at[0].Y), new("2", at[1].X, at[1].Y)], [new("3", at[2].X, at[2].Y), new("4", at[3].X, at[3].Y)]],
+        })).Lines[0].Outline;
+    }
+
+    [Fact]
     public Task It_looks_right() => At(seat =>
     {
         var pictures = new Pictures(seat.Seat.RunCell());
