@@ -88,7 +88,7 @@ public sealed class GapPlot : PlotArea
             Line(context, pen, line, view);
         }
 
-        var labels = new PlotLabels(Drawing.Part.Concat(Drawing.Counterpart).Select(l => (IReadOnlyList<Point>)[.. l.Select(p => view.At(p))]), [.. Drawing.Points.Select(p => view.At(p.At))], DrawnSizes.Dot);
+        var labels = new PlotLabels(Drawing.Part.Concat(Drawing.Counterpart).Select(l => (IReadOnlyList<Point>)[.. l.Select(p => view.At(p))]), [.. Drawing.Points.Select(p => view.At(p.At))], DrawnSizes.Dot, Free);
 
         // Where there is not room for all, those are named that ask for it.
         foreach (var (name, at, _, _, _) in Drawing.Points.OrderByDescending(p => p.IsOutside))

@@ -71,14 +71,14 @@ public sealed class PartPlot : PlotArea
             Line(context, pen, line.Outline, view);
         }
 
-        var labels = new PlotLabels(Drawing.Lines.Select(l => (IReadOnlyList<Point>)[.. l.Outline.Select(p => view.At(p))]), [.. _points.Select(p => view.At(p.At))], DrawnSizes.Dot);
+        var labels = new PlotLabels(Drawing.Lines.Select(l => (IReadOnlyList<Point>)[.. l.Outline.Select(p => view.At(p))]), [.. _points.Select(p => view.At(p.At))], DrawnSizes.Dot, Free);
         _leftOut.Clear();
         foreach (var (label, at) in _points)
         {
             Write(context, labels, label, isName: false, view.At(at));
         }
 
-        // At its line and not at one of its points: in its middle, or else where there is room.
+        // Names last: a label belongs to its dot, and a name can stand anywhere along its feature: in its middle, or else where there is room.
         foreach (var line in Drawing.Lines.Where(l => l.Outline.Count > 0))
         {
             Write(context, labels, line.Name, isName: true, [.. NameShares.Select(s => view.At(line.At(s)))]);
@@ -97,7 +97,7 @@ public sealed class PartPlot : PlotArea
     private void Write(DrawingContext context, PlotLabels labels, string words, bool isName, params Point[] places)
     {
         var text = Label(words, isStrong: isName);
-        if (places.Select(p => labels.Place(text, p, DrawnSizes.LabelAway, isBelow: isName)).FirstOrDefault(r => r is not null) is { } room)
+        if (places.Select(p => labels.Place(text, p, DrawnSizes.LabelAway, isName)).FirstOrDefault(r => r is not null) is { } room)
         {
             Words(context, text, room);
         }

@@ -154,6 +154,9 @@ public abstract partial class PlotArea : Control, IDrawnWords
     /// <summary>Room at the right that the buttons take, with what is free around them.</summary>
     protected double ButtonsRoom => _buttons.DesiredSize.Width;
 
+    /// <summary>Where a label may stand: not below the buttons.</summary>
+    protected Rect Free => new(0, 0, Math.Max(0, Bounds.Width - ButtonsRoom), Bounds.Height);
+
     /// <summary>How many data there are that can be asked for one after the other.</summary>
     protected virtual int DatumCount => 0;
 
@@ -267,6 +270,17 @@ public abstract partial class PlotArea : Control, IDrawnWords
 
     /// <summary>True if lines of the drawing lead through a box: what stands there hides them.</summary>
     protected virtual bool IsDrawnIn(PlotBox box) => false;
+
+    /// <summary>Draws a label where it found room, with the line that leads to it where it stands away.</summary>
+    private protected void Words(DrawingContext context, FormattedText text, LabelRoom room)
+    {
+        if (room.Leader is var (from, to))
+        {
+            context.DrawLine(new Pen(Rule, DrawnSizes.Thin), from, to);
+        }
+
+        Words(context, text, room.Corner);
+    }
 
     /// <summary>Draws words on a ground of their own: a line behind them does not cross them out.</summary>
     protected void Words(DrawingContext context, FormattedText text, Point at)
