@@ -43,6 +43,9 @@ public sealed class VerificationTests
         Assert.Equal("81 %", detail.Features.Single(f => f.Feature == "L1-L2").Improvement);
         Assert.Equal(console.Result.Points.Select(p => (double?)Math.Round(p.AfterError.NormalMm, 9)), detail.Errors.Lines.Single(l => l.Kind == SeriesKind.After).Values.Select(v => (double?)Math.Round(v!.Value, 9)));
 
+        // A line leads along a feature and not on to the next one.
+        Assert.Equal(["2a", "5"], detail.Errors.Beginnings.Where(b => b < detail.Points.Count).Order().Select(b => detail.Errors.Labels[b]));
+
         // The job allows 0.05 mm to either side; the paper's corner is off by 0.391.
         Assert.All(detail.Points, p => Assert.Equal(("−0.0500", "+0.0500"), (p.Low, p.High)));
         Assert.True(detail.Points.Single(p => p.Point == "4").IsOutside);
@@ -130,6 +133,9 @@ public sealed class VerificationTests
         var plot = (SeriesPlot)seat.See("plot-errors");
         var places = plot.Drawing!.Lines.SelectMany(l => l.Values.Select((v, i) => plot.View.ToScreen(new(i, v ?? 0))));
         Assert.All(places, p => Assert.True(plot.Inside.Deflate(5).Contains(new Avalonia.Point(p.X, p.Y)), $"A mark at {p} is cut off at {plot.Inside}."));
+
+        // Between the last point of a feature and the first one of the next nothing is drawn, and between two of the same something is.
+        Assert.Equal([true, false, true], new[] { 0, 1, 2 }.Select(i => IsJoined(seat, plot, i)));
         var row = ((VerificationViewModel)seat.Shell.Current!).Detail!.Points[6];
         var at = plot.View.ToScreen(new(6, 0));
         seat.User.Click(plot, new(at.X + 3, at.Y - 20));
@@ -212,6 +218,15 @@ public sealed class VerificationTests
     private static HashSet<string> Words(SeriesPlot plot) => [.. ((IDrawnWords)plot).DrawnWords.Select(d => d.Words)];
 
     // What the verb verify of the console calls, of the sample's files.
+    // Something in the color of a line in the middle between a place and the next.
+    private static bool IsJoined(Seat seat, SeriesPlot plot, int place)
+    {
+        var color = ((Avalonia.Media.ISolidColorBrush)plot.AfterBrush!).Color;
+        var x = plot.View.ToScreen(new(place + 0.5, 0)).X;
+        return Enumerable.Range((int)plot.Inside.Top, (int)plot.Inside.Height).Any(y => Avalonia.VisualExtensions.TranslatePoint(plot, new(x, y), seat.Window)!.Value is var at
+            && seat.User.PixelAt(new((int)at.X, (int)at.Y)) is var p && Math.Abs(p.R - color.R) + Math.Abs(p.G - color.G) + Math.Abs(p.B - color.B) < 12);
+    }
+
     private static VerifyReport Console()
     {
         var folder = Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating");

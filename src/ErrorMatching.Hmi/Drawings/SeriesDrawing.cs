@@ -10,6 +10,9 @@ namespace ErrorMatching.Hmi;
 /// <param name="IsMagnitude">True if they have no sign.</param>
 public sealed record SeriesDrawing(IReadOnlyList<string> Labels, IReadOnlyList<string> Values, IReadOnlyList<SeriesLine> Lines, IReadOnlyList<SeriesBand> Bands, IReadOnlyList<bool> IsHollow, string Unit = "mm", bool IsMagnitude = false)
 {
+    /// <summary>Places that no line leads to from the place before, such as the first of a feature.</summary>
+    public IReadOnlySet<int> Beginnings { get; init; } = new HashSet<int>();
+
     /// <summary>How much there is: half a place on either side, zero, all values and all limits.</summary>
     public PlotBox Extent
     {

@@ -127,7 +127,19 @@ public sealed class SeriesPlot : PlotArea
     }
 
     /// <inheritdoc/>
-    protected override bool IsDrawnIn(PlotBox box) => Drawing!.Lines.Any(l => Enumerable.Range(1, Math.Max(0, l.Values.Count - 1)).Any(i => l.Values[i - 1] is { } from && l.Values[i] is { } to && box.PartOf(new(i - 1, from), new(i, to)) is not null));
+    protected override bool IsDrawnIn(PlotBox box) => Drawing!.Lines.Any(l => Pieces(l).Any(p => box.PartOf(p.From, p.To) is not null));
+
+    // Between neighbors that belong to each other.
+    private IEnumerable<(Point2 From, Point2 To)> Pieces(SeriesLine line)
+    {
+        for (var i = 1; i < line.Values.Count; i++)
+        {
+            if (!Drawing!.Beginnings.Contains(i) && line.Values[i - 1] is { } from && line.Values[i] is { } to)
+            {
+                yield return (new(i - 1, from), new(i, to));
+            }
+        }
+    }
 
     private static Point To(PlotView view, double index, double value)
     {
@@ -200,12 +212,9 @@ public sealed class SeriesPlot : PlotArea
     private void Line(DrawingContext context, PlotView view, SeriesLine line)
     {
         var pen = PenOf(line.Kind);
-        for (var i = 1; i < line.Values.Count; i++)
+        foreach (var (from, to) in Pieces(line))
         {
-            if (line.Values[i - 1] is { } from && line.Values[i] is { } to)
-            {
-                context.DrawLine(pen, To(view, i - 1, from), To(view, i, to));
-            }
+            context.DrawLine(pen, view.At(from), view.At(to));
         }
 
         for (var i = 0; i < line.Values.Count; i++)

@@ -140,14 +140,14 @@ public sealed class PieceDetail
     private SeriesDrawing ErrorsOf()
     {
         var (texts, points) = (Texts.Current, _piece.Result.Points);
-        var bands = new List<SeriesBand>();
+        var (bands, beginnings) = (new List<SeriesBand>(), new HashSet<int>());
         for (var (i, first) = (0, 0); i < points.Count; i++)
         {
             var band = _piece.BandOf(points[i].Label);
             if (i + 1 == points.Count || _piece.BoundaryOf(points[i + 1].Label)?.Name != _piece.BoundaryOf(points[i].Label)?.Name)
             {
                 bands.AddRange(band is { } limits ? [new SeriesBand(first, i, limits.LowerMm, limits.UpperMm)] : Array.Empty<SeriesBand>());
-                first = i + 1;
+                beginnings.Add(first = i + 1);
             }
         }
 
@@ -159,7 +159,10 @@ public sealed class PieceDetail
                 new(SeriesKind.After, texts[_piece.IsMeasured ? "Verify.LineAfter" : "Verify.LineAfterPredicted"], [.. points.Select(p => (double?)p.AfterError.NormalMm)]),
             ],
             bands,
-            []);
+            [])
+        {
+            Beginnings = beginnings,
+        };
     }
 
     private static SeriesDrawing TrendOf(IReadOnlyList<KeptPiece> series)
