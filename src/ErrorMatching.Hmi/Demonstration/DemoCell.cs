@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Cell;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
@@ -81,7 +82,7 @@ public sealed class DemoCell : IAsyncDisposable
     /// <param name="spread">How far its points lie from those of the sample at most, in mm; 0 is the sample's part.</param>
     public void Deliver(int serial, double spread) => Drop(0, "part", serial, DemoPart.Near(Sample("complex-mating", "part.csv"), serial, spread));
 
-    /// <summary>Drops the measured counterpart that was cut for a part: about as far from it as the sample's is from the sample's part.</summary>
+    /// <summary>Drops a measured counterpart that is about as far from a part as the sample's is from the sample's part, whatever was cut.</summary>
     /// <param name="serial">Serial number of the part.</param>
     /// <param name="spread">As it was delivered with.</param>
     public void DeliverCounterpart(int serial, double spread)
@@ -89,9 +90,15 @@ public sealed class DemoCell : IAsyncDisposable
         var part = Sample("complex-mating", "part.csv");
         var fits = DemoPart.Counterpart(DemoPart.Near(part, serial, spread), Sample("complex-mating", "counterpart-after.csv"), part);
 
-        // A machine repeats better than parts are alike.
         Drop(0, "counterpart", serial, DemoPart.Near(fits, ~serial, spread / 4));
     }
+
+    /// <summary>Drops the measured counterpart that a program cut.</summary>
+    /// <param name="serial">Serial number of the part.</param>
+    /// <param name="spread">How far its points lie from where the program leads at most, in mm.</param>
+    /// <param name="cut">Where the program leaves the key points, by label, mm.</param>
+    public void DeliverCounterpart(int serial, double spread, IReadOnlyDictionary<string, Point2> cut) =>
+        Drop(0, "counterpart", serial, DemoPart.Near(DemoPart.At(Sample("complex-mating", "counterpart-after.csv"), cut), ~serial, spread));
 
     /// <summary>Drops a measured surface into its gauge's folder, whole.</summary>
     /// <param name="serial">Its serial number.</param>

@@ -9,7 +9,8 @@ namespace ErrorMatching.Hmi;
 public sealed class DemoDay(DemoCell cell, TimeProvider clock)
 {
     private const int MostWaiting = 3;
-    internal const double SpreadMm = 0.003, SurfaceSpreadMm = 0.0005;
+    // A machine repeats better than parts are alike.
+    internal const double SpreadMm = 0.003, SurfaceSpreadMm = 0.0005, CutSpreadMm = SpreadMm / 4;
     private static readonly TimeSpan First = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan Look = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan BetweenParts = TimeSpan.FromSeconds(40);
@@ -78,24 +79,25 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
             await Task.Delay(TimeSpan.FromSeconds(1), clock, end);
             foreach (var held in store.InState(CorrectionState.Verified).Where(c => clock.GetUtcNow() - c.ChangedAt >= Cutting))
             {
-                Measure(held);
+                Measure(store, held);
                 cell.FinishPiece(held.Machine);
             }
 
             // Somebody at the screen said that it is cut.
             foreach (var cut in store.InState(CorrectionState.Released))
             {
-                Measure(cut);
+                Measure(store, cut);
             }
         }
     }
 
-    // Whoever measured the part measures the counterpart that was cut for it, once.
-    private void Measure(Correction cut)
+    // Whoever measured the part measures the counterpart that was cut for it, once: what the program that was sent cuts, so that whoever set the job up sees what comes of it.
+    private void Measure(CellStore store, Correction cut)
     {
-        if (cut is { Piece: "part", Serial: { } serial } && int.TryParse(serial, NumberStyles.None, CultureInfo.InvariantCulture, out var number) && _measured.Add(number))
+        if (cut is { Piece: "part", Serial: { } serial, ReportSha256: { } report } && int.TryParse(serial, NumberStyles.None, CultureInfo.InvariantCulture, out var number)
+            && KeptReport.Read(store.Content(report)) is { } match && _measured.Add(number))
         {
-            cell.DeliverCounterpart(number, SpreadOf(number));
+            cell.DeliverCounterpart(number, CutSpreadMm, KeptPiece.Predicted(cut, match).Result.Points.ToDictionary(p => p.Label, p => p.After, StringComparer.Ordinal));
         }
     }
 

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
@@ -31,6 +32,15 @@ internal static class DemoPart
     {
         var (parts, others) = (Rows(part), Rows(of));
         return Each(like, (row, column, value) => value + Number(parts[row][column]) - Number(others[row][column]));
+    }
+
+    /// <summary>A measurement whose points lie elsewhere.</summary>
+    /// <param name="like">The measurement.</param>
+    /// <param name="places">Where its points lie, by label, mm; a point that is not there stays.</param>
+    public static string At(string like, IReadOnlyDictionary<string, Point2> places)
+    {
+        var rows = Rows(like);
+        return Each(like, (row, column, value) => !places.TryGetValue(rows[row][0], out var place) ? value : column == 1 ? place.X : place.Y);
     }
 
     private static string Each(string csv, Func<int, int, double, double> change)
