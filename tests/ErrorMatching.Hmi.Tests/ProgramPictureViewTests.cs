@@ -4,6 +4,7 @@ using Avalonia.Automation;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
+using ErrorMatching.Geometry;
 using ErrorMatching.Hmi.Cairo;
 using ErrorMatching.Nc;
 using ErrorMatching.Testing;
@@ -186,6 +187,29 @@ public sealed class ProgramPictureViewTests
         view.Text.Offset = new(0, 1000);
         view.Picture.Feature = "L1";
         Assert.InRange(view.RowOf("N60").Y, 0, view.Text.Bounds.Height);
+    });
+
+    [Fact]
+    public Task Key_points_are_drawn_where_they_lie_in_the_program_and_those_that_blocks_are_picked_for_stand_out() => At(Sample(), view =>
+    {
+        var (point, other) = (new Point2(-31.95, 70), new Point2(-36.62, 19.803));
+        Assert.False(view.HasInk(view.Path.View.At(point)));
+        view.Picture.Feature = "L1";
+        view.Picture.Points = [new("L1", "1", CoordinatePlane.XY, point), new("C1", "8", CoordinatePlane.XY, other)];
+        view.User.Settle();
+        Assert.True(view.Path.ShowsAll);
+        Assert.True(view.HasInk(view.Path.View.At(point)), "The point is not drawn.");
+        Assert.False(view.HasInk(view.Path.View.At(other)), "The other one stands out.");
+        view.Picture.Feature = "C1";
+        view.User.Settle();
+        Assert.True(view.HasInk(view.Path.View.At(other)), "The other one is not drawn.");
+        Assert.False(view.HasInk(view.Path.View.At(point)), "It stands out still.");
+
+        // What lies elsewhere is no reason to see the path small.
+        var scale = view.Path.View.ScaleX;
+        view.Picture.Points = [new("L1", "1", CoordinatePlane.XY, new(4000, 4000))];
+        view.User.Settle();
+        Assert.InRange(view.Path.View.ScaleX, 0.9 * scale, 1.2 * scale);
     });
 
     private static OpenedProgram Sample() => OpenedProgram.Read(File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")), NcDialects.DeltaNc300, TestContext.Current.CancellationToken);

@@ -239,17 +239,7 @@ public sealed class SeriesPlot : PlotArea
                 context.DrawEllipse(fill, pen, at, size, size);
                 break;
             case SeriesKind.After:
-                var (diamond, reach) = (new StreamGeometry(), size + DrawnSizes.DiamondMore);
-                using (var figure = diamond.Open())
-                {
-                    figure.BeginFigure(new(at.X, at.Y - reach), isFilled: true);
-                    figure.LineTo(new(at.X + reach, at.Y));
-                    figure.LineTo(new(at.X, at.Y + reach));
-                    figure.LineTo(new(at.X - reach, at.Y));
-                    figure.EndFigure(isClosed: true);
-                }
-
-                context.DrawGeometry(fill, pen, diamond);
+                Diamond(context, fill, pen, at, size + DrawnSizes.DiamondMore);
                 break;
             default:
                 context.DrawRectangle(BrushOf(kind), null, new Rect(at, default(Size)).Inflate(DrawnSizes.MeanMark));

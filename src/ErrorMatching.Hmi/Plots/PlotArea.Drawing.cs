@@ -102,6 +102,28 @@ public abstract partial class PlotArea
         }
     }
 
+    /// <summary>Draws a diamond.</summary>
+    /// <param name="context">Where to draw.</param>
+    /// <param name="fill">What is in it.</param>
+    /// <param name="pen">Its border; null for none.</param>
+    /// <param name="at">Its middle, in units of the screen.</param>
+    /// <param name="reach">How far its corners are from there.</param>
+    protected static void Diamond(DrawingContext context, IBrush? fill, Pen? pen, Point at, double reach)
+    {
+        ArgumentNullException.ThrowIfNull(context);
+        var diamond = new StreamGeometry();
+        using (var figure = diamond.Open())
+        {
+            figure.BeginFigure(new(at.X, at.Y - reach), isFilled: true);
+            figure.LineTo(new(at.X + reach, at.Y));
+            figure.LineTo(new(at.X, at.Y + reach));
+            figure.LineTo(new(at.X - reach, at.Y));
+            figure.EndFigure(isClosed: true);
+        }
+
+        context.DrawGeometry(fill, pen, diamond);
+    }
+
     // All that is drawn so goes into one picture, which is laid over the rest: one is much for a processor that draws by itself.
     private void ByPixel(PlotView view, Action<PixelCanvas> paint)
     {

@@ -8,13 +8,16 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>Draws the path of a program; a tap lights a move and its block.</summary>
 /// <remarks>Up to <see cref="MostShapes"/> pieces that are seen are drawn as shapes; more of them pixel by pixel into one picture, so that a frame costs what the screen costs and not what the program costs.</remarks>
-public sealed class PathPlot : PlotArea
+public sealed partial class PathPlot : PlotArea
 {
     /// <summary>The program.</summary>
     public static readonly StyledProperty<ProgramPicture?> PictureProperty = AvaloniaProperty.Register<PathPlot, ProgramPicture?>(nameof(Picture));
 
     /// <summary>What is chosen.</summary>
     public static readonly StyledProperty<IBrush?> ChosenBrushProperty = AvaloniaProperty.Register<PathPlot, IBrush?>(nameof(ChosenBrush));
+
+    /// <summary>What belongs to features that blocks are not picked for.</summary>
+    public static readonly StyledProperty<IBrush?> QuietBrushProperty = AvaloniaProperty.Register<PathPlot, IBrush?>(nameof(QuietBrush));
 
     /// <summary>Most pieces that are drawn as shapes.</summary>
     public const int MostShapes = 1500;
@@ -25,7 +28,7 @@ public sealed class PathPlot : PlotArea
     private PathFrame? _wanted, _painting, _painted;
     private bool _isSeen;
 
-    static PathPlot() => AffectsRender<PathPlot>(ChosenBrushProperty);
+    static PathPlot() => AffectsRender<PathPlot>(ChosenBrushProperty, QuietBrushProperty);
 
     /// <summary>The program.</summary>
     public ProgramPicture? Picture
@@ -41,6 +44,13 @@ public sealed class PathPlot : PlotArea
         set => SetValue(ChosenBrushProperty, value);
     }
 
+    /// <summary>What belongs to features that blocks are not picked for.</summary>
+    public IBrush? QuietBrush
+    {
+        get => GetValue(QuietBrushProperty);
+        set => SetValue(QuietBrushProperty, value);
+    }
+
     /// <summary>True if the last frame was drawn pixel by pixel.</summary>
     internal bool IsByPixel { get; private set; }
 
@@ -48,7 +58,7 @@ public sealed class PathPlot : PlotArea
     public Task Painting { get; private set; } = Task.CompletedTask;
 
     /// <inheritdoc/>
-    protected override PlotBox Extent => Picture?.Program.Moves.Extent ?? PlotBox.Empty;
+    protected override PlotBox Extent => Picture is not { Program.Moves.Extent: var path } ? PlotBox.Empty : PlotBox.Of(Picture.Points.Select(p => p.At)) is var points && points.Touches(path) ? path.With(points) : path;
 
     /// <inheritdoc/>
     protected override int DatumCount => Picture?.Program.Moves.Count ?? 0;
@@ -119,7 +129,7 @@ public sealed class PathPlot : PlotArea
     {
         var (width, height) = ((box.Right - box.Left) * View.ScaleX, (box.High - box.Low) * View.ScaleY);
         var (room, view) = (new PlotBox(0, 0, width, height), View with { Middle = box.Middle, Width = width, Height = height });
-        return Picture is { Program.Moves: var moves } && !moves.Strokes(view, Pixel, s => room.PartOf(new(s.X1, s.Y1), new(s.X2, s.Y2)) is null);
+        return Picture is { Program.Moves: var moves } && (Picture.Points.Any(p => box.Contains(p.At)) || !moves.Strokes(view, Pixel, s => room.PartOf(new(s.X1, s.Y1), new(s.X2, s.Y2)) is null));
     }
 
     /// <inheritdoc/>
@@ -182,19 +192,24 @@ public sealed class PathPlot : PlotArea
 
     private void Follow(object? sender, System.ComponentModel.PropertyChangedEventArgs e)
     {
-        if (e.PropertyName is nameof(ProgramPicture.Selection) or nameof(ProgramPicture.Marks))
+        switch (e.PropertyName)
         {
-            if (e.PropertyName == nameof(ProgramPicture.Selection))
-            {
+            case nameof(ProgramPicture.Selection):
                 Light();
-            }
-            else
-            {
+                break;
+            case nameof(ProgramPicture.Marks):
                 Sort();
-            }
-
-            InvalidateVisual();
+                break;
+            case nameof(ProgramPicture.Points):
+                Renew([]);
+                break;
+            case nameof(ProgramPicture.Feature):
+                break;
+            default:
+                return;
         }
+
+        InvalidateVisual();
     }
 
     // What is chosen is seen; values of another move are not shown any more.
@@ -311,42 +326,6 @@ public sealed class PathPlot : PlotArea
             _layer.Take();
             _painted = frame;
             InvalidateVisual();
-        }
-    }
-
-    // The name of each feature beside the middle of its blocks.
-    private void DrawLabels(DrawingContext context, PlotView view, OpenedProgram program)
-    {
-        foreach (var mark in Picture!.Marks)
-        {
-            foreach (var range in mark.Ranges.Take(1))
-            {
-                if (program.MotionsOf(range) is var (first, last) && program.Moves.EndsOf((first + last) / 2) is var (from, to))
-                {
-                    var text = Label(mark.Name, isStrong: true);
-                    var at = view.At(from.Lerp(to, 0.5)) + new Point(DrawnSizes.LabelAway, -text.Height / 2);
-                    context.FillRectangle(Ground!, new Rect(at, new Size(text.Width, text.Height)));
-                    context.DrawText(text, at);
-                }
-            }
-        }
-    }
-
-    // A ring where what is chosen begins, a dot where it ends.
-    private void DrawEnds(DrawingContext context, PlotView view, OpenedProgram program)
-    {
-        if (Picture!.Selection is { } range && program.MotionsOf(range) is var (first, last))
-        {
-            var pen = new Pen(ChosenBrush, DrawnSizes.Thick);
-            if (program.Moves.EndsOf(first) is var (from, _))
-            {
-                context.DrawEllipse(Ground, pen, view.At(from), DrawnSizes.Ring, DrawnSizes.Ring);
-            }
-
-            if (program.Moves.EndsOf(last) is var (_, to))
-            {
-                context.DrawEllipse(ChosenBrush, null, view.At(to), DrawnSizes.Dot, DrawnSizes.Dot);
-            }
         }
     }
 }

@@ -15,6 +15,7 @@ public sealed class ProgramPicture : Observable
     private bool _isMoving;
     private bool _isNaming;
     private IReadOnlyList<FeatureMark> _marks = [];
+    private IReadOnlyList<DraftPlace> _points = [];
     private string? _feature;
     private string? _message;
     private bool _isReadOnly;
@@ -64,6 +65,13 @@ public sealed class ProgramPicture : Observable
                 SayChoice();
             }
         }
+    }
+
+    /// <summary>Where the key points of the features lie in the program; none where that is not known.</summary>
+    public IReadOnlyList<DraftPlace> Points
+    {
+        get => _points;
+        set => Set(ref _points, value);
     }
 
     /// <summary>The feature that blocks are picked for; null if they are only looked at.</summary>

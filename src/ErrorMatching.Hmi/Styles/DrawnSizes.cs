@@ -42,6 +42,9 @@ internal static class DrawnSizes
     /// <summary>How much further the corners of a diamond reach than a circle that looks as large.</summary>
     public const double DiamondMore = 1;
 
+    /// <summary>Half of a mark that others stand out from.</summary>
+    public const double QuietMark = 3.5;
+
     /// <summary>Half of a mark of a second figure.</summary>
     public const double MeanMark = 2;
 

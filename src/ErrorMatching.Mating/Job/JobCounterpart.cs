@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Mating;
 
@@ -13,4 +14,11 @@ public sealed record JobCounterpart(string Program, string Dialect, double ToolD
 {
     /// <summary>The default of <see cref="MapMm"/>.</summary>
     public const double DefaultMapMm = 0.5;
+
+    /// <summary>Where a point of the part lies in the program, mm, in the axis order of a plane.</summary>
+    /// <param name="point">The point as designed.</param>
+    /// <param name="plane">The plane of its feature.</param>
+    /// <param name="file">File of the point, for messages.</param>
+    /// <exception cref="MeasurementException">The plane is not XY and the point has no Z (<see cref="MeasurementError.MissingCoordinate"/>).</exception>
+    public Point2 PlaceOf(LabelledPoint point, CoordinatePlane plane, string file) => Frame.Apply(ProjectedPoint.Of(point, plane, file).Position);
 }

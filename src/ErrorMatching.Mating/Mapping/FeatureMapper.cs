@@ -90,7 +90,7 @@ internal static class FeatureMapper
             var feet = new List<KeyPointFoot>();
             foreach (var label in feature.Points)
             {
-                var point = job.Counterpart.Frame.Apply(ProjectedPoint.Of(theoretical[label], feature.Plane, theoretical.File).Position);
+                var point = job.Counterpart.PlaceOf(theoretical[label], feature.Plane, theoretical.File);
                 var refusal = Foot(job, path, feature, label, point, first, last, out var foot);
                 if (refusal is not null)
                 {

@@ -341,6 +341,20 @@ public sealed class SystemSetupTests
     });
 
     [Fact]
+    public Task The_path_shows_the_key_points_where_the_frame_puts_them() => At(seat =>
+    {
+        seat.Seat.Tap("side-blocks");
+        seat.Seat.WaitFor(() => seat.System.Picture?.Points.Count == 16, "The points are not drawn.");
+        Assert.Equal(("L1", "1", new Geometry.Point2(-31.95, 76.008)), seat.System.Picture!.Points[0] is var p ? (p.Feature, p.Label, p.At) : default);
+        seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Blocks = "" }) with { Name = "", Counterpart = d.Counterpart with { TranslateX = "100" } });
+        seat.Settle();
+        seat.Seat.WaitFor(() => seat.System.Picture.Points[0].At == new Geometry.Point2(68.05, 76.008), "They are not moved.");
+        seat.Shell.Editing.Change("", d => d with { Counterpart = d.Counterpart with { Rotate = "x" } });
+        seat.Settle();
+        seat.Seat.WaitFor(() => seat.System.Picture.Points.Count == 0, "They are drawn in a wrong frame.");
+    });
+
+    [Fact]
     public Task It_looks_right() => At(seat =>
     {
         var pictures = new Pictures(seat.Seat.RunCell());
@@ -357,6 +371,13 @@ public sealed class SystemSetupTests
         var text = (ProgramText)seat.Seat.See("program-text");
         Assert.DoesNotContain(seat.System.Picture.Cursor, text.RowsCut);
         Assert.Equal("N140 G3 X-48.334 Y48.745 I2.941 J-5.23", seat.TextOf("program-line"));
+
+        // Blocks that are still to be picked, beside the points that they are to cut.
+        seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Blocks = "" }).WithFeature(1, f => f with { Blocks = "" }).WithFeature(2, f => f with { Blocks = "" }));
+        seat.Settle();
+        pictures.Take("system-blocks-anew", isPictured: false);
+        seat.Shell.Editing.DiscardChanges.Execute(null);
+        seat.Settle();
 
         seat.Shell.Editing.Change("", d => d with { Chain = [new("housing", "17.5", "-0.03", "0.03"), new("cover", "15", "0.02", "x", "-1")], Alignment = new("best-fit"), Compensation = d.Compensation with { From = "counterpart" } });
         seat.Settle();

@@ -89,18 +89,20 @@ public sealed partial class SystemViewModel
     // One after the other, so that the last marks are those of the last draft.
     private void Mark(ProgramPicture picture, MatingDraft draft)
     {
-        var marked = string.Join('\n', draft.Features.Select(f => $"{f.Name}: {f.Blocks}"));
+        var marked = string.Join('\n', draft.Features.Select(f => $"{f.Name}: {f.Blocks}; {f.Plane} {string.Join(' ', f.Points)}").Append($"{draft.Counterpart}"));
         if (marked != _marked)
         {
             _marked = marked;
-            _marking = MarkAsync(_marking, picture, [.. draft.Features.Where(f => f.Blocks.Length > 0).Select(f => new FeatureBlocks(f.Name, f.BlockList))]).Watched();
+            _marking = MarkAsync(_marking, picture, draft).Watched();
         }
     }
 
-    private static async Task MarkAsync(Task before, ProgramPicture picture, FeatureBlocks[] features)
+    private static async Task MarkAsync(Task before, ProgramPicture picture, MatingDraft draft)
     {
         await before;
-        await picture.MarkAsync(features);
+        await picture.MarkAsync([.. draft.Features.Where(f => f.Blocks.Length > 0).Select(f => new FeatureBlocks(f.Name, f.BlockList))]);
+        var plane = picture.Program.Moves.Plane;
+        picture.Points = await Task.Run(() => MatingDraftPlaces.Of(draft).Where(p => p.Plane == plane).ToArray());
     }
 
     private void TakeBlocks(RangeChoice choice)

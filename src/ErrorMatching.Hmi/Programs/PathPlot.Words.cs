@@ -1,0 +1,92 @@
+using Avalonia;
+using Avalonia.Media;
+using ErrorMatching.Geometry;
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Hmi;
+
+/// <content>What is written and marked over the path: features with their key points, and the ends of what is chosen.</content>
+public sealed partial class PathPlot
+{
+    // What blocks are picked for is written first, so that it has room before all else; of the rest, what would hide the path is left out.
+    private void DrawLabels(DrawingContext context, PlotView view, OpenedProgram program)
+    {
+        var points = Picture!.Points.Where(p => view.Seen.Contains(p.At)).OrderByDescending(p => IsStrong(p.Feature)).ToArray();
+        var labels = new PlotLabels(_strokes.Select(s => (IReadOnlyList<Point>)[new(s.X1, s.Y1), new(s.X2, s.Y2)]), [.. points.Select(p => view.At(p.At))], DrawnSizes.Dot, Free);
+        foreach (var point in points.Where(p => IsStrong(p.Feature)))
+        {
+            Write(context, labels, point.Label, view.At(point.At), isStrong: true, isName: false);
+        }
+
+        foreach (var (name, at) in NamesOf(program).OrderByDescending(n => IsStrong(n.Name)))
+        {
+            Write(context, labels, name, view.At(at), IsStrong(name), isName: true);
+        }
+
+        foreach (var point in points.Where(p => !IsStrong(p.Feature)))
+        {
+            Write(context, labels, point.Label, view.At(point.At), isStrong: false, isName: false);
+        }
+
+        // Over the ground of words beside them.
+        foreach (var point in points)
+        {
+            Diamond(context, IsStrong(point.Feature) ? Ink : QuietBrush, null, view.At(point.At), IsStrong(point.Feature) ? DrawnSizes.Mark : DrawnSizes.QuietMark);
+        }
+    }
+
+    // A feature is named at the middle of its blocks, and where it has none yet, in the middle of its points.
+    private IEnumerable<(string Name, Point2 At)> NamesOf(OpenedProgram program)
+    {
+        var named = new HashSet<string>(StringComparer.Ordinal);
+        foreach (var mark in Picture!.Marks)
+        {
+            if (mark.Ranges.Count > 0 && program.MotionsOf(mark.Ranges[0]) is var (first, last) && program.Moves.EndsOf((first + last) / 2) is var (from, to))
+            {
+                named.Add(mark.Name);
+                yield return (mark.Name, from.Lerp(to, 0.5));
+            }
+        }
+
+        foreach (var feature in Picture.Points.GroupBy(p => p.Feature, StringComparer.Ordinal).Where(f => !named.Contains(f.Key)))
+        {
+            Point2[] places = [.. feature.Select(p => p.At)];
+            yield return (feature.Key, places[(places.Length - 1) / 2].Lerp(places[places.Length / 2], 0.5));
+        }
+    }
+
+    // Where blocks are picked for nothing, all features are looked at.
+    private bool IsStrong(string feature) => Picture!.Feature is not { } picked || picked == feature;
+
+    private void Write(DrawingContext context, PlotLabels labels, string words, Point at, bool isStrong, bool isName)
+    {
+        var text = Label(words, isStrong: isName || (isStrong && Picture!.Feature is not null));
+        if (!isStrong && QuietBrush is { } quiet)
+        {
+            text.SetForegroundBrush(quiet);
+        }
+
+        if (labels.Place(text, at, DrawnSizes.LabelAway, isName, isSpare: !isStrong && !isName) is { } room)
+        {
+            Words(context, text, room);
+        }
+    }
+
+    // A ring where what is chosen begins, a dot where it ends.
+    private void DrawEnds(DrawingContext context, PlotView view, OpenedProgram program)
+    {
+        if (Picture!.Selection is { } range && program.MotionsOf(range) is var (first, last))
+        {
+            var pen = new Pen(ChosenBrush, DrawnSizes.Thick);
+            if (program.Moves.EndsOf(first) is var (from, _))
+            {
+                context.DrawEllipse(Ground, pen, view.At(from), DrawnSizes.Ring, DrawnSizes.Ring);
+            }
+
+            if (program.Moves.EndsOf(last) is var (_, to))
+            {
+                context.DrawEllipse(ChosenBrush, null, view.At(to), DrawnSizes.Dot, DrawnSizes.Dot);
+            }
+        }
+    }
+}
