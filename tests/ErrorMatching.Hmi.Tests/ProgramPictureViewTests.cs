@@ -212,6 +212,22 @@ public sealed class ProgramPictureViewTests
         Assert.InRange(view.Path.View.ScaleX, 0.9 * scale, 1.2 * scale);
     });
 
+    [Fact]
+    public Task The_box_of_values_hides_nothing_of_the_path_where_the_plot_is_narrow() => At(Sample(), view =>
+    {
+        view.Window.Width = 1030;
+        view.Window.Height = 480;
+        view.User.Settle();
+        foreach (var name in new[] { "N120", "N140", "N160", "N700", "N1190" })
+        {
+            view.User.Click(view.Path, view.MiddleOf(name));
+            Assert.StartsWith(name + "\n", view.Path.Values, StringComparison.Ordinal);
+            var room = view.Path.ValuesRoom;
+            Assert.True(new Rect(view.Path.Bounds.Size).Contains(room), $"{name} leaves the plot.");
+            Assert.DoesNotContain(view.Ends(), p => room.Contains(p));
+        }
+    });
+
     private static OpenedProgram Sample() => OpenedProgram.Read(File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")), NcDialects.DeltaNc300, TestContext.Current.CancellationToken);
 
     private static OpenedProgram Million()
@@ -269,6 +285,9 @@ public sealed class ProgramPictureViewTests
             var (from, to) = program.Moves.EndsOf(motion)!.Value;
             return Path.View.At(program.Moves.NearestOn(motion, from.Lerp(to, 0.5)));
         }
+
+        /// <summary>Where the cuts end in the path.</summary>
+        public IEnumerable<Point> Ends() => Enumerable.Range(0, Picture.Program.Moves.Count).Where(m => Picture.Program.Path.Motions[m].IsCut).Select(m => Picture.Program.Moves.EndsOf(m)).OfType<(Point2 From, Point2 To)>().Select(e => Path.View.At(e.To));
 
         /// <summary>True if there is something in the color of what is chosen within a few pixels.</summary>
         public bool IsLit(Point at)

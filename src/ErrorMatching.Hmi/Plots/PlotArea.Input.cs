@@ -180,24 +180,38 @@ public abstract partial class PlotArea
         context.DrawLine(pen, new Point(x, 0), new Point(x, Bounds.Height));
         context.DrawLine(pen, new Point(0, y), new Point(Bounds.Width, y));
         context.DrawEllipse(null, new Pen(Ink, DrawnSizes.Line), new Point(x, y), DrawnSizes.Ring, DrawnSizes.Ring);
-        var text = Label(datum.Text);
-        var (width, height) = (text.Width + (2 * DrawnSizes.Around), text.Height + (2 * DrawnSizes.Around));
-        var box = ValuesRoom = RoomFor(new(width, height), new(x, y));
+
+        // In a narrow plot less is hidden with one value below the other.
+        FormattedText[] texts = [Label(datum.Text), Label(datum.Text.Replace("  ", "\n", StringComparison.Ordinal))];
+        var rooms = texts.Select(t => (Text: t, Box: FreeRoom(SizeOf(t), new(x, y)))).Concat(texts.Select(t => (Text: t, Box: Corner(SizeOf(t), datum)))).Append((Text: texts[1], Box: FarCorner(SizeOf(texts[1]), new(x, y))));
+        var (text, box) = rooms.Where(r => r.Box is not null).Select(r => (r.Text, r.Box!.Value)).First();
+        ValuesRoom = box;
         context.DrawRectangle(Ground, new Pen(Ink, DrawnSizes.Thin), box);
         context.DrawText(text, box.TopLeft + new Point(DrawnSizes.Around, DrawnSizes.Around));
     }
 
-    // Beside the datum, nearest first, else in a corner: where no line is hidden. Where there is no such place, as far away as there is room, for what leads through the datum is what its values are of.
-    private Rect RoomFor(Size size, Point at)
+    private static Size SizeOf(FormattedText text) => new(text.Width + (2 * DrawnSizes.Around), text.Height + (2 * DrawnSizes.Around));
+
+    // Beside the datum, nearest first, else in a corner: where no line is hidden.
+    private Rect? FreeRoom(Size size, Point at)
     {
-        var (right, low) = (Math.Max(0, Bounds.Width - ButtonsRoom - size.Width), Math.Max(0, Bounds.Height - size.Height));
+        var (right, low) = RoomsEnd(size);
         var beside = DrawnSizes.BoxAway.SelectMany(a => new[] { (1, -1), (-1, -1), (1, 1), (-1, 1) }.Select(s => new Point(
             s.Item1 > 0 ? at.X + a : at.X - a - size.Width,
             s.Item2 > 0 ? at.Y + a : at.Y - a - size.Height))).Where(p => p.X >= 0 && p.X <= right && p.Y >= 0 && p.Y <= low);
-        Point[] corners = [new(0, 0), new(0, low), new(right, low), new(right, 0)];
-        var places = beside.Concat(corners).Select(p => new Rect(p, size)).ToArray();
-        return Array.Find(places, p => !p.Contains(at) && !IsDrawnIn(BoxOf(p))) is { Width: > 0 } free ? free : new(corners.MaxBy(c => Point.Distance(new Rect(c, size).Center, at)), size);
+        var places = beside.Concat(Corners(size)).Select(p => new Rect(p, size)).ToArray();
+        return Array.Find(places, p => !p.Contains(at) && !IsDrawnIn(BoxOf(p))) is { Width: > 0 } free ? free : null;
     }
+
+    // Where there is no such place, the corner that hides nothing of what its values are of, as far away as there is room.
+    private Rect? Corner(Size size, PlotDatum datum) =>
+        Corners(size).Select(c => new Rect(c, size)).Where(c => !IsAskedIn(datum, BoxOf(c))).OrderByDescending(c => Point.Distance(c.Center, View.At(datum.At))).Select(c => (Rect?)c).FirstOrDefault();
+
+    private Rect FarCorner(Size size, Point at) => Corners(size).Select(c => new Rect(c, size)).MaxBy(c => Point.Distance(c.Center, at));
+
+    private Point[] Corners(Size size) => RoomsEnd(size) is var (right, low) ? [new(0, 0), new(0, low), new(right, low), new(right, 0)] : [];
+
+    private (double Right, double Low) RoomsEnd(Size size) => (Math.Max(0, Bounds.Width - ButtonsRoom - size.Width), Math.Max(0, Bounds.Height - size.Height));
 
     private PlotBox BoxOf(Rect room)
     {

@@ -268,6 +268,13 @@ public abstract partial class PlotArea : Control, IDrawnWords
         InvalidateVisual();
     }
 
+    /// <summary>True if a box lies over what was asked for.</summary>
+    protected virtual bool IsAskedIn(PlotDatum datum, PlotBox box)
+    {
+        ArgumentNullException.ThrowIfNull(datum);
+        return box.Contains(datum.At);
+    }
+
     /// <summary>True if lines of the drawing lead through a box: what stands there hides them.</summary>
     protected virtual bool IsDrawnIn(PlotBox box) => false;
 

@@ -133,6 +133,13 @@ public sealed partial class PathPlot : PlotArea
     }
 
     /// <inheritdoc/>
+    protected override bool IsAskedIn(PlotDatum datum, PlotBox box)
+    {
+        ArgumentNullException.ThrowIfNull(datum);
+        return Picture is { Program.Moves: var moves } && moves.StrokesOf(datum.Index, View).Any(s => box.PartOf(View.ToPlot(new(s.X1, s.Y1)), View.ToPlot(new(s.X2, s.Y2))) is not null);
+    }
+
+    /// <inheritdoc/>
     protected override void OnAsked(PlotDatum datum)
     {
         ArgumentNullException.ThrowIfNull(datum);
