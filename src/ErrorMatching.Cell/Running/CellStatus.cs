@@ -17,7 +17,8 @@ public sealed record CellStatus(
     IReadOnlyList<Correction> InWork,
     IReadOnlyDictionary<CorrectionState, long> Counts)
 {
-    private const int Most = 100;
+    // More of a kind than a person looks through at once are counted.
+    internal const int Most = 100;
 
     /// <summary>How many corrections are in a state.</summary>
     public long CountOf(CorrectionState state) => Counts.GetValueOrDefault(state);

@@ -16,10 +16,10 @@ public sealed record SlotStatus(MachineSettings Machine, SlotSettings Slot, Slot
     /// <summary>The first of them.</summary>
     public IReadOnlyList<Correction> Next => [.. Line.Take(MostNext)];
 
-    /// <summary>Those of them that are approved.</summary>
-    public IReadOnlyList<Correction> Approved => [.. Line.Where(c => c.State == CorrectionState.Approved)];
+    /// <summary>Those of them that are approved: the first hundred.</summary>
+    public IReadOnlyList<Correction> Approved => [.. Line.Where(c => c.State == CorrectionState.Approved).Take(CellStatus.Most)];
 
-    /// <summary>Those that are approved and wait behind others about which somebody has to decide first, in the order of the line.</summary>
+    /// <summary>Those of <see cref="Approved"/> that wait behind others about which somebody has to decide first, in the order of the line.</summary>
     public IReadOnlyList<HeldUpCorrection> HeldUp => [.. Approved.Select(c => new HeldUpCorrection(c, UndecidedBefore(c.Id))).Where(h => h.Behind.Count > 0)];
 
     /// <summary>About whom somebody has to decide before a correction can be sent: those before it in line that are proposed or failed at the machine.</summary>
