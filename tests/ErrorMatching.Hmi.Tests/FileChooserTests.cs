@@ -50,6 +50,12 @@ public sealed class FileChooserTests
         var rows = (ListBox)seat.See("chooser-entries");
         seat.WaitFor(() => rows.SelectedItem is FolderEntry { Name: "b.NC" }, "The file that is proposed does not look chosen.");
 
+        // It follows what is typed.
+        seat.Type("chooser-path", Path.Combine(folder, "programs", "a.nc"));
+        Assert.Equal("a.nc", (rows.SelectedItem as FolderEntry)?.Name);
+        seat.Type("chooser-path", file);
+        Assert.Equal("b.NC", (rows.SelectedItem as FolderEntry)?.Name);
+
         // What is chosen stays so where more is shown, and the folder that is shown instead holds nothing chosen.
         seat.Tap("chooser-filter").See("entry-c.txt");
         Assert.Equal((file, "b.NC", true), (seat.Shell.Choosing!.Typed, (rows.SelectedItem as FolderEntry)?.Name, seat.See("chooser-confirm").IsEffectivelyEnabled));
