@@ -1,7 +1,6 @@
 using Avalonia;
 using Avalonia.Media;
 using ErrorMatching.Geometry;
-using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
