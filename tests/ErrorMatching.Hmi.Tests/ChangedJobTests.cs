@@ -40,6 +40,11 @@ public sealed class ChangedJobTests
         seat.WaitFor(() => seat.Find("correction-2") is not null, "The part is not listed.");
         seat.Tap("correction-2").WaitFor(() => seat.TextOf("detail-title") == "#2 · 0002", "It is not shown.");
         Assert.Null(seat.Find("detail-changed-job"));
+
+        // The overview tells them apart as well.
+        seat.Tap("nav-overview").See("waiting-2");
+        Assert.Equal([(1L, true), (2L, false)], ((OverviewViewModel)seat.Shell.Current!).Waiting.Select(t => (t.Id, t.IsOfChangedJob)));
+        Assert.Contains("made before the job was changed", Words(seat, "waiting-1"));
     });
 
     [Fact]
@@ -111,7 +116,7 @@ public sealed class ChangedJobTests
         File.WriteAllText(file, changed);
     }
 
-    private static IEnumerable<string?> Words(Seat seat) => seat.See("correction-1").GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible).Select(t => t.Text);
+    private static IEnumerable<string?> Words(Seat seat, string id = "correction-1") => seat.See(id).GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible).Select(t => t.Text);
 
     /// <summary>Stands still but for the steps it is given, so that nothing hangs on how busy the machine is; who waits by it waits a twentieth of the time.</summary>
     private sealed class SteppedClock : TimeProvider
