@@ -44,7 +44,8 @@ public sealed class MeasuredOutsideTests
         seat.Tap("nav-history").Tap("found-1").See("history-measured");
         var history = (HistoryViewModel)seat.Shell.Current!;
         Assert.StartsWith("The counterpart was measured as #2 · 0001. ", history.Measured, StringComparison.Ordinal);
-        Assert.Equal(Severity.Attention, history.MeasuredSeverity);
+        var outside = history.Measured!["The counterpart was measured as #2 · 0001. ".Length..history.Measured!.IndexOf(" points", StringComparison.Ordinal)];
+        Assert.Equal((Severity.Attention, $"Measured: {outside} outside"), (history.MeasuredSeverity, history.MeasuredInShort));
         BothLanguages.Take(seat, "history-measured");
         seat.Tap("history-back").Tap("found-2").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0001", "It is not opened.");
         Assert.StartsWith("The counterpart was measured as #2 · 0001. ", history.Measured, StringComparison.Ordinal);

@@ -18,10 +18,11 @@ internal sealed class PlotLabels
     private const double SlantShare = 0.6;
 
     // Another dot is so many times as far from a label as its own, or the label may be taken for it.
-    private const double PlainlyFurther = 1.5;
+    private const double PlainlyFurtherFactor = 1.5;
 
     // How far a label stands away where it cannot stand beside its place, in multiples of that.
-    private static readonly double[] Further = [3, 5];
+    private const double FarFactor = 3, FurthestFactor = 5;
+    private static readonly double[] Further = [FarFactor, FurthestFactor];
 
     private readonly (Point From, Point To)[] _lines;
     private readonly Point[] _dots;
@@ -92,7 +93,7 @@ internal sealed class PlotLabels
     // What is covered or may be meant, and what a line that leads to the label crosses besides; beside its own dot it crosses nothing that was not there.
     private int CostOf(Rect room, Point at, bool isName, bool isAway)
     {
-        var (own, covered, leader) = (PlainlyFurther * Point.Distance(at, NearestOf(room, at)), room.Inflate(_dot), (at, NearestOf(room, at)));
+        var (own, covered, leader) = (PlainlyFurtherFactor * Point.Distance(at, NearestOf(room, at)), room.Inflate(_dot), (at, NearestOf(room, at)));
         var dots = _dots.Count(d => covered.Contains(d) || (d != at && (isAway ? Crosses(leader, new Rect(d, default(Size)).Inflate(_dot)) : !isName && Point.Distance(d, NearestOf(room, d)) < own)));
         return (LinesADot * dots) + _lines.Count(l => Crosses(l, room));
     }

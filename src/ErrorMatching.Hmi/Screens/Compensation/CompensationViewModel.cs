@@ -122,7 +122,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     /// <param name="correction">Its number.</param>
     public void LookAtWarnings(long correction)
     {
-        _isAtWarnings = true;
+        // What is shown already is shown anew.
+        (_isAtWarnings, _shown) = (true, (0, -1, false));
         LookAt(correction);
     }
 
@@ -229,14 +230,13 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private async Task LoadAsync(long id)
     {
         CorrectionDetail? read = null;
-        var (shown, detail, isOfChangedJob, isAtWarnings) = (_shown, Detail, IsOfChangedJob(id), _isAtWarnings);
-        _isAtWarnings = false;
+        var (shown, detail, isOfChangedJob) = (_shown, Detail, IsOfChangedJob(id));
         var isRead = await TryAsync(() =>
         {
             if (Station.Store.Find(id) is { } correction && (correction.Id, correction.Version, isOfChangedJob) != shown)
             {
                 var kept = detail?.Kept is { } known && known.Correction.Id == id && known.Correction.Version == correction.Version ? known : KeptCorrection.Read(Station.Store, correction);
-                read = new(kept, Station.Clock) { IsOfChangedJob = isOfChangedJob, IsAtWarnings = isAtWarnings };
+                read = new(kept, Station.Clock) { IsOfChangedJob = isOfChangedJob };
             }
         });
 
@@ -246,7 +246,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             return;
         }
 
-        if (read is not null)
+        // Of several that were read at the same time the first to come is shown, and stays.
+        if (read is not null && (id, read.Kept.Correction.Version, isOfChangedJob) != _shown)
         {
             _shown = (id, read.Kept.Correction.Version, isOfChangedJob);
             if (!_isExpected && (Detail is not { Kept.Correction: var was } || (was.Id, was.Version, Detail.IsOfChangedJob) != _shown))
@@ -254,7 +255,9 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
                 _pause.Begin();
             }
 
-            Detail = read.Now();
+            var now = read.Now();
+            (now.IsAtWarnings, _isAtWarnings) = (_isAtWarnings, false);
+            Detail = now;
         }
 
         _isExpected = false;

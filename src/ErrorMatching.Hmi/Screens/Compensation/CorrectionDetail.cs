@@ -34,13 +34,13 @@ public sealed class CorrectionDetail
     public Language Language { get; } = Texts.Current.Language;
 
     /// <summary>The same in the language of the screen, which may have changed while this was put into words.</summary>
-    public CorrectionDetail Now() => Language == Texts.Current.Language ? this : new(Kept, _clock) { IsOfChangedJob = IsOfChangedJob, IsAtWarnings = IsAtWarnings };
+    public CorrectionDetail Now() => Language == Texts.Current.Language ? this : new(Kept, _clock) { IsOfChangedJob = IsOfChangedJob };
 
     /// <summary>True if it waits, and was made with its job as it was before somebody changed that.</summary>
     public bool IsOfChangedJob { get; init; }
 
     /// <summary>True if somebody came to read its warnings: they are what is seen first.</summary>
-    public bool IsAtWarnings { get; init; }
+    public bool IsAtWarnings { get; internal set; }
 
     /// <summary>Number and serial number or file.</summary>
     public string Title => CorrectionLabel.Of(Kept.Correction);

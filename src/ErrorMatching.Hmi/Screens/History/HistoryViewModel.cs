@@ -134,6 +134,9 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     /// <summary>Whether the counterpart that was cut with the one that is opened, or that it is itself, is within its limits as measured; null where none of the last pieces is.</summary>
     public string? Measured => _measured is { } piece ? Sentence.Joined(Texts.Current.With("History.Measured", CorrectionLabel.Of(piece.Counterpart!)), PieceDetail.VerdictOf(piece)) : null;
 
+    /// <summary>The same in a few words; null as there.</summary>
+    public string? MeasuredInShort => _measured is not { } piece ? null : piece.Outside.Count is > 0 and var outside ? Texts.Current.With("History.MeasuredOutside", outside) : Texts.Current["History.MeasuredWithin"];
+
     /// <summary>A point outside of its limits asks for attention.</summary>
     public Severity MeasuredSeverity => _measured is { IsWithin: false } ? Severity.Attention : Severity.Quiet;
 
@@ -300,6 +303,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         {
             (_measured, Detail) = (measured, read!.Now());
             Say(nameof(Measured));
+            Say(nameof(MeasuredInShort));
             Say(nameof(MeasuredSeverity));
             LookAtMeasured.Refresh();
         }
