@@ -1,5 +1,4 @@
 using Avalonia;
-using Avalonia.Automation;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
@@ -71,108 +70,6 @@ public sealed class SystemSetupTests
         seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Tolerance = "chain:rss" }));
         seat.Settle();
         Assert.DoesNotContain(seat.Shell.Editing.Problems, p => p.Field.StartsWith("$.features[0].toleranceMm[", StringComparison.Ordinal));
-    });
-
-    [Fact]
-    public Task Each_side_says_how_much_is_to_be_corrected_on_it_and_saving_looks_ready_once_nothing_is() => At(seat =>
-    {
-        var save = seat.Seat.See("setup-save");
-        seat.Shell.Editing.Change("", d => d with { Chain = [new("cover", "15", "0.02", "x", "-1")], Counterpart = d.Counterpart with { Rotate = "x" }, Name = "" });
-        seat.Settle();
-        var place = seat.Shell.Editing.Problems.Select(p => ProblemPlace.Of(seat.Draft, p.Field)).ToArray();
-        Assert.Contains(place, p => p.Screen == Screens.Points);
-        for (var side = 0; side < Sides.Length; side++)
-        {
-            var count = place.Count(p => p == new ProblemPlace(Screens.System, side));
-            Assert.Equal(side is ProblemPlace.Tolerances or ProblemPlace.Machine ? 1 : 0, count);
-            var head = seat.Seat.See("side-" + Sides[side]);
-            Assert.Equal(count > 0 ? $"To correct: {count}" : null, AutomationProperties.GetHelpText(head));
-            Assert.Equal(count > 0, head.GetVisualDescendants().OfType<TextBlock>().Any(t => t.IsEffectivelyVisible && t.Text == Shown.Count(count)));
-        }
-
-        Assert.True(save.IsEffectivelyEnabled);
-        Assert.DoesNotContain("accent", save.Classes);
-        seat.Shell.Editing.DiscardChanges.Execute(null);
-        seat.Shell.Editing.Change("", d => d with { Name = "Again" });
-        seat.Settle();
-        Assert.True(save.IsEffectivelyEnabled);
-        Assert.Contains("accent", save.Classes);
-        Assert.All(seat.System.Heads, h => Assert.Null(h.Problem));
-    });
-
-    [Fact]
-    public Task What_is_still_to_be_filled_in_is_told_quietly_and_what_is_wrong_aloud() => At(seat =>
-    {
-        seat.Seat.Tap("setup-anew");
-        seat.Shell.Editing.Change("", d => d with { Name = "Piece", Features = [FeatureDraft.New(ErrorMatching.Mating.FeatureKind.Line, "L1", d)] });
-        seat.Settle();
-
-        // Four coordinates, the program and blocks, two limits, the tool, the uncertainty.
-        Assert.Equal((0, 10, "Still to fill: 10"), (seat.Shell.Editing.WrongCount, seat.Shell.Editing.MissingCount, seat.System.ProblemCount));
-        seat.Seat.Tap("setup-problems");
-        seat.Seat.WaitFor(() => seat.Seat.Find("edit-features[0].points[0]/x") is { IsFocused: true }, "The coordinate has no focus.");
-        Assert.Equal("Fill this in.", seat.TextOf("problem-features[0].points[0]/x"));
-        Assert.DoesNotContain("wrong", seat.Seat.See("edit-features[0].points[0]/x").Classes);
-        Assert.DoesNotContain("alarm", seat.Seat.See("problem-features[0].points[0]/x").Classes);
-        Assert.Equal(["Still to fill: 4", "Still to fill: 2", "Still to fill: 2", "Still to fill: 1", "Still to fill: 1"], seat.System.Heads.Select(h => h.Problem));
-        seat.Seat.Type("edit-features[0].points[0]/x", "abc");
-        seat.Settle();
-        Assert.Equal(("To correct: 1 · Still to fill: 9", "To correct: 1 · Still to fill: 3"), (seat.System.ProblemCount, seat.System.Heads[0].Problem));
-        Assert.Contains("wrong", seat.Seat.See("edit-features[0].points[0]/x").Classes);
-        Assert.Contains("alarm", seat.Seat.See("problem-features[0].points[0]/x").Classes);
-    });
-
-    [Fact]
-    public Task The_count_and_saving_lead_to_the_first_in_the_order_in_which_one_reads() => At(seat =>
-    {
-        // In the job the gauge stands before the tool, and what is typed wrong after what is empty.
-        seat.Shell.Editing.Change("", d => (d with { Gauge = d.Gauge with { Uncertainty = "x" }, Counterpart = d.Counterpart with { ToolDiameter = "", Rotate = "y" } }).WithFeature(1, f => f with { Lower = "z" }));
-        seat.Settle();
-        foreach (var (id, side, text) in new[] { ("edit-features[1].toleranceMm[0]", ProblemPlace.Tolerances, "-0.05"), ("edit-counterpart.toolDiameterMm", ProblemPlace.Machine, "6"), ("edit-counterpart.frame.rotateDeg", ProblemPlace.Machine, "0") })
-        {
-            seat.Seat.Tap(text == "6" ? "setup-save" : "setup-problems");
-            seat.Seat.WaitFor(() => seat.Seat.Find(id) is { IsFocused: true }, $"{id} has no focus.");
-            Assert.Equal(side, seat.System.Side);
-            Assert.Equal(text == "6" ? "Not saved. To correct: 2 · Still to fill: 1" : null, seat.Shell.Editing.Notice);
-            seat.Seat.Type(id, text);
-            seat.Settle();
-        }
-
-        // What is on the other screen comes before, and why nothing is saved is still said there.
-        seat.Shell.Editing.Change("", d => d with { Name = "" });
-        seat.Settle();
-        seat.Seat.Tap("setup-save");
-        seat.Seat.WaitFor(() => seat.Seat.Find("edit-name") is { IsFocused: true }, "The name has no focus.");
-        Assert.Equal("Not saved. To correct: 1 · Still to fill: 1", seat.TextOf("setup-notice"));
-    });
-
-    [Fact]
-    public Task Each_step_leads_to_the_other() => At(seat =>
-    {
-        seat.Seat.Tap("setup-step");
-        Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);
-        Assert.Equal("Next: coordinates, program, limits", seat.Setup.StepText);
-
-        // A tap right behind the first would be taken for its second half (TapTests).
-        seat.Seat.User.Wait(TimeSpan.FromMilliseconds(600));
-        seat.Seat.Tap("setup-step");
-        Assert.Equal((Screens.System, "Back: features and points"), (seat.Shell.Chosen!.Screen.Key, seat.System.StepText));
-    });
-
-    [Fact]
-    public Task The_count_leads_to_the_first_mistake_on_whichever_screen() => At(seat =>
-    {
-        seat.Shell.Editing.Change("", d => d.WithFeature(2, f => f with { Name = "" }));
-        seat.Settle();
-        seat.Seat.Tap("setup-problems");
-        seat.Seat.WaitFor(() => seat.Seat.Find("edit-features[2].name") is { IsFocused: true }, "The name has no focus.");
-        Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);
-        seat.Seat.Type("edit-features[2].name", "C1");
-        seat.Shell.Editing.Change("", d => d with { Counterpart = d.Counterpart with { Rotate = "x" } });
-        seat.Settle();
-        seat.Seat.Tap("setup-problems");
-        seat.Seat.WaitFor(() => seat.Seat.Find("edit-counterpart.frame.rotateDeg") is { IsFocused: true }, "The rotation has no focus.");
-        Assert.Equal(Screens.System, seat.Shell.Chosen!.Screen.Key);
     });
 
     [Fact]
