@@ -18,7 +18,7 @@ public sealed class SetupWordsTests
 
         // The same program again, byte for byte: it is no other one.
         var program = Path.Combine(Path.GetDirectoryName(seat.JobFile)!, seat.Draft.Counterpart.Program);
-        seat.Seat.WaitFor(() => seat.System.ImportProgramAsync(program).IsCompleted && seat.Draft.Program is not null, "It is not imported.");
+        Import(seat, program);
         Save(seat);
         Assert.Equal("Saved: the next measurement uses it.", seat.TextOf("setup-notice"));
         Texts.Current.Language = Language.TraditionalChinese;
@@ -31,7 +31,7 @@ public sealed class SetupWordsTests
         // Another one, though under the same name.
         var other = Path.Combine(Path.GetDirectoryName(seat.JobFile)!, "..", Path.GetFileName(program));
         File.WriteAllText(other, File.ReadAllText(program).Replace("%", "%\n(ANOTHER)", StringComparison.Ordinal));
-        seat.Seat.WaitFor(() => seat.System.ImportProgramAsync(other).IsCompleted && seat.Draft.Program is not null, "It is not imported.");
+        Import(seat, other);
         Save(seat);
         Assert.Contains("The base program is another one.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
     });
@@ -110,6 +110,12 @@ public sealed class SetupWordsTests
 
         pictures.MustBeClean();
     });
+
+    private static void Import(SetupSeat seat, string program)
+    {
+        var importing = seat.System.ImportProgramAsync(program);
+        seat.Seat.WaitFor(() => importing.IsCompleted && seat.Draft.Program is not null, "It is not imported.");
+    }
 
     private static void Save(SetupSeat seat)
     {
