@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using Avalonia;
 using Avalonia.Controls;
 using ErrorMatching.Cell;
@@ -73,9 +74,18 @@ public sealed class TapTests
     public Task A_second_quick_tap_does_not_fall_on_what_the_first_brought_there() => At(seat =>
     {
         // The other step opens with the button that leads back at the same place.
-        var place = new Rect(seat.Tap("nav-points").See("setup-step").Bounds.Size).Center;
-        place = seat.See("setup-step").TranslatePoint(place, seat.Window)!.Value;
-        seat.User.Click(seat.Window, place).Click(seat.Window, place);
+        Point place = default;
+        var (took, tries) = (TimeSpan.Zero, 0);
+        do
+        {
+            // On a busy machine the second tap may come too late to be a quick one: then both are made again.
+            place = new Rect(seat.Tap("nav-points").See("setup-step").Bounds.Size).Center;
+            place = seat.See("setup-step").TranslatePoint(place, seat.Window)!.Value;
+            var began = Stopwatch.GetTimestamp();
+            seat.User.Click(seat.Window, place).Click(seat.Window, place);
+            took = Stopwatch.GetElapsedTime(began);
+        }
+        while (took > TimeSpan.FromMilliseconds(450) && ++tries < 50);
         Assert.Equal(Screens.System, seat.Shell.Chosen!.Screen.Key);
 
         // After a moment it is meant.
