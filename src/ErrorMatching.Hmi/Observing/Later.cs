@@ -1,13 +1,17 @@
 using System.Collections;
 using Avalonia;
 using Avalonia.Controls;
+using Avalonia.Layout;
 using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Rows that come once the rest of a screen is drawn: neither of the two keeps whoever taps waiting for long.</summary>
+/// <summary>Rows that come once the rest of a screen is drawn, and those of a list box a few at a time, as many as it has room for: none of it keeps whoever taps waiting for long.</summary>
 public static class Later
 {
+    // A list box makes the rows that are seen: it gets its room in so many parts.
+    private const int Parts = 3;
+
     /// <summary>The rows of a list, instead of <see cref="ItemsControl.ItemsSource"/>.</summary>
     public static readonly AttachedProperty<IEnumerable?> RowsProperty = AvaloniaProperty.RegisterAttached<ItemsControl, IEnumerable?>("Rows", typeof(Later));
 
@@ -15,7 +19,13 @@ public static class Later
     {
         if (list.ItemsSource is null)
         {
-            Dispatcher.UIThread.Post(() => list.ItemsSource = GetRows(list), DispatcherPriority.Background);
+            Dispatcher.UIThread.Post(
+                () =>
+                {
+                    GiveRoom(list, list.Bounds.Height, 1);
+                    list.ItemsSource = GetRows(list);
+                },
+                DispatcherPriority.Background);
         }
         else
         {
@@ -28,4 +38,17 @@ public static class Later
 
     /// <summary>Gives a list its rows: the first ones soon, others at once.</summary>
     public static void SetRows(ItemsControl list, IEnumerable? rows) => (list ?? throw new ArgumentNullException(nameof(list))).SetValue(RowsProperty, rows);
+
+    private static void GiveRoom(ItemsControl list, double room, int parts)
+    {
+        if (list is not ListBox || room <= 0 || parts == Parts)
+        {
+            list.ClearValue(Layoutable.MaxHeightProperty);
+            list.ClearValue(Layoutable.VerticalAlignmentProperty);
+            return;
+        }
+
+        (list.VerticalAlignment, list.MaxHeight) = (VerticalAlignment.Top, room * parts / Parts);
+        Dispatcher.UIThread.Post(() => GiveRoom(list, room, parts + 1), DispatcherPriority.Background);
+    }
 }
