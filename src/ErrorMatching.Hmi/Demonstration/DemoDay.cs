@@ -8,9 +8,11 @@ namespace ErrorMatching.Hmi;
 /// <param name="clock">The clock.</param>
 public sealed class DemoDay(DemoCell cell, TimeProvider clock)
 {
-    private const int MostWaiting = 3;
+    internal const double SpreadMm = 0.003, SurfaceSpreadMm = 0.0005;
+
     // A machine repeats better than parts are alike.
-    internal const double SpreadMm = 0.003, SurfaceSpreadMm = 0.0005, CutSpreadMm = SpreadMm / 4;
+    internal const double CutSpreadMm = SpreadMm / 4;
+    private const int MostWaiting = 3;
     private static readonly TimeSpan First = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan Look = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan BetweenParts = TimeSpan.FromSeconds(40);

@@ -25,8 +25,7 @@ public sealed class LineScroller : Decorator
     }
 
     // Digits of one width, as the field has them.
-    private double Room => GetMissing(this) is not { Length: > 0 } missing ? 0
-        : WidthOf(missing);
+    private double Room => GetMissing(this) is { Length: > 0 } missing ? WidthOf(missing) : 0;
 
     /// <summary>What the number in a field lacks.</summary>
     public static string? GetMissing(Control field) => (field ?? throw new ArgumentNullException(nameof(field))).GetValue(MissingProperty);
