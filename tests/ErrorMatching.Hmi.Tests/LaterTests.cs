@@ -7,11 +7,14 @@ namespace ErrorMatching.Hmi.Tests;
 
 public sealed class LaterTests
 {
-    [Fact]
-    public Task Rows_of_a_list_box_come_a_few_at_a_time_until_all_that_are_seen_are_there() => Drawing.Needed().RunAsync(() =>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public Task Rows_of_a_list_box_come_a_few_at_a_time_until_all_that_are_seen_are_there(bool isHiddenFirst) => Drawing.Needed().RunAsync(() =>
     {
         var list = new ListBox();
-        var window = new Window { Width = 300, Height = 400, Content = list };
+        var cover = new Panel { Children = { list }, IsVisible = !isHiddenFirst };
+        var window = new Window { Width = 300, Height = 400, Content = cover };
         var made = new List<int>();
         list.LayoutUpdated += (_, _) => made.Add(list.GetVisualDescendants().OfType<ListBoxItem>().Count());
         try
@@ -20,6 +23,13 @@ public sealed class LaterTests
             var user = new ScreenUser(window).Settle();
             Later.SetRows(list, Enumerable.Range(0, 100).ToArray());
             user.Settle(10);
+            if (isHiddenFirst)
+            {
+                Assert.Null(list.ItemsSource);
+                cover.IsVisible = true;
+                user.Settle(10);
+            }
+
             int[] steps = [.. made.Where(m => m > 0).Distinct()];
             Assert.True(steps.Length >= 3, $"They came by {string.Join(", ", steps)}.");
             Assert.Equal(steps.Order(), steps);

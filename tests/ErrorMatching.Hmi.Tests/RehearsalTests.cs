@@ -35,6 +35,27 @@ public sealed class RehearsalTests
         Assert.Equal(CorrectionState.Proposed, seat.Station.Store.Find(1)!.State);
     });
 
+    // All of a screen in one step would keep keys waiting.
+    [Fact]
+    public Task A_screen_comes_part_by_part() => Seat.AtAsync(async seat =>
+    {
+        var grown = new List<int>();
+        var stage = seat.Window.Stage;
+        stage.LayoutUpdated += (_, _) =>
+        {
+            if (stage.Children is [PointsView { DataContext: not null } view])
+            {
+                grown.Add(view.GetVisualDescendants().Count(v => v.IsEffectivelyVisible));
+            }
+        };
+        var rehearsal = seat.Window.RehearseAsync(CancellationToken.None);
+        seat.WaitFor(() => rehearsal.IsCompleted, "The rehearsal does not end.");
+        await rehearsal;
+        var steps = grown.Zip(grown.Skip(1), (before, after) => after - before).ToArray();
+        Assert.True(grown.Max() > 150, $"Only {grown.Max()} of it are seen by {string.Join(" ", grown)}.");
+        Assert.True(steps.Max() < grown.Max() * 2 / 3, $"{steps.Max()} of {grown.Max()} come at once.");
+    });
+
     [Fact]
     public Task Somebody_signs_in_and_works_meanwhile() => Seat.AtAsync(async seat =>
     {
@@ -101,9 +122,9 @@ public sealed class RehearsalTests
         foreach (var control in e.NewItems?.OfType<Control>() ?? [])
         {
             shown.Add(control.GetType());
-            if (control is ContentControl { Content: { } content })
+            if (control.DataContext is ScreenViewModel screen)
             {
-                opened.Add(content);
+                opened.Add(screen);
             }
         }
     }

@@ -19,13 +19,7 @@ public static class Later
     {
         if (list.ItemsSource is null)
         {
-            Dispatcher.UIThread.Post(
-                () =>
-                {
-                    GiveRoom(list, list.Bounds.Height, 1);
-                    list.ItemsSource = GetRows(list);
-                },
-                DispatcherPriority.Background);
+            Dispatcher.UIThread.Post(() => GiveWhenSeen(list), DispatcherPriority.Background);
         }
         else
         {
@@ -38,6 +32,23 @@ public static class Later
 
     /// <summary>Gives a list its rows: the first ones soon, others at once.</summary>
     public static void SetRows(ItemsControl list, IEnumerable? rows) => (list ?? throw new ArgumentNullException(nameof(list))).SetValue(RowsProperty, rows);
+
+    // Its room is known from when it is first laid out.
+    private static void GiveWhenSeen(ItemsControl list)
+    {
+        list.LayoutUpdated -= OnLaidOut;
+        if (list.IsEffectivelyVisible && list.IsArrangeValid)
+        {
+            GiveRoom(list, list.Bounds.Height, 1);
+            list.ItemsSource = GetRows(list);
+        }
+        else
+        {
+            list.LayoutUpdated += OnLaidOut;
+        }
+    }
+
+    private static void OnLaidOut(object? sender, EventArgs e) => Dispatcher.UIThread.Post(() => GiveWhenSeen((ItemsControl)sender!), DispatcherPriority.Background);
 
     private static void GiveRoom(ItemsControl list, double room, int parts)
     {

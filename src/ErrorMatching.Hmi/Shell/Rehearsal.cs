@@ -1,6 +1,8 @@
 using System.Text;
+using Avalonia;
 using Avalonia.Controls;
-using Avalonia.Layout;
+using Avalonia.Data;
+using Avalonia.LogicalTree;
 using Avalonia.Threading;
 using ErrorMatching.Nc;
 
@@ -34,7 +36,7 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
             }
 
             var program = await Task.Run(() => OpenedProgram.Read(Program, NcDialects.FanucMill, end), end);
-            await ShowAsync(() => Filled(new ProgramPicture(program)), end);
+            await UnfoldAsync(() => new ProgramPicture(program), TimeSpan.Zero, end);
         }
         finally
         {
@@ -42,19 +44,25 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         }
     }
 
-    private static ContentControl Filled(object content) => new() { Content = content, HorizontalContentAlignment = HorizontalAlignment.Stretch, VerticalContentAlignment = VerticalAlignment.Stretch };
-
     private static Task StepAsync(Action step, CancellationToken end) => Dispatcher.UIThread.InvokeAsync(step, DispatcherPriority.SystemIdle, end).GetTask();
+
+    private static Control ViewOf(object content)
+    {
+        var view = Views.Make(content);
+        view.DataContext = content;
+        return view;
+    }
+
+    // What stands in panels, the outer ones first.
+    private static List<(Control Part, IDisposable? Cover)> Fold(Control view) =>
+        [.. view.GetLogicalDescendants().OfType<Control>().Where(c => c.Parent is Panel).Select(c => (c, c.SetValue(Visual.IsVisibleProperty, false, BindingPriority.Animation)))];
 
     private async Task OpenAsync(Screen screen, CancellationToken end)
     {
         ScreenViewModel? opened = null;
         try
         {
-            await StepAsync(() => opened = screen.Open(shell), end);
-            await ShowAsync(() => Filled(opened!), end);
-            await Task.Delay(Look, end);
-            await StepAsync(stage.UpdateLayout, end);
+            await UnfoldAsync(() => opened = screen.Open(shell), Look, end);
         }
         finally
         {
@@ -71,5 +79,55 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         await StepAsync(() => made = make(), end);
         await StepAsync(() => stage.Children.Add(made!), end);
         await StepAsync(stage.UpdateLayout, end);
+    }
+
+    // All that a screen shows would take too long in one step: its parts are hidden first, and come one by one.
+    private async Task UnfoldAsync(Func<object> open, TimeSpan look, CancellationToken end)
+    {
+        object? content = null;
+        List<(Control Part, IDisposable? Cover)> folded = [];
+        await StepAsync(() => content = open(), end);
+        await ShowAsync(
+            () =>
+            {
+                var view = ViewOf(content!);
+                folded = Fold(view);
+                return view;
+            },
+            end);
+        await Task.Delay(look, end);
+        await UnfoldAsync(folded, end);
+
+        // Rows that come later have come by now.
+        await StepAsync(stage.UpdateLayout, end);
+    }
+
+    private async Task UnfoldAsync(List<(Control Part, IDisposable? Cover)> folded, CancellationToken end)
+    {
+        foreach (var (part, cover) in folded)
+        {
+            List<(Control, IDisposable?)> within = [];
+            if (part is ContentControl { Content: { } content } host && Views.Has(content))
+            {
+                Control? view = null;
+                await StepAsync(() => view = ViewOf(content), end);
+                await StepAsync(
+                    () =>
+                    {
+                        within = Fold(view!);
+                        host.Content = view;
+                    },
+                    end);
+            }
+
+            await StepAsync(
+                () =>
+                {
+                    cover?.Dispose();
+                    stage.UpdateLayout();
+                },
+                end);
+            await UnfoldAsync(within, end);
+        }
     }
 }

@@ -11,6 +11,8 @@ public sealed class Views : IRecyclingDataTemplate
         [typeof(LoginViewModel)] = (typeof(LoginView), () => new LoginView()),
         [typeof(OverviewViewModel)] = (typeof(OverviewView), () => new OverviewView()),
         [typeof(PointsViewModel)] = (typeof(PointsView), () => new PointsView()),
+        [typeof(FeatureEdit)] = (typeof(FeatureEditView), () => new FeatureEditView()),
+        [typeof(FlankEdit)] = (typeof(FlankEditView), () => new FlankEditView()),
         [typeof(SystemViewModel)] = (typeof(SystemView), () => new SystemView()),
         [typeof(FieldRow)] = (typeof(FieldRowView), () => new FieldRowView()),
         [typeof(SideHead)] = (typeof(SideHeadView), () => new SideHeadView()),
@@ -44,8 +46,14 @@ public sealed class Views : IRecyclingDataTemplate
     /// <summary>Makes each of the views.</summary>
     internal static IEnumerable<Func<Control>> Makers => All.Values.Select(v => v.Make);
 
+    /// <summary>True if there is a view for a view model.</summary>
+    internal static bool Has(object viewModel) => All.ContainsKey(viewModel.GetType());
+
+    /// <summary>Makes the view of a view model that has one.</summary>
+    internal static Control Make(object viewModel) => All[viewModel.GetType()].Make();
+
     /// <inheritdoc/>
-    public bool Match(object? data) => data is not null && All.ContainsKey(data.GetType());
+    public bool Match(object? data) => data is not null && Has(data);
 
     /// <inheritdoc/>
     public Control? Build(object? param) => Build(param, null);
