@@ -38,4 +38,31 @@ public sealed class ProgramTextTests
             OffScreenSession.Scaling = 1;
         }
     });
+
+    // The bar for scrolling sideways lies over a row.
+    [Fact]
+    public Task The_last_row_comes_out_from_under_the_bar_of_long_lines() => Drawing.Needed().RunAsync(() =>
+    {
+        var rows = string.Concat(Enumerable.Range(1, 50).Select(n => $"N{n} G1 X{n}\n"));
+        Assert.Equal(0, RoomBelow(rows));
+        Assert.Equal(1, RoomBelow(rows + "(" + new string('X', 300) + ")\n"));
+
+        static double RoomBelow(string lines)
+        {
+            var program = OpenedProgram.Read(Encoding.ASCII.GetBytes(lines), NcDialects.FanucMill, TestContext.Current.CancellationToken);
+            var text = new ProgramText { Picture = new(program) };
+            var window = new Window { Width = 400, Height = 200, Content = new ScrollViewer { HorizontalScrollBarVisibility = Avalonia.Controls.Primitives.ScrollBarVisibility.Auto, Content = text } };
+            window.Show();
+            try
+            {
+                new ScreenUser(window).Settle();
+                text.Offset = new(0, double.MaxValue);
+                return (text.Offset.Y + text.Bounds.Height - (program.Count * text.RowHeight)) / text.RowHeight;
+            }
+            finally
+            {
+                window.Close();
+            }
+        }
+    });
 }

@@ -183,7 +183,8 @@ public abstract partial class PlotArea
 
         // In a narrow plot less is hidden with one value below the other.
         FormattedText[] texts = [Label(datum.Text), Label(datum.Text.Replace("  ", "\n", StringComparison.Ordinal))];
-        var rooms = texts.Select(t => (Text: t, Box: FreeRoom(SizeOf(t), new(x, y)))).Concat(texts.Select(t => (Text: t, Box: Corner(SizeOf(t), datum)))).Append((Text: texts[1], Box: FarCorner(SizeOf(texts[1]), new(x, y))));
+        var fitting = texts.Where(t => SizeOf(t).Width <= Bounds.Width - ButtonsRoom).ToArray();
+        var rooms = fitting.Select(t => (Text: t, Box: FreeRoom(SizeOf(t), new(x, y)))).Concat(fitting.Select(t => (Text: t, Box: Corner(SizeOf(t), datum)))).Append((Text: texts[1], Box: FarCorner(SizeOf(texts[1]), new(x, y))));
         var (text, box) = rooms.Where(r => r.Box is not null).Select(r => (r.Text, r.Box!.Value)).First();
         ValuesRoom = box;
         context.DrawRectangle(Ground, new Pen(Ink, DrawnSizes.Thin), box);

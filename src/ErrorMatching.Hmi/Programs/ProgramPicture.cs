@@ -181,6 +181,9 @@ public sealed class ProgramPicture : Observable
         }
     }
 
+    /// <summary>Lights nothing any more.</summary>
+    public void Unlight() => Selection = null;
+
     /// <summary>Lights the block of a motion.</summary>
     public void LightMotion(int motion) => Light(Program.Path.Motions.BlockOf(motion));
 

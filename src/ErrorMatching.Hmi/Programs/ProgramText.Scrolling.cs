@@ -46,7 +46,8 @@ public sealed partial class ProgramText : ILogicalScrollable
     public Size PageScrollSize => new(Bounds.Width, Math.Max(RowHeight, Bounds.Height - RowHeight));
 
     /// <inheritdoc/>
-    public Size Extent => new(Bounds.Width + Beyond, (Picture?.Program.Count ?? 0) * RowHeight);
+    /// <remarks>The bar for scrolling sideways lies over a row: the last one comes out from under it.</remarks>
+    public Size Extent => new(Bounds.Width + Beyond, ((Picture?.Program.Count ?? 0) + (Beyond > 0 ? 1 : 0)) * RowHeight);
 
     /// <inheritdoc/>
     public Size Viewport => Bounds.Size;

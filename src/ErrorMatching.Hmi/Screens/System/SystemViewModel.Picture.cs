@@ -56,6 +56,7 @@ public sealed partial class SystemViewModel
         if (Picture is { } picture)
         {
             picture.IsReadOnly = !Editing.CanEdit;
+            FindBlocks.Refresh();
             picture.Feature = _picked < draft.Features.Count ? draft.Features[_picked].Name : null;
             Mark(picture, draft);
         }
@@ -93,6 +94,9 @@ public sealed partial class SystemViewModel
         if (marked != _marked)
         {
             _marked = marked;
+
+            // Blocks that a feature got otherwise are not to be taken for the next one.
+            picture.Unlight();
             _marking = MarkAsync(_marking, picture, draft).Watched();
         }
     }
@@ -115,6 +119,29 @@ public sealed partial class SystemViewModel
             _picked = choice.IsMore ? feature : NextPicked(feature);
             ShowPicture();
         }
+    }
+
+    // A proposal: whoever sits here looks at it, and what was found can be undone in one step.
+    private async Task FindBlocksAsync(CancellationToken end)
+    {
+        var path = Picture!.Program.Path;
+        MatingDraft draft;
+        IReadOnlyList<ProposedBlocks> proposed;
+        do
+        {
+            draft = Editing.Draft;
+            proposed = await Task.Run(() => MatingDraftBlocks.Propose(draft, path), end);
+        }
+        while (!ReferenceEquals(draft, Editing.Draft));
+
+        var found = proposed.Where(p => p.Blocks.Count > 0).ToArray();
+        Editing.Change("", d => found.Aggregate(d, (to, p) => to.WithFeature(p.Feature, f => f with { Blocks = string.Join(", ", p.Blocks) })));
+        _picked = NextPicked(_picked);
+        ShowPicture();
+        string[] missed = [.. proposed.Where(p => p.Blocks.Count == 0).Select(p => p.Name)];
+        Editing.Note(() => Sentence.Joined(
+            found.Length > 0 ? Texts.Current.With("System.BlocksFound", string.Join(", ", found.Select(p => p.Name))) : "",
+            missed.Length > 0 ? Texts.Current.With("System.BlocksMissed", string.Join(", ", missed)) : ""));
     }
 
     /// <summary>What a picture is of: while it is the same, it stays.</summary>

@@ -32,6 +32,7 @@ public sealed partial class SystemViewModel : SetupViewModel
         AddContribution = Doing(() => Editing.Change("", d => d with { Gauge = d.Gauge with { Contributions = [.. d.Gauge.Contributions, new("", d.Gauge.Contributions.Count == 0 ? d.Gauge.Uncertainty : "")], Uncertainty = "" } }));
         ReadPoints = new(async _ => await ReadAsync(new(FileChoiceKind.Open, "System.ChooseDrawing", [".csv", ".txt"]) { Sample = DemoCell.DrawingFile }, ImportPointsAsync), () => Editing.CanEdit);
         ReadProgram = new(async _ => await ReadAsync(new(FileChoiceKind.Open, "System.ChooseProgram", [".nc", ".ngc", ".mpf", ".spf", ".cnc", ".tap", ".min", ".prg", ".txt"]) { Sample = DemoCell.ProgramFile }, ImportProgramAsync), () => Editing.CanEdit);
+        FindBlocks = new(FindBlocksAsync, () => Editing.CanEdit && Picture is not null && Editing.Draft.Features.Any(f => f.BlockList.Count == 0));
         DryRun = new(DryRunAsync, CanTry);
         DryRunFile = new(DryRunFileAsync, CanTry);
         Back = new(() => Detail = null);
@@ -134,6 +135,9 @@ public sealed partial class SystemViewModel : SetupViewModel
     /// <summary>Imports a program.</summary>
     public LongCommand ReadProgram { get; }
 
+    /// <summary>Finds the blocks of the features that have none by their key points.</summary>
+    public LongCommand FindBlocks { get; }
+
     /// <inheritdoc/>
     protected override string Key => Screens.System;
 
@@ -212,7 +216,7 @@ public sealed partial class SystemViewModel : SetupViewModel
             command.Refresh();
         }
 
-        foreach (var command in new[] { ReadPoints, ReadProgram, DryRun, DryRunFile })
+        foreach (var command in new[] { ReadPoints, ReadProgram, FindBlocks, DryRun, DryRunFile })
         {
             command.Refresh();
         }

@@ -1,0 +1,53 @@
+using ErrorMatching.Nc;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Jobs.Tests;
+
+/// <summary>Blocks of a draft's features are proposed where its key points and its program say so.</summary>
+public sealed class MatingDraftBlocksTests
+{
+    private static readonly string Job = Repository.PathTo("samples", "complex-mating", "job.json");
+    private static readonly NcPath Path = Interpreted(InputFile.Program(Repository.PathTo("samples", "complex-mating", "counterpart.nc")));
+
+    [Fact]
+    public void A_draft_with_nothing_but_points_and_program_gets_the_blocks_of_the_sample()
+    {
+        var draft = Without(MatingDraftFiles.Open(Job), 0, 1, 2) with { Name = "" };
+        var proposed = MatingDraftBlocks.Propose(draft with { Counterpart = draft.Counterpart with { ToolDiameter = "", Map = "" } }, Path);
+        Assert.Equal([(0, "L1", "N120"), (1, "L2L3", "N130..N160"), (2, "C1", "N170..N1190")], proposed.Select(p => (p.Feature, p.Name, Assert.Single(p.Blocks))));
+    }
+
+    [Fact]
+    public void The_frame_leads_from_the_part_to_the_program()
+    {
+        // Turned by 90 degrees and moved, and the frame leads back.
+        var draft = Without(MatingDraftFiles.Open(Job), 0);
+        var turned = draft.WithFeature(0, f => f with { Flanks = [[.. f.Flanks[0].Select(p => p with { X = Negative(p.Y), Y = p.X })]] });
+        Assert.Equal("N120", Assert.Single(Assert.Single(MatingDraftBlocks.Propose(turned with { Counterpart = turned.Counterpart with { Rotate = "-90" } }, Path)).Blocks));
+        Assert.Empty(Assert.Single(MatingDraftBlocks.Propose(turned, Path)).Blocks);
+    }
+
+    [Fact]
+    public void Nothing_is_proposed_for_what_has_blocks_or_lacks_a_point_or_lies_at_another_tool_s_distance()
+    {
+        var draft = MatingDraftFiles.Open(Job);
+        Assert.Empty(MatingDraftBlocks.Propose(draft, Path));
+        var lacking = Without(draft, 0).WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0], f.Flanks[0][1] with { X = "" }]] });
+        Assert.Empty(Assert.Single(MatingDraftBlocks.Propose(lacking, Path)).Blocks);
+        Assert.Empty(Assert.Single(MatingDraftBlocks.Propose(Without(draft, 0) with { Counterpart = draft.Counterpart with { ToolDiameter = "10" } }, Path)).Blocks);
+    }
+
+    [Fact]
+    public void Blocks_without_numbers_are_named_by_their_text()
+    {
+        var text = System.Text.Encoding.ASCII.GetString(InputFile.Program(Repository.PathTo("samples", "complex-mating", "counterpart.nc")).Span).Replace("N120 ", "", StringComparison.Ordinal);
+        var proposed = MatingDraftBlocks.Propose(Without(MatingDraftFiles.Open(Job), 0), Interpreted(System.Text.Encoding.ASCII.GetBytes(text)));
+        Assert.Equal(@"/^X-34\.995\ Y59\.757$/", Assert.Single(Assert.Single(proposed).Blocks));
+    }
+
+    private static NcPath Interpreted(ReadOnlyMemory<byte> bytes) => NcInterpreter.Run(NcProgram.Read(bytes, NcDialects.DeltaNc300.Syntax), NcDialects.DeltaNc300);
+
+    private static MatingDraft Without(MatingDraft draft, params int[] features) => features.Aggregate(draft, (to, i) => to.WithFeature(i, f => f with { Blocks = "" }));
+
+    private static string Negative(string number) => number.StartsWith('-') ? number[1..] : "-" + number;
+}
