@@ -1,4 +1,4 @@
-using System.Text.RegularExpressions;
+using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
@@ -11,7 +11,7 @@ namespace ErrorMatching.Jobs;
 /// Says what is wrong with a draft by the readers of its files, at the fields of the draft: first the job's, then the theoretical points', and where both can be used the mapping of every key point to the program, for a
 /// part that is measured where it is designed.
 /// </summary>
-public static partial class MatingDraftCheck
+public static class MatingDraftCheck
 {
     /// <summary>Field of what is wrong with the program itself.</summary>
     public const string Program = "$.counterpart.program";
@@ -157,12 +157,9 @@ public static partial class MatingDraftCheck
     }
 
     // How far a point lies from the nearest of its blocks.
-    private static string AmountOf(MatingRefusal refusal) => refusal.Code == NcRefusalCodes.PointOffPath ? Length().Match(refusal.Message).Value : "";
+    private static string AmountOf(MatingRefusal refusal) => refusal.DistanceMm is { } mm ? string.Create(CultureInfo.InvariantCulture, $"{mm:0.000} mm") : "";
 
     private static int IndexOf(MatingDraft draft, MatingRefusal refusal) => draft.Features.ToList().FindIndex(f => f.Name.Trim() == refusal.Feature);
-
-    [GeneratedRegex("[0-9.]+ mm", RegexOptions.CultureInvariant, 1000)]
-    private static partial Regex Length();
 
     private static DraftProblem At(string field, ErrorItem item) => new(field, item.Code, "", item.Problem ?? item.Message);
 }

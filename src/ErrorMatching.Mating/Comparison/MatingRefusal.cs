@@ -11,6 +11,9 @@ namespace ErrorMatching.Mating;
 /// <param name="Line">Its line in the program, from 1; 0 if none is.</param>
 public sealed record MatingRefusal(string Code, string Message, string? Feature = null, string? Point = null, string? Block = null, int Line = 0)
 {
+    /// <summary>How far the point lies from the path, mm; null where the reason is another one.</summary>
+    public double? DistanceMm { get; init; }
+
     /// <summary>Why a program could not be followed to its end, or null.</summary>
     internal static MatingRefusal? OfPath(NcPath path) => path.Refusal is { } refusal ? Of(refusal) : null;
 

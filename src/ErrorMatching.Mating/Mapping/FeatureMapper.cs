@@ -209,7 +209,8 @@ internal static class FeatureMapper
             PointOffPath,
             string.Create(CultureInfo.InvariantCulture, $"the theoretical point {label} lies {nearestDistance:0.000} mm from the path, expected {where} (within {job.Counterpart.MapMm:0.###} mm). Check the frame, the tool diameter and the blocks."),
             feature.Name,
-            label);
+            label) with
+        { DistanceMm = nearestDistance };
     }
 
     private static string NameOf(NcPath path, int motion) => path.Program.NameOf(path.Program[path.Motions[motion].Block]);

@@ -94,7 +94,9 @@ public sealed class MatingDraftCheckTests
         var draft = MatingDraftFiles.Open(File).WithFeature(0, f => f with { Blocks = "N130" }).WithFeature(1, f => f with { Blocks = "N120" });
         var problem = Assert.Single(MatingDraftCheck.Of(draft, File).Problems);
         Assert.Equal(("point-off-path", "1"), (problem.Code, problem.Found));
-        Assert.Matches("^[0-9]+[.][0-9]{3} mm$", problem.Amount);
+
+        // From (-31.950, 76.008) to the beginning of N130 at (-34.995, 59.757).
+        Assert.Equal("16.534 mm", problem.Amount);
     }
 
     [Fact]
