@@ -20,7 +20,7 @@ public sealed class VerificationTests
         seat.SignIn(DemoCell.Operator).Tap("nav-verification").See("piece-title");
         var detail = ((VerificationViewModel)seat.Shell.Current!).Detail!;
         Assert.Equal(("#1 · 0001", "Measured"), (seat.TextOf("piece-title"), seat.TextOf("piece-kind")));
-        Assert.Equal("With compensation: as measured on #2 · 0001. Without: as measured on a counterpart.", seat.TextOf("piece-origin"));
+        Assert.Equal("With compensation: as measured on #2 · 0001. Without: the counterpart without compensation that the job names, as measured in counterpart.csv.", seat.TextOf("piece-origin"));
         Assert.Equal(
             $"Better by {Shown.Percent(100 * (1 - (console.Result.RmsAfterMm / console.Result.RmsBeforeMm)))}: root mean square {Shown.Mm(console.Result.RmsBeforeMm)} → {Shown.Mm(console.Result.RmsAfterMm)} mm, largest error {Shown.Mm(console.Result.MaxBeforeMm)} → {Shown.Mm(console.Result.MaxAfterMm)} mm.",
             seat.TextOf("piece-summary"));
@@ -117,6 +117,13 @@ public sealed class VerificationTests
         Assert.Equal(Math.Round(Console().Result.RmsAfterMm, 9), Math.Round(trend.Lines.Single(l => l.Kind == SeriesKind.AfterMean).Values[0]!.Value, 9));
         Assert.Equal(Math.Round(Console().Result.MaxBeforeMm, 9), Math.Round(trend.Lines.Single(l => l.Kind == SeriesKind.Before).Values[0]!.Value, 9));
 
+        // One is told from the counterpart that the job names, the other from the one as designed: no line leads from one to the other.
+        Assert.Equal(["1", "", "1", ""], trend.Lines.Select(l => string.Join(' ', l.Beginnings)));
+        Assert.EndsWith("\nwithout: counterpart.csv, as measured", trend.Values[0], StringComparison.Ordinal);
+        Assert.EndsWith("\nwithout: as designed", trend.Values[1], StringComparison.Ordinal);
+        seat.Tap("tab-trend");
+        Assert.EndsWith("The lines “without” are broken where they begin to be told from another counterpart: tap a piece to see from which.", seat.TextOf("trend-caption"), StringComparison.Ordinal);
+        Assert.Equal([false, true], new[] { SeriesKind.Before, SeriesKind.After }.Select(k => IsJoined(seat, (SeriesPlot)seat.See("plot-trend"), 0, k)));
         seat.Tap("piece-3");
         seat.WaitFor(() => seat.TextOf("piece-title") == "#3 · 0002", "The chosen one is not shown.");
         seat.Cell.Deliver(3, 0.02);
@@ -219,9 +226,9 @@ public sealed class VerificationTests
 
     // What the verb verify of the console calls, of the sample's files.
     // Something in the color of a line in the middle between a place and the next.
-    private static bool IsJoined(Seat seat, SeriesPlot plot, int place)
+    private static bool IsJoined(Seat seat, SeriesPlot plot, int place, SeriesKind kind = SeriesKind.After)
     {
-        var color = ((Avalonia.Media.ISolidColorBrush)plot.AfterBrush!).Color;
+        var color = ((Avalonia.Media.ISolidColorBrush)(kind == SeriesKind.After ? plot.AfterBrush : plot.BeforeBrush)!).Color;
         var x = plot.View.ToScreen(new(place + 0.5, 0)).X;
         return Enumerable.Range((int)plot.Inside.Top, (int)plot.Inside.Height).Any(y => Avalonia.VisualExtensions.TranslatePoint(plot, new(x, y), seat.Window)!.Value is var at
             && seat.User.PixelAt(new((int)at.X, (int)at.Y)) is var p && Math.Abs(p.R - color.R) + Math.Abs(p.G - color.G) + Math.Abs(p.B - color.B) < 12);

@@ -134,7 +134,7 @@ public sealed class SeriesPlot : PlotArea
     {
         for (var i = 1; i < line.Values.Count; i++)
         {
-            if (!Drawing!.Beginnings.Contains(i) && line.Values[i - 1] is { } from && line.Values[i] is { } to)
+            if (!Drawing!.Beginnings.Contains(i) && !line.Beginnings.Contains(i) && line.Values[i - 1] is { } from && line.Values[i] is { } to)
             {
                 yield return (new(i - 1, from), new(i, to));
             }

@@ -30,6 +30,9 @@ public sealed record KeptPiece(Correction Correction, Correction? Counterpart, s
     /// <summary>The match that it was cut by; null where the store does not keep it.</summary>
     public KeptReport? Match { get; init; }
 
+    /// <summary>The counterpart that the errors without compensation are told from; null if it is taken as designed.</summary>
+    public KeptBase? Before { get; init; }
+
     /// <summary>What was measured against what was predicted, in the order of cutting; empty while nothing is measured, or no prediction is known.</summary>
     public IReadOnlyList<PredictionMiss> Misses
     {
@@ -65,6 +68,7 @@ public sealed record KeptPiece(Correction Correction, Correction? Counterpart, s
             correction, null, report.JobName, new(points, [.. boundaries.Select(b => VerifiedFeature.DeviationOf(b.Name, [.. b.Points.Select(p => byLabel[p.Label])]))]), boundaries, correction.Piece == "counterpart")
         {
             Match = report,
+            Before = correction.Piece == "counterpart" ? new(correction.FileName, correction.MeasurementSha256) : null,
         };
     }
 }

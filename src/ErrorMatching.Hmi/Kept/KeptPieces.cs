@@ -32,7 +32,7 @@ public sealed class KeptPieces
             {
                 // What was predicted of the piece gives way to what was measured on it.
                 var at = pieces.FindLastIndex(p => p.Correction.MeasurementSha256 == correction.PartSha256);
-                var measured = new KeptPiece(at >= 0 ? pieces[at].Correction : correction, correction, verification.JobName, verification.Result, verification.Boundaries, verification.IsBeforeMeasured) { Match = at >= 0 ? pieces[at].Match : null };
+                var measured = new KeptPiece(at >= 0 ? pieces[at].Correction : correction, correction, verification.JobName, verification.Result, verification.Boundaries, verification.IsBeforeMeasured) { Before = verification.Before, Match = at >= 0 ? pieces[at].Match : null };
                 if (at >= 0)
                 {
                     pieces[at] = measured;

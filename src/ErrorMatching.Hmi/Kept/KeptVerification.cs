@@ -12,6 +12,9 @@ namespace ErrorMatching.Hmi;
 /// <param name="IsBeforeMeasured">True if the counterpart before was measured, false if it is taken as designed.</param>
 public sealed record KeptVerification(string JobName, string? WorkOrder, VerificationResult Result, IReadOnlyList<VerifiedBoundary> Boundaries, bool IsBeforeMeasured)
 {
+    /// <summary>What the counterpart before is known from; null if it is taken as designed.</summary>
+    public KeptBase? Before { get; init; }
+
     /// <summary>Reads a report.</summary>
     /// <returns>The report; null if it is one of another kind.</returns>
     public static KeptVerification? Read(ReadOnlyMemory<byte> json)
@@ -29,7 +32,10 @@ public sealed record KeptVerification(string JobName, string? WorkOrder, Verific
             job.GetProperty("workOrder").GetString(),
             new([.. root.GetProperty("points").EnumerateArray().Select(Point)], [.. root.GetProperty("features").EnumerateArray().Select(Feature)]),
             [.. root.GetProperty("boundaries").EnumerateArray().Select(Boundary)],
-            root.GetProperty("beforeMeasured").GetBoolean());
+            root.GetProperty("beforeMeasured").GetBoolean())
+        {
+            Before = root.GetProperty("inputs").EnumerateArray().Where(i => i.GetProperty("role").GetString() == "counterpart").Select(i => new KeptBase(i.GetProperty("file").GetString()!, i.GetProperty("sha256").GetString()!)).FirstOrDefault(),
+        };
     }
 
     private static VerifiedPoint Point(JsonElement json)

@@ -32,5 +32,5 @@ internal sealed class MeasuredOutside(CellSettings settings)
 
     // A counterpart that is compensated by itself has the report of a match, and nothing was verified.
     private static KeptPiece? Read(CellStore store, Correction counterpart) =>
-        KeptVerification.Read(store.Content(counterpart.ReportSha256!)) is { } v ? new(counterpart, counterpart, v.JobName, v.Result, v.Boundaries, v.IsBeforeMeasured) : null;
+        KeptVerification.Read(store.Content(counterpart.ReportSha256!)) is { } v ? new(counterpart, counterpart, v.JobName, v.Result, v.Boundaries, v.IsBeforeMeasured) { Before = v.Before } : null;
 }

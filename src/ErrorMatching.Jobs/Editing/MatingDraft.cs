@@ -82,13 +82,13 @@ public sealed record MatingDraft
         return ReferenceEquals(this, other) || ToJson().AsSpan().SequenceEqual(other.ToJson());
     }
 
-    /// <summary>An empty draft in the place of this one: what belongs to the job's place (files, dialect, format, rules) stays.</summary>
+    /// <summary>An empty draft in the place of this one: what belongs to the job's place (files, dialect, format, rules) stays. A counterpart that was measured does not: it is of the piece that was there before.</summary>
     public MatingDraft Emptied() => new()
     {
         TheoreticalFile = TheoreticalFile,
         MeasuredFile = MeasuredFile,
         Gauge = new() { Format = Gauge.Format, FormatJson = Gauge.FormatJson },
-        Counterpart = new() { Dialect = Counterpart.Dialect, Measured = Counterpart.Measured },
+        Counterpart = new() { Dialect = Counterpart.Dialect },
         RecognitionJson = RecognitionJson,
         SchemaUri = SchemaUri,
     };

@@ -100,6 +100,14 @@ public sealed class MatingDraftCheckTests
     }
 
     [Fact]
+    public void Beginning_anew_leaves_the_measured_counterpart_of_the_piece_before_behind()
+    {
+        var draft = MatingDraftFiles.Open(File);
+        Assert.Equal("counterpart.csv", draft.Counterpart.Measured);
+        Assert.Equal("", draft.Emptied().Counterpart.Measured);
+    }
+
+    [Fact]
     public void What_is_only_missing_is_told_from_what_is_wrong()
     {
         var draft = MatingDraftFiles.Open(File).Emptied() with { Name = "a" };

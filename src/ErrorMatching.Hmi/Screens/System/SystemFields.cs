@@ -71,7 +71,9 @@ internal sealed class SystemFields(JobEditing editing)
         Text("$.compensation.limitMm", "System.Limit", "1", d => d.Compensation.Limit, (d, t) => d with { Compensation = d.Compensation with { Limit = t } }),
         Choice("$.compensation.amount", "System.Amount", ["whole", "excess"], d => d.Compensation.Amount, (d, t) => d with { Compensation = d.Compensation with { Amount = t } }),
         Choice("$.compensation.along", "System.Along", ["normal", "vector"], d => d.Compensation.Along, (d, t) => d with { Compensation = d.Compensation with { Along = t } }),
-        .. editing.Draft.Compensation.From == "counterpart" ? new EditField[] { Text("$.counterpart.measured", "System.CounterpartMeasured", d => d.Counterpart.Measured, (d, t) => d with { Counterpart = d.Counterpart with { Measured = t } }) } : [],
+
+        // It counts with either choice: verifications compare with it.
+        Text("$.counterpart.measured", "System.CounterpartMeasured", otherwise: null, d => d.Counterpart.Measured, (d, t) => d with { Counterpart = d.Counterpart with { Measured = t } }),
     ];
 
     /// <summary>The gauge.</summary>
@@ -172,6 +174,7 @@ internal sealed class SystemFields(JobEditing editing)
         "$.counterpart.frame.translateMm[0]" or "$.counterpart.frame.translateMm[1]" => draft.Counterpart.TranslateX.Length + draft.Counterpart.TranslateY.Length == 0,
         "$.originCheck.point" or "$.originCheck.limitMm" => draft.OriginPoint.Length + draft.OriginLimit.Length == 0,
         "$.gauge.stylusDiameterMm" => draft.Gauge.Reports == "contact",
+        "$.counterpart.measured" => draft.Compensation.From == "part",
         _ => true,
     };
 

@@ -185,7 +185,7 @@ public sealed partial class SystemViewModel : SetupViewModel
 
     /// <inheritdoc/>
     protected override string ShapeOf(MatingDraft draft) => string.Join('|', draft.Features.Select(f => $"{f.Kind} {f.Name} {f.Tolerance} {string.Join(' ', f.Flanks.Select(k => k.Count))}"))
-        + $"/{draft.OtherPoints.Count}/{draft.Chain.Count}/{string.Join(' ', draft.Comparisons.Select(c => c.Quantity))}/{draft.Gauge.Contributions.Count}/{draft.Gauge.FormatJson.Length}/{draft.Alignment.Kind}/{draft.Compensation.From}"
+        + $"/{draft.OtherPoints.Count}/{draft.Chain.Count}/{string.Join(' ', draft.Comparisons.Select(c => c.Quantity))}/{draft.Gauge.Contributions.Count}/{draft.Gauge.FormatJson.Length}/{draft.Alignment.Kind}"
         + $"/{draft.Points.Any(p => p.Z.Length > 0) || draft.Features.Any(f => f.Plane != "XY")}";
 
     /// <inheritdoc/>

@@ -34,7 +34,7 @@ public sealed class PieceDetail
     /// <summary>Whose figures these are, in a sentence.</summary>
     public string Origin => Sentence.Joined(
         _piece.Counterpart is { } counterpart ? Texts.Current.With("Verify.Measured", CorrectionLabel.Of(counterpart)) : Texts.Current["Verify.Predicted"],
-        Texts.Current[_piece.IsBeforeMeasured ? "Verify.BeforeMeasured" : "Verify.BeforeDesigned"]);
+        _piece.Before is { } before ? Texts.Current.With(_piece.IsMeasured ? "Verify.BeforeMeasured" : "Verify.BeforeOwn", before.Name) : Texts.Current["Verify.BeforeDesigned"]);
 
     /// <summary>By how much it is better, in a sentence with the figures.</summary>
     public string Summary
@@ -103,6 +103,9 @@ public sealed class PieceDetail
     /// <summary>The largest error and the root mean square, piece by piece.</summary>
     public SeriesDrawing Trend { get; }
 
+    /// <summary>How to read it, and that pieces are told from different counterparts, where they are.</summary>
+    public string TrendCaption => Sentence.Joined(Texts.Current["Verify.TrendCaption"], Trend.Lines.Any(l => l.Beginnings.Count > 0) ? Texts.Current["Verify.TrendBreaks"] : "");
+
     /// <summary>The assembly without compensation.</summary>
     public GapDrawing Before { get; }
 
@@ -165,16 +168,21 @@ public sealed class PieceDetail
         };
     }
 
+    private static string BaseOf(KeptPiece piece) => piece.Before is { } before ? Texts.Current.With("Verify.TrendBefore", before.Name) : Texts.Current["Verify.TrendBeforeDesigned"];
+
     private static SeriesDrawing TrendOf(IReadOnlyList<KeptPiece> series)
     {
         var texts = Texts.Current;
+
+        // Errors that are told from different counterparts say nothing of each other.
+        var breaks = Enumerable.Range(0, series.Count).Where(i => i > 0 && series[i].Before != series[i - 1].Before).ToHashSet();
         return new(
             [.. series.Select(p => p.Correction.Serial ?? "#" + Shown.Id(p.Correction.Id))],
-            [.. series.Select(p => texts.With("Verify.TrendAt", CorrectionLabel.Of(p.Correction), KindOf(p), Shown.Mm(p.Result.MaxBeforeMm), Shown.Mm(p.Result.MaxAfterMm), Shown.Mm(p.Result.RmsBeforeMm), Shown.Mm(p.Result.RmsAfterMm)))],
+            [.. series.Select(p => texts.With("Verify.TrendAt", CorrectionLabel.Of(p.Correction), KindOf(p), Shown.Mm(p.Result.MaxBeforeMm), Shown.Mm(p.Result.MaxAfterMm), Shown.Mm(p.Result.RmsBeforeMm), Shown.Mm(p.Result.RmsAfterMm), BaseOf(p)))],
             [
-                new(SeriesKind.Before, texts["Verify.LargestBefore"], [.. series.Select(p => (double?)p.Result.MaxBeforeMm)]),
+                new(SeriesKind.Before, texts["Verify.LargestBefore"], [.. series.Select(p => (double?)p.Result.MaxBeforeMm)]) { Beginnings = breaks },
                 new(SeriesKind.After, texts["Verify.LargestAfter"], [.. series.Select(p => (double?)p.Result.MaxAfterMm)]),
-                new(SeriesKind.BeforeMean, texts["Verify.RmsBefore"], [.. series.Select(p => (double?)p.Result.RmsBeforeMm)]),
+                new(SeriesKind.BeforeMean, texts["Verify.RmsBefore"], [.. series.Select(p => (double?)p.Result.RmsBeforeMm)]) { Beginnings = breaks },
                 new(SeriesKind.AfterMean, texts["Verify.RmsAfter"], [.. series.Select(p => (double?)p.Result.RmsAfterMm)]),
             ],
             [],
