@@ -64,6 +64,17 @@ public sealed class DecidingTests
     });
 
     [Fact]
+    public Task Where_nothing_is_left_to_decide_nobody_is_told_to_wait() => Seat.AtAsync(seat =>
+    {
+        Wait(seat, 1, 2);
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.Clock.Stand();
+        seat.Tap("reject").Type("signing-reason", "chip under the probe").Tap("signing-confirm");
+        seat.WaitFor(() => seat.TextOf("detail-state") == "Rejected", "The screen does not follow.");
+        Assert.Equal("Nothing is left to decide about this piece. Choose another one at the left.", seat.TextOf("forbidden"));
+    });
+
+    [Fact]
     public Task What_a_person_chose_is_there_when_they_come_back_and_not_for_somebody_else() => Seat.AtAsync(seat =>
     {
         Wait(seat, 1, 2);

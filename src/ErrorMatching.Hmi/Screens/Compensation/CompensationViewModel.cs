@@ -94,10 +94,10 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 
     /// <summary>Why a button cannot be pressed, or there is none; null if that needs no words.</summary>
     public string? Forbidden => Detail is null || _shell.Who is not { } who ? null
+        : !IsUndecided && !IsAtMachine ? (State is CorrectionState.Uploading ? null : Texts.Current["Compensation.Done"])
         : _pause.IsOn ? Texts.Current["Compensation.Changed"]
         : State is CorrectionState.Proposed or CorrectionState.Failed && !Rights.Allows(who.Role, Act.Approve) ? Texts.Current["Compensation.ApproveTakesSetter"]
         : State is CorrectionState.Verified && !Rights.Allows(who.Role, Act.Revert) ? Texts.Current["Compensation.RevertTakesSetter"]
-        : !IsUndecided && !IsAtMachine && State is not CorrectionState.Uploading ? Texts.Current["Compensation.Done"]
         : null;
 
     /// <summary>Done when what is chosen is shown.</summary>
