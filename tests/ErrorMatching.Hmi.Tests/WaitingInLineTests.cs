@@ -19,12 +19,18 @@ public sealed class WaitingInLineTests
         Assert.Equal(Behind, ((CompensationViewModel)seat.Shell.Current!).Waits);
         seat.Tap("approve").See("signing-facts");
         Assert.Equal(new Fact(Behind, Severity.Attention), seat.Shell.Signing!.Facts[0]);
+        Assert.Equal("It is sent once those before it are decided about and the slot is free.", seat.TextOf("signing-consequence"));
         seat.Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         seat.WaitFor(() => seat.TextOf("detail-state") == "Approved", "It is not approved.").See("compensation-waits");
         BothLanguages.Take(seat, "compensation-waits");
         Assert.Equal(Severity.Attention, ((CompensationViewModel)seat.Shell.Current!).Chosen!.Severity);
         seat.Tap("compensation-waits").WaitFor(() => seat.TextOf("detail-title") == "#1 · 0001", "The tap does not lead to the first.");
         Assert.Null(seat.Find("compensation-waits"));
+
+        // What is the first goes as soon as it can.
+        seat.Tap("approve").See("signing-facts");
+        Assert.Equal("The program goes to its machine as soon as the slot is free.", seat.TextOf("signing-consequence"));
+        seat.Tap("signing-leave");
 
         // What stands before it is decided about at a console, while it is looked at.
         seat.Tap("correction-3").WaitFor(() => seat.TextOf("detail-title") == "#3 · 0003", "It is not shown.");

@@ -40,6 +40,9 @@ public sealed class SigningViewModel : Observable
     /// <summary>Key of the text that says what is to be done, and with <c>.Consequence</c> what follows; that of the act if null.</summary>
     public string? TitleKey { get; init; }
 
+    /// <summary>Gives the key of the text that says what follows, where that hangs on how things are; that of <see cref="TitleKey"/> if null.</summary>
+    public Func<string>? ConsequenceKey { get; init; }
+
     /// <summary>True where what is carried out demands the right and the signature itself: a signature is good for one act.</summary>
     public bool IsDemandedElsewhere { get; init; }
 
@@ -77,7 +80,7 @@ public sealed class SigningViewModel : Observable
     public string PasswordLabel => Texts.Current.With("Signing.Password", UserName);
 
     /// <summary>What follows, in words.</summary>
-    public string Consequence => Sentence.Joined(Texts.Current[Key + ".Consequence"], Told?.Invoke() ?? "");
+    public string Consequence => Sentence.Joined(Texts.Current[ConsequenceKey?.Invoke() ?? Key + ".Consequence"], Told?.Invoke() ?? "");
 
     /// <summary>Does it.</summary>
     public LongCommand Confirm { get; }

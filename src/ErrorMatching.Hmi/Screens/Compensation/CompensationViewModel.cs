@@ -155,6 +155,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         () => Sign(kept => new(Station, _shell.Who!, act, kept.Subject, needsReason, (by, reason, cancellation) => carryOut(kept.Correction.Id, by.Name, reason, cancellation))
         {
             Correction = kept.Correction,
+            ConsequenceKey = act == Act.Approve ? () => WaitOf(kept.Correction) is { Severity: Severity.Attention } ? "Act.Approve.Consequence.InLine" : "Act.Approve.Consequence" : null,
             Known = act == Act.Approve && Detail is { } detail ? () => [.. WaitOf(kept.Correction) is { Severity: Severity.Attention } wait ? [new Fact(wait.Text, wait.Severity)] : Array.Empty<Fact>(), .. detail.Now().Facts] : null,
         }),
         () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, act) && Detail!.Kept.Correction is var c && act switch
