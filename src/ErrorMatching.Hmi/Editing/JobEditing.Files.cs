@@ -32,7 +32,7 @@ public sealed partial class JobEditing
         var (isBroken, message) = (false, (string?)null);
         try
         {
-            kept = _drafts.Find(job.Name);
+            kept = NamesOf(job).Select(_drafts.Find).FirstOrDefault(k => k is not null);
         }
         catch (InputException e)
         {
@@ -65,10 +65,21 @@ public sealed partial class JobEditing
         }
     }
 
+    // Changes may have been kept under the name of another of the cell's jobs with the same file.
+    private IEnumerable<string> NamesOf(CellJobSettings job) => _station.Settings.Jobs.Where(j => j.File == job.File).OrderBy(j => j.Name != job.Name).Select(j => j.Name);
+
+    private void Forget(CellJobSettings job)
+    {
+        foreach (var name in NamesOf(job))
+        {
+            _drafts.Forget(name);
+        }
+    }
+
     private async Task ForgetKeptAsync()
     {
         var job = Job!;
-        if (await TryAsync(() => _drafts.Forget(job.Name)))
+        if (await TryAsync(() => Forget(job)))
         {
             (Kept, IsKeptBroken) = (null, false);
             Refresh();
@@ -99,7 +110,7 @@ public sealed partial class JobEditing
             (_base, _baseSha256, HasComments) = (draft with { Program = null }, saved, false);
             _history.Begin(_base);
             await _keeping.Running;
-            await TryAsync(() => _drafts.Forget(job.Name));
+            await TryAsync(() => Forget(job));
             var waiting = _station.State.Status?.Proposed.Count(c => c.Job == job.Name) ?? 0;
             _notice = () => Sentence.Joined(
                 Texts.Current["Setup.Saved"],

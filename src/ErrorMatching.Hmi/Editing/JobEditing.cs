@@ -31,7 +31,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         _who = who;
         _screen = SynchronizationContext.Current ?? throw new InvalidOperationException("Jobs are edited on the screen's thread.");
         _drafts = new(Path.Combine(Path.GetDirectoryName(Path.GetFullPath(station.Settings.File))!, "drafts"));
-        Jobs = [.. station.Settings.Jobs.Where(j => !j.IsFreeform)];
+        Jobs = [.. station.Settings.Jobs.Where(j => !j.IsFreeform).GroupBy(j => j.File, StringComparer.Ordinal).Select(g => g.FirstOrDefault(j => j.Piece != "counterpart") ?? g.First())];
         _checking = new(LookThrough);
         _keeping = new(KeepAway);
         Undo = new(() => Go(_history.Undo), () => CanEdit && _history.CanUndo);
@@ -55,7 +55,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>Said when the first field is to be gone to that something is wrong with or that is still to be filled in.</summary>
     public event Action? Wanted;
 
-    /// <summary>The cell's mating jobs.</summary>
+    /// <summary>The cell's mating jobs, each file once: where several take their measurements by the same file, as those of part and counterpart do, by the name of the first that is not the counterpart's.</summary>
     public IReadOnlyList<CellJobSettings> Jobs { get; }
 
     /// <summary>The job that is edited; null before one is chosen.</summary>
@@ -157,6 +157,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>Opens a job, unless it is open.</summary>
     public void Choose(CellJobSettings? job)
     {
+        job = Jobs.FirstOrDefault(j => j.File == job?.File) ?? job;
         if (job is not null && job != Job)
         {
             (Job, _isLoaded, Kept, IsKeptBroken, _notice, _found, Doubts, _typed) = (job, false, null, false, null, [], [], null);
@@ -264,7 +265,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         {
             if (snapshot.Draft.IsSame(snapshot.Base))
             {
-                _drafts.Forget(snapshot.Job.Name);
+                Forget(snapshot.Job);
             }
             else
             {

@@ -61,7 +61,13 @@ public abstract class SetupViewModel : ScreenViewModel
 
     /// <summary>Whether the draft is what stands there.</summary>
     public string StateText => Editing.Job is not { } job ? "" : !Editing.IsChanged ? Texts.Current.With("Setup.AsSaved", job.Machine, job.Slot)
-        : Sentence.Joined(Texts.Current.With("Setup.Unsaved", job.Machine, job.Slot), Editing.HasComments ? Texts.Current["Setup.CommentsLost"] : "");
+        : Sentence.Joined(Texts.Current.With("Setup.Unsaved", job.Machine, job.Slot, job.Name), Editing.HasComments ? Texts.Current["Setup.CommentsLost"] : "");
+
+    /// <summary>What a new job is for, and what becomes of the one that is there.</summary>
+    public string? AnewHelp => Editing.Job is { } job ? Texts.Current.With("Setup.BeginAnewHelp", job.Name, job.Machine, job.Slot) : null;
+
+    /// <summary>True where nothing is said in the place of <see cref="StateText"/>.</summary>
+    public bool IsQuiet => Trouble is null && Editing.Notice is null;
 
     /// <summary>Why nothing can be edited; null if it can.</summary>
     public string? Forbidden => Editing.Jobs.Count == 0 ? Texts.Current["Setup.NoJobs"] : Editing.MayEdit ? null : Texts.Current["Setup.TakesSetter"];

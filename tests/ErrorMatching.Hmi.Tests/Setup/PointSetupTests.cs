@@ -1,4 +1,7 @@
+using Avalonia.Automation;
+using Avalonia.Controls;
 using Avalonia.Input;
+using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 
@@ -51,6 +54,43 @@ public sealed class PointSetupTests
         seat.Seat.Type(count.AutomationId, "9").User.Press(Key.Tab);
         Assert.Equal((9, (DraftProblem?)null), (seat.Draft.Features[2].Flanks[0].Count, seat.Shell.Editing.Typed));
     });
+
+    [Fact]
+    public Task A_new_job_says_whose_place_it_takes_and_that_nothing_is_in_use_before_it_is_saved() => At(seat =>
+    {
+        var anew = seat.Seat.See("setup-anew");
+        Assert.Equal("A new job from an empty form, for vmc1, slot A. It takes the place of complex-mating once it is saved.", AutomationProperties.GetHelpText(anew));
+        Assert.Equal(AutomationProperties.GetHelpText(anew), ToolTip.GetTip(anew));
+        seat.Seat.Tap("setup-anew");
+        seat.Settle();
+        var state = (TextBlock)seat.Seat.See("setup-state");
+        Assert.Equal("Not saved yet: when it is saved it takes the place of complex-mating at vmc1, slot A; until then that one runs. Remarks in its file are not taken over.", state.Text);
+        Assert.Single(state.TextLayout.TextLines);
+    });
+
+    [Fact]
+    public Task A_file_of_several_jobs_is_listed_once_and_changes_that_were_kept_for_another_of_them_are_found()
+    {
+        return Seat.AtAsync(seat =>
+        {
+            // The demonstration's parts and counterparts have one file.
+            var jobs = seat.Station.Settings.Jobs.Where(j => !j.IsFreeform).ToArray();
+            Assert.Equal(["complex-mating", "counterparts"], jobs.Select(j => j.Name));
+            Assert.Single(jobs.Select(j => j.File).Distinct());
+            new DraftFolder(Path.Combine(Path.GetDirectoryName(seat.Station.Settings.File)!, "drafts"))
+                .Keep(new() { Job = "counterparts", By = "anna", At = DateTimeOffset.UnixEpoch, BaseSha256 = JobEdits.Sha256Of(jobs[1]), Draft = MatingDraftFiles.Open(jobs[1].File) with { Name = "Kept" } });
+            seat.SignIn(DemoCell.Setter).Tap("nav-points");
+            var here = new SetupSeat(seat).Settle();
+            Assert.Equal(["complex-mating"], here.Shell.Editing.Jobs.Select(j => j.Name));
+            seat.Tap("setup-kept-continue");
+            Assert.Equal("Kept", here.Settle().Draft.Name);
+            here.Shell.Editing.Choose(jobs[1]);
+            Assert.Equal("complex-mating", here.Shell.Editing.Job!.Name);
+            seat.Tap("setup-discard");
+            here.Settle();
+            Assert.Empty(Directory.GetFiles(Path.Combine(Path.GetDirectoryName(seat.Station.Settings.File)!, "drafts")));
+        });
+    }
 
     [Fact]
     public Task Features_and_points_come_and_go_and_come_back() => At(seat =>
