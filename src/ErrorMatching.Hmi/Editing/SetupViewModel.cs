@@ -42,13 +42,14 @@ public abstract class SetupViewModel : ScreenViewModel
     public string StepText => Texts.Current[Key == Screens.Points ? "Setup.Next" : "Setup.Back"];
 
     /// <summary>How much is wrong and how much is still to be filled in, in words.</summary>
-    public string ProblemCount => HasProblems ? Editing.CountText : Texts.Current["Setup.NothingWrong"];
+    public string ProblemCount => HasProblems ? string.Join(" · ", new[] { HasWrong ? WrongText : "", HasMissing ? MissingText : "" }.Where(t => t.Length > 0)) : Texts.Current["Setup.NothingWrong"];
 
     /// <summary>How much is wrong, in words.</summary>
     public string WrongText => Texts.Current.With("Setup.Problems", Editing.WrongCount);
 
-    /// <summary>How much is still to be filled in, in words.</summary>
-    public string MissingText => Texts.Current.With("Setup.Missing", Editing.MissingCount);
+    /// <summary>How much is still to be filled in on this screen, or where that is nothing, on the other one, in words: what is done here does not let the number of this screen grow by what follows from it on the other.</summary>
+    public string MissingText => Editing.Problems.Count(p => p.IsMissing && ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key) is > 0 and var here ? Texts.Current.With("Setup.Missing", here)
+        : Texts.Current.With(Key == Screens.Points ? "Setup.MissingNext" : "Setup.MissingBack", Editing.MissingCount);
 
     /// <summary>True if something is wrong.</summary>
     public bool HasWrong => Editing.WrongCount > 0;

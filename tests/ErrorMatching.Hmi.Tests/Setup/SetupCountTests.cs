@@ -84,6 +84,24 @@ public sealed class SetupCountTests
     });
 
     [Fact]
+    public Task The_count_of_a_screen_is_its_own_and_grows_by_nothing_that_is_to_be_filled_in_on_the_other() => SetupSeat.AtAsync(Screens.Points, seat =>
+    {
+        // Name and features here; the program, the tool and the uncertainty are the next step's.
+        seat.Seat.Tap("setup-anew");
+        Assert.Equal("Still to fill: 2", seat.Settle().Setup.ProblemCount);
+        seat.Seat.Tap("add-line").Tap("add-triangle").Tap("add-curve");
+        Assert.Equal("Still to fill: 1", seat.Settle().Setup.ProblemCount);
+        seat.Seat.Type("edit-name", "Piece");
+        seat.Settle();
+        Assert.Equal(("Next: 30 to fill", 30), (seat.Setup.ProblemCount, seat.Shell.Editing.MissingCount));
+
+        // Nine points, program and blocks of three, limits of three, tool, uncertainty: 18 + 4 + 6 + 2.
+        seat.Seat.Tap("setup-step");
+        seat.Settle();
+        Assert.Equal("Still to fill: 30", seat.System.ProblemCount);
+    });
+
+    [Fact]
     public Task Each_step_leads_to_the_other() => At(seat =>
     {
         seat.Seat.Tap("setup-step");
