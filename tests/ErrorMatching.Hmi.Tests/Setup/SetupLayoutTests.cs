@@ -61,6 +61,35 @@ public sealed class SetupLayoutTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
+    public Task What_is_said_of_the_last_step_moves_nothing_below_it(bool isChinese) => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        if (isChinese)
+        {
+            seat.Seat.Tap("language");
+        }
+
+        var before = Top();
+        seat.Shell.Editing.Change("", d => d with { WorkOrder = "WO-7" });
+        seat.Settle().Seat.See("setup-state");
+        Assert.Equal(before, Top());
+        seat.System.Paste(Table(seat));
+        seat.Settle().Seat.See("setup-notice");
+        Assert.Equal(isChinese ? "表中有 16 點。" : "The table has 16 points.", seat.TextOf("setup-notice"));
+        Assert.Null(seat.Seat.Find("setup-message"));
+        Assert.Null(seat.Seat.Find("setup-state"));
+        Assert.Equal(before, Top());
+        seat.System.Paste("nothing");
+        seat.Settle().Seat.See("setup-message");
+        Assert.Equal(before, Top());
+
+        double Top() => Math.Round(seat.Seat.See("side-coordinates").TranslatePoint(default, seat.Seat.Window)!.Value.Y);
+
+        static string Table(SetupSeat seat) => string.Join('\n', seat.Draft.Features.SelectMany(f => f.Points).Select(p => $"{p.Label}\t{p.X}1\t{p.Y}"));
+    });
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
     public Task Buttons_of_the_bar_stay_where_they_are_whatever_is_to_be_corrected(bool isChinese) => SetupSeat.AtAsync(Screens.Points, seat =>
     {
         if (isChinese)
@@ -75,6 +104,9 @@ public sealed class SetupLayoutTests
         seat.Seat.Tap("add-line").Tap("add-triangle").Tap("add-curve");
         seat.Settle();
         seat.Seat.WaitFor(() => seat.Shell.Editing.Problems.Count > 9 && Places().SequenceEqual(before), "They stand elsewhere with two digits.");
+        seat.Seat.Type("edit-name", "Piece");
+        seat.Settle();
+        seat.Seat.WaitFor(() => seat.Setup.MissingText.Contains("30", StringComparison.Ordinal) && Places().SequenceEqual(before), "They stand elsewhere when the next step is counted.");
 
         double[] Places() => [.. new[] { "setup-undo", "setup-redo", "setup-anew", "setup-discard", "setup-problems", "setup-save" }.Select(id => Math.Round(seat.Seat.See(id).TranslatePoint(default, seat.Seat.Window)!.Value.X))];
     });

@@ -256,14 +256,13 @@ public sealed partial class SystemViewModel : SetupViewModel
         Editing.Change("", table.Into);
         Tell(table.Fault is { } fault ? () => Texts.Current.With("System.BadRow", fault.Line, fault.Text.Length > MostShown ? fault.Text[..MostShown] + "…" : fault.Text)
             : table.Count == 0 ? () => Texts.Current["System.NoCoordinates"] : null);
-        if (table.Count > 0)
-        {
-            Editing.Note(() => Sentence.Joined(
-                file is not null && IsMeasurement(file) ? Texts.Current.With("System.TableMeasured", file) : "",
-                Texts.Current.With("System.Table", table.Count),
-                other.Count > 0 ? Texts.Current.With("System.TableOther", Listed(other)) : "",
-                missing.Count > 0 ? Texts.Current.With("System.TableMissing", Listed(missing)) : ""));
-        }
+
+        // What was said of a table before is over, also where nothing was taken of this one.
+        Editing.Note(table.Count == 0 ? null : () => Sentence.Joined(
+            file is not null && IsMeasurement(file) ? Texts.Current.With("System.TableMeasured", file) : "",
+            Texts.Current.With("System.Table", table.Count),
+            other.Count > 0 ? Texts.Current.With("System.TableOther", Listed(other)) : "",
+            missing.Count > 0 ? Texts.Current.With("System.TableMissing", Listed(missing)) : ""));
 
         Show();
     }
