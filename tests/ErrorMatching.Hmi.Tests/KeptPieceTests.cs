@@ -60,6 +60,26 @@ public sealed class KeptPieceTests
         Assert.Null(piece.BandOf("nobody"));
     }
 
+    [Fact]
+    public void Where_points_stay_outside_though_all_is_as_predicted_a_person_decides_about_the_piece_and_the_set_up_is_what_can_be_changed()
+    {
+        var match = Report(j => j);
+        var measured = KeptPiece.Predicted(Part, match) with { Counterpart = Part with { Id = 2 } };
+        Assert.Equal(["2", "4"], measured.Outside);
+        Assert.Equal(
+            "Somebody has to decide whether this piece is used; the station does not. It was cut as predicted: before the next one, choose other points in the set-up than 2, 4, which lie on corners, or give them other limits.",
+            new PieceDetail(measured, [measured]).ToDo);
+
+        // Where no warning says why, nothing is said of corners.
+        var unwarned = measured with { Match = match with { Warnings = [] } };
+        Assert.Equal(
+            "Somebody has to decide whether this piece is used; the station does not. It was cut as predicted: before the next one, give 2, 4 other limits in the set-up, or see in the warnings why the compensation does not reach there.",
+            new PieceDetail(unwarned, [unwarned]).ToDo);
+
+        // The warning itself asks for nothing that cannot be done any more.
+        Assert.All(match.Warnings, w => Assert.EndsWith(" For the next pieces, choose a point further from the corner in the set-up.", w.Text, StringComparison.Ordinal));
+    }
+
     private static KeptReport Report(Func<string, string> change)
     {
         using var folder = new TemporaryFolder();

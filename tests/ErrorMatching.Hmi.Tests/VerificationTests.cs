@@ -60,7 +60,7 @@ public sealed class VerificationTests
         Assert.Equal(
             $"Prediction missed by more than twice the gauge's standard uncertainty: {missed.Length} ({string.Join(", ", missed.Select(p => p.Label))}); most by {Shown.Mm(worst.Mm)} mm at {worst.Label}.", seat.TextOf("piece-missed"));
         var outside = detail.Points.Where(p => p.IsOutside).Select(p => p.Point).Intersect(missed.Select(p => p.Label));
-        Assert.Equal($"Before the next piece, look for what made {string.Join(", ", outside)} other than predicted: clamping, worn tool, chip under the probe.", seat.TextOf("piece-to-do"));
+        Assert.Equal($"Somebody has to decide whether this piece is used; the station does not. Before the next one, look for what made {string.Join(", ", outside)} other than predicted: clamping, worn tool, chip under the probe.", seat.TextOf("piece-to-do"));
     });
 
     [Fact]

@@ -85,7 +85,7 @@ public sealed class PieceDetail
                 (false, _, _, _) => texts.With("Verdict.DoRead", Listed(outside)),
                 (true, true, _, _) => texts["Verdict.DoStop"],
                 (true, _, 0, _) => texts["Verdict.DoNothing"],
-                (true, _, _, 0) => texts.With("Verdict.DoReach", Listed(outside)),
+                (true, _, _, 0) => texts.With(outside.All(IsOnCorner) ? "Verdict.DoReachCorner" : "Verdict.DoReach", Listed(outside)),
                 _ => texts.With("Verdict.DoLook", Listed(missed)),
             };
         }
@@ -135,6 +135,9 @@ public sealed class PieceDetail
 
     /// <summary>How much a piece asks for attention.</summary>
     internal static Severity SeverityOf(KeptPiece piece) => piece.IsWithin ? Severity.Quiet : Severity.Attention;
+
+    // No program meets its deviation, and other limits or another point may: the correction warned of it.
+    private bool IsOnCorner(string point) => _piece.Match?.Warnings.Any(w => w.Code == WarningForms.PointOnCorner.Name && w.Values is [var corner, ..] && corner == point) == true;
 
     private IReadOnlyList<PredictionMiss> Significant => [.. _piece.Misses.Where(m => m.IsSignificant)];
 
