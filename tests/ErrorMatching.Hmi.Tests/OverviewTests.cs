@@ -61,6 +61,25 @@ public sealed class OverviewTests
     });
 
     [Fact]
+    public Task A_free_machine_says_what_was_cut_last_and_leads_to_how_well_it_fits() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.SignIn(DemoCell.Operator).See("slot-vmc1/A");
+        var overview = (OverviewViewModel)seat.Shell.Current!;
+        seat.WaitFor(() => overview.Slots is [{ Detail: "No program was sent yet." }, ..], "It is not said that none was sent.");
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
+        seat.WaitFor(1, CorrectionState.Verified);
+        seat.Cell.FinishPiece();
+        seat.WaitFor(() => overview.Slots[0] is { State: "Free", Severity: Severity.Quiet, Detail: "#1 · 0001 is cut and released; its counterpart is not measured yet." }, "It is not said what was cut.");
+        seat.Cell.DeliverCounterpart(1, 0);
+        seat.WaitFor(() => overview.Slots[0] is { State: "Free", Severity: Severity.Quiet, Detail: "#1 · 0001 is cut and released, verified by #2." }, "It is not said that it was measured.");
+        seat.Tap("slot-vmc1/A").WaitFor(() => seat.Find("piece-title") is not null && seat.TextOf("piece-title") == "#1 · 0001", "The tap does not lead to the verification.");
+        Assert.Equal((Screens.Verification, "Measured"), (seat.Shell.Chosen!.Screen.Key, seat.TextOf("piece-kind")));
+    });
+
+    [Fact]
     public Task What_waits_for_a_slot_that_is_taken_is_counted_at_it() => Seat.AtAsync(seat =>
     {
         seat.Cell.Run();

@@ -14,6 +14,9 @@ public sealed record StationState(long Version, CellStatus? Status, StoreExcepti
     /// <summary>Numbers of the corrections that wait and were made with a job as it was before it was changed.</summary>
     public IReadOnlySet<long> OfChangedJob { get; init; } = new HashSet<long>();
 
+    /// <summary>What the programs of free slots cut last, by machine and slot.</summary>
+    public IReadOnlyDictionary<(string Machine, string Slot), LastCut> LastCut { get; init; } = new Dictionary<(string Machine, string Slot), LastCut>();
+
     /// <summary>The counterpart of each mating that was measured last, where it has points outside of their limits.</summary>
     public IReadOnlyList<KeptPiece> Outside { get; init; } = [];
 }

@@ -10,6 +10,7 @@ internal sealed class StationWatch(Station station)
     private readonly ChangedJobs _changedJobs = new(station.Settings);
     private readonly MeasuredOutside _measured = new(station.Settings);
     private IReadOnlyList<KeptPiece> _outside = [];
+    private IReadOnlyDictionary<(string Machine, string Slot), LastCut> _lastCut = new Dictionary<(string Machine, string Slot), LastCut>();
     private long _seen = -1;
     private CellStatus? _last;
     private IReadOnlySet<long> _ofChangedJob = new HashSet<long>();
@@ -46,12 +47,13 @@ internal sealed class StationWatch(Station station)
             station.JobNames.Learn(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.InWork, .. _last.Slots.SelectMany(s => s.Approved), .. _last.Slots.Select(s => s.Held).OfType<Correction>()]);
             _ofChangedJob = _changedJobs.Among(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.Slots.SelectMany(s => s.Approved)]);
             _outside = _measured.Now(station.Store);
+            _lastCut = _last.Slots.Select(s => (s.Machine.Name, Slot: s.Slot.Name, Cut: LastCut.Of(station.Settings, station.Store, s))).Where(s => s.Cut is not null).ToDictionary(s => (s.Name, s.Slot), s => s.Cut!);
             _seen = count;
-            return new(++_version, _last, null) { OfChangedJob = _ofChangedJob, Outside = _outside };
+            return new(++_version, _last, null) { OfChangedJob = _ofChangedJob, Outside = _outside, LastCut = _lastCut };
         }
         catch (StoreException e)
         {
-            return new(++_version, _last, e) { OfChangedJob = _ofChangedJob, Outside = _outside };
+            return new(++_version, _last, e) { OfChangedJob = _ofChangedJob, Outside = _outside, LastCut = _lastCut };
         }
     }
 }

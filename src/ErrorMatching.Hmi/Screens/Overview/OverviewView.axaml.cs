@@ -11,9 +11,9 @@ public sealed partial class OverviewView : UserControl
 
     private void OnTile(object? sender, RoutedEventArgs e)
     {
-        if (DataContext is OverviewViewModel piece && (sender as Control)?.DataContext is WaitingTile { IsMeasured: true } measured)
+        if (DataContext is OverviewViewModel piece && (sender as Control)?.DataContext switch { WaitingTile { IsMeasured: true } measured => measured.Id, SlotTile { IsPiece: true } cut => cut.Correction, _ => null } is { } id)
         {
-            piece.LookAtPiece(measured.Id);
+            piece.LookAtPiece(id);
         }
         else if (DataContext is OverviewViewModel overview && (sender as Control)?.DataContext is { } tile
             && (tile is WaitingTile waiting ? waiting.Id : (tile as SlotTile)?.Correction) is { } correction)

@@ -92,9 +92,17 @@ public sealed class OverviewViewModel : ScreenViewModel
             (_, { State: CorrectionState.Reverted } held) => new(name, slot.Slot.Program, texts.Word(held.State), texts.With("Overview.TakenBack", CorrectionLabel.Of(held)), waiting, Severity.Attention, held.Id),
             (_, { } held) => new(name, slot.Slot.Program, texts.Word(held.State), $"{Label(held)}\n{Shown.Time(held.ChangedAt, Station.Clock)}", waiting, Severity.Quiet, held.Id),
             _ when slot.HeldUp is [{ Behind: [var first, ..] } up, ..] => new(name, slot.Slot.Program, texts["Overview.HeldUp"], texts.With("Overview.HeldUpBy", CorrectionLabel.Of(up.Correction), CorrectionLabel.Of(first)), waiting, Severity.Attention, first.Id),
+            _ when Station.State.LastCut.GetValueOrDefault((slot.Machine.Name, slot.Slot.Name)) is { } last => new(name, slot.Slot.Program, texts["Overview.Free"], Words(last), waiting, Severity.Quiet, last.Correction.Id) { IsPiece = last.IsMating },
             _ => new(name, slot.Slot.Program, texts["Overview.Free"], texts[slot.Holding.ProgramSha256 is null ? "Overview.NothingSent" : "Overview.LastReleased"], waiting, Severity.Quiet, null),
         };
     }
+
+    private static string Words(LastCut last) => last switch
+    {
+        { IsMating: false } => Texts.Current.With("Overview.LastSurface", CorrectionLabel.Of(last.Correction)),
+        { Counterpart: { } counterpart } => Texts.Current.With("Overview.LastVerified", CorrectionLabel.Of(last.Correction), "#" + Shown.Id(counterpart.Id)),
+        _ => Texts.Current.With("Overview.LastCut", CorrectionLabel.Of(last.Correction)),
+    };
 
     private static GaugeTile Tile(CellStatus status, GaugeSettings gauge)
     {

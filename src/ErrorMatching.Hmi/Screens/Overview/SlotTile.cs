@@ -10,6 +10,9 @@ namespace ErrorMatching.Hmi;
 /// <param name="Correction">What to look at; null if there is nothing.</param>
 public sealed record SlotTile(string Name, string Program, string State, string Detail, string Waiting, Severity Severity, long? Correction)
 {
+    /// <summary>True where it was cut: how well it fits is to be looked at, and not what it changes.</summary>
+    public bool IsPiece { get; init; }
+
     /// <summary>Identifies the tile.</summary>
     public string AutomationId => "slot-" + Name;
 }

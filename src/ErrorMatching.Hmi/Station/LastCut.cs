@@ -1,0 +1,39 @@
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>What a free slot's program cut last.</summary>
+/// <param name="Correction">The correction that was released.</param>
+/// <param name="IsMating">True if its piece has a counterpart that can be verified.</param>
+/// <param name="Counterpart">The counterpart that was measured with it last; null while there is none.</param>
+public sealed record LastCut(Correction Correction, bool IsMating, Correction? Counterpart)
+{
+    // So many of a machine are looked through: more slots than that take turns at no machine.
+    private const int Looked = 20;
+
+    /// <summary>Looks what a slot's program cut last.</summary>
+    /// <returns>It; null if the slot is taken, or nobody knows whose program it holds.</returns>
+    /// <param name="settings">The cell's configuration.</param>
+    /// <param name="store">The store.</param>
+    /// <param name="slot">The slot.</param>
+    /// <exception cref="StoreException">The store cannot be read.</exception>
+    public static LastCut? Of(CellSettings settings, CellStore store, SlotStatus slot)
+    {
+        ArgumentNullException.ThrowIfNull(settings);
+        ArgumentNullException.ThrowIfNull(store);
+        ArgumentNullException.ThrowIfNull(slot);
+        if (slot is not { Held: null, Holding.ProgramSha256: { } program }
+            || Last(CorrectionState.Released) is not { } cut || cut.ProgramSha256 != program || Last(CorrectionState.Reverted)?.ChangedAt > cut.ChangedAt)
+        {
+            return null;
+        }
+
+        var mating = MatingChoice.Of(settings).FirstOrDefault(m => m.Jobs.Contains(cut.Job, StringComparer.Ordinal));
+        return new(cut, mating is not null, mating is null ? null : store.Reported(mating.Jobs, KeptPieces.Most).FirstOrDefault(c => IsOf(c, cut)));
+
+        Correction? Last(CorrectionState state) => store.Search(new() { Machine = slot.Machine.Name, State = state, Most = Looked }).Where(c => c.Slot == slot.Slot.Name).MaxBy(c => c.ChangedAt);
+    }
+
+    private static bool IsOf(Correction counterpart, Correction cut) =>
+        counterpart is { Piece: "counterpart", PartSha256: not null, State: not (CorrectionState.Rejected or CorrectionState.Superseded) } && counterpart.PartSha256 == cut.MeasurementSha256;
+}
