@@ -52,10 +52,30 @@ public sealed partial class CompensationWordsTests
         // The same point, seen from the part and seen from the mating.
         Assert.Equal(("+0.1170", "−0.1170"), (detail.Decisions[0].Largest, detail.Points[0].Without));
         seat.Tap("tab-decisions").See("decisions-note");
-        Assert.Equal("Largest deviation: part − counterpart without compensation, along the normal. The mating errors under Points have the opposite sign.", seat.TextOf("decisions-note"));
+        Assert.Equal("Largest deviation: part − counterpart without compensation, the sign that limits have. +0.1359 mm here is a mating error of −0.1359 mm under Points.", seat.TextOf("decisions-note"));
         Texts.Current.Language = Language.TraditionalChinese;
-        Assert.Equal("最大偏差：沿法線的 工件 − 未補償的對應件。「關鍵點」頁的配合誤差正負號相反。", seat.TextOf("decisions-note"));
+        seat.WaitFor(() => seat.TextOf("decisions-note") == "最大偏差：工件 − 未補償的對應件，與公差限的正負號一致。此處的 +0.1359 mm 即「關鍵點」頁的配合誤差 −0.1359 mm。", "It is said in English only.");
         Texts.Current.Language = Language.English;
+    });
+
+    [Fact]
+    public Task The_course_begins_with_what_was_last_and_counts_warnings_instead_of_saying_them_again() => Seat.AtAsync(seat =>
+    {
+        var detail = Arrive(seat);
+        Assert.Equal(["Waits for approval", "Computed", "Recognized", "Arrived"], detail.Steps.Select(s => s.State));
+        Assert.Equal("displaced by at most 0.2979 mm at block N150. Warnings: 2", detail.Steps[1].Basis);
+        Assert.Contains("Point 2 lies on a rounded corner", seat.Station.Store.StepsOf(1).Single(s => s.To == CorrectionState.Computed).Basis, StringComparison.Ordinal);
+    });
+
+    [Fact]
+    public Task More_motions_than_blocks_are_explained_beside_the_blocks() => Seat.AtAsync(seat =>
+    {
+        var detail = Arrive(seat);
+        using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
+        var (blocks, motions) = (report.RootElement.GetProperty("program").GetProperty("changedBlocks").GetInt32(), report.RootElement.GetProperty("proof").GetProperty("movedMotions").GetInt32());
+        Assert.True(motions > blocks);
+        Assert.StartsWith($"{blocks} blocks differ, ", detail.Changed, StringComparison.Ordinal);
+        Assert.EndsWith($" {motions} motions count as displaced, also those that only begin elsewhere.", detail.Changed, StringComparison.Ordinal);
     });
 
     [Fact]

@@ -1,3 +1,4 @@
+using ErrorMatching.Cell;
 using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
@@ -16,7 +17,7 @@ public sealed class CorrectionDetail
         var report = kept.Report;
         Quantities = [.. report?.Features.SelectMany(f => f.Quantities.Select(q => Row(f, q))) ?? []];
         Decisions = [.. report?.Features.Select(f => Row(report, f)) ?? []];
-        Steps = [.. kept.Steps.Select(s => new StepRow(Shown.Time(s.At, clock), Texts.Current.Word(s.To), RecordedText.Who(s.By), RecordedText.Of(s.Basis, kept.Correction)))];
+        Steps = [.. Enumerable.Reverse(kept.Steps).Select(s => new StepRow(Shown.Time(s.At, clock), Texts.Current.Word(s.To), RecordedText.Who(s.By), BasisOf(s)))];
         if (report is not null)
         {
             _piece = KeptPiece.Predicted(kept.Correction, report);
@@ -173,6 +174,15 @@ public sealed class CorrectionDetail
         IsOfChangedJob ? new(Texts.Current["Head.ChangedJob"], Severity.Attention) : null,
         HasWarnings ? new(WarningCount, Severity.Attention) : null,
     }.OfType<Fact>()];
+
+    // Its warnings stand in the record of the step as well; they are read where they are told, and counted here.
+    private string BasisOf(CorrectionStep step)
+    {
+        string[] recorded = [.. Kept.Report?.Warnings.Select(w => w.Message) ?? Kept.Surface?.Warnings ?? []];
+        var told = recorded.Where(w => step.Basis.Contains(" " + w, StringComparison.Ordinal)).ToArray();
+        var basis = RecordedText.Of(told.Aggregate(step.Basis, (b, w) => b.Replace(" " + w, "", StringComparison.Ordinal)), Kept.Correction);
+        return told.Length == 0 ? basis : Sentence.Joined(basis, Texts.Current.With("Head.Warnings", told.Length));
+    }
 
     // The errors are the piece's, as the verification has them: one convention for both screens.
     private PointRow Row(KeptPoint p, VerifiedPoint errors) => new(
