@@ -103,7 +103,10 @@ public sealed class CorrectionDetail
     /// <summary>What was decided.</summary>
     public IReadOnlyList<DecisionRow> Decisions { get; }
 
-    /// <summary>What became of it.</summary>
+    /// <summary>By which convention its deviations have their sign, with one of them as an example; empty where there is none.</summary>
+    public string DecisionsNote => Kept.Report?.Features.MaxBy(f => Math.Abs(f.LargestMm)) is { } example ? Texts.Current.With("Detail.DecisionsNote", Shown.SignedMm(example.LargestMm), Shown.SignedMm(-example.LargestMm)) : "";
+
+    /// <summary>What became of it, the latest first.</summary>
     public IReadOnlyList<StepRow> Steps { get; }
 
     /// <summary>True if it has come to where it is step by step: what was only tried has not.</summary>
