@@ -156,7 +156,9 @@ public sealed class CorrectionDetail
         proof.Holds ? "Head.Proved" : "Head.NotProved", Shown.Count(proof.Motions), Shown.Count(proof.MovedMotions), Shown.Mm(proof.MaxDeviationFromWantedMm));
 
     /// <summary>How much of the program differs.</summary>
-    public string Changed => Kept.Report is not { } report ? "" : Texts.Current.With("Detail.Changed", Shown.Count(report.ChangedBlocks), Shown.Count(report.ChangedWords));
+    public string Changed => Kept.Report is not { } report ? "" : Sentence.Joined(
+        Texts.Current.With("Detail.Changed", Shown.Count(report.ChangedBlocks), Shown.Count(report.ChangedWords)),
+        report.Proof.MovedMotions > report.ChangedBlocks ? Texts.Current.With("Detail.ChangedMotions", Shown.Count(report.Proof.MovedMotions)) : "");
 
     /// <summary>What a person should know before using the program.</summary>
     public IReadOnlyList<string> Warnings => [.. Kept.Report?.Warnings.Select(w => w.Text) ?? Surface?.Warnings ?? []];
