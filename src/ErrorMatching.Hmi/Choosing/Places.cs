@@ -27,7 +27,7 @@ internal static class Places
     /// <summary>Of what is mounted on Linux, what a person takes for a disk.</summary>
     /// <param name="mounted">Where something is mounted.</param>
     internal static IEnumerable<string> DisksAmong(IEnumerable<string> mounted) =>
-        mounted.Where(d => d == "/" || Mounts.Any(m => d.StartsWith(m.Root + "/", StringComparison.Ordinal) && d[m.Root.Length..].Count('/') <= m.Levels));
+        mounted.Where(d => d == "/" || Mounts.Any(m => d.StartsWith(m.Root + "/", StringComparison.Ordinal) && d.AsSpan(m.Root.Length).Count('/') <= m.Levels));
 
     // Of what is mounted on Linux most is the system's own. Nothing is asked of a disk itself: one that is gone would let the question wait.
     private static IEnumerable<string> Disks() => OperatingSystem.IsWindows()
