@@ -32,6 +32,8 @@ public static class Recorded
     internal static readonly SentenceForm Policy = new("policy", "policy: automatic");
     internal static readonly SentenceForm NewerMeasurement = new("newer-measurement", "correction {0:0} is a newer measurement of {1}");
     internal static readonly SentenceForm NewerOfSamePiece = new("newer-of-same-piece", "Correction {0:0} ({1}) is a newer measurement of the same piece.");
+    internal static readonly SentenceForm GivenAgain = new("given-again", "given again in the place of correction {0:0}, to be computed with the job as it is now");
+    internal static readonly SentenceForm ComputedAnew = new("computed-anew", "Its job was changed after it was made: correction {0:0} computes the measurement anew, with the job as it is now.");
     internal static readonly SentenceForm FirstArticle = new("first-article", "A counterpart is measured: this verifies what was sent, and sends nothing.");
     internal static readonly SentenceForm NotCompared = new("not-compared", "It was compared with nothing, for no program was sent for a part of its number.");
     internal static readonly SentenceForm NotComparable = new("not-comparable", "It could not be compared with its part: {0:any}");
@@ -150,7 +152,7 @@ public static class Recorded
     public static IReadOnlyList<SentenceForm> All { get; } =
     [
         Arrived, OfCutAndPart, OfCut, OfPart, Of, DisplacedAt, DisplacedNothing, DisplacedInSum, Displaced, Computed, AtPointOf, AtPointAndBeside,
-        AtPoint, AtBlock, PolicyWithin, Policy, NewerMeasurement, NewerOfSamePiece, FirstArticle, NotCompared, NotComparable, PartRecorded, Approved,
+        AtPoint, AtBlock, PolicyWithin, Policy, NewerMeasurement, NewerOfSamePiece, GivenAgain, ComputedAnew, FirstArticle, NotCompared, NotComparable, PartRecorded, Approved,
         PieceCut, SlotUsable, LookedAtBase, TriedToRead, SlotEmpty, SlotHeld, CellStopped, HeldAfterCut, ReadBack, GivenBack, MachineWrote,
         EitherProgram, ChangedBefore, ChangedMeanwhile, UnknownPiece, AskedNobody, AskedWants, LikeAll, LikeName, LikeField, LikeColumn,
         AmbiguousPiece, ContradictoryPiece, SaysNoName, SaysTwo, UnusableJob, UnreadableInside, SlowPattern, TooLarge, AlreadyKnown, SumsUnknown,

@@ -9,6 +9,9 @@ public static class CellCodes
     /// <summary>A newer measurement of the same piece took its place.</summary>
     public const string Superseded = "superseded";
 
+    /// <summary>Its job was changed, and its measurement is computed anew.</summary>
+    public const string ComputedAnew = "computed-anew";
+
     /// <summary>Corrections shall add up to a program whose sums nobody knows.</summary>
     public const string SumsUnknown = "sums-unknown";
 

@@ -76,9 +76,11 @@ public sealed class CorrectionDecisions(CellStore store)
         }
         catch (StoreException e) when (e.Error == StoreError.Conflict)
         {
-            throw new DecisionException(DecisionException.ChangedMeanwhile, Sentence($"Correction {correction.Id} changed meanwhile: look at it again with errormatch cell show."));
+            throw ChangedMeanwhile(correction.Id);
         }
     }
+
+    internal static DecisionException ChangedMeanwhile(long id) => new(DecisionException.ChangedMeanwhile, Sentence($"Correction {id} changed meanwhile: look at it again with errormatch cell show."));
 
     private static string Word(CorrectionState state) => state.ToString().ToLowerInvariant();
 

@@ -18,4 +18,18 @@ internal static class CorrectionRequests
         Sums = job.Accumulates && correction.SumsSha256 is { } sums ? CorrectionSums.FromJson(flow.Store.Content(sums)) : CorrectionSums.None,
         Identity = correction.Identity,
     };
+
+    /// <summary>The request of a correction that was computed, to tell whether another one would be made of its measurement now.</summary>
+    /// <param name="store">The store.</param>
+    /// <param name="correction">The correction.</param>
+    /// <param name="job">Its job.</param>
+    /// <exception cref="StoreException">What it was computed from is not kept.</exception>
+    public static CorrectionRequest Again(CellStore store, Correction correction, CellJobSettings job) => new()
+    {
+        Job = job,
+        Piece = correction.Piece!,
+        Measurement = new(correction.FileName, store.Content(correction.MeasurementSha256)),
+        Part = correction.PartSha256 is { } part ? new("", store.Content(part)) : null,
+        Base = job.Accumulates && CutProgram.Before(store, correction) is { ProgramSha256: { } cut } ? store.Content(cut) : default(ReadOnlyMemory<byte>?),
+    };
 }

@@ -25,6 +25,14 @@ internal sealed record CutProgram(Correction? By, Correction? Undecided)
         return holder is { State: CorrectionState.Reverted } && holder.Job == job && (own is null || holder.Serial == counterpart.Serial) ? new(null, holder) : new(last, null);
     }
 
+    /// <summary>The same for a correction that was made of its measurement before: what cut a piece does not change any more.</summary>
+    /// <param name="store">The store.</param>
+    /// <param name="made">A correction that was computed for a job that accumulates.</param>
+    /// <returns>The correction whose program it adds to; null for the original program.</returns>
+    public static Correction? Before(CellStore store, Correction made) => made is not { BaseSha256: { } program, SumsSha256: not null, Job: { } job }
+        ? null
+        : store.OfProgram(job, program).LastOrDefault(c => c.Id < made.Id && c is { SumsSha256: not null, State: CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted });
+
     /// <summary>Why nothing is computed while it is not known, and what to do.</summary>
     public string Reason => Undecided is not { } held ? "" : held.State == CorrectionState.Reverted
         ? Recorded.NotReleasedReverted.With(held.Id, held.Slot, held.Machine, held.Id)

@@ -17,6 +17,15 @@ public sealed class DecisionException(string code, string message) : Exception(m
     /// <summary>There is no program to send.</summary>
     public const string NothingToSend = "nothing-to-send";
 
+    /// <summary>It was made with the job as it is now: computed anew, it would be the same.</summary>
+    public const string JobUnchanged = "job-unchanged";
+
+    /// <summary>Its job cannot be used as it is now, or is not in the configuration any more.</summary>
+    public const string JobUnusable = "job-unusable";
+
+    /// <summary>Another correction was made of the same measurement with the job as it is now.</summary>
+    public const string AlreadyKnown = CellCodes.AlreadyKnown;
+
     /// <summary>The slot held nothing before.</summary>
     public const string NothingBefore = "nothing-before";
 

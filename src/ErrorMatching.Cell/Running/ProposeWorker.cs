@@ -46,14 +46,14 @@ internal sealed class ProposeWorker(CellFlow flow)
         }
 
         var others = OfSamePiece(computed);
-        if (others.FirstOrDefault(c => c.Id > computed.Id && TakesPlace(c)) is { } newer)
+        if (others.FirstOrDefault(c => c.Turn > computed.Turn && TakesPlace(c)) is { } newer)
         {
             Supersede(computed, newer);
             return;
         }
 
         // First the older ones: should the cell end in between, this one is still computed and comes here again.
-        foreach (var older in others.Where(c => c.Id < computed.Id && CorrectionSteps.Allows(c.State, CorrectionState.Superseded)))
+        foreach (var older in others.Where(c => c.Turn < computed.Turn && CorrectionSteps.Allows(c.State, CorrectionState.Superseded)))
         {
             Supersede(older, computed);
         }

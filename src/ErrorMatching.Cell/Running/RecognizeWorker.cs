@@ -38,9 +38,12 @@ internal sealed class RecognizeWorker(CellFlow flow)
 
         var slot = flow.Settings.Machines.First(m => m.Name == job.Machine).Slots.First(s => s.Name == job.Slot);
         var known = archived with { Job = job.Name, Piece = found.Piece, Serial = found.Serial, WorkOrder = found.WorkOrder, Machine = job.Machine, Slot = job.Slot, Program = slot.Program };
-        var cut = job.Accumulates && known.Piece == "counterpart" ? CutProgram.Of(flow.Store, known) : new(null, null);
+        var before = archived.MeasuredAs is { } id && flow.Store.Find(id) is { } first && first.Job == known.Job && first.Piece == known.Piece ? first : null;
+        var cut = !job.Accumulates || known.Piece != "counterpart" ? new(null, null)
+            : before is { SumsSha256: not null } ? new(CutProgram.Before(flow.Store, before), null)
+            : CutProgram.Of(flow.Store, known);
         var cutBy = cut.By;
-        var part = known.Piece == "counterpart" ? LastCut(known, job) ?? LastPart(known, job) : null;
+        var part = known.Piece != "counterpart" ? null : PartOf(before) ?? LastCut(known, job) ?? LastPart(known, job);
         known = known with { BaseSha256 = cutBy?.ProgramSha256, SumsSha256 = cutBy?.SumsSha256, PartSha256 = part?.MeasurementSha256 };
         if (Earlier(known, job) is { } earlier)
         {
@@ -104,13 +107,16 @@ internal sealed class RecognizeWorker(CellFlow flow)
     private Correction? Earlier(Correction known, CellJobSettings job) => !job.Accumulates ? null : flow.Store.OfMeasurement(known.MeasurementSha256)
         .FirstOrDefault(c => c.Id != known.Id && c.Job == known.Job && c.Piece == known.Piece && c.Identity is not null);
 
+    // A measurement that is given again is of the same piece as before, whatever was measured since: it is compared with the same part, and was cut by the same program.
+    private Correction? PartOf(Correction? before) => before?.PartSha256 is { } part ? flow.Store.OfMeasurement(part).LastOrDefault(c => c.Piece == "part") : null;
+
     // The part whose program cut it, where parts make programs. What one of the two does not say itself may be anything.
     private Correction? LastCut(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)
         .Select(j => flow.Store.LastSent(j.Name, counterpart.Serial)).OfType<Correction>().Where(c => c.Piece == "part" && (counterpart.WorkOrder is null || c.WorkOrder is null || c.WorkOrder == counterpart.WorkOrder)).MaxBy(c => c.Id);
 
     // A configuration may name one job's file twice, once for each piece.
     private Correction? LastPart(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)
-        .Select(j => flow.Store.LastPart(j.Name, counterpart.Serial, counterpart.WorkOrder)).OfType<Correction>().MaxBy(c => c.Id);
+        .Select(j => flow.Store.LastPart(j.Name, counterpart.Serial, counterpart.WorkOrder)).OfType<Correction>().MaxBy(c => c.Turn);
 
     private static string? Named(Correction piece) => (piece.Serial, piece.WorkOrder) switch
     {

@@ -12,6 +12,12 @@ namespace ErrorMatching.Cell;
 public sealed record Correction(
     long Id, CorrectionState State, int Version, string Gauge, string FileName, DateTimeOffset ArrivedAt, string MeasurementSha256, long MeasurementBytes)
 {
+    /// <summary>Number of the correction that its measurement came in with, where it was given again to be computed anew; null where it came in with this one. A measurement that is given again is of the same job, piece and slot from the beginning.</summary>
+    public long? MeasuredAs { get; init; }
+
+    /// <summary>Says which of two measurements came first, and what stands before what in line: a measurement that is given again stays where it was.</summary>
+    public long Turn => MeasuredAs ?? Id;
+
     /// <summary>When the last step was taken.</summary>
     public DateTimeOffset ChangedAt { get; init; }
 

@@ -5,11 +5,12 @@ namespace ErrorMatching.Cell;
 
 public sealed partial class CellStore
 {
-    /// <summary>The corrections that stand in line for a slot, in order of arrival: from recognized to approved, and those that failed there. What failed without a program has nothing to send and is not among them.</summary>
+    /// <summary>The corrections that stand in line for a slot, in order of arrival: from recognized to approved, and those that failed there. What failed without a program has nothing to send and is not among them.
+    /// A measurement that was given again stands where it stood before, from the moment on in which it was given.</summary>
     /// <param name="machine">The machine.</param>
     /// <param name="slot">Its slot.</param>
     public IReadOnlyList<Correction> Line(string machine, string slot) => Read(
-        CorrectionRow.Select + $" WHERE machine = @machine AND slot = @slot AND ({CorrectionRow.IsIn("state", CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed, CorrectionState.Approved)} OR (state = @Failed AND program_sha256 IS NOT NULL)) ORDER BY id",
+        CorrectionRow.Select + $" WHERE machine = @machine AND slot = @slot AND ({CorrectionRow.IsIn("state", CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed, CorrectionState.Approved)} OR (state = @Failed AND program_sha256 IS NOT NULL)) ORDER BY COALESCE(measured_as, id), id",
         CorrectionRow.Read,
         new { machine, slot, Failed = CorrectionRow.Word(CorrectionState.Failed) });
 
@@ -64,7 +65,7 @@ public sealed partial class CellStore
             CorrectionRow.Select + $" WHERE job = @job AND piece = 'part' AND {CorrectionRow.IsIn("state", CorrectionState.Recognized, CorrectionState.Recorded)}"
             + (serial is null ? "" : " AND (serial = @serial OR serial IS NULL)") + (workOrder is null ? "" : " AND (work_order = @workOrder OR work_order IS NULL)")
             + (serial is null && workOrder is null ? "" : $" AND ({string.Join(" OR ", new[] { serial is null ? null : "serial = @serial", workOrder is null ? null : "work_order = @workOrder" }.OfType<string>())})")
-            + " ORDER BY id DESC LIMIT 1",
+            + " ORDER BY COALESCE(measured_as, id) DESC, id DESC LIMIT 1",
             CorrectionRow.Read,
             new { job, serial, workOrder });
         return found is [var last] ? last : null;

@@ -50,7 +50,7 @@ public sealed partial class CellStore : IDisposable
         {
             if (Known(transaction, arrival.Key) is { } known) return (known, false);
             Keep(transaction, sha256, arrival.Bytes);
-            return (Arrive(transaction, CorrectionState.Archived, arrival.Gauge, arrival.FileName, arrival.Key, sha256, arrival.Bytes.Length, null, null, arrival.Trace), true);
+            return (Arrive(transaction, New(transaction, CorrectionState.Archived, arrival.Gauge, arrival.FileName, sha256, arrival.Bytes.Length) with { Trace = arrival.Trace }, arrival.Key), true);
         });
     }
 
@@ -61,7 +61,10 @@ public sealed partial class CellStore : IDisposable
         ArgumentNullException.ThrowIfNull(arrival);
         return Write(transaction => Known(transaction, arrival.Key) is { } known
             ? (known, false)
-            : (Arrive(transaction, CorrectionState.Refused, arrival.Gauge, arrival.FileName, arrival.Key, arrival.Sha256, arrival.Length, arrival.Code, arrival.Reason, arrival.Trace), true));
+            : (Arrive(
+                transaction,
+                New(transaction, CorrectionState.Refused, arrival.Gauge, arrival.FileName, arrival.Sha256, arrival.Length) with { Code = arrival.Code, Reason = arrival.Reason, Trace = arrival.Trace },
+                arrival.Key), true));
     }
 
     /// <summary>What was kept under a hash.</summary>
@@ -133,6 +136,7 @@ public sealed partial class CellStore : IDisposable
                 ChangedAt = transaction.Now,
                 MeasurementSha256 = from.MeasurementSha256,
                 MeasurementBytes = from.MeasurementBytes,
+                MeasuredAs = from.MeasuredAs,
             };
             foreach (var (sha256, bytes) in kept) Keep(transaction, sha256, bytes);
             if (after.Identity is { } identity && identity != from.Identity
@@ -252,31 +256,36 @@ public sealed partial class CellStore : IDisposable
 
     private static string KeyOf(string key) => Sha256(System.Text.Encoding.UTF8.GetBytes(key));
 
-    private static Correction Arrive(
-        StoreTransaction transaction, CorrectionState state, string gauge, string fileName, string key, string sha256, long length, string? code, string? reason, string? trace)
+    private static Correction New(StoreTransaction transaction, CorrectionState state, string gauge, string fileName, string sha256, long length) =>
+        new(0, state, 1, StoredText.Name(gauge), StoredText.Name(fileName), transaction.Now, sha256, length) { ChangedAt = transaction.Now };
+
+    // Without a basis the cell itself took it from its gauge.
+    private static Correction Arrive(StoreTransaction transaction, Correction arriving, string key, string by = "cell", string? basis = null)
     {
-        var arrived = CorrectionRow.Kept(new Correction(0, state, 1, StoredText.Name(gauge), StoredText.Name(fileName), transaction.Now, sha256, length)
-        {
-            ChangedAt = transaction.Now,
-            Code = code,
-            Reason = reason,
-            Trace = trace,
-        });
+        var arrived = CorrectionRow.Kept(arriving);
         var id = transaction.Value<long>(CorrectionRow.Insert, new
         {
-            State = CorrectionRow.Word(state),
+            State = CorrectionRow.Word(arrived.State),
             Arrival = KeyOf(key),
             arrived.Gauge,
             arrived.FileName,
             At = StoredTime.Of(transaction.Now),
-            Sha256 = sha256,
-            Length = length,
+            arrived.MeasurementSha256,
+            arrived.MeasurementBytes,
             arrived.Code,
             arrived.Reason,
             arrived.Trace,
+            arrived.Job,
+            arrived.Piece,
+            arrived.Serial,
+            arrived.WorkOrder,
+            arrived.Machine,
+            arrived.Slot,
+            arrived.Program,
+            arrived.MeasuredAs,
         });
         arrived = arrived with { Id = id };
-        Note(transaction, arrived, null, "cell", arrived.Reason ?? Recorded.Arrived.With(arrived.Gauge, arrived.FileName));
+        Note(transaction, arrived, null, by, basis ?? arrived.Reason ?? Recorded.Arrived.With(arrived.Gauge, arrived.FileName));
         return arrived;
     }
 

@@ -7,7 +7,7 @@ internal static class CorrectionRow
 {
     public const string Columns =
         "id, state, version, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, job, piece, serial, work_order, identity, "
-        + "job_sha256, base_sha256, machine, slot, program, program_sha256, report_sha256, page_sha256, largest_mm, sum_mm, previous_sha256, code, reason, trace, part_sha256, sums_sha256, job_work_order";
+        + "job_sha256, base_sha256, machine, slot, program, program_sha256, report_sha256, page_sha256, largest_mm, sum_mm, previous_sha256, code, reason, trace, part_sha256, sums_sha256, job_work_order, measured_as";
 
     public const string Select = "SELECT " + Columns + " FROM correction";
 
@@ -18,8 +18,8 @@ internal static class CorrectionRow
         + "WHERE id = @Id AND version = @Version - 1 AND state = @From";
 
     public const string Insert =
-        "INSERT INTO correction (state, version, arrival, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, code, reason, trace) "
-        + "VALUES (@State, 1, @Arrival, @Gauge, @FileName, @At, @At, @Sha256, @Length, @Code, @Reason, @Trace) RETURNING id";
+        "INSERT INTO correction (state, version, arrival, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, code, reason, trace, job, piece, serial, work_order, machine, slot, program, measured_as) "
+        + "VALUES (@State, 1, @Arrival, @Gauge, @FileName, @At, @At, @MeasurementSha256, @MeasurementBytes, @Code, @Reason, @Trace, @Job, @Piece, @Serial, @WorkOrder, @Machine, @Slot, @Program, @MeasuredAs) RETURNING id";
 
     private static readonly string[] Words = [.. Enum.GetValues<CorrectionState>().Select(s => s.ToString().ToLowerInvariant())];
 
@@ -55,6 +55,7 @@ internal static class CorrectionRow
         PartSha256 = row.TextOrNull(28),
         SumsSha256 = row.TextOrNull(29),
         JobWorkOrder = row.TextOrNull(30),
+        MeasuredAs = row.IsDBNull(31) ? null : row.GetInt64(31),
     };
 
     /// <summary>The correction as it comes back from the store: texts that a database refuses are made such that it does not.</summary>

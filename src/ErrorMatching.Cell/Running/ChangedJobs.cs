@@ -1,9 +1,7 @@
-using ErrorMatching.Cell;
-
-namespace ErrorMatching.Hmi;
+namespace ErrorMatching.Cell;
 
 /// <summary>Tells which corrections were made with a job as it was before somebody changed it: another one would be made of the same measurement now.</summary>
-/// <remarks>By a correction's identity, as the cell itself tells it: it covers the job's file and all files that it names. To be asked by one thread at a time, and not by the screen's.</remarks>
+/// <remarks>By a correction's identity, as the cell itself tells it: it covers the job's file and all files that it names. To be asked by one thread at a time; it reads files.</remarks>
 /// <param name="settings">The cell's configuration.</param>
 public sealed class ChangedJobs(CellSettings settings)
 {
@@ -49,13 +47,6 @@ public sealed class ChangedJobs(CellSettings settings)
         return known.Told;
     }
 
-    private bool IsChanged(CellStore store, Correction correction, CellJobSettings job) => _computer.Identify(new()
-    {
-        Job = job,
-        Piece = correction.Piece!,
-        Measurement = new(correction.FileName, store.Content(correction.MeasurementSha256)),
-        Part = correction.PartSha256 is { } part ? new("", store.Content(part)) : null,
-        Base = job.Accumulates && correction.SumsSha256 is not null ? store.Content(correction.BaseSha256!) : default(ReadOnlyMemory<byte>?),
-        Identity = correction.Identity,
-    }) is RefusedComputation { Code: CorrectionCodes.JobChanged };
+    private bool IsChanged(CellStore store, Correction correction, CellJobSettings job) =>
+        _computer.Identify(CorrectionRequests.Again(store, correction, job)) is Identified { Basis.Identity: var identity } && identity != correction.Identity;
 }

@@ -1,0 +1,83 @@
+using System.Globalization;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>
+/// A person lets a correction be computed anew that was made with its job as it was before somebody changed that: its measurement is given again, in the same place in line, and the correction ends.
+/// Who may is the caller's to see; the running cell computes and proposes the new one as any other.
+/// </summary>
+/// <param name="settings">The cell's configuration.</param>
+/// <param name="store">The store.</param>
+public sealed class ComputingAnew(CellSettings settings, CellStore store)
+{
+    private readonly CorrectionComputer _computer = new(settings.Policy);
+    private readonly CorrectionDecisions _decisions = new(store);
+
+    /// <summary>Gives the measurement of a correction again, which then is superseded by the new one and is never sent.</summary>
+    /// <param name="id">Its number.</param>
+    /// <param name="by">The user's name.</param>
+    /// <param name="reason">Why; null for none.</param>
+    /// <returns>The new correction, which the cell takes up next.</returns>
+    /// <exception cref="DecisionException">It cannot be computed anew, or would be the same again.</exception>
+    /// <exception cref="StoreException">The store cannot be used, or its measurement is not kept.</exception>
+    public Correction GiveAgain(long id, string by, string? reason)
+    {
+        var correction = _decisions.Demand(id, "computed anew", CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed);
+        if (correction.Identity is null)
+        {
+            throw new DecisionException(DecisionException.NothingToSend, Sentence($"Correction {id} failed before it had a program: {correction.Reason} Reject it, put that right and measure again."));
+        }
+
+        DemandOther(correction, JobOf(correction));
+        try
+        {
+            return store.GiveAgain(correction, by, reason);
+        }
+        catch (StoreException e) when (e.Error == StoreError.Conflict)
+        {
+            throw CorrectionDecisions.ChangedMeanwhile(id);
+        }
+    }
+
+    // Whoever takes the measurement up again needs its gauge and its job.
+    private CellJobSettings JobOf(Correction correction)
+    {
+        var job = settings.Jobs.FirstOrDefault(j => j.Name == correction.Job);
+        var lacks = job is null ? $"job \"{correction.Job}\"" : settings.Gauges.All(g => g.Name != correction.Gauge) ? $"gauge \"{correction.Gauge}\"" : null;
+        return lacks is null ? job! : throw new DecisionException(
+            DecisionException.JobUnusable,
+            Sentence($"Correction {correction.Id} stays as it is, for {settings.File} does not have the {lacks} any more: nobody would compute it. Bring it back into the configuration, or reject the correction."));
+    }
+
+    private void DemandOther(Correction correction, CellJobSettings job)
+    {
+        switch (_computer.Identify(CorrectionRequests.Again(store, correction, job)))
+        {
+            case Identified { Basis.Identity: var identity } when identity == correction.Identity:
+                throw new DecisionException(
+                    DecisionException.JobUnchanged,
+                    Sentence($"Correction {correction.Id} was made with the job {job.Name} as it is now: computed anew, it would be the same. Change and save the job first, or decide about the correction as it is."));
+            case Identified { Basis.Identity: var identity }:
+                if (store.OfMeasurement(correction.MeasurementSha256).FirstOrDefault(c => c.Id != correction.Id && IsSame(c, correction, job, identity)) is { } known)
+                {
+                    throw new DecisionException(
+                        DecisionException.AlreadyKnown,
+                        Sentence($"Correction {known.Id} is made of the same measurement with the job as it is now, or adds it already: a correction is applied once. Look at that one, and reject correction {correction.Id}."));
+                }
+
+                break;
+            case RefusedComputation refused:
+                throw new DecisionException(
+                    DecisionException.JobUnusable,
+                    Sentence($"Correction {correction.Id} stays as it is, for the job {job.Name} cannot be used as it is now: {refused.Reason} Put that right first."));
+            case var other:
+                throw new InvalidOperationException($"A measurement that is not computed yet came to {other.GetType().Name}.");
+        }
+    }
+
+    // As whoever recognizes it would find it, and refuse it.
+    private static bool IsSame(Correction other, Correction correction, CellJobSettings job, string identity) =>
+        other.Identity == identity || (job.Accumulates && other.Identity is not null && other.Job == correction.Job && other.Piece == correction.Piece);
+
+    private static string Sentence(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+}

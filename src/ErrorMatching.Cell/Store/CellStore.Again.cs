@@ -1,0 +1,59 @@
+namespace ErrorMatching.Cell;
+
+/// <content>Measurements that are given again.</content>
+public sealed partial class CellStore
+{
+    /// <summary>
+    /// Gives the measurement of a correction that is not at its machine again, in the same place in line, and ends that correction: both are one transaction with their audit entries, so that neither is ever without the other.
+    /// </summary>
+    /// <param name="correction">The correction as it was read.</param>
+    /// <param name="by">The user's name.</param>
+    /// <param name="reason">Why, in a person's words; null for none.</param>
+    /// <returns>The new correction, which is archived.</returns>
+    /// <exception cref="StoreException">With <see cref="StoreError.Conflict"/> if somebody else was faster, or no step leads to its end.</exception>
+    public Correction GiveAgain(Correction correction, string by, string? reason)
+    {
+        ArgumentNullException.ThrowIfNull(correction);
+        return Write(transaction =>
+        {
+            // Before anything is written: whoever comes second finds what the first one made of it.
+            if (!CorrectionSteps.Allows(correction.State, CorrectionState.Superseded) || transaction.Value<long>("SELECT version FROM correction WHERE id = @Id", new { correction.Id }) != correction.Version)
+            {
+                throw Conflict(transaction, correction, CorrectionState.Superseded);
+            }
+
+            var given = Arrive(
+                transaction,
+                New(transaction, CorrectionState.Archived, correction.Gauge, correction.FileName, correction.MeasurementSha256, correction.MeasurementBytes) with
+                {
+                    MeasuredAs = correction.Turn,
+                    Job = correction.Job,
+                    Piece = correction.Piece,
+                    Serial = correction.Serial,
+                    WorkOrder = correction.WorkOrder,
+                    Machine = correction.Machine,
+                    Slot = correction.Slot,
+                    Program = correction.Program,
+                    Trace = correction.Trace,
+                },
+                ArrivalKey.OfAgain(correction.Gauge, correction.FileName, correction.Id),
+                by,
+                Recorded.GivenAgain.With(correction.Id));
+            var basis = Recorded.ComputedAnew.With(given.Id);
+
+            // Its identity is free: should the job become again what it was, the measurement may be computed with it once more.
+            var ended = CorrectionRow.Kept(correction with
+            {
+                State = CorrectionState.Superseded,
+                Version = correction.Version + 1,
+                ChangedAt = transaction.Now,
+                Identity = null,
+                Code = CellCodes.ComputedAnew,
+                Reason = basis,
+            });
+            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(ended, correction.State)) != 1) throw Conflict(transaction, correction, CorrectionState.Superseded);
+            Note(transaction, ended, correction.State, by, reason is null ? basis : $"{basis} {reason}");
+            return given;
+        });
+    }
+}
