@@ -45,7 +45,10 @@ public sealed class CellExampleTests : IDisposable
             Example("cell revert");
             Drop("part-0002.csv", "-32.068");
             await Until(2, "proposed");
-            Example("cell reject", e => e.Replace("cell.json 1 ", "cell.json 2 ", StringComparison.Ordinal));
+            ChangeJob();
+            Example("cell again");
+            await Until(3, "proposed");
+            Example("cell reject", e => e.Replace("cell.json 1 ", "cell.json 3 ", StringComparison.Ordinal));
             Example("cell backup");
             Example("cell secret");
         }
@@ -83,6 +86,12 @@ public sealed class CellExampleTests : IDisposable
         Directory.CreateDirectory(Placed("out"));
         File.WriteAllText(Placed("written"), File.ReadAllText(Placed("samples/complex-mating/part.csv")).Replace("-32.067", x, StringComparison.Ordinal));
         File.Move(Placed("written"), Placed("samples/cell/incoming/" + name));
+    }
+
+    private void ChangeJob()
+    {
+        var theoretical = Placed("samples/complex-mating/theoretical.csv");
+        File.WriteAllText(theoretical, File.ReadAllText(theoretical).Replace("-31.950", "-31.951", StringComparison.Ordinal));
     }
 
     private Task Until(int id, string state) => BackgroundCell.Until(() => Shell.Run("cell", "show", Config, $"{id}", "--json").Output.Contains($"\"state\": \"{state}\"", StringComparison.Ordinal));

@@ -74,6 +74,8 @@ public sealed class CellVerbTests
     [InlineData(1, "unknown-correction", "approve", "7")]
     [InlineData(1, "unknown-correction", "release", "7")]
     [InlineData(1, "unknown-correction", "reject", "7", "--reason", "x")]
+    [InlineData(1, "unknown-correction", "again", "7")]
+    [InlineData(1, "command-line", "again", "7", "--reason", " ")]
     [InlineData(1, "unknown-correction", "revert", "7", "--reason", "x")]
     [InlineData(1, "command-line", "revert", "7")]
     [InlineData(1, "command-line", "reject", "7")]

@@ -46,7 +46,7 @@ internal static class CommandTree
         "surface" => new SurfaceVerb(),
         "cell" => new Command(word, "Runs beside gauges and machines.")
         {
-            new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellSecret(),
+            new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellAgain(), new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellSecret(),
         },
         "user" => new Command(word, "Says who may do what at a cell.") { new UserAdd(), new UserList(), new UserDisable(), new UserEnable(), new UserRole(), new UserPassword() },
         "audit" => new Command(word, "Proves and hands out what was done at a cell, and by whom.") { new AuditVerify(), new AuditExport() },

@@ -110,12 +110,23 @@ public sealed partial class JobEditing
             (_base, _baseSha256, HasComments) = (draft with { Program = null }, saved, false);
             _history.Begin(_base);
             await _keeping.Running;
-            await TryAsync(() => Forget(job));
-            var waiting = _station.State.Status?.Proposed.Count(c => c.Job == job.Name) ?? 0;
+            IReadOnlyList<Correction> waiting = [];
+            await TryAsync(() =>
+            {
+                try
+                {
+                    waiting = MadeBefore(job);
+                }
+                finally
+                {
+                    Forget(job);
+                }
+            });
+            _waiting = waiting;
             _notice = () => Sentence.Joined(
                 Texts.Current["Setup.Saved"],
                 isOtherProgram ? Texts.Current["Setup.SavedProgram"] : "",
-                waiting > 0 ? Texts.Current.With("Setup.SavedWaiting", waiting) : "");
+                waiting.Count > 0 ? Texts.Current.With("Setup.SavedWaiting", waiting.Count) : "");
             Changed?.Invoke();
         }
 

@@ -41,6 +41,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         ContinueKept = new(TakeKept, () => Kept is not null && MayEdit);
         DiscardKept = new(_ => ForgetKeptAsync(), () => (Kept is not null || IsKeptBroken) && MayEdit);
         Save = new(_ => SaveAsync(), () => CanEdit && IsChanged);
+        ComputeAnew = new(_ => ComputeAnewAsync(), () => CanComputeAnew);
 
         // While it is saved nothing can be edited.
         Save.PropertyChanged += (_, _) => Refresh();
@@ -183,7 +184,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>Says what came of the last change; it goes with the next.</summary>
     public void Note(Func<string>? notice)
     {
-        _notice = notice;
+        (_notice, _waiting) = (notice, []);
         Refresh();
     }
 
@@ -208,6 +209,7 @@ public sealed partial class JobEditing : Observable, IDisposable
 
         DiscardKept.Refresh();
         Save.Refresh();
+        ComputeAnew.Refresh();
         Say();
         Shown?.Invoke();
     }
@@ -217,6 +219,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     {
         _notice = null;
         Say(nameof(Notice));
+        Say(nameof(CanComputeAnew));
     }
 
     /// <summary>Waits for what is being kept: what was typed last is not lost.</summary>

@@ -26,6 +26,15 @@ internal static class CorrectionJson
     {
         json.WriteNumber("id", correction.Id);
         json.WriteString("state", Word(correction.State));
+        if (correction.MeasuredAs is { } first)
+        {
+            json.WriteNumber("measuredAs", first);
+        }
+        else
+        {
+            json.WriteNull("measuredAs");
+        }
+
         json.WriteString("gauge", correction.Gauge);
         json.WriteString("fileName", correction.FileName);
         json.WriteString("arrivedAt", Time(correction.ArrivedAt));

@@ -27,6 +27,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Approve = Decision(Act.Approve, needsReason: false, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Approve(id, by, reason)));
         Reject = Decision(Act.Reject, needsReason: true, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Reject(id, by, reason!)));
         Release = Decision(Act.Release, needsReason: false, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Release(id, by, reason)));
+        ComputeAnew = new(_ => ComputeAnewAsync(), () => IsDecidable && IsOutdated);
         LookAtFirst = new(() =>
         {
             if (Wait is { } wait)
@@ -80,6 +81,9 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     /// <summary>Decides against it.</summary>
     public Command Reject { get; }
 
+    /// <summary>Lets it be computed with the job as it is now, without a question: nothing is sent by that, and nothing is lost.</summary>
+    public LongCommand ComputeAnew { get; }
+
     /// <summary>Says that the piece is cut.</summary>
     public Command Release { get; }
 
@@ -89,16 +93,27 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     /// <summary>True where it can be approved or rejected, by whoever may.</summary>
     public bool IsUndecided => State is CorrectionState.Proposed or CorrectionState.Failed or CorrectionState.Approved;
 
+    /// <summary>True where it was made with the job as it was and nothing is sent yet, for whoever may decide against it.</summary>
+    public bool IsOutdated => IsUndecided && Detail!.IsOfChangedJob && _shell.Who is { } who && Rights.Allows(who.Role, Act.Reject);
+
     /// <summary>True where it is at its machine.</summary>
     public bool IsAtMachine => State is CorrectionState.Verified || (State is CorrectionState.Reverted && HasSlot(Detail!.Kept.Correction.Id));
 
     /// <summary>Why a button cannot be pressed, or there is none; null if that needs no words.</summary>
     public string? Forbidden => Detail is null || _shell.Who is not { } who ? null
-        : !IsUndecided && !IsAtMachine ? (State is CorrectionState.Uploading ? null : Texts.Current["Compensation.Done"])
+        : !IsUndecided && !IsAtMachine ? Ended
         : _pause.IsOn ? Texts.Current["Compensation.Changed"]
         : State is CorrectionState.Proposed or CorrectionState.Failed && !Rights.Allows(who.Role, Act.Approve) ? Texts.Current["Compensation.ApproveTakesSetter"]
         : State is CorrectionState.Verified && !Rights.Allows(who.Role, Act.Revert) ? Texts.Current["Compensation.RevertTakesSetter"]
         : null;
+
+    // Why there is nothing to be decided; null while it is being sent.
+    private string? Ended => State switch
+    {
+        CorrectionState.Uploading => null,
+        CorrectionState.Archived or CorrectionState.Recognized or CorrectionState.Computed => Texts.Current["Compensation.Computing"],
+        _ => Texts.Current["Compensation.Done"],
+    };
 
     /// <summary>Done when what is chosen is shown.</summary>
     internal Task Loading { get; private set; } = Task.CompletedTask;
@@ -165,6 +180,23 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             _ => IsAtMachine,
         });
 
+    private async Task ComputeAnewAsync()
+    {
+        var (id, by) = (Detail!.Kept.Correction.Id, _shell.Who!);
+        _shell.Looked.Correction = _looked = id;
+        Correction? given = null;
+        if (await TryAsync(() =>
+        {
+            Station.Users.Demand(by, Act.Reject);
+            given = new ComputingAnew(Station.Settings, Station.Store).GiveAgain(id, by.Name, null);
+        }) && Current == id)
+        {
+            // What comes of it is what is waited for.
+            Look(given!.Id);
+            Choose(given.Id);
+        }
+    }
+
     // What is decided about is what is shown, and it stays to be seen what becomes of it.
     private void Sign(Func<KeptCorrection, SigningViewModel> signing)
     {
@@ -183,9 +215,9 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             return;
         }
 
-        // In order of arrival, whatever becomes of them: a row does not leave its place under a finger.
+        // In order of measuring, whatever becomes of them: a row does not leave its place under a finger.
         Correction[] undecided = [.. status.Failed, .. status.Proposed], held = [.. status.Slots.Select(s => s.Held).OfType<Correction>()];
-        Rows.Show([.. undecided.Concat(held).Concat(status.Slots.SelectMany(s => s.Approved)).OrderBy(c => c.Id).Select(Row)]);
+        Rows.Show([.. undecided.Concat(held).Concat(status.Slots.SelectMany(s => s.Approved)).OrderBy(c => c.Turn).ThenBy(c => c.Id).Select(Row)]);
         Say(nameof(IsEmpty));
         _waiting = [.. (_shell.Who is { } who && !Rights.Allows(who.Role, Act.Approve) ? undecided.Concat(held) : undecided).Select(c => c.Id)];
 
@@ -268,6 +300,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private void SayDecisions()
     {
         Say(nameof(IsUndecided));
+        Say(nameof(IsOutdated));
         Say(nameof(IsAtMachine));
         Say(nameof(Forbidden));
         Say(nameof(Waits));
@@ -276,6 +309,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         {
             command.Refresh();
         }
+
+        ComputeAnew.Refresh();
     }
 
     private CorrectionRow Row(Correction c) => new(

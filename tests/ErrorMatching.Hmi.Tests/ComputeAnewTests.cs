@@ -1,0 +1,166 @@
+using Avalonia.Input;
+using ErrorMatching.Cell;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>What was made before its job was changed is computed anew from the station: one by one, and all together where the job is saved.</summary>
+public sealed class ComputeAnewTests
+{
+    [Fact]
+    public Task One_tap_computes_it_with_the_job_as_it_is_and_shows_what_comes_of_it() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.Cell.Deliver(2, 0.001);
+        seat.WaitFor(2, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Operator).Tap("nav-compensation").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#1 · 0001", "It is not shown.");
+        Assert.Null(seat.Find("compute-anew"));
+
+        Change(seat, "-31.95", "-31.951");
+        seat.See("compute-anew");
+        Assert.Equal("Made with the job as it was before it was changed. To use the job as it is now, compute this anew.", seat.TextOf("detail-changed-job"));
+        foreach (var language in new[] { Language.TraditionalChinese, Language.English })
+        {
+            Texts.Current.Language = language;
+            seat.User.Settle();
+            seat.See("compute-anew");
+            Assert.Empty(Layout.Problems(seat.Window));
+            seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", $"compensation-compute-anew-{(language == Language.English ? "en" : "zh")}.png"));
+        }
+
+        seat.Tap("compute-anew").WaitFor(() => seat.TextOf("detail-title") == "#3 · 0001" && seat.TextOf("detail-state") == Texts.Current.Word(CorrectionState.Proposed), "What came of it is not shown.");
+        Assert.Null(seat.Find("signing-subject"));
+        Assert.Null(seat.Find("compensation-message"));
+        Assert.Equal((CorrectionState.Superseded, "computed-anew"), seat.Station.Store.Find(1) is var old ? (old!.State, old.Code) : default);
+        Assert.Contains((DemoCell.Operator, CorrectionState.Superseded), seat.Station.Store.StepsOf(1).Select(s => (s.By, s.To)));
+
+        // In the place of the one before, chosen, and made with the job as it is.
+        seat.WaitFor(() => Rows(seat).Select(r => (r.Id, r.IsOfChangedJob)).SequenceEqual([(3L, false), (2L, true)]), "It does not stand in its place.");
+        Assert.Equal(3, ((CompensationViewModel)seat.Shell.Current!).Chosen?.Id);
+        Assert.Null(seat.Find("compute-anew"));
+        Assert.Null(seat.Find("detail-changed-job"));
+
+        // By the keyboard as well, and what was computed anew once can be again.
+        Change(seat, "-31.951", "-31.952");
+        seat.WaitFor(() => seat.Find("compute-anew") is { IsEffectivelyEnabled: true }, "It is not offered a second time.");
+        seat.See("compute-anew").Focus();
+        seat.User.Press(Key.Enter);
+        seat.WaitFor(() => seat.TextOf("detail-title") == "#4 · 0001", "The keyboard does nothing.");
+        seat.WaitFor(4, CorrectionState.Proposed);
+    });
+
+    [Fact]
+    public Task What_is_approved_in_line_has_the_button_and_what_is_at_its_machine_has_none() => Seat.AtAsync(seat =>
+    {
+        var decisions = new CorrectionDecisions(seat.Station.Store);
+        seat.Cell.Run();
+        for (var i = 1; i <= 2; i++)
+        {
+            seat.Cell.Deliver(i, 0.001 * i);
+            seat.WaitFor(i, CorrectionState.Proposed);
+            decisions.Approve(i, DemoCell.Setter, null);
+            seat.WaitFor(i, i == 1 ? CorrectionState.Verified : CorrectionState.Approved);
+        }
+
+        Change(seat, "-31.95", "-31.951");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").Tap("correction-2").See("compute-anew");
+        seat.Tap("correction-1").WaitFor(() => seat.TextOf("detail-title") == "#1 · 0001", "It is not shown.");
+        seat.See("release");
+        Assert.Null(seat.Find("compute-anew"));
+        seat.Tap("correction-2").Tap("compute-anew").WaitFor(3, CorrectionState.Proposed);
+        Assert.Equal((CorrectionState.Verified, CorrectionState.Superseded), (seat.Station.Store.Find(1)!.State, seat.Station.Store.Find(2)!.State));
+    });
+
+    [Fact]
+    public Task Who_must_not_any_more_changes_nothing_and_is_told() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        Change(seat, "-31.95", "-31.951");
+        seat.SignIn(DemoCell.Operator).Tap("nav-compensation").See("compute-anew");
+        seat.Station.Users.Disable(seat.Station.Users.SignIn(DemoCell.Administrator, DemoCell.Password), DemoCell.Operator);
+        seat.Tap("compute-anew").WaitFor(() => seat.Find("compensation-message") is not null, "Nothing is said.");
+        Assert.StartsWith("This user is disabled.", seat.TextOf("compensation-message"), StringComparison.Ordinal);
+        Assert.Null(seat.Station.Store.Find(2));
+        Assert.Equal(CorrectionState.Proposed, seat.Station.Store.Find(1)!.State);
+    });
+
+    [Fact]
+    public Task Where_a_job_is_saved_all_that_wait_are_computed_anew_and_one_that_cannot_be_is_told() => SetupSeat.AtAsync("system", here =>
+    {
+        var (seat, store) = (here.Seat, here.Seat.Station.Store);
+        var decisions = new CorrectionDecisions(store);
+        seat.Cell.Run();
+        for (var i = 1; i <= 4; i++)
+        {
+            seat.Cell.Deliver(i, 0.001);
+            seat.WaitFor(i, CorrectionState.Proposed);
+        }
+
+        decisions.Approve(1, DemoCell.Setter, null);
+        seat.WaitFor(1, CorrectionState.Verified);
+        decisions.Approve(2, DemoCell.Setter, null);
+        seat.Tap("side-machine").Type("edit-compensation.gain", "0.5");
+        here.Settle();
+        seat.Tap("setup-save").WaitFor(() => seat.Find("setup-notice") is not null, "It is not saved.");
+        Assert.Contains("Corrections that still wait, made with the job as it was: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.Equal("Compute these anew: 3", here.Shell.Editing.ComputeAnewText);
+        seat.See("setup-compute-anew");
+        foreach (var language in new[] { Language.TraditionalChinese, Language.English })
+        {
+            Texts.Current.Language = language;
+            here.Settle();
+            seat.See("setup-compute-anew");
+            Assert.Empty(Layout.Problems(seat.Window));
+            seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", $"setup-compute-anew-{(language == Language.English ? "en" : "zh")}.png"));
+        }
+
+        // Somebody else decides about one of them meanwhile.
+        decisions.Reject(3, DemoCell.Operator, "dirty");
+        seat.Tap("setup-compute-anew").WaitFor(() => seat.TextOf("setup-notice")!.StartsWith("Computed anew", StringComparison.Ordinal), "Nothing is said of it.");
+        Assert.Equal(
+            "Computed anew with the job as it is now: 2. See On-line compensation. #3 · 0003 was not computed anew: It is not in a state in which this can be done. Look at it again.",
+            seat.TextOf("setup-notice"));
+        Assert.Null(seat.Find("setup-compute-anew"));
+        Texts.Current.Language = Language.TraditionalChinese;
+        here.Settle();
+        Assert.StartsWith("以目前的作業重新計算：2 件。", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Texts.Current.Language = Language.English;
+
+        // With half the gain the programs are displaced half as far, in the order in which they stood.
+        foreach (var (old, anew) in new[] { (2L, 5L), (4L, 6L) })
+        {
+            var made = seat.WaitFor(anew, CorrectionState.Proposed);
+            var was = store.Find(old)!;
+            Assert.Equal((CorrectionState.Superseded, old, was.Serial), (was.State, made.MeasuredAs, made.Serial));
+            Assert.InRange(made.LargestMm!.Value / was.LargestMm!.Value, 0.45, 0.55);
+        }
+
+        Assert.Equal(CorrectionState.Rejected, store.Find(3)!.State);
+        Assert.Equal(CorrectionState.Verified, store.Find(1)!.State);
+    });
+
+    [Fact]
+    public Task Where_nothing_waits_saving_offers_nothing() => SetupSeat.AtAsync("system", here =>
+    {
+        here.Seat.Tap("side-machine").Type("edit-compensation.gain", "0.5");
+        here.Settle();
+        here.Seat.Tap("setup-save").WaitFor(() => here.Seat.Find("setup-notice") is not null, "It is not saved.");
+        Assert.Equal("Saved: the next measurement uses it.", here.TextOf("setup-notice"));
+        Assert.Null(here.Seat.Find("setup-compute-anew"));
+    });
+
+    private static IEnumerable<CorrectionRow> Rows(Seat seat) => ((CompensationViewModel)seat.Shell.Current!).Rows;
+
+    private static void Change(Seat seat, string was, string now)
+    {
+        var file = Path.Combine(Path.GetDirectoryName(seat.Station.Settings.Jobs[0].File)!, "theoretical.csv");
+        var text = File.ReadAllText(file);
+        var changed = text.Replace(was, now, StringComparison.Ordinal);
+        Assert.NotEqual(text, changed);
+        File.WriteAllText(file, changed);
+    }
+}
