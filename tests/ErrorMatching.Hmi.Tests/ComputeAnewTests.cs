@@ -21,15 +21,7 @@ public sealed class ComputeAnewTests
         Change(seat, "-31.95", "-31.951");
         seat.See("compute-anew");
         Assert.Equal("Made with the job as it was before it was changed. To use the job as it is now, compute this anew.", seat.TextOf("detail-changed-job"));
-        foreach (var language in new[] { Language.TraditionalChinese, Language.English })
-        {
-            Texts.Current.Language = language;
-            seat.User.Settle();
-            seat.See("compute-anew");
-            Assert.Empty(Layout.Problems(seat.Window));
-            seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", $"compensation-compute-anew-{(language == Language.English ? "en" : "zh")}.png"));
-        }
-
+        BeClean(seat, "compensation-compute-anew");
         seat.Tap("compute-anew").WaitFor(() => seat.TextOf("detail-title") == "#3 · 0001" && seat.TextOf("detail-state") == Texts.Current.Word(CorrectionState.Proposed), "What came of it is not shown.");
         Assert.Null(seat.Find("signing-subject"));
         Assert.Null(seat.Find("compensation-message"));
@@ -56,21 +48,30 @@ public sealed class ComputeAnewTests
     {
         var decisions = new CorrectionDecisions(seat.Station.Store);
         seat.Cell.Run();
-        for (var i = 1; i <= 2; i++)
+        for (var i = 1; i <= 3; i++)
         {
             seat.Cell.Deliver(i, 0.001 * i);
             seat.WaitFor(i, CorrectionState.Proposed);
-            decisions.Approve(i, DemoCell.Setter, null);
-            seat.WaitFor(i, i == 1 ? CorrectionState.Verified : CorrectionState.Approved);
+            if (i != 2)
+            {
+                decisions.Approve(i, DemoCell.Setter, null);
+                seat.WaitFor(i, i == 1 ? CorrectionState.Verified : CorrectionState.Approved);
+            }
         }
 
         Change(seat, "-31.95", "-31.951");
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").Tap("correction-2").See("compute-anew");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").Tap("correction-3").See("compute-anew");
+
+        // It has room beside what it waits for.
+        seat.See("compensation-waits");
+        BeClean(seat);
         seat.Tap("correction-1").WaitFor(() => seat.TextOf("detail-title") == "#1 · 0001", "It is not shown.");
         seat.See("release");
         Assert.Null(seat.Find("compute-anew"));
-        seat.Tap("correction-2").Tap("compute-anew").WaitFor(3, CorrectionState.Proposed);
-        Assert.Equal((CorrectionState.Verified, CorrectionState.Superseded), (seat.Station.Store.Find(1)!.State, seat.Station.Store.Find(2)!.State));
+        seat.Tap("correction-3").Tap("compute-anew").WaitFor(4, CorrectionState.Proposed);
+        Assert.Equal(
+            [CorrectionState.Verified, CorrectionState.Proposed, CorrectionState.Superseded],
+            Enumerable.Range(1, 3).Select(i => seat.Station.Store.Find(i)!.State));
     });
 
     [Fact]
@@ -109,13 +110,11 @@ public sealed class ComputeAnewTests
         Assert.Contains("Corrections that still wait, made with the job as it was: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Assert.Equal("Compute these anew: 3", here.Shell.Editing.ComputeAnewText);
         seat.See("setup-compute-anew");
-        foreach (var language in new[] { Language.TraditionalChinese, Language.English })
+        seat.Window.Height = 720;
+        foreach (var side in new[] { "side-coordinates", "side-blocks", "side-tolerances", "side-gauge", "side-machine" })
         {
-            Texts.Current.Language = language;
-            here.Settle();
-            seat.See("setup-compute-anew");
-            Assert.Empty(Layout.Problems(seat.Window));
-            seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", $"setup-compute-anew-{(language == Language.English ? "en" : "zh")}.png"));
+            seat.Tap(side).See("setup-compute-anew");
+            BeClean(seat, side == "side-machine" ? "setup-compute-anew" : null);
         }
 
         // Somebody else decides about one of them meanwhile.
@@ -152,6 +151,21 @@ public sealed class ComputeAnewTests
         Assert.Equal("Saved: the next measurement uses it.", here.TextOf("setup-notice"));
         Assert.Null(here.Seat.Find("setup-compute-anew"));
     });
+
+    // In both languages.
+    private static void BeClean(Seat seat, string? picture = null)
+    {
+        foreach (var language in new[] { Language.TraditionalChinese, Language.English })
+        {
+            Texts.Current.Language = language;
+            seat.User.Settle();
+            Assert.Empty(Layout.Problems(seat.Window));
+            if (picture is not null)
+            {
+                seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", $"{picture}-{(language == Language.English ? "en" : "zh")}.png"));
+            }
+        }
+    }
 
     private static IEnumerable<CorrectionRow> Rows(Seat seat) => ((CompensationViewModel)seat.Shell.Current!).Rows;
 
