@@ -26,6 +26,7 @@ public sealed class ComputeAnewTests
         Assert.Null(seat.Find("signing-subject"));
         Assert.Null(seat.Find("compensation-message"));
         Assert.Equal((CorrectionState.Superseded, "computed-anew"), seat.Station.Store.Find(1) is var old ? (old!.State, old.Code) : default);
+        Assert.Equal("Its job was changed after it was made: correction 3 computes the measurement anew, with the job as it is now.", CodeText.Of(old!.Code!, old.Reason));
         Assert.Contains((DemoCell.Operator, CorrectionState.Superseded), seat.Station.Store.StepsOf(1).Select(s => (s.By, s.To)));
 
         // In the place of the one before, chosen, and made with the job as it is.
@@ -167,7 +168,7 @@ public sealed class ComputeAnewTests
         }
     }
 
-    private static IEnumerable<CorrectionRow> Rows(Seat seat) => ((CompensationViewModel)seat.Shell.Current!).Rows;
+    private static RowList<CorrectionRow> Rows(Seat seat) => ((CompensationViewModel)seat.Shell.Current!).Rows;
 
     private static void Change(Seat seat, string was, string now)
     {
