@@ -24,7 +24,7 @@ public sealed class ComputeAnewTests
         BeClean(seat, "compensation-compute-anew");
         seat.Tap("compute-anew").WaitFor(() => seat.TextOf("detail-title") == "#3 · 0001" && seat.TextOf("detail-state") == Texts.Current.Word(CorrectionState.Proposed), "What came of it is not shown.");
         Assert.Null(seat.Find("signing-subject"));
-        Assert.Null(seat.Find("compensation-message"));
+        Assert.Null(seat.Find("compensation-undone"));
         Assert.Equal((CorrectionState.Superseded, "computed-anew"), seat.Station.Store.Find(1) is var old ? (old!.State, old.Code) : default);
         Assert.Equal("Its job was changed after it was made: correction 3 computes the measurement anew, with the job as it is now.", CodeText.Of(old!.Code!, old.Reason));
         Assert.Contains((DemoCell.Operator, CorrectionState.Superseded), seat.Station.Store.StepsOf(1).Select(s => (s.By, s.To)));
@@ -84,9 +84,15 @@ public sealed class ComputeAnewTests
         Change(seat, "-31.95", "-31.951");
         seat.SignIn(DemoCell.Operator).Tap("nav-compensation").See("compute-anew");
         seat.Station.Users.Disable(seat.Station.Users.SignIn(DemoCell.Administrator, DemoCell.Password), DemoCell.Operator);
-        seat.Tap("compute-anew").WaitFor(() => seat.Find("compensation-message") is not null, "Nothing is said.");
-        Assert.StartsWith("This user is disabled.", seat.TextOf("compensation-message"), StringComparison.Ordinal);
+        seat.Tap("compute-anew").WaitFor(() => seat.Find("compensation-undone") is not null, "Nothing is said.");
+        Assert.StartsWith("This user is disabled.", seat.TextOf("compensation-undone"), StringComparison.Ordinal);
         Assert.Null(seat.Station.Store.Find(2));
+
+        // What happens in the cell meanwhile takes nothing of that away.
+        seat.Cell.Deliver(2, 0.001);
+        seat.WaitFor(2, CorrectionState.Proposed);
+        seat.See("correction-2");
+        Assert.StartsWith("This user is disabled.", seat.TextOf("compensation-undone"), StringComparison.Ordinal);
         Assert.Equal(CorrectionState.Proposed, seat.Station.Store.Find(1)!.State);
     });
 

@@ -7,6 +7,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 {
     private readonly ShellViewModel _shell;
     private readonly Pause _pause;
+    private string? _undone;
     private CorrectionRow? _chosen;
     private long? _looked;
     private long? _byItself;
@@ -115,6 +116,13 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _ => Texts.Current["Compensation.Done"],
     };
 
+    /// <summary>Why what a person did here was not done; null if nothing is to be said. It stays until another correction is chosen, whatever is read meanwhile.</summary>
+    public string? Undone
+    {
+        get => _undone;
+        private set => Set(ref _undone, value);
+    }
+
     /// <summary>Done when what is chosen is shown.</summary>
     internal Task Loading { get; private set; } = Task.CompletedTask;
 
@@ -183,18 +191,29 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private async Task ComputeAnewAsync()
     {
         var (id, by) = (Detail!.Kept.Correction.Id, _shell.Who!);
-        _shell.Looked.Correction = _looked = id;
+        (_shell.Looked.Correction, _looked, Undone) = (id, id, null);
         Correction? given = null;
-        if (await TryAsync(() =>
+        var failure = await Failures.OfAsync(
+            () =>
+            {
+                Station.Users.Demand(by, Act.Reject);
+                given = new ComputingAnew(Station.Settings, Station.Store).GiveAgain(id, by.Name, null);
+            },
+            Station.Clock);
+        if (Current != id)
         {
-            Station.Users.Demand(by, Act.Reject);
-            given = new ComputingAnew(Station.Settings, Station.Store).GiveAgain(id, by.Name, null);
-        }) && Current == id)
-        {
-            // What comes of it is what is waited for.
-            Look(given!.Id);
-            Choose(given.Id);
+            return;
         }
+
+        if (failure is not null)
+        {
+            Undone = failure;
+            return;
+        }
+
+        // What comes of it is what is waited for.
+        Look(given!.Id);
+        Choose(given.Id);
     }
 
     // What is decided about is what is shown, and it stays to be seen what becomes of it.
@@ -242,7 +261,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private bool HasSlot(long id) => Station.State.Status?.Slots.Any(s => s.Held?.Id == id) == true;
 
     // A person's own choice is no surprise.
-    private void Look(long id) => (_shell.Looked.Correction, _looked, _isExpected) = (id, id, true);
+    private void Look(long id) => (_shell.Looked.Correction, _looked, _isExpected, Undone) = (id, id, true, null);
 
     private void Choose(long? id)
     {
