@@ -25,7 +25,7 @@ public sealed partial class FileChooserView : UserControl
         base.OnLoaded(e);
         if (DataContext is FileChooserViewModel chooser)
         {
-            FocusFirst(chooser);
+            FocusFirst(chooser, null);
         }
     }
 
@@ -67,16 +67,17 @@ public sealed partial class FileChooserView : UserControl
             return;
         }
 
+        var before = chooser.Folder;
         if (e.Key is Key.Back && chooser.Up.CanExecute(null))
         {
             chooser.Up.Execute(null);
-            FocusFirst(chooser);
+            FocusFirst(chooser, before);
             e.Handled = true;
         }
         else if (e.Key is Key.Enter or Key.Space && Of<FolderEntry>(e) is { } entry)
         {
             chooser.Take(entry);
-            FocusFirst(chooser);
+            FocusFirst(chooser, before);
             e.Handled = true;
         }
     }
@@ -90,15 +91,21 @@ public sealed partial class FileChooserView : UserControl
     }
 
     // Whoever goes by keyboard goes on at the file in the field, else at the first row: only what is in the field looks chosen.
-    private async void FocusFirst(FileChooserViewModel chooser)
+    private async void FocusFirst(FileChooserViewModel chooser, string? before)
     {
-        var before = chooser.Folder;
         await chooser.Loading;
         if (chooser.Folder != before)
         {
             var row = chooser.Chosen is { } chosen ? chooser.Rows.IndexOf(chosen) : -1;
             Entries.SelectedIndex = row;
-            Dispatcher.UIThread.Post(() => (Entries.ContainerFromIndex(Math.Max(0, row)) ?? Entries).Focus(NavigationMethod.Directional), DispatcherPriority.Loaded);
+            Dispatcher.UIThread.Post(
+                () =>
+                {
+                    // A busy machine may not have laid the rows out yet: without it there are none.
+                    Entries.UpdateLayout();
+                    (Entries.ContainerFromIndex(Math.Max(0, row)) ?? Entries).Focus(NavigationMethod.Directional);
+                },
+                DispatcherPriority.Loaded);
         }
     }
 }
