@@ -114,7 +114,7 @@ public sealed class ComputeAnewTests
         seat.Tap("side-machine").Type("edit-compensation.gain", "0.5");
         here.Settle();
         seat.Tap("setup-save").WaitFor(() => seat.Find("setup-notice") is not null, "It is not saved.");
-        Assert.Contains("Corrections that still wait, made with the job as it was: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.Contains("Parts that still wait were computed with the job as it was: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Assert.Equal("Compute these anew: 3", here.Shell.Editing.ComputeAnewText);
         seat.See("setup-compute-anew");
         seat.Window.Height = 720;

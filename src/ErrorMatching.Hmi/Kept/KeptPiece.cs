@@ -24,6 +24,9 @@ public sealed record KeptPiece(Correction Correction, Correction? Counterpart, s
     /// <summary>The key points whose mating error with compensation is outside of its limits, in the order of cutting.</summary>
     public IReadOnlyList<string> Outside => [.. Result.Points.Where(p => IsOutside(p.Label, p.AfterError.NormalMm)).Select(p => p.Label)];
 
+    /// <summary>Those of <see cref="Outside"/> that are within their limits without compensation: it makes them worse, as beside a corner that follows its neighbors.</summary>
+    public IReadOnlyList<string> PushedOut => [.. Result.Points.Where(p => IsOutside(p.Label, p.AfterError.NormalMm) && !IsOutside(p.Label, p.BeforeError.NormalMm)).Select(p => p.Label)];
+
     /// <summary>True if a mating error is outside of the limits of its key point.</summary>
     public bool IsOutside(string point, double errorMm) => BandOf(point) is { } band && !band.Contains(errorMm);
 

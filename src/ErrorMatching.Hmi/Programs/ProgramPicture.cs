@@ -25,7 +25,7 @@ public sealed class ProgramPicture : Observable
     {
         Program = program ?? throw new ArgumentNullException(nameof(program));
         Take = new(() => Choose(isMore: false), () => CanChoose);
-        Add = new(() => Choose(isMore: true), () => CanChoose && Marks.Any(m => m.Name == Feature && m.Ranges.Count > 0));
+        Add = new(() => Choose(isMore: true), () => CanChoose && !IsFirst);
         Before = new(() => Move(-1, isExtending: false), () => Program.Count > 0);
         Behind = new(() => Move(1, isExtending: false), () => Program.Count > 0);
     }
@@ -130,7 +130,10 @@ public sealed class ProgramPicture : Observable
     public string ChosenLine => Selection is null ? "" : Program.LineAt(Cursor);
 
     /// <summary>What <see cref="Take"/> does, in words.</summary>
-    public string TakeText => Feature is null ? Texts.Current["Program.Take"] : Texts.Current.With("Program.TakeFor", Feature);
+    public string TakeText => Feature is null ? Texts.Current["Program.Take"] : Texts.Current.With(IsFirst ? "Program.TakeFor" : "Program.ReplaceFor", Feature);
+
+    /// <summary>True where <see cref="Take"/> replaces nothing.</summary>
+    public bool IsFirst => !Marks.Any(m => m.Name == Feature && m.Ranges.Count > 0);
 
     /// <summary>True if blocks are picked for a feature at all.</summary>
     public bool IsPicking => Feature is not null && !IsReadOnly;
@@ -251,6 +254,7 @@ public sealed class ProgramPicture : Observable
         Say(nameof(Chosen));
         Say(nameof(ChosenLine));
         Say(nameof(TakeText));
+        Say(nameof(IsFirst));
         Say(nameof(IsPicking));
         foreach (var command in new[] { Take, Add })
         {

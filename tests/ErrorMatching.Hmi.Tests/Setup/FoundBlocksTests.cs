@@ -19,6 +19,12 @@ public sealed class FoundBlocksTests
         Assert.Equal(["L1", "L2L3", "C1"], seat.System.Picture!.Marks.Where(m => m.Ranges.Count > 0).Select(m => m.Name));
         Assert.Empty(seat.Shell.Editing.Problems);
         Assert.False(seat.Seat.See("blocks-find").IsEffectivelyEnabled);
+
+        // What would replace blocks says so, and does not ask for it.
+        seat.System.Picture.Light(129);
+        seat.Seat.User.Settle();
+        Assert.Equal("Replace for L1", seat.System.Picture.TakeText);
+        Assert.DoesNotContain("accent", seat.Seat.See("program-take").Classes);
         seat.Seat.Tap("setup-undo");
         seat.Settle();
         Assert.All(seat.Draft.Features, f => Assert.Equal("", f.Blocks));

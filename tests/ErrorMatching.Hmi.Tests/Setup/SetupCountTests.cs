@@ -70,7 +70,7 @@ public sealed class SetupCountTests
             seat.Seat.Tap(text == "6" ? "setup-save" : "setup-problems");
             seat.Seat.WaitFor(() => seat.Seat.Find(id) is { IsFocused: true }, $"{id} has no focus.");
             Assert.Equal(side, seat.System.Side);
-            Assert.Equal(text == "6" ? "Not saved. To correct: 2 · Still to fill: 1" : null, seat.Shell.Editing.Notice);
+            Assert.Equal(text == "6" ? "Not saved. Both steps: To correct: 2 · Still to fill: 1" : null, seat.Shell.Editing.Notice);
             seat.Seat.Type(id, text);
             seat.Settle();
         }
@@ -80,7 +80,7 @@ public sealed class SetupCountTests
         seat.Settle();
         seat.Seat.Tap("setup-save");
         seat.Seat.WaitFor(() => seat.Seat.Find("edit-name") is { IsFocused: true }, "The name has no focus.");
-        Assert.Equal("Not saved. To correct: 1 · Still to fill: 1", seat.TextOf("setup-notice"));
+        Assert.Equal("Not saved. Both steps: To correct: 1 · Still to fill: 1", seat.TextOf("setup-notice"));
     });
 
     [Fact]

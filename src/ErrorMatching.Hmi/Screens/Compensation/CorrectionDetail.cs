@@ -78,7 +78,8 @@ public sealed class CorrectionDetail
 
             var worst = _piece.Result.Points.MaxBy(p => Math.Abs(p.AfterError.NormalMm))!;
             var most = Texts.Current.With("Head.LeftOver", Shown.Mm(Math.Abs(worst.AfterError.NormalMm)), worst.Label);
-            return most + (_piece.Outside is { Count: > 0 } outside ? Texts.Current.Counted("Head.Outside", outside.Count, outside.Count, string.Join(", ", outside)) : Texts.Current["Head.NoneOutside"]);
+            var pushed = _piece.PushedOut is { Count: > 0 } worse ? Texts.Current.With("Head.PushedOut", string.Join(", ", worse)) : "";
+            return most + (_piece.Outside is { Count: > 0 } outside ? Texts.Current.Counted("Head.Outside", outside.Count, outside.Count, string.Join(", ", outside)) + pushed : Texts.Current["Head.NoneOutside"]);
         }
     }
 

@@ -131,7 +131,9 @@ public sealed class PieceDetail
     internal static string KindOf(KeptPiece piece) => Texts.Current[piece.IsMeasured ? "Verify.KindMeasured" : "Verify.KindPredicted"];
 
     /// <summary>Whether everything of a piece is within its limits, and where not.</summary>
-    internal static string VerdictOf(KeptPiece piece) => piece.Outside is { Count: > 0 } outside ? Texts.Current.Counted("Verify.Outside", outside.Count, outside.Count, Listed(outside)) : Texts.Current["Verify.AllWithin"];
+    internal static string VerdictOf(KeptPiece piece) => piece.Outside is not { Count: > 0 } outside ? Texts.Current["Verify.AllWithin"] : Sentence.Joined(
+        Texts.Current.Counted("Verify.Outside", outside.Count, outside.Count, Listed(outside)),
+        piece.PushedOut is { Count: > 0 } worse ? Texts.Current.With("Verify.PushedOut", Listed(worse)) : "");
 
     /// <summary>How much a piece asks for attention.</summary>
     internal static Severity SeverityOf(KeptPiece piece) => piece.IsWithin ? Severity.Quiet : Severity.Attention;
