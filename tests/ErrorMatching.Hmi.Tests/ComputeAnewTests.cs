@@ -42,6 +42,10 @@ public sealed class ComputeAnewTests
         seat.User.Press(Key.Enter);
         seat.WaitFor(() => seat.TextOf("detail-title") == "#4 · 0001", "The keyboard does nothing.");
         seat.WaitFor(4, CorrectionState.Proposed);
+
+        // Everywhere in the order in which the pieces were measured.
+        seat.WaitFor(() => seat.Station.State.Status!.Proposed.Select(c => c.Id).SequenceEqual([4L, 2L]), "It stands behind what was measured after it.");
+        seat.Tap("nav-verification").WaitFor(() => ((VerificationViewModel)seat.Shell.Current!).Rows.Select(r => r.Id).SequenceEqual([2L, 4L]), "It stands as the last piece.");
     });
 
     [Fact]

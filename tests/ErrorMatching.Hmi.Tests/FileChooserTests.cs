@@ -8,10 +8,12 @@ namespace ErrorMatching.Hmi.Tests;
 /// <summary>Files and folders are chosen in the station's own window, by finger and by keyboard.</summary>
 public sealed class FileChooserTests
 {
+    private const string Mount = "/mnt";
+
     [Fact]
     public void Of_what_is_mounted_disks_and_sticks_are_offered_and_nothing_of_the_system_s_own() => Assert.Equal(
-        ["/", "/media/anna/STICK", "/media/cdrom", "/run/media/anna/STICK", "/mnt/share"],
-        Places.DisksAmong(["/", "/proc", "/dev/shm", "/boot/efi", "/home", "/media/anna/STICK", "/media/cdrom", "/run/media/anna/STICK", "/run/user/1000/doc", "/mnt/share", "/mnt/tools/v1/python", "/media/anna/STICK/inside/image", "/mnting/x"]));
+        ["/", "/media/anna/STICK", "/media/cdrom", "/run/media/anna/STICK", Mount + "/share"],
+        Places.DisksAmong(["/", "/proc", "/dev/shm", "/boot/efi", "/home", "/media/anna/STICK", "/media/cdrom", "/run/media/anna/STICK", "/run/user/1000/doc", Mount + "/share", Mount + "/tools/v1/python", "/media/anna/STICK/inside/image", Mount + "ing/x"]));
 
     [Fact]
     public Task A_file_is_chosen_by_tapping_into_folders() => At(async (seat, folder) =>

@@ -40,7 +40,7 @@ public sealed record CellStatus(
             heartbeat,
             heartbeat?.IsFresh(clock.GetUtcNow()) ?? false,
             [.. settings.Machines.SelectMany(m => m.Slots.Select(s => SlotStatus.Of(settings, m, s, store)))],
-            store.First(CorrectionState.Proposed, Most),
+            [.. store.First(CorrectionState.Proposed, Most).OrderBy(c => c.Turn).ThenBy(c => c.Id)],
             store.First(CorrectionState.Failed, Most),
             [.. store.First(CorrectionState.Archived, Most), .. store.First(CorrectionState.Recognized, Most)],
             store.Counts());

@@ -21,7 +21,7 @@ public sealed class KeptPieces
         var pieces = new List<KeptPiece>();
 
         // What was never sent cut nothing.
-        foreach (var correction in store.Reported(jobs, most).Where(c => c.State is not (CorrectionState.Rejected or CorrectionState.Superseded)).Reverse())
+        foreach (var correction in store.Reported(jobs, most).Where(c => c.State is not (CorrectionState.Rejected or CorrectionState.Superseded)).OrderBy(c => c.Turn).ThenBy(c => c.Id))
         {
             var (match, verification) = Report(store, correction.ReportSha256!);
             if (match is not null)

@@ -56,7 +56,7 @@ public sealed partial class SystemViewModel
         var job = Editing.Job!;
         if (!await TryAsync(() =>
         {
-            if (Station.Store.Search(new() { Most = Latest }).FirstOrDefault(c => c.Job == job.Name && c.Piece == piece) is { } c)
+            if (Station.Store.Search(new() { Most = Latest }).Where(c => c.Job == job.Name && c.Piece == piece).MaxBy(c => c.Turn) is { } c)
             {
                 last = (c, Station.Store.Content(c.MeasurementSha256), c.PartSha256 is { } part ? new("part.csv", Station.Store.Content(part)) : null);
             }
