@@ -7,9 +7,6 @@ namespace ErrorMatching.Jobs;
 /// <summary>What can be used and is hardly meant: asked at its field, and saved all the same.</summary>
 internal static class DraftDoubts
 {
-    // Cosine of 30 degrees: a boundary bends less from one block to the next where no key point is.
-    private const double BendCosine = 0.866;
-
     /// <summary>Limits that no deviation reaches, because the job stops at smaller ones.</summary>
     /// <param name="draft">The draft.</param>
     public static IEnumerable<DraftProblem> OfLimits(MatingDraft draft)
@@ -49,5 +46,5 @@ internal static class DraftDoubts
 
     private static bool Cuts(NcPath path, int motion) => motion >= 0 && motion < path.Motions.Length && path.Motions[motion] is { IsCut: true, MovesInPlane: true };
 
-    private static bool Bends(NcPath path, int before, int behind) => path.Motions[before].TangentAt(1).Dot(path.Motions[behind].TangentAt(0)) < BendCosine;
+    private static bool Bends(NcPath path, int before, int behind) => path.Motions[before].TangentAt(1).Dot(path.Motions[behind].TangentAt(0)) < BoundarySearch.BendCosine;
 }

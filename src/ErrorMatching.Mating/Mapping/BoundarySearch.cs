@@ -10,8 +10,8 @@ namespace ErrorMatching.Mating;
 /// <remarks>The cost is that of motions times points.</remarks>
 public static class BoundarySearch
 {
-    // Cosine of 30 degrees: a boundary bends less from one block to the next where no key point is.
-    private const double BendCosine = 0.866;
+    /// <summary>Cosine of 30 degrees: a boundary bends less from one block to the next where no key point is.</summary>
+    public const double BendCosine = 0.866;
 
     // Passes of one path at several depths: nearer to each other than an NC word can say.
     private const double SamePassMm = 0.0005;
