@@ -5,6 +5,7 @@ using Avalonia.VisualTree;
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>What can be touched is found by tests and tools under a name of its own, the same in either language.</summary>
+[Trait("Length", "Long")]
 public sealed class AutomationIdTests
 {
     [Fact]

@@ -6,6 +6,7 @@ using ErrorMatching.Testing;
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>A job is set up while corrections wait that were made with it as it was: nobody takes one of those for one of the job as it is.</summary>
+[Trait("Length", "Long")]
 public sealed class ChangedJobTests
 {
     [Fact]

@@ -5,6 +5,7 @@ using ErrorMatching.Testing;
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>What was made before its job was changed is computed anew from the station: one by one, and all together where the job is saved.</summary>
+[Trait("Length", "Long")]
 public sealed class ComputeAnewTests
 {
     [Fact]

@@ -5,6 +5,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>Everything goes by the keyboard: whatever a finger can do is reached by Tab, in the order in which it is read, and seen to have the focus.</summary>
+[Trait("Length", "Long")]
 public sealed class KeyboardTests
 {
     private static readonly string[] Setup = ["coordinates", "blocks", "tolerances", "machine", "gauge"];

@@ -4,6 +4,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>A store or a machine that goes away is a banner and a message with what still works; when it is back, the banner goes and everything works again.</summary>
+[Trait("Length", "Long")]
 public sealed class LostConnectionTests
 {
     private static readonly string[] Ends = ["", "-wal", "-shm"];

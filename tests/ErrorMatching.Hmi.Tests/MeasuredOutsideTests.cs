@@ -5,6 +5,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>A counterpart that was measured outside of its limits is told until somebody has looked at it, or a newer one was measured; and the history tells it for good.</summary>
+[Trait("Length", "Long")]
 public sealed class MeasuredOutsideTests
 {
     [Fact]

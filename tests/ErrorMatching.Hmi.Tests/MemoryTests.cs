@@ -6,6 +6,7 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
 
+[Trait("Length", "Long")]
 public sealed class MemoryTests
 {
     private const int Times = 200, Cycles = 10, Tries = 30;

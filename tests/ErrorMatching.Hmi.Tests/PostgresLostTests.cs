@@ -7,6 +7,7 @@ using ErrorMatching.Peers.Tests;
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>A station whose store is a PostgreSQL server, which is killed under it and started again.</summary>
+[Trait("Length", "Long")]
 public sealed partial class PostgresLostTests
 {
     [Fact]

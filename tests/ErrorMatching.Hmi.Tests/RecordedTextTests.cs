@@ -5,6 +5,7 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi.Tests;
 
+[Trait("Length", "Long")]
 public sealed partial class RecordedTextTests
 {
     // Commands, fields of the configuration, units: the same in every language.

@@ -4,6 +4,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>Who may do what, at the buttons that do it and behind them.</summary>
+[Trait("Length", "Long")]
 public sealed class RoleTests
 {
     // By whom each button can be pressed: everybody, a setter and higher, an administrator alone.

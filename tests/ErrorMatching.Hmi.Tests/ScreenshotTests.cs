@@ -3,6 +3,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>Every screen in both themes, both languages and two sizes: looked at by measure here, and by people in artifacts/screenshots.</summary>
+[Trait("Length", "Long")]
 public sealed class ScreenshotTests
 {
     private static readonly string[] Sides = ["features", "program", "gap", "decisions", "course"];

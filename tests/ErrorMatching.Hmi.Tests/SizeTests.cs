@@ -3,6 +3,7 @@ using ErrorMatching.Hmi.Cairo;
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>Every side of every screen at other sizes, scalings and heights of what is touched than the pictures have: measured, not pictured.</summary>
+[Trait("Length", "Long")]
 public sealed class SizeTests
 {
     private const int Tries = 200;

@@ -14,6 +14,7 @@ namespace ErrorMatching.Hmi.Tests;
 /// The whole story at one seat, in each language: a setter signs in, sets up the complex mating from nothing, picks its blocks by tapping, a part arrives, every value is what the console says of the sample's own files, it is
 /// approved and cut, verified by the second measurement, found again, and the seat is left.
 /// </summary>
+[Trait("Length", "Long")]
 public sealed class StoryTests
 {
     private static readonly string[] Labels = ["1", "2", "2a", "3a", "3b", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14"];

@@ -7,6 +7,7 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi.Tests;
 
+[Trait("Length", "Long")]
 public sealed class VerificationTests
 {
     private static readonly string[] Sides = ["assembly", "improvement", "trend", "error-points"];

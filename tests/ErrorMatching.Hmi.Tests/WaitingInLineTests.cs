@@ -5,6 +5,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>Nobody overtakes in the line for a slot: whoever approves a part sees behind whom it waits, wherever they look for it.</summary>
+[Trait("Length", "Long")]
 public sealed class WaitingInLineTests
 {
     private const string Behind = "Waits in line behind #1, #2: decide about these first.";

@@ -14,17 +14,13 @@ internal sealed class Seat : IAsyncDisposable
     /// <summary>Generous: a test waits for the event and not for the clock.</summary>
     public static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
 
-    // Hashing passwords is slow on purpose: once is enough for all tests.
+    // Hashing passwords is slow on purpose: once is enough for all tests of a process.
     private static readonly Lazy<string> Template = new(() =>
     {
-        var folder = Path.Combine(AppContext.BaseDirectory, "template");
-        if (Directory.Exists(folder))
-        {
-            Directory.Delete(folder, recursive: true);
-        }
-
-        DemoCell.Make(folder, TimeProvider.System);
-        return folder;
+        var folder = new TemporaryFolder();
+        AppDomain.CurrentDomain.ProcessExit += (_, _) => folder.Dispose();
+        DemoCell.Make(folder.Path, TimeProvider.System);
+        return folder.Path;
     });
 
     private readonly TemporaryFolder _folder = new();
