@@ -23,7 +23,7 @@ internal static class SetupKeys
         e.Handled = true;
     }
 
-    /// <summary>Brings a field into view and puts the focus there, once it is laid out.</summary>
+    /// <summary>Brings a field into view and puts the focus there, once all of the screen is laid out.</summary>
     public static void Focus(Visual screen, string id) => Dispatcher.UIThread.Post(
         () =>
         {
@@ -34,5 +34,5 @@ internal static class SetupKeys
                 field.Focus();
             }
         },
-        DispatcherPriority.Background);
+        DispatcherPriority.ContextIdle);
 }

@@ -1,6 +1,8 @@
 using System.Collections;
+using System.Collections.Specialized;
 using Avalonia;
 using Avalonia.Controls;
+using Avalonia.Input;
 using Avalonia.Layout;
 using Avalonia.Threading;
 
@@ -33,14 +35,45 @@ public static class Later
     /// <summary>Gives a list its rows: the first ones soon, others at once.</summary>
     public static void SetRows(ItemsControl list, IEnumerable? rows) => (list ?? throw new ArgumentNullException(nameof(list))).SetValue(RowsProperty, rows);
 
+    /// <summary>Gives a control the focus, once it is seen: a screen comes part by part.</summary>
+    public static void Focus(InputElement control)
+    {
+        ArgumentNullException.ThrowIfNull(control);
+        if (control.IsEffectivelyVisible)
+        {
+            control.Focus();
+            return;
+        }
+
+        control.PropertyChanged += OnProperty;
+        control.DetachedFromVisualTree += OnDetached;
+
+        void OnProperty(object? sender, AvaloniaPropertyChangedEventArgs e)
+        {
+            if (e.Property == Visual.BoundsProperty)
+            {
+                End();
+                control.Focus();
+            }
+        }
+
+        void OnDetached(object? sender, VisualTreeAttachmentEventArgs e) => End();
+
+        void End()
+        {
+            control.PropertyChanged -= OnProperty;
+            control.DetachedFromVisualTree -= OnDetached;
+        }
+    }
+
     // Its room is known from when it is first laid out.
     private static void GiveWhenSeen(ItemsControl list)
     {
         list.LayoutUpdated -= OnLaidOut;
         if (list.IsEffectivelyVisible && list.IsArrangeValid)
         {
-            GiveRoom(list, list.Bounds.Height, 1);
             list.ItemsSource = GetRows(list);
+            GiveRoom(list, list.Bounds.Height, 1);
         }
         else
         {
@@ -60,6 +93,25 @@ public static class Later
         }
 
         (list.VerticalAlignment, list.MaxHeight) = (VerticalAlignment.Top, room * parts / Parts);
-        Dispatcher.UIThread.Post(() => GiveRoom(list, room, parts + 1), DispatcherPriority.Background);
+        if (list.ItemsSource is INotifyCollectionChanged rows && list.ItemCount == 0)
+        {
+            WhenFilled(rows, () => GiveRoom(list, room, parts + 1));
+        }
+        else
+        {
+            Dispatcher.UIThread.Post(() => GiveRoom(list, room, parts + 1), DispatcherPriority.Background);
+        }
+    }
+
+    // What is read beside the screen comes when the list is there already.
+    private static void WhenFilled(INotifyCollectionChanged rows, Action go)
+    {
+        rows.CollectionChanged += OnRows;
+
+        void OnRows(object? sender, NotifyCollectionChangedEventArgs e)
+        {
+            rows.CollectionChanged -= OnRows;
+            Dispatcher.UIThread.Post(go, DispatcherPriority.Background);
+        }
     }
 }

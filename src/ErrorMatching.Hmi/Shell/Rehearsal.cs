@@ -1,8 +1,5 @@
 using System.Text;
-using Avalonia;
 using Avalonia.Controls;
-using Avalonia.Data;
-using Avalonia.LogicalTree;
 using Avalonia.Threading;
 using ErrorMatching.Nc;
 
@@ -15,6 +12,9 @@ namespace ErrorMatching.Hmi;
 /// <param name="shell">The frame whose screens they are. Opening one reads; all that stays is the first job, loaded into the set-up as it is when somebody opens that first.</param>
 internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
 {
+    // Every control of a panel takes a step.
+    private const int Each = 0;
+
     // Until what is read beside the screen has come.
     private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(150);
     private static readonly byte[] Program = Encoding.ASCII.GetBytes("N10 G21 G90\nN20 G0 X0. Y0. Z5.\nN30 G1 Z0. F500.\nN40 G2 X10. Y10. I5. J5.\nM30\n");
@@ -53,10 +53,6 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         return view;
     }
 
-    // What stands in panels, the outer ones first.
-    private static List<(Control Part, IDisposable? Cover)> Fold(Control view) =>
-        [.. view.GetLogicalDescendants().OfType<Control>().Where(c => c.Parent is Panel).Select(c => (c, c.SetValue(Visual.IsVisibleProperty, false, BindingPriority.Animation)))];
-
     private async Task OpenAsync(Screen screen, CancellationToken end)
     {
         ScreenViewModel? opened = null;
@@ -81,32 +77,32 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         await StepAsync(stage.UpdateLayout, end);
     }
 
-    // All that a screen shows would take too long in one step: its parts are hidden first, and come one by one.
+    // All that a screen shows would take too long in one step: its parts come one by one.
     private async Task UnfoldAsync(Func<object> open, TimeSpan look, CancellationToken end)
     {
         object? content = null;
-        List<(Control Part, IDisposable? Cover)> folded = [];
+        Unfolding? unfolding = null;
         await StepAsync(() => content = open(), end);
         await ShowAsync(
             () =>
             {
                 var view = ViewOf(content!);
-                folded = Fold(view);
+                unfolding = new(view, Each);
                 return view;
             },
             end);
         await Task.Delay(look, end);
-        await UnfoldAsync(folded, end);
+        await UnfoldAsync(unfolding!, end);
 
         // Rows that come later have come by now.
         await StepAsync(stage.UpdateLayout, end);
     }
 
-    private async Task UnfoldAsync(List<(Control Part, IDisposable? Cover)> folded, CancellationToken end)
+    private async Task UnfoldAsync(Unfolding unfolding, CancellationToken end)
     {
-        foreach (var (part, cover) in folded)
+        while (unfolding.Coming is { } part)
         {
-            List<(Control, IDisposable?)> within = [];
+            Unfolding? within = null;
             if (part is ContentControl { Content: { } content } host && Views.Has(content))
             {
                 Control? view = null;
@@ -114,20 +110,17 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
                 await StepAsync(
                     () =>
                     {
-                        within = Fold(view!);
+                        within = new(view!, Each);
                         host.Content = view;
                     },
                     end);
             }
 
-            await StepAsync(
-                () =>
-                {
-                    cover?.Dispose();
-                    stage.UpdateLayout();
-                },
-                end);
-            await UnfoldAsync(within, end);
+            await StepAsync(unfolding.Next, end);
+            if (within is not null)
+            {
+                await UnfoldAsync(within, end);
+            }
         }
     }
 }

@@ -36,7 +36,7 @@ public sealed partial class HistoryView : UserControl
         // Whoever goes through the screens by keyboard goes on from where they are.
         if (TopLevel.GetTopLevel(this) is not MainWindow { IsByKeyboard: true })
         {
-            SerialBox.Focus();
+            Later.Focus(SerialBox);
         }
 
         SerialBox.AddHandler(KeyDownEvent, OnSerialKey, RoutingStrategies.Bubble, handledEventsToo: true);

@@ -16,7 +16,7 @@ public sealed partial class LoginView : UserControl
         base.OnLoaded(e);
         if (DataContext is LoginViewModel login)
         {
-            (login.Name.Length == 0 ? NameBox : PasswordBox).Focus();
+            Later.Focus(login.Name.Length == 0 ? NameBox : PasswordBox);
             login.PropertyChanged += OnLogin;
         }
     }
