@@ -11,6 +11,9 @@ namespace ErrorMatching.Hmi;
 /// <summary>Rows that come once the rest of a screen is drawn, and those of a list box a few at a time, as many as it has room for: none of it keeps whoever taps waiting for long.</summary>
 public static class Later
 {
+    // What a screen has besides comes first: the room for a list depends on it.
+    private static readonly DispatcherPriority After = DispatcherPriority.ApplicationIdle;
+
     // A list box makes the rows that are seen: it gets its room in so many parts.
     private const int Parts = 3;
 
@@ -21,7 +24,7 @@ public static class Later
     {
         if (list.ItemsSource is null)
         {
-            Dispatcher.UIThread.Post(() => GiveWhenSeen(list), DispatcherPriority.Background);
+            Dispatcher.UIThread.Post(() => GiveWhenSeen(list), After);
         }
         else
         {
@@ -81,7 +84,7 @@ public static class Later
         }
     }
 
-    private static void OnLaidOut(object? sender, EventArgs e) => Dispatcher.UIThread.Post(() => GiveWhenSeen((ItemsControl)sender!), DispatcherPriority.Background);
+    private static void OnLaidOut(object? sender, EventArgs e) => Dispatcher.UIThread.Post(() => GiveWhenSeen((ItemsControl)sender!), After);
 
     private static void GiveRoom(ItemsControl list, double room, int parts)
     {
@@ -99,7 +102,7 @@ public static class Later
         }
         else
         {
-            Dispatcher.UIThread.Post(() => GiveRoom(list, room, parts + 1), DispatcherPriority.Background);
+            Dispatcher.UIThread.Post(() => GiveRoom(list, room, parts + 1), After);
         }
     }
 
@@ -111,7 +114,7 @@ public static class Later
         void OnRows(object? sender, NotifyCollectionChangedEventArgs e)
         {
             rows.CollectionChanged -= OnRows;
-            Dispatcher.UIThread.Post(go, DispatcherPriority.Background);
+            Dispatcher.UIThread.Post(go, After);
         }
     }
 }
