@@ -22,10 +22,10 @@ public sealed record KeptPiece(Correction Correction, Correction? Counterpart, s
     public bool IsWithin => Outside.Count == 0;
 
     /// <summary>The key points whose mating error with compensation is outside of its limits, in the order of cutting.</summary>
-    public IReadOnlyList<string> Outside => [.. Result.Points.Where(p => IsOutside(p.Label, p.AfterError.NormalMm)).Select(p => p.Label)];
+    public IReadOnlyList<string> Outside => Limits.Points;
 
     /// <summary>Those of <see cref="Outside"/> that are within their limits without compensation: it makes them worse, as beside a corner that follows its neighbors.</summary>
-    public IReadOnlyList<string> PushedOut => [.. Result.Points.Where(p => IsOutside(p.Label, p.AfterError.NormalMm) && !IsOutside(p.Label, p.BeforeError.NormalMm)).Select(p => p.Label)];
+    public IReadOnlyList<string> PushedOut => Limits.DrivenOut;
 
     /// <summary>True if a mating error is outside of the limits of its key point.</summary>
     public bool IsOutside(string point, double errorMm) => BandOf(point) is { } band && !band.Contains(errorMm);
@@ -51,6 +51,8 @@ public sealed record KeptPiece(Correction Correction, Correction? Counterpart, s
             return [.. Match.Points.Where(p => measured.ContainsKey(p.Point)).Select(p => new PredictionMiss(p.Point, p.PredictedMm, measured[p.Point], uncertainty[p.Feature]))];
         }
     }
+
+    private OutsideLimits Limits => OutsideLimits.Of(Result.Points.Select(p => (p.Label, BandOf(p.Label), p.BeforeError.NormalMm, p.AfterError.NormalMm)));
 
     /// <summary>The boundary that a key point is on.</summary>
     public VerifiedBoundary? BoundaryOf(string point) => Boundaries.FirstOrDefault(b => b.Points.Any(p => p.Label == point));

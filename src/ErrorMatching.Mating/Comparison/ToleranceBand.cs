@@ -25,6 +25,9 @@ public readonly record struct ToleranceBand
     /// <summary>The upper limit.</summary>
     public double UpperMm { get; }
 
+    /// <summary>The limits of the mating error where these limit the part: the job limits part - counterpart, a mating error is counterpart - part.</summary>
+    public ToleranceBand OfMatingError => new(-UpperMm, -LowerMm);
+
     /// <summary>True if a deviation lies between the limits or on one of them.</summary>
     public bool Contains(double deviationMm) => ExcessOf(deviationMm) == 0;
 

@@ -32,6 +32,9 @@ public sealed record MatchReport
     /// <summary>The key points in the order of cutting.</summary>
     public required IReadOnlyList<ReportKeyPoint> KeyPoints { get; init; }
 
+    /// <summary>The key points that the program is predicted to leave outside of their limits.</summary>
+    public OutsideLimits Outside => OutsideOf(KeyPoints);
+
     /// <summary>The program that was written.</summary>
     public required ReportProgram Program { get; init; }
 
@@ -49,4 +52,8 @@ public sealed record MatchReport
 
     /// <summary>What a person may want to know besides.</summary>
     public IReadOnlyList<string> Notes { get; init; } = [];
+
+    /// <summary>Those of some key points that the program is predicted to leave outside of their limits.</summary>
+    internal OutsideLimits OutsideOf(IEnumerable<ReportKeyPoint> points) =>
+        OutsideLimits.Of(points.Select(p => (p.Point, Features.FirstOrDefault(f => f.Name == p.Feature)?.Tolerance.Band.OfMatingError, -p.DecidedMm, p.PredictedMm)));
 }

@@ -24,6 +24,11 @@ public static class MatchReportJson
             w.Optional("toleranceChain", report.Chain, c => WriteChain(w, c));
             w.List("features", report.Features, f => WriteFeature(w, f));
             w.List("keyPoints", report.KeyPoints, p => WriteKeyPoint(w, p));
+            w.Object("outsideLimits", () =>
+            {
+                w.Texts("drivenOut", report.Outside.DrivenOut);
+                w.Texts("staying", report.Outside.Staying);
+            });
             w.Object("program", () => WriteProgram(w, report.Program));
             w.Object("proof", () => WriteProof(w, report.Proof));
             w.Object("time", () =>

@@ -13,7 +13,7 @@ public static class WarningForms
 
     /// <summary>Point and block.</summary>
     public static SentenceForm PointOnCorner { get; } = new(
-        "point-on-corner", "Point {0} lies on a rounded corner at an end of {1}: there the boundary follows both elements, so its own deviation cannot be met exactly. Probe it further from the corner.");
+        "point-on-corner", "Point {0} lies on a rounded corner at an end of {1}: there the boundary follows both elements, so its own deviation cannot be met exactly. This part is measured: see what is left over there before you cut. For the next parts, choose a key point further from the corner in the job.");
 
     /// <summary>Kind of alignment, and what is left in mm.</summary>
     public static SentenceForm Aligned { get; } = new("aligned", "The part was aligned ({0}) before it was compared: what the alignment took away is not compensated. {1} mm (root mean square) are left.");

@@ -9,6 +9,6 @@ namespace ErrorMatching.Mating;
 /// <param name="Outline">The boundary that the nominal program cuts, as a polyline.</param>
 public sealed record VerifiedBoundary(string Name, ToleranceBand Band, IReadOnlyList<(string Label, Point2 Theoretical)> Points, IReadOnlyList<Point2> Outline)
 {
-    /// <summary>The limits of a mating error. The job limits part - counterpart, a mating error is counterpart - part.</summary>
-    public ToleranceBand ErrorBand => new(-Band.UpperMm, -Band.LowerMm);
+    /// <summary>The limits of a mating error.</summary>
+    public ToleranceBand ErrorBand => Band.OfMatingError;
 }

@@ -61,6 +61,22 @@ public sealed class MatchTests
     }
 
     [Fact]
+    public async Task Points_that_the_compensation_drives_out_of_their_limits_are_told_and_what_to_decide()
+    {
+        // The part's deviations are the paper's: 0.024 mm at point 2, 0.007 mm at point 4, with limits of 0.05 mm.
+        using var shop = new Workshop();
+        var run = await shop.Run($"match {Job} --out out");
+        Assert.Contains("\nThe compensation drives points 2 and 4 out of their limits; uncompensated they are within them.\n", run.Output, StringComparison.Ordinal);
+        Assert.Contains("\nDecide first whether a counterpart is of use on which points 2 and 4 lie outside their limits: ", run.Output, StringComparison.Ordinal);
+        Assert.DoesNotContain("still outside", run.Output + File.ReadAllText(shop["out", "report.html"]), StringComparison.Ordinal);
+        Assert.DoesNotContain("Probe it further", run.Output, StringComparison.Ordinal);
+
+        var outside = (await shop.Run($"match {Job} --json")).Json.GetProperty("outsideLimits");
+        Assert.Equal(["2", "4"], outside.GetProperty("drivenOut").EnumerateArray().Select(p => p.GetString()));
+        Assert.Equal(0, outside.GetProperty("staying").GetArrayLength());
+    }
+
+    [Fact]
     public async Task Without_a_folder_nothing_is_written()
     {
         using var shop = new Workshop();

@@ -105,6 +105,16 @@ public sealed class MatchReportTests
     }
 
     [Fact]
+    public void Points_outside_their_limits_are_listed_by_whether_the_compensation_is_why()
+    {
+        // Limits of the part -0.05 to 0.05, deviation 0.04: only what the compensation makes of it is outside.
+        var json = Parse(Report with { KeyPoints = [Point with { Point = "1", PredictedMm = 0.051 }, Point with { Point = "2", DecidedMm = 0.04, PredictedMm = 0.051 }, Point] });
+
+        Assert.Equal("1|2", Text(json, "outsideLimits.staying.0", "outsideLimits.drivenOut.0"));
+        Assert.Equal((1, 1), (json.GetProperty("outsideLimits").GetProperty("staying").GetArrayLength(), json.GetProperty("outsideLimits").GetProperty("drivenOut").GetArrayLength()));
+    }
+
+    [Fact]
     public void Numbers_carry_no_noise_of_binary_fractions_and_no_negative_zero() =>
         Assert.Equal("0.3|0", Text(Parse(Report), "features.0.residualsMm.0", "features.0.residualsMm.1"));
 

@@ -38,6 +38,11 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
             _report.KeyPoints.Select(p => (IReadOnlyList<string>)
                 [p.Point, p.Feature, Show.Signed(p.DecidedMm), Show.Signed(p.Correction.X), Show.Signed(p.Correction.Y), Show.Signed(p.PredictedMm)]));
         page.Line("Deviations in mm along the normal from the counterpart's material to its tool; corrections are added in the program's frame.");
+        foreach (var sentence in OutsideWords.Of(_report.Outside))
+        {
+            page.Line(sentence);
+        }
+
         page.Line();
         WriteBlocks(page);
         WriteProof(page);
@@ -101,6 +106,11 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
         }
 
         page.Line($"Wrote {_report.Program.File}, {In("report.html")} and {In("report.json")}.");
+        if (OutsideWords.ToDecide(_report.Outside) is { } decide)
+        {
+            page.Line(decide);
+        }
+
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
             $"Next: open {In("report.html")} in a browser, cut the counterpart with {_report.Program.File}, measure it, and compare by errormatch verify. Measuring takes about {_report.Time.MeasuringS} s, this calculation took {_report.Time.CalculatingS:0.000} s."));

@@ -60,6 +60,38 @@ public sealed class MatchReportHtmlTests
     }
 
     [Fact]
+    public void A_point_that_the_compensation_drives_out_is_told_from_one_that_stays_outside()
+    {
+        // Part - design: 0.1 at point 1, 0.01 at point 3, limits -0.02 to +0.05. So point 1 is outside without compensation, and point 3 is not, whatever was decided about its feature.
+        var summary = Summary(0.03, 0.03);
+        Assert.EndsWith(" mating error left, as predicted: +0.030 mm. ⚠ Point 1 stays outside its limits, with the compensation as without it.", summary.Features[0], StringComparison.Ordinal);
+        Assert.EndsWith(" mating error left, as predicted: +0.030 mm. ⚠ The compensation drives point 3 out of its limits; uncompensated it is within them.", summary.Features[1], StringComparison.Ordinal);
+        Assert.StartsWith("Decide first whether a counterpart is of use on which points 1 and 3 lie outside their limits:", summary.Steps[0], StringComparison.Ordinal);
+        Assert.Equal(("⚠ +0.030", "⚠ +0.030", "-0.001"), (summary.Left("1"), summary.Left("3"), summary.Left("2")));
+
+        var calm = Summary(-0.0004, -0.01);
+        Assert.All(calm.Features, f => Assert.DoesNotContain("⚠", f, StringComparison.Ordinal));
+        Assert.StartsWith("Make sure that the part is the one of work order WO-7", calm.Steps[0], StringComparison.Ordinal);
+        Assert.Equal("0.000", calm.Left("1"));
+
+        static (string[] Features, string[] Steps, Func<string, string> Left) Summary(double at1, double at3)
+        {
+            var page = Page(Report with { KeyPoints = [.. Report.KeyPoints.Select(p => p.Point switch { "1" => p with { PredictedMm = at1 }, "3" => p with { PredictedMm = at3 }, _ => p })] });
+            var summary = page.ById("summary");
+            return ([.. summary.Element("ul")!.Elements("li").Select(l => l.Value)], [.. summary.Element("ol")!.Elements("li").Select(l => l.Value)], label => page.Table("key-points-table").Row(label).Split('|')[12]);
+        }
+    }
+
+    [Fact]
+    public void Several_points_are_named_together()
+    {
+        var points = Report.KeyPoints.Select(p => p with { PredictedMm = p.Feature == "L1" ? -0.06 : 0.06 }).ToArray();
+        Assert.Equal(
+            ["The compensation drives points 3 and 4 out of their limits; uncompensated they are within them.", "Points 1 and 2 stay outside their limits, with the compensation as without it."],
+            OutsideWords.Of((Report with { KeyPoints = points }).Outside));
+    }
+
+    [Fact]
     public void Excess_says_that_only_the_excess_is_followed() =>
         Assert.EndsWith("The counterpart follows what lies beyond the limit.", Page(Report with { Compensation = Report.Compensation with { Amount = CompensationAmount.Excess } }).Table("decisions-table").Row("L1"), StringComparison.Ordinal);
 

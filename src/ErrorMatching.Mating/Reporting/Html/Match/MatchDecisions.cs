@@ -15,6 +15,7 @@ internal static class MatchDecisions
     {
         HtmlTable.Write(html, "decisions-table", "What was decided about each feature", Columns, report.Features, (row, feature) =>
         {
+            var outside = Outside(report, feature);
             row.Header(feature.Name);
             row.Text(ReportWords.Of(feature.Kind));
             using (row.Cell())
@@ -27,10 +28,10 @@ internal static class MatchDecisions
             row.Text(ReportWords.Of(feature.Tolerance.Source));
             row.Number(ReportNumber.Signed(feature.LargestMm));
             row.Number(ReportNumber.Fine(feature.UncertaintyMm));
-            row.Number(Left(report, feature) is { } left ? (StaysOutside(feature, left) ? "⚠ " : "") + ReportNumber.Signed(left) : ReportNumber.None);
+            row.Number(Left(report, feature) is { } left ? (outside.Points.Count > 0 ? "⚠ " : "") + ReportNumber.Signed(left) : ReportNumber.None);
             using (row.Cell("prose"))
             {
-                html.Text(DecisionReason.Of(report, feature));
+                html.Text(string.Join(" ", [DecisionReason.Of(report, feature), .. OutsideWords.Of(outside)]));
             }
         });
         html.Put("p", Meaning(report.Compensation), ("class", "small"));
@@ -39,8 +40,8 @@ internal static class MatchDecisions
     /// <summary>The mating error of the largest size that the corrected counterpart will leave at the feature.</summary>
     internal static double? Left(MatchReport report, ReportFeature feature) => Points(report, feature).MaxBy(p => Math.Abs(p.PredictedMm))?.PredictedMm;
 
-    /// <summary>True if what is left of a compensated feature is still more than its tolerance allows. The job limits part - counterpart, a mating error is counterpart - part.</summary>
-    internal static bool StaysOutside(ReportFeature feature, double left) => feature.Decision == Decision.Compensated && !feature.Tolerance.Band.Contains(-left);
+    /// <summary>The key points of a feature that the corrected counterpart will leave outside of their limits.</summary>
+    internal static OutsideLimits Outside(MatchReport report, ReportFeature feature) => report.OutsideOf(Points(report, feature));
 
     /// <summary>The key points of a feature.</summary>
     internal static IEnumerable<ReportKeyPoint> Points(MatchReport report, ReportFeature feature) => report.KeyPoints.Where(p => p.Feature == feature.Name);
@@ -49,6 +50,6 @@ internal static class MatchDecisions
         (compensation.From == CompensationSource.Part
             ? "Deviations are part - design"
             : "Deviations are part - measured counterpart")
-        + ", along the normal from the counterpart's material to its tool: positive where the counterpart has to keep more material. What is left is the predicted mating error, counterpart - part: positive overlaps, negative leaves a gap; ⚠ marks one that is still outside the tolerance. "
+        + ", along the normal from the counterpart's material to its tool: positive where the counterpart has to keep more material. What is left is the predicted mating error, counterpart - part: positive overlaps, negative leaves a gap; ⚠ marks a feature of which a point will be outside its limits. "
         + $"Asked for: {ReportWords.Of(compensation.Amount)} deviation, gain {ReportNumber.Short(compensation.Gain)}, along the {ReportWords.Of(compensation.Along)}; a deviation beyond {ReportNumber.Plain(compensation.LimitMm)} mm would have stopped the job.";
 }

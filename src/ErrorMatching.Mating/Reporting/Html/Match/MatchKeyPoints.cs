@@ -7,6 +7,7 @@ internal static class MatchKeyPoints
 {
     public static void Write(HtmlText html, MatchReport report)
     {
+        var outside = report.Outside.Points;
         var measured = report.KeyPoints.Any(p => p.Counterpart is not null);
         HtmlTable.Write(html, "key-points-table", "Key points in the order of cutting, mm", Columns(measured), report.KeyPoints, (row, p) =>
         {
@@ -28,10 +29,10 @@ internal static class MatchKeyPoints
             row.Number(ReportNumber.Signed(p.Correction.X));
             row.Number(ReportNumber.Signed(p.Correction.Y));
             row.Number(ReportNumber.Signed(-p.DecidedMm));
-            row.Number(ReportNumber.Signed(p.PredictedMm));
+            row.Number((outside.Contains(p.Point) ? "⚠ " : "") + ReportNumber.Signed(p.PredictedMm));
             row.Code(string.Join(' ', p.Blocks));
         });
-        html.Put("p", "Deviation: theoretical - actual. Normal deviation: actual - theoretical, along the normal from the counterpart's material to its tool. Correction: what is added to the program, in the program's frame. Mating error: counterpart - part along the normal, positive overlaps, negative leaves a gap; after: as predicted from the program that was written.", ("class", "small"));
+        html.Put("p", "Deviation: theoretical - actual. Normal deviation: actual - theoretical, along the normal from the counterpart's material to its tool. Correction: what is added to the program, in the program's frame. Mating error: counterpart - part along the normal, positive overlaps, negative leaves a gap; after: as predicted from the program that was written; ⚠ marks one that is outside its limits.", ("class", "small"));
     }
 
     private static List<TableColumn> Columns(bool measured)

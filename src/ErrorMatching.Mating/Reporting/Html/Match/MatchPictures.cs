@@ -10,12 +10,9 @@ internal static class MatchPictures
 
     private static PlotPoint[] Plot(MatchReport report)
     {
-        var limits = report.Features.ToDictionary(f => f.Name, f => Reflected(f.Tolerance.Band), StringComparer.Ordinal);
+        var limits = report.Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.OfMatingError, StringComparer.Ordinal);
         return [.. report.KeyPoints.Select(p => new PlotPoint(p.Point, p.Feature, -p.DecidedMm, p.PredictedMm, limits.TryGetValue(p.Feature, out var band) ? band : null))];
     }
-
-    // The job limits part - counterpart; a mating error is counterpart - part.
-    private static ToleranceBand Reflected(ToleranceBand band) => new(-band.UpperMm, -band.LowerMm);
 
     private static DrawnFeature? Draw(MatchReport report, ReportFeature feature) => DrawnFeature.Of(
         feature.TheoreticalOutline,

@@ -58,7 +58,7 @@ internal static class MatchSummary
                     html.Put("strong", feature.Name);
                     html.Text($" ({ReportWords.Of(feature.Kind)}): ");
                     DecisionMark.Write(html, feature.Decision);
-                    html.Text($". Largest deviation {ReportNumber.SignedMm(feature.LargestMm)}" + (MatchDecisions.Left(report, feature) is { } left ? $"; mating error left, as predicted: {ReportNumber.SignedMm(left)}{(MatchDecisions.StaysOutside(feature, left) ? ", ⚠ still outside the tolerance" : "")}." : "."));
+                    html.Text($". Largest deviation {ReportNumber.SignedMm(feature.LargestMm)}" + (MatchDecisions.Left(report, feature) is { } left ? $"; mating error left, as predicted: {ReportNumber.SignedMm(left)}." : ".") + string.Concat(OutsideWords.Of(MatchDecisions.Outside(report, feature)).Select(s => " ⚠ " + s)));
                 }
             }
         }
@@ -72,8 +72,10 @@ internal static class MatchSummary
         }
 
         var order = report.Job.WorkOrder is { } number ? $"work order {number}" : $"the job {report.Job.Name}";
+        string[] decide = OutsideWords.ToDecide(report.Outside) is { } first ? [first] : [];
         return
         [
+            .. decide,
             $"Make sure that the part is the one of {order}: this counterpart fits no other.",
             IsUnchanged(report) ? $"Cut the counterpart with {report.Program.File}, which is the program as designed." : $"Cut the counterpart with {report.Program.File}, with work offset, tool and wear values as for the original program. The corrections are in the program: do not enter them as offsets too.",
             "Measure the counterpart, and compare it with the part: errormatch verify.",

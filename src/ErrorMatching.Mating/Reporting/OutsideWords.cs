@@ -1,0 +1,34 @@
+namespace ErrorMatching.Mating;
+
+/// <summary>What reports say of key points that a program is predicted to leave outside of their limits, and what a person can do about them.</summary>
+public static class OutsideWords
+{
+    /// <summary>Sentences: one of the points that the compensation itself drives out, one of those that stay outside; none where no point is.</summary>
+    public static IEnumerable<string> Of(OutsideLimits outside)
+    {
+        ArgumentNullException.ThrowIfNull(outside);
+        if (outside.DrivenOut is { Count: > 0 } driven)
+        {
+            yield return $"The compensation drives {Named(driven)} out of {Their(driven)} limits; uncompensated {(driven.Count == 1 ? "it is" : "they are")} within them.";
+        }
+
+        if (outside.Staying.ToArray() is { Length: > 0 } staying)
+        {
+            yield return $"{Capital(Named(staying))} {(staying.Length == 1 ? "stays" : "stay")} outside {Their(staying)} limits, with the compensation as without it.";
+        }
+    }
+
+    /// <summary>What to decide before the program is used; null where no point will be outside.</summary>
+    public static string? ToDecide(OutsideLimits outside)
+    {
+        ArgumentNullException.ThrowIfNull(outside);
+        return outside.Points is not { Count: > 0 } points ? null
+            : $"Decide first whether a counterpart is of use on which {Named(points)} {(points.Count == 1 ? "lies" : "lie")} outside {Their(points)} limits: this program is predicted to cut it so. If not, do not cut it. For the next parts, give the job other points there, or other limits.";
+    }
+
+    private static string Named(IReadOnlyList<string> labels) => labels.Count == 1 ? $"point {labels[0]}" : $"points {string.Join(", ", labels.SkipLast(1))} and {labels[^1]}";
+
+    private static string Their(IReadOnlyList<string> labels) => labels.Count == 1 ? "its" : "their";
+
+    private static string Capital(string text) => char.ToUpperInvariant(text[0]) + text[1..];
+}
