@@ -156,7 +156,7 @@ public class ContractTests
     {
         var page = File.ReadAllText(Repository.PathTo("docs", "refusals.md"));
         var mating = typeof(Mating.Matcher).Assembly.GetTypes()
-            .Where(t => t.Name is "FeatureMapper" or "AlignedMeasurement" or "Marker" or "Decider" or "OriginCheck")
+            .Where(t => t.Name is "FeatureMapper" or "BoundarySearch" or "AlignedMeasurement" or "Marker" or "Decider" or "OriginCheck")
             .SelectMany(ConstantsOf)
             .Where(c => c.Contains('-', StringComparison.Ordinal));
         var codes = ConstantsOf(typeof(Nc.NcRefusalCodes)).Concat(mating).ToArray();

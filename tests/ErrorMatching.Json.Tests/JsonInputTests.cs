@@ -19,6 +19,19 @@ public sealed class JsonInputTests
         Assert.Equal("$['it\\'s'].a_1", Read("{\"it's\": {\"a_1\": 1}}")["it's"]["a_1"].Path);
     }
 
+    [Theory]
+    [InlineData("")]
+    [InlineData("\uFEFF")]
+    public void Values_know_their_bytes(string mark)
+    {
+        var text = mark + "// ß\n{ \"ä\": [1, \"é\\u00e9\", ], \"b\": { \"c\": true } /* d */ }\n";
+        var (root, bytes) = (Read(text), Encoding.UTF8.GetBytes(text));
+
+        Assert.Equal(
+            ["[1, \"é\\u00e9\", ]", "\"é\\u00e9\"", "1", "{ \"c\": true }", "true", text[(mark.Length + 5)..^1]],
+            new[] { root["ä"], root["ä"].Items[1], root["ä"].Items[0], root["b"], root["b"]["c"], root }.Select(i => Encoding.UTF8.GetString(bytes[i.Bytes])));
+    }
+
     [Fact(Timeout = 20_000)]
     public async Task A_long_line_is_counted_once_and_not_for_each_of_its_values()
     {

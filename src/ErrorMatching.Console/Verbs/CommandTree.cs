@@ -41,7 +41,7 @@ internal static class CommandTree
     {
         "match" => new MatchVerb(),
         "verify" => new VerifyVerb(),
-        "job" => new Command(word, "Writes and checks jobs.") { new JobCheck(), new JobNew(), new JobSchema() },
+        "job" => new Command(word, "Writes and checks jobs, and finds their blocks.") { new JobCheck(), new JobBlocks(), new JobNew(), new JobSchema() },
         "nc" => new Command(word, "Looks at NC programs, displaces blocks, compares and proves programs.") { new NcCheck(), new NcMotionVerb(), new NcLocate(), new NcDisplace(), new NcDiff(), new NcProve(), new NcDialectsVerb() },
         "surface" => new SurfaceVerb(),
         "cell" => new Command(word, "Runs beside gauges and machines.")

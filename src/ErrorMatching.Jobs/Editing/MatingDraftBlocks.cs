@@ -17,26 +17,10 @@ public static class MatingDraftBlocks
         // What has its blocks is sought as well: they are nobody else's.
         var places = MatingDraftPlaces.Of(draft).ToLookup(p => p.Feature);
         var sought = draft.Features.Select(f => new SoughtBoundary(
+            f.Name,
             places[f.Name].FirstOrDefault()?.Plane ?? default,
-            places[f.Name].Count() == f.Points.Count() ? [.. places[f.Name].Select(p => p.At)] : [])).ToArray();
-        var found = BoundarySearch.Find(path, sought, DraftNumber.Value(draft.Counterpart.ToolDiameter), DraftNumber.Value(draft.Counterpart.Map) ?? JobCounterpart.DefaultMapMm);
-        return [.. draft.Features.Select((f, i) => (Feature: f, Index: i)).Where(f => f.Feature.BlockList.Count == 0).Select(f => new ProposedBlocks(f.Index, f.Feature.Name, NamesOf(path, found[f.Index])))];
-    }
-
-    private static string[] NamesOf(NcPath path, IReadOnlyList<FoundPass> passes)
-    {
-        var names = new List<string>();
-        foreach (var pass in passes)
-        {
-            var (first, last) = (path.Motions[pass.First].Block, path.Motions[pass.Last].Block);
-            if (last < first || BlockNames.Of(path.Program, first, last) is not { IsUsable: true } named)
-            {
-                return [];
-            }
-
-            names.AddRange(named.Value);
-        }
-
-        return [.. names.Distinct(StringComparer.Ordinal)];
+            places[f.Name].Count() == f.Points.Count() ? [.. places[f.Name].Select(p => (p.Label, p.At))] : [])).ToArray();
+        return [.. BlockProposal.Of(path, sought, DraftNumber.Value(draft.Counterpart.ToolDiameter), DraftNumber.Value(draft.Counterpart.Map) ?? JobCounterpart.DefaultMapMm)
+            .Where(p => draft.Features[p.Feature].BlockList.Count == 0)];
     }
 }

@@ -40,10 +40,8 @@ public static class JsonInput
             throw Refuse(file, "too-big", new(1, 1), "a larger document", string.Create(CultureInfo.InvariantCulture, $"at most {limits.MaxBytes} bytes"));
         }
 
-        if (bytes.StartsWith("\uFEFF"u8))
-        {
-            bytes = bytes[3..];
-        }
+        var skipped = bytes.StartsWith("\uFEFF"u8) ? 3 : 0;
+        bytes = bytes[skipped..];
 
         var map = new LineMap(bytes);
         if (map.FirstInvalidByte is { } invalid)
@@ -51,7 +49,7 @@ public static class JsonInput
             throw Refuse(file, "not-utf8", map.PlaceOf(bytes, invalid), string.Create(CultureInfo.InvariantCulture, $"the byte 0x{bytes[invalid]:X2}"), "UTF-8 text");
         }
 
-        var tree = new TreeReader(map, file);
+        var tree = new TreeReader(map, file, skipped);
         var reader = new Utf8JsonReader(bytes, new JsonReaderOptions { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip, MaxDepth = limits.MaxDepth + 1 });
         JsonItem root;
         try

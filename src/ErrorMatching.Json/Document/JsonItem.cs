@@ -25,6 +25,9 @@ public sealed class JsonItem
     /// <summary>Where it begins.</summary>
     public JsonPlace Place { get; }
 
+    /// <summary>The bytes of the document that it takes up, from its first to its last character.</summary>
+    public Range Bytes { get; internal set; }
+
     /// <summary>The characters of a text, or the spelling of a number; empty for everything else.</summary>
     public string Text { get; internal set; } = "";
 

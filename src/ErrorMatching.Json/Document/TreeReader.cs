@@ -4,11 +4,22 @@ using System.Text.Json;
 namespace ErrorMatching.Json;
 
 /// <summary>Turns the tokens of a document into items, and collects what can be said about them without a schema.</summary>
-internal sealed class TreeReader(LineMap map, string file)
+/// <param name="map">The lines of the document.</param>
+/// <param name="file">Its name for messages.</param>
+/// <param name="skipped">How many bytes stand in front of what is read: those of a byte order mark.</param>
+internal sealed class TreeReader(LineMap map, string file, int skipped)
 {
     public List<JsonProblem> Problems { get; } = [];
 
     public JsonItem ReadValue(ref Utf8JsonReader reader, ReadOnlySpan<byte> bytes, JsonItem? parent, string? name, int index, int depthLeft)
+    {
+        var start = (int)reader.TokenStartIndex;
+        var item = ReadItem(ref reader, bytes, parent, name, index, depthLeft);
+        item.Bytes = (skipped + start)..(skipped + (int)reader.BytesConsumed);
+        return item;
+    }
+
+    private JsonItem ReadItem(ref Utf8JsonReader reader, ReadOnlySpan<byte> bytes, JsonItem? parent, string? name, int index, int depthLeft)
     {
         var place = map.PlaceOf(bytes, reader.TokenStartIndex);
         switch (reader.TokenType)

@@ -17,7 +17,10 @@ public sealed record MatingRefusal(string Code, string Message, string? Feature 
     /// <summary>Why a program could not be followed to its end, or null.</summary>
     internal static MatingRefusal? OfPath(NcPath path) => path.Refusal is { } refusal ? Of(refusal) : null;
 
-    internal static MatingRefusal Of(NcRefusal refusal, string? feature = null) => new(
+    /// <summary>A program's refusal as that of a job.</summary>
+    /// <param name="refusal">The refusal.</param>
+    /// <param name="feature">Name of the feature concerned; null if none is.</param>
+    public static MatingRefusal Of(NcRefusal refusal, string? feature = null) => new(
         refusal.Code,
         feature is null ? refusal.Message : $"{feature}: {refusal.Message}",
         feature,

@@ -12,8 +12,9 @@ internal sealed partial class JobReader
     private JobFeature ReadFeature(JsonItem item, ToleranceChain? chain)
     {
         var name = item["name"].Text;
-        CheckBlocks(item["blocks"]);
-        var blocks = item["blocks"].Items.Select(b => b.Text).ToArray();
+        var named = item.Find("blocks")?.Items ?? [];
+        CheckBlocks(named);
+        var blocks = named.Select(b => b.Text).ToArray();
         var tolerance = ReadTolerance(item["toleranceMm"], chain);
         var plane = item.Find("plane")?.Text switch { "ZX" => CoordinatePlane.ZX, "YZ" => CoordinatePlane.YZ, _ => CoordinatePlane.XY };
         var points = item["points"];
@@ -98,9 +99,9 @@ internal sealed partial class JobReader
         return labels;
     }
 
-    private void CheckBlocks(JsonItem list)
+    private void CheckBlocks(IReadOnlyList<JsonItem> blocks)
     {
-        foreach (var item in list.Items.Where(i => i.Text.StartsWith('/')))
+        foreach (var item in blocks.Where(i => i.Text.StartsWith('/')))
         {
             try
             {

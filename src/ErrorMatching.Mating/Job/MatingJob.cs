@@ -1,5 +1,6 @@
 using System.Security.Cryptography;
 using System.Text;
+using System.Text.Json.Nodes;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
 
@@ -10,6 +11,8 @@ namespace ErrorMatching.Mating;
 public sealed record MatingJob
 {
     private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(Encoding.UTF8.GetBytes(JobTemplate.Schema), "mating.schema.json"));
+
+    private static readonly Lazy<JsonSchema> SchemaWithoutBlocks = new(WithoutBlocks);
 
     internal MatingJob()
     {
@@ -75,7 +78,15 @@ public sealed record MatingJob
     /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
     /// <param name="file">Name for messages, and the place that relative paths start from.</param>
     /// <exception cref="JobException">The bytes are no JSON, break the schema, or the job contradicts itself; all problems are in it.</exception>
-    public static MatingJob Parse(ReadOnlySpan<byte> bytes, string file)
+    public static MatingJob Parse(ReadOnlySpan<byte> bytes, string file) => Checked(bytes, file, Schema.Value);
+
+    /// <summary>The job in some bytes, of which features may name no blocks yet: they are still sought. It is no job to match with.</summary>
+    /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
+    /// <param name="file">Name for messages, and the place that relative paths start from.</param>
+    /// <exception cref="JobException">As of <see cref="Parse"/>, but for blocks that are missing.</exception>
+    public static MatingJob ParseWithoutBlocks(ReadOnlySpan<byte> bytes, string file) => Checked(bytes, file, SchemaWithoutBlocks.Value);
+
+    private static MatingJob Checked(ReadOnlySpan<byte> bytes, string file, JsonSchema schema)
     {
         JsonItem document;
         try
@@ -87,7 +98,7 @@ public sealed record MatingJob
             throw new JobException(file, e.Problems, e);
         }
 
-        var problems = Schema.Value.Check(document);
+        var problems = schema.Check(document);
         if (problems.Count > 0)
         {
             throw new JobException(file, problems);
@@ -100,4 +111,16 @@ public sealed record MatingJob
 
     /// <summary>A path of the job as seen from where the caller is: relative ones start from the job's folder, absolute ones stay.</summary>
     public string PathOf(string path) => Path.Combine(Path.GetDirectoryName(File) ?? "", path);
+
+    private static JsonSchema WithoutBlocks()
+    {
+        var schema = JsonNode.Parse(JobTemplate.Schema)!;
+        schema["$defs"]!["blocks"]!.AsObject().Remove("minItems");
+        foreach (var feature in schema["properties"]!["features"]!["items"]!["oneOf"]!.AsArray())
+        {
+            feature!["required"]!.AsArray().RemoveAll(k => k!.GetValue<string>() == "blocks");
+        }
+
+        return JsonSchema.Parse(Encoding.UTF8.GetBytes(schema.ToJsonString()), "mating.schema.json");
+    }
 }

@@ -10,6 +10,12 @@ namespace ErrorMatching.Mating;
 /// <remarks>The cost is that of motions times points.</remarks>
 public static class BoundarySearch
 {
+    /// <summary>Code of the refusal of a boundary that no cut passes.</summary>
+    public const string NotFound = "boundary-not-found";
+
+    /// <summary>Code of the refusal of a boundary that a cut passes twice without a break.</summary>
+    public const string CutTwice = "boundary-cut-twice";
+
     /// <summary>Cosine of 30 degrees: a boundary bends less from one block to the next where no key point is.</summary>
     public const double BendCosine = 0.866;
 
@@ -21,13 +27,17 @@ public static class BoundarySearch
     /// <param name="boundaries">The boundaries.</param>
     /// <param name="toolDiameterMm">Diameter of the tool; null if it is not known yet: then any distance will do that is the same for all points.</param>
     /// <param name="mapMm">How far a key point may lie from where it belongs (<see cref="JobCounterpart.MapMm"/>).</param>
-    /// <returns>For each of the boundaries, in their order, the passes that cut it in the order of the program; none where it was not found, and where its blocks could not be told from another one's.</returns>
-    public static IReadOnlyList<IReadOnlyList<FoundPass>> Find(NcPath path, IReadOnlyList<SoughtBoundary> boundaries, double? toolDiameterMm, double mapMm)
+    /// <returns>For each of the boundaries, in their order, the passes that cut it in the order of the program; none, and the reason, where it was not found, and where its blocks could not be told from another one's.</returns>
+    public static IReadOnlyList<FoundBoundary> Find(NcPath path, IReadOnlyList<SoughtBoundary> boundaries, double? toolDiameterMm, double mapMm)
     {
         ArgumentNullException.ThrowIfNull(path);
         ArgumentNullException.ThrowIfNull(boundaries);
         var cuts = boundaries.Select(b => b.Plane).Distinct().ToDictionary(p => p, p => Cuts(path, p));
-        var found = boundaries.Select(b => Cores(path, cuts[b.Plane], b.Points, toolDiameterMm / 2, mapMm)).ToArray();
+        var (found, refusals) = (new List<Pass>[boundaries.Count], new MatingRefusal?[boundaries.Count]);
+        for (var b = 0; b < found.Length; b++)
+        {
+            (found[b], refusals[b]) = Cores(path, cuts[boundaries[b].Plane], boundaries[b], toolDiameterMm / 2, mapMm);
+        }
 
         // What leads past the key points of one boundary is no continuation of another one.
         var taken = found.SelectMany(f => f.Select(c => c.Core)).ToList();
@@ -42,7 +52,28 @@ public static class BoundarySearch
             }
         }
 
-        return [.. found.Select((f, b) => f.Exists(c => found.Where((_, o) => o != b).Any(o => o.Exists(d => Overlap(path, c.Core, d.Core)))) ? [] : (IReadOnlyList<FoundPass>)[.. f.Select(c => c.Core)])];
+        return [.. found.Select((f, b) => (refusals[b] ?? Shared(path, boundaries, found, b)) is { } refusal ? new FoundBoundary([], refusal) : new FoundBoundary([.. f.Select(c => c.Core)]))];
+    }
+
+    /// <summary>A refusal at the block of a motion, which ends with what always helps.</summary>
+    internal static MatingRefusal Refuse(NcPath path, int motion, string code, string message, string feature, string? point = null)
+    {
+        var block = path.Program[path.Motions[motion].Block];
+        return new(code, $"{feature}, {path.Program.NameOf(block)}: {message}, or name the blocks yourself.", feature, point, path.Program.NameOf(block), block.Line);
+    }
+
+    // Why the blocks of a boundary cannot be told from another one's, or null.
+    private static MatingRefusal? Shared(NcPath path, IReadOnlyList<SoughtBoundary> boundaries, List<Pass>[] found, int boundary)
+    {
+        foreach (var (core, other) in found[boundary].SelectMany(c => Enumerable.Range(0, found.Length).Where(o => o != boundary).Select(o => (c.Core, o))))
+        {
+            if (found[other].Exists(d => Overlap(path, core, d.Core)))
+            {
+                return Refuse(path, core.First, FeatureMapper.BlocksOverlap, $"from here on it leads past the points of {boundaries[boundary].Name} and of {boundaries[other].Name}, so it cannot be told whose blocks these are. Check the points of both", boundaries[boundary].Name);
+            }
+        }
+
+        return null;
     }
 
     // What is cut in a plane without a break: nothing but motions without length between two that cut.
@@ -67,34 +98,30 @@ public static class BoundarySearch
         return first < 0 ? cuts : [.. cuts, new(first, last)];
     }
 
-    private static List<Pass> Cores(NcPath path, List<FoundPass> cuts, IReadOnlyList<Point2> points, double? radius, double mapMm)
+    // The nearest of all cuts that pass the boundary; or why the one that comes nearest to that does not.
+    private static (List<Pass> Cores, MatingRefusal? Refusal) Cores(NcPath path, List<FoundPass> cuts, SoughtBoundary boundary, double? radius, double mapMm)
     {
-        var cores = points.Count < 2 ? [] : cuts.Select(c => Core(path, c, points, radius, mapMm)).OfType<Pass>().ToList();
-        var nearest = cores.Count == 0 ? 0 : cores.Min(c => c.DistanceMm);
-        return cores.FindAll(c => c.DistanceMm <= nearest + SamePassMm);
+        if (boundary.Points.Count < 2)
+        {
+            return ([], new(NotFound, $"{boundary.Name}: fewer than two of its points have a place in the program. Give them their coordinates, or name the blocks yourself.", boundary.Name));
+        }
+
+        var fits = cuts.ConvertAll(c => CutFit.Of(path, c, boundary.Points, radius, mapMm));
+        var cores = fits.FindAll(f => f.Fault == CutFault.None).ConvertAll(f => Core(f, boundary, radius));
+        if (cores.Count == 0)
+        {
+            return ([], fits.MinBy(f => f.MissMm)?.Refuse(path, boundary, radius, mapMm)
+                ?? new MatingRefusal(NotFound, $"{boundary.Name}: the program cuts nothing in the plane {boundary.Plane} of which it says where. Check the program and the plane.", boundary.Name));
+        }
+
+        var nearest = cores.Min(c => c.DistanceMm);
+        return (cores.FindAll(c => c.DistanceMm <= nearest + SamePassMm), null);
     }
 
-    private static Pass? Core(NcPath path, FoundPass cut, IReadOnlyList<Point2> points, double? radius, double mapMm)
+    private static Pass Core(CutFit fit, SoughtBoundary boundary, double? radius)
     {
-        var feet = points.Select(p => SoughtFoot.Of(path, cut, p)).ToArray();
-        var compensated = feet[0].IsCompensated;
-        var (least, most) = (feet.Min(f => f.DistanceMm), feet.Max(f => f.DistanceMm));
-        var wanted = compensated ? 0 : radius ?? (least + most) / 2;
-        if (most - wanted > mapMm || wanted - least > mapMm || feet.Any(f => f.IsTwice || f.IsCompensated != compensated || (!compensated && f.IsLeft != feet[0].IsLeft)))
-        {
-            return null;
-        }
-
-        // Where an end of the boundary is a corner of the path, the motion within it counts.
-        var (ahead, back) = ((First: feet[0].Last, Last: feet[^1].First), (First: feet[^1].Last, Last: feet[0].First));
-        var (first, last) = ahead.First <= ahead.Last ? ahead : back;
-        if (first > last || feet.Any(f => f.Last < first || f.First > last))
-        {
-            return null;
-        }
-
-        Point2[] ordered = [.. ahead.First <= ahead.Last ? points : points.Reverse()];
-        return new(cut, new(first, last), feet.Average(f => radius is { } r && !compensated ? Math.Abs(f.DistanceMm - r) : f.DistanceMm), ordered[..2], [ordered[^1], ordered[^2]]);
+        Point2[] ordered = [.. (fit.IsAgainst ? boundary.Points.Reverse() : boundary.Points).Select(p => p.At)];
+        return new(fit.Cut, fit.Core, fit.Feet.Average(f => radius is { } r && !f.IsCompensated ? Math.Abs(f.DistanceMm - r) : f.DistanceMm), ordered[..2], [ordered[^1], ordered[^2]]);
     }
 
     private static FoundPass Extended(NcPath path, Pass pass, List<FoundPass> taken)

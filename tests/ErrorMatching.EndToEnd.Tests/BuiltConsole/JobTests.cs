@@ -18,6 +18,47 @@ public sealed class JobTests
         Assert.Equal((0, true), (run.Exit, run.Json.GetProperty("proof").GetProperty("holds").GetBoolean()));
     }
 
+    [Theory]
+    [InlineData("complex-mating", "N120", "N130..N160", "N170..N1190")]
+    [InlineData("curve-mating", "N120..N1970")]
+    public async Task A_sample_s_blocks_are_found_by_its_key_points_and_make_the_same_program(string sample, params string[] blocks)
+    {
+        using var shop = new Workshop();
+        var job = $"samples/{sample}/job.json";
+        foreach (var block in blocks)
+        {
+            shop.Edit(job, $"[\"{block}\"]", "[]");
+        }
+
+        var before = shop.State();
+        Assert.Equal(1, (await shop.Run($"job check {job}")).Exit);
+        var dry = await shop.Run($"job blocks {job} --json");
+        Assert.Equal(before, shop.State());
+        Assert.Equal((0, ""), (dry.Exit, dry.Error));
+        Assert.Equal(blocks, dry.Json.GetProperty("features").EnumerateArray().Select(f => Assert.Single(f.GetProperty("blocks").EnumerateArray()).GetString()));
+
+        // Written elsewhere, the job still finds its files; the sample itself, with the blocks that it came with, makes the same program.
+        var written = await shop.Run($"job blocks {job} --out out/found/job.json");
+        Assert.Equal((0, ""), (written.Exit, written.Error));
+        Assert.Equal(before, shop.State().Where(f => !f.StartsWith("out", StringComparison.Ordinal)));
+        Assert.Equal(["job.json"], Directory.EnumerateFileSystemEntries(shop["out", "found"]).Select(Path.GetFileName));
+        Assert.Equal(0, (await shop.Run("match out/found/job.json --out out/one")).Exit);
+        Assert.Equal(0, (await shop.Run(["match", ErrorMatching.Testing.Repository.PathTo("samples", sample, "job.json"), "--out", "out/two"])).Exit);
+        Assert.Equal(File.ReadAllBytes(shop["out", "two", "counterpart.nc"]), File.ReadAllBytes(shop["out", "one", "counterpart.nc"]));
+    }
+
+    [Fact]
+    public async Task Blocks_that_are_not_found_are_refused_and_nothing_is_written()
+    {
+        using var shop = new Workshop();
+        shop.Edit("samples/curve-mating/job.json", "\"toolDiameterMm\": 6", "\"toolDiameterMm\": 10");
+        var before = shop.State();
+        var run = await shop.Run("job blocks samples/curve-mating/job.json --out out/job.json --json");
+        Assert.Equal((2, ""), (run.Exit, run.Error));
+        Assert.Equal(("errormatch/job-blocks/1", 2, "boundary-not-found"), (run.Json.GetProperty("schema").GetString(), run.Json.GetProperty("exit").GetInt32(), run.SingleError.GetProperty("code").GetString()));
+        Assert.Equal(before, shop.State());
+    }
+
     [Fact]
     public async Task A_job_that_is_there_is_not_overwritten()
     {

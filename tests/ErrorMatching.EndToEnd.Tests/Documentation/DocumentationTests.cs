@@ -13,7 +13,7 @@ public sealed partial class DocumentationTests
 
     public static TheoryData<string> Verbs =>
     [
-        "match", "verify", "job check", "job new", "job schema", "nc check", "nc motion", "nc locate", "nc displace", "nc diff", "nc prove", "nc dialects", "fit line", "fit polynomial", "fit circle",
+        "match", "verify", "job check", "job blocks", "job new", "job schema", "nc check", "nc motion", "nc locate", "nc displace", "nc diff", "nc prove", "nc dialects", "fit line", "fit polynomial", "fit circle",
         "surface plan", "surface probe", "surface compensate", "surface toolpath", "surface displace", "surface evaluate", "surface fit",
     ];
 

@@ -34,7 +34,10 @@ public sealed class MatingDraftBlocksTests
         Assert.Empty(MatingDraftBlocks.Propose(draft, Path));
         var lacking = Without(draft, 0).WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0], f.Flanks[0][1] with { X = "" }]] });
         Assert.Empty(Assert.Single(MatingDraftBlocks.Propose(lacking, Path)).Blocks);
-        Assert.Empty(Assert.Single(MatingDraftBlocks.Propose(Without(draft, 0) with { Counterpart = draft.Counterpart with { ToolDiameter = "10" } }, Path)).Blocks);
+        Assert.Equal("L1: fewer than two of its points have a place in the program. Give them their coordinates, or name the blocks yourself.", Assert.Single(MatingDraftBlocks.Propose(lacking, Path)).Refusal!.Message);
+        var other = Assert.Single(MatingDraftBlocks.Propose(Without(draft, 0) with { Counterpart = draft.Counterpart with { ToolDiameter = "10" } }, Path));
+        Assert.Empty(other.Blocks);
+        Assert.Contains("expected 5 mm, one tool radius", other.Refusal!.Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -1,3 +1,5 @@
+using System.Text;
+
 namespace ErrorMatching.Mating.Tests;
 
 /// <summary>Each way in which a job can be wrong, with its code and JSON path.</summary>
@@ -51,6 +53,25 @@ public sealed class JobCheckTests
     [InlineData(Compensation, "\"verify\": [{ \"name\": \"a\", \"quantity\": \"width\", \"points\": [\"1\"] }]", "not-one-of", "$.verify[0].quantity")]
     [InlineData(Compensation, "\"verify\": [{ \"name\": \"a\", \"quantity\": \"angle\", \"between\": [\"L1\"] }]", "too-few-items", "$.verify[0].between")]
     public void A_job_that_breaks_the_schema_is_refused_by_path(string found, string instead, params string[] codesAndPaths) => Refuses(found, instead, codesAndPaths);
+
+    [Theory]
+    [InlineData("\"blocks\": [\"N100\"], ", "")]
+    [InlineData("[\"N100\"]", "[]")]
+    [InlineData("\"blocks\": [\"N110..N130\"], ", "")]
+    [InlineData("\"blocks\": [\"/^N8[0-9]{3}\\\\b/\"], ", "")]
+    public void Only_blocks_that_are_still_sought_may_be_missing(string found, string instead)
+    {
+        Assert.Contains(found, SampleJob.Text, StringComparison.Ordinal);
+        var text = Encoding.UTF8.GetBytes(SampleJob.Text.Replace(found, instead, StringComparison.Ordinal));
+        Assert.Throws<JobException>(() => MatingJob.Parse(text, "job.json"));
+        var job = MatingJob.ParseWithoutBlocks(text, "job.json");
+        Assert.Empty(Assert.Single(job.Features, f => f.Blocks.Count == 0).Blocks);
+        Assert.Equal(["1", "2"], job.Features[0].Points);
+
+        // What else is wrong is said, with the place where it stands.
+        var wrong = Encoding.UTF8.GetBytes(SampleJob.Text.Replace(found, instead, StringComparison.Ordinal).Replace("[-0.04, 0.06]", "[0.06]", StringComparison.Ordinal));
+        Assert.Equal(("too-few-items", "$.features[1].toleranceMm"), Assert.Single(Assert.Throws<JobException>(() => MatingJob.ParseWithoutBlocks(wrong, "job.json")).Problems) is var p ? (p.Code, p.Path) : default);
+    }
 
     [Theory]
     [InlineData("\"name\": \"C1\"", "\"name\": \"L1\"", "duplicate-name", "$.features[2].name")]

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
@@ -10,6 +11,10 @@ public sealed class BoundarySearchTests
 {
     private const string Depths = "N10 G21 G90 G17\nN20 G0 X0. Y20.\nN30 Z-2.\nN40 G1 X0. Y3. F300\nN50 X50.\nN60 Y20.\nN70 G0 X0.\nN80 Z-4.\nN90 G1 Y3.\nN100 X50.\nN110 Y20.\nN120 M30\n";
 
+    private const string Pieces = "N10 G21 G90 G17\nN20 G0 X0. Y20.\nN30 G1 X0. Y3. F300\nN40 X10.\nN50 X20.\nN60 X30.\nN70 X40.\nN80 X80.\nN90 Y20.\nN100 M30\n";
+
+    private const string Laps = "N10 G21 G90 G17\nN20 G0 X0. Y3.\nN30 G1 X50. F300\nN40 Y30.\nN50 X0.\nN60 Y3.\nN70 X50.\nN80 Y30.\nN90 M30\n";
+
     [Theory]
     [InlineData("complex-mating", null)]
     [InlineData("complex-mating", 6.0)]
@@ -20,8 +25,9 @@ public sealed class BoundarySearchTests
         var job = Samples.Job(sample);
         var path = Interpreted(File.ReadAllText(Repository.PathTo("samples", sample, "counterpart.nc")));
         var points = Samples.Points(sample, "theoretical.csv");
-        var found = BoundarySearch.Find(path, [.. job.Features.Select(f => new SoughtBoundary(CoordinatePlane.XY, [.. f.Points.Select(p => points[p])]))], tool, JobCounterpart.DefaultMapMm);
-        Assert.Equal(job.Features.Select(f => Assert.Single(f.Blocks)), found.Select(f => Named(path, Assert.Single(f))));
+        var found = BoundarySearch.Find(path, [.. job.Features.Select(f => new SoughtBoundary(f.Name, CoordinatePlane.XY, [.. f.Points.Select(p => (p, points[p]))]))], tool, JobCounterpart.DefaultMapMm);
+        Assert.Equal(job.Features.Select(f => Assert.Single(f.Blocks)), found.Select(f => Named(path, Assert.Single(f.Passes))));
+        Assert.All(found, f => Assert.Null(f.Refusal));
     }
 
     [Theory]
@@ -64,13 +70,12 @@ public sealed class BoundarySearchTests
     [Fact]
     public void A_boundary_goes_on_behind_its_outermost_point_as_far_as_it_does_not_bend()
     {
-        const string Pieces = "N10 G21 G90 G17\nN20 G0 X0. Y20.\nN30 G1 X0. Y3. F300\nN40 X10.\nN50 X20.\nN60 X30.\nN70 X40.\nN80 X80.\nN90 Y20.\nN100 M30\n";
         Assert.Equal(["N40..N70"], Found(Pieces, 6, new(12, 0), new(28, 0)));
 
         // What another boundary needs is left to it.
         var path = Interpreted(Pieces);
-        var both = BoundarySearch.Find(path, [new(CoordinatePlane.XY, [new(2, 0), new(18, 0)]), new(CoordinatePlane.XY, [new(32, 0), new(78, 0)])], 6, 0.5);
-        Assert.Equal(["N40..N60", "N70..N80"], both.Select(b => Named(path, Assert.Single(b))));
+        var both = BoundarySearch.Find(path, [Sought("A", new(2, 0), new(18, 0)), Sought("B", new(32, 0), new(78, 0))], 6, 0.5);
+        Assert.Equal(["N40..N60", "N70..N80"], both.Select(b => Named(path, Assert.Single(b.Passes))));
     }
 
     [Fact]
@@ -83,16 +88,44 @@ public sealed class BoundarySearchTests
         Assert.Empty(Found(Programs.ToolBelow, 6, new Point2(5, 0)));
         Assert.Empty(Found(Programs.ToolBelow, 6));
         var path = Interpreted(Programs.ToolBelow);
-        Assert.Empty(Assert.Single(BoundarySearch.Find(path, [new(CoordinatePlane.ZX, [new(5, 0), new(45, 0)])], 6, 0.5)));
+        Assert.Empty(Assert.Single(BoundarySearch.Find(path, [Sought("A", new(5, 0), new(45, 0)) with { Plane = CoordinatePlane.ZX }], 6, 0.5)).Passes);
 
         // One boundary twice: nobody can tell whose the block is.
-        Assert.All(BoundarySearch.Find(path, [new(CoordinatePlane.XY, [new(5, 0), new(45, 0)]), new(CoordinatePlane.XY, [new(10, 0), new(40, 0)])], 6, 0.5), Assert.Empty);
+        Assert.All(BoundarySearch.Find(path, [Sought("A", new(5, 0), new(45, 0)), Sought("B", new(10, 0), new(40, 0))], 6, 0.5), f => Assert.Empty(f.Passes));
 
         // A cut that passes them twice without a break: there and back, and lap by lap.
         Assert.Empty(Found("N10 G21 G90 G17\nN20 G0 X0. Y3.\nN30 G1 X50. F300\nN40 X0.\nN50 M30\n", 6, new(5, 0), new(45, 0)));
-        const string Laps = "N10 G21 G90 G17\nN20 G0 X0. Y3.\nN30 G1 X50. F300\nN40 Y30.\nN50 X0.\nN60 Y3.\nN70 X50.\nN80 Y30.\nN90 M30\n";
         Assert.Empty(Found(Laps, 6, new(5, 0), new(45, 0)));
         Assert.Equal(["N50"], Found(Laps, 6, new(5, 33), new(45, 33)));
+    }
+
+    [Fact]
+    public void Why_nothing_was_found_is_said_with_the_block_that_comes_nearest_to_it()
+    {
+        // N50 leads along y = -3 with a tool of 6 mm: points at y = 0.7 are 3.7 mm away, points at y = -6 on its other side.
+        Says(Refused(Programs.ToolBelow, 6, new(5, 0), new(45, 0.7)), "boundary-not-found", "N50", 7, "2", "A, N50: of all cuts this is the nearest, and the point 2 lies 3.700 mm from the path; expected 3 mm, one tool radius (within 0.5 mm). Check the frame, the tool diameter and the points, or name the blocks yourself.");
+        Assert.Equal(3.7, Refused(Programs.ToolBelow, 6, new(5, 0), new(45, 0.7)).DistanceMm!.Value, 9);
+        Says(Refused(Programs.ToolBelow, null, new(5, 0), new(45, 2)), "boundary-not-found", "N50", 7, "1", "A, N50: of all cuts this is the nearest, and its points lie 3.000 to 5.000 mm from the path; expected one distance for all (within 0.5 mm). Check the frame and the points, or name the blocks yourself.");
+        Says(Refused(Programs.CompensatedLeft, 6, new(5, 0), new(45, 0.7)), "boundary-not-found", "N50", 7, "2", "A, N50: of all cuts this is the nearest, and the point 2 lies 0.700 mm from the path; expected it on the path, since cutter compensation is active (within 0.5 mm). Check the frame, the tool diameter and the points, or name the blocks yourself.");
+        Says(Refused(Programs.ToolBelow, 6, new(5, 0), new(45, -6)), "sides-differ", "N50", 7, "2", "A, N50: the points 1 and 2 lie on different sides of the path, so the material cannot be told. Check the frame and the points, or name the blocks yourself.");
+
+        // Lap by lap; there and back again; and points that are named crosswise.
+        Says(Refused(Laps, 6, new(5, 0), new(45, 0)), "boundary-cut-twice", "N30", 3, "1", "A, N30: this cut passes the point 1 twice without a break, so it cannot be told which of its blocks are meant. Check the point, or name the blocks yourself.");
+        Says(Refused("N10 G21 G90 G17\nN20 G0 X0. Y3.\nN30 G1 X50. F300\nN40 X0.\nN50 M30\n", 6, new(5, 0), new(45, 0)), "boundary-not-found", "N30", 3, "1", "A, N30: this cut does not lead past the points one behind the other, as they are named. Check the points and their order, or name the blocks yourself.");
+        Says(Refused(Pieces, 6, new(12, 0), new(28, 0), new(5, 0)), "boundary-not-found", "N50", 5, "1", "A, N50: this cut does not lead past the points one behind the other, as they are named. Check the points and their order, or name the blocks yourself.");
+
+        Says(Refused(Programs.ToolBelow, 6, new Point2(5, 0)), "boundary-not-found", null, 0, null, "A: fewer than two of its points have a place in the program. Give them their coordinates, or name the blocks yourself.");
+        Says(Refused("N10 G21 G90 G17\nN20 M30\n", 6, new(5, 0), new(45, 0)), "boundary-not-found", null, 0, null, "A: the program cuts nothing in the plane XY of which it says where. Check the program and the plane.");
+
+        var shared = BoundarySearch.Find(Interpreted(Programs.ToolBelow), [Sought("A", new(5, 0), new(45, 0)), Sought("B", new(10, 0), new(40, 0))], 6, 0.5);
+        Says(shared[1].Refusal!, "blocks-overlap", "N50", 7, null, "B, N50: from here on it leads past the points of B and of A, so it cannot be told whose blocks these are. Check the points of both, or name the blocks yourself.");
+
+        static void Says(MatingRefusal refusal, string code, string? block, int line, string? point, string message)
+        {
+            Assert.Equal(message, refusal.Message);
+            Assert.Equal((code, block, line, point), (refusal.Code, refusal.Block, refusal.Line, refusal.Point));
+            Assert.StartsWith(refusal.Feature!, message, StringComparison.Ordinal);
+        }
     }
 
     private static NcPath Interpreted(string program) => NcInterpreter.Run(NcProgram.Read(Encoding.ASCII.GetBytes(program), NcDialects.DeltaNc300.Syntax), NcDialects.DeltaNc300);
@@ -100,8 +133,17 @@ public sealed class BoundarySearchTests
     private static string[] Found(string program, double? tool, params Point2[] points)
     {
         var path = Interpreted(program);
-        return [.. Assert.Single(BoundarySearch.Find(path, [new(CoordinatePlane.XY, points)], tool, 0.5)).Select(p => Named(path, p))];
+        return [.. Assert.Single(BoundarySearch.Find(path, [Sought("A", points)], tool, 0.5)).Passes.Select(p => Named(path, p))];
     }
+
+    private static MatingRefusal Refused(string program, double? tool, params Point2[] points)
+    {
+        var found = Assert.Single(BoundarySearch.Find(Interpreted(program), [Sought("A", points)], tool, 0.5));
+        Assert.Empty(found.Passes);
+        return found.Refusal!;
+    }
+
+    private static SoughtBoundary Sought(string name, params Point2[] points) => new(name, CoordinatePlane.XY, [.. points.Select((p, i) => ((i + 1).ToString(CultureInfo.InvariantCulture), p))]);
 
     private static string Named(NcPath path, FoundPass pass)
     {

@@ -1,0 +1,42 @@
+using ErrorMatching.Json;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>From a mating job to the blocks that seem to cut its features, by its key points (<see cref="BoundarySearch"/>): what <c>errormatch job blocks</c> does.</summary>
+public static class BlockRun
+{
+    /// <summary>Seeks the blocks of all features, whether the job names some or not.</summary>
+    /// <param name="file">The job's file. Its features may lack their blocks.</param>
+    /// <param name="cancellation">Looked at between reading and seeking.</param>
+    /// <returns>What was found, feature by feature; a refusal where the program cannot be followed to its end.</returns>
+    /// <exception cref="InputException">A file cannot be opened.</exception>
+    /// <exception cref="JobException">The job cannot be used, but for blocks that are missing.</exception>
+    /// <exception cref="MeasurementException">The theoretical points cannot be used, or a key point is not among them.</exception>
+    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used.</exception>
+    /// <exception cref="NcException">The dialect or the program cannot be read.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static RunOutcome<FoundBlocks> Of(string file, CancellationToken cancellation)
+    {
+        var bytes = InputFile.Open(file, p => JsonInput.Load(p));
+        var job = MatingJob.ParseWithoutBlocks(bytes, file);
+        var files = new JobFiles(job);
+        var theoretical = files.Theoretical();
+        theoretical.Require(job.KeyPoints);
+        var (program, text) = files.Program(null);
+        var dialect = files.OwnDialect() ?? NcDialects.Named(job.Counterpart.Dialect);
+        cancellation.ThrowIfCancellationRequested();
+
+        // As a match interprets it.
+        var path = NcInterpreter.Run(NcProgram.Read(text), dialect, null, cancellation);
+        if (path.Refusal is { } refusal)
+        {
+            return new(ErrorItems.Of([refusal], program));
+        }
+
+        var sought = job.Features.Select(f => new SoughtBoundary(f.Name, f.Plane, [.. f.Points.Select(p => (p, job.Counterpart.PlaceOf(theoretical[p], f.Plane, theoretical.File)))])).ToArray();
+        return new(new FoundBlocks(job, program, path, BlockProposal.Of(path, sought, job.Counterpart.ToolDiameterMm, job.Counterpart.MapMm), files.Read, bytes));
+    }
+}

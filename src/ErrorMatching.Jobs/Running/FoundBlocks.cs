@@ -1,0 +1,74 @@
+using System.Text;
+using ErrorMatching.Json;
+using ErrorMatching.Mating;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>The blocks that seem to cut the features of a job, to be looked at before they are used.</summary>
+/// <param name="Job">The job. Its features may lack their blocks.</param>
+/// <param name="Program">Its program as seen from where the caller is.</param>
+/// <param name="Path">What the program does.</param>
+/// <param name="Features">For each feature, in the job's order, its blocks or why there are none.</param>
+/// <param name="Read">The files that were read.</param>
+/// <param name="JobBytes">The job's file.</param>
+public sealed record FoundBlocks(MatingJob Job, string Program, NcPath Path, IReadOnlyList<ProposedBlocks> Features, IReadOnlyList<string> Read, ReadOnlyMemory<byte> JobBytes)
+{
+    /// <summary>Why features have no blocks; empty if each has some.</summary>
+    public IReadOnlyList<ErrorItem> Refusals => ErrorItems.Of(Features.Select(f => f.Refusal).OfType<MatingRefusal>(), Job.File, Program);
+
+    /// <summary>True if the job names the same cutting motions for a feature already, in whatever words.</summary>
+    /// <param name="feature">Number of the feature, from 0.</param>
+    public bool IsInJob(int feature)
+    {
+        try
+        {
+            return Job.Features[feature].Blocks is { Count: > 0 } blocks
+                && BlockSelector.Select(Path.Program, [.. blocks.Select(BlockSelector.Parse)]) is { IsUsable: true } named
+                && Features[feature].Passes is { Count: > 0 } passes
+                && Cutting(named.Value).SetEquals(Cutting(passes.SelectMany(p => Enumerable.Range(p.First, p.Last - p.First + 1))));
+        }
+        catch (NcException)
+        {
+            // Words that name nothing.
+            return false;
+        }
+    }
+
+    /// <summary>The job with these blocks, as a file: everything else in it stays, comments included, and so do words that name the same motions already. UTF-8 without a byte order mark, lines end with a line feed.</summary>
+    /// <param name="target">Where it will stand: its relative paths lead from there to the same files.</param>
+    /// <exception cref="InvalidOperationException">A feature has none.</exception>
+    public byte[] JobAt(string target)
+    {
+        if (Refusals.Count > 0)
+        {
+            throw new InvalidOperationException("A feature without blocks makes no job.");
+        }
+
+        var text = Encoding.UTF8.GetBytes(Encoding.UTF8.GetString(JobBytes.Span).TrimStart('\uFEFF').ReplaceLineEndings("\n"));
+        var root = JsonInput.Read(text, Job.File);
+        return JsonEdit.Apply(text, [.. Paths(root, target), .. root["features"].Items.SelectMany((f, i) => Blocks(f, i))]);
+    }
+
+    private HashSet<int> Cutting(IEnumerable<int> blocks) =>
+        [.. blocks.SelectMany(b => Path.MotionsOf(b).ToArray()).Where(m => Path.Motions[m] is { IsCut: true, MovesInPlane: true })];
+
+    private IEnumerable<JsonEdit> Blocks(JsonItem item, int feature)
+    {
+        if (!IsInJob(feature))
+        {
+            var list = JsonEdit.List(Features[feature].Blocks);
+            yield return item.Find("blocks") is { } blocks ? new(blocks.Bytes, list) : new(item["points"].Bytes.End..item["points"].Bytes.End, ", \"blocks\": " + list);
+        }
+    }
+
+    private IEnumerable<JsonEdit> Paths(JsonItem root, string target)
+    {
+        var (part, counterpart) = (root["part"], root["counterpart"]);
+        var from = System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(target))!;
+        return from == System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(Job.File)) ? [] : new[]
+        {
+            part["theoretical"], part["measured"], counterpart["program"], counterpart.Find("measured"), NcDialects.IsFile(Job.Counterpart.Dialect) ? counterpart["dialect"] : null,
+        }.OfType<JsonItem>().Where(p => !System.IO.Path.IsPathRooted(p.Text)).Select(p => new JsonEdit(p.Bytes, JsonEdit.Text(System.IO.Path.GetRelativePath(from, System.IO.Path.GetFullPath(Job.PathOf(p.Text))).Replace('\\', '/'))));
+    }
+}

@@ -1,0 +1,35 @@
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>A change of a JSON document that leaves every other byte as it is.</summary>
+/// <param name="At">The bytes that it takes the place of.</param>
+/// <param name="With">What stands there instead.</param>
+internal sealed record JsonEdit(Range At, string With)
+{
+    private static readonly JsonSerializerOptions Plain = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+
+    /// <summary>Makes changes that do not overlap.</summary>
+    public static byte[] Apply(ReadOnlySpan<byte> document, IEnumerable<JsonEdit> edits)
+    {
+        using var changed = new MemoryStream();
+        var at = 0;
+        foreach (var edit in edits.OrderBy(e => e.At.Start.Value))
+        {
+            changed.Write(document[at..edit.At.Start.Value]);
+            changed.Write(Encoding.UTF8.GetBytes(edit.With));
+            at = edit.At.End.Value;
+        }
+
+        changed.Write(document[at..]);
+        return changed.ToArray();
+    }
+
+    /// <summary>A text as JSON.</summary>
+    public static string Text(string text) => JsonSerializer.Serialize(text, Plain);
+
+    /// <summary>A list of texts as JSON.</summary>
+    public static string List(IEnumerable<string> texts) => "[" + string.Join(", ", texts.Select(Text)) + "]";
+}
