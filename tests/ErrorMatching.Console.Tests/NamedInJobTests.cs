@@ -3,7 +3,7 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Console.Tests;
 
-/// <summary>What a free-form job names wrongly is said with the job's file, line, column and path.</summary>
+/// <summary>What a job names wrongly is said with the job's file, line, column and path.</summary>
 public sealed class NamedInJobTests
 {
     [Theory]
@@ -64,6 +64,23 @@ public sealed class NamedInJobTests
         using var folder = new TemporaryFolder();
         var job = Job(folder, text => With(text, "measuring", "\"dialect\": \"siemens-840d\"", members));
         Refused(folder, job, verb, "file-unreadable", $"$.measuring.{key}", value);
+    }
+
+    [Fact]
+    public void A_measured_counterpart_that_is_not_there_is_a_warning_with_its_place()
+    {
+        using var folder = new TemporaryFolder();
+        File.Copy(Repository.PathTo("samples", "complex-mating", "counterpart.csv"), folder["counterpart.csv"]);
+        var text = File.ReadAllText(Repository.PathTo("samples", "complex-mating", "job.json"));
+        var (there, gone) = (folder.File("there.json", text), folder.File("gone.json", text.Replace("\"measured\": \"counterpart.csv\"", "\"measured\": \"nope.csv\"", StringComparison.Ordinal)));
+        Assert.Empty(Shell.Json(0, "errormatch/job-check/1", "job", "check", there).GetProperty("warnings").EnumerateArray());
+        Assert.DoesNotContain("Warning", Shell.Run("job", "check", there).Output, StringComparison.Ordinal);
+
+        // The job can be used: exit 0. Its line 20 begins with four blanks and "measured": .
+        var warning = Assert.Single(Shell.Json(0, "errormatch/job-check/1", "job", "check", gone).GetProperty("warnings").EnumerateArray());
+        Assert.Equal(("measured-not-there", gone, 20, 17, "$.counterpart.measured"), (warning.Text("code"), warning.Text("file"), warning.GetProperty("line").GetInt32(), warning.GetProperty("column").GetInt32(), warning.Text("path")));
+        Assert.StartsWith($"{gone}, line 20, column 17, $.counterpart.measured: found \"nope.csv\", which is not there; expected the measured counterpart", warning.Text("message"), StringComparison.Ordinal);
+        Assert.EndsWith($"\nWarning: {warning.Text("message")}\n", Shell.Run("job", "check", gone).Output, StringComparison.Ordinal);
     }
 
     private static JsonElement Refused(TemporaryFolder folder, string job, string verb, string code, string path, string value)

@@ -67,18 +67,24 @@ internal static class OutcomeWriter
         json.WriteStartArray("errors");
         foreach (var error in failure.Errors)
         {
-            json.WriteStartObject();
-            json.WriteString("code", error.Code);
-            json.WriteString("message", error.Message);
-            WriteText(json, "file", error.File);
-            WriteNumber(json, "line", error.Line);
-            WriteNumber(json, "column", error.Column);
-            WriteText(json, "path", error.Path);
-            WriteText(json, "block", error.Block);
-            json.WriteEndObject();
+            Write(json, error);
         }
 
         json.WriteEndArray();
+    }
+
+    /// <summary>Writes one item, with only what applies to it.</summary>
+    public static void Write(Utf8JsonWriter json, ErrorItem item)
+    {
+        json.WriteStartObject();
+        json.WriteString("code", item.Code);
+        json.WriteString("message", item.Message);
+        WriteText(json, "file", item.File);
+        WriteNumber(json, "line", item.Line);
+        WriteNumber(json, "column", item.Column);
+        WriteText(json, "path", item.Path);
+        WriteText(json, "block", item.Block);
+        json.WriteEndObject();
     }
 
     private static void WriteText(Utf8JsonWriter json, string name, string? value)

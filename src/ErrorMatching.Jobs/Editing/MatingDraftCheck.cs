@@ -61,6 +61,11 @@ public static class MatingDraftCheck
             problems.AddRange(DraftBlocks.Check(draft, file, given));
         }
 
+        if (job is not null && MissingMeasured.Of(job) is { } measured)
+        {
+            doubts.Add(new(MissingMeasured.Path, measured.Code, job.Counterpart.Measured!, measured.Message));
+        }
+
         return new([.. problems.Select(p => DraftMissing.Marked(draft, p))], job) { Doubts = doubts };
     }
 

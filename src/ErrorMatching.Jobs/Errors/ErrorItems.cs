@@ -54,7 +54,7 @@ public static class ErrorItems
 
     /// <summary>An input that cannot be opened. What a job names wrongly is mended in the job, so that is the file.</summary>
     public static ErrorItem Of(InputException e) => NotNull(e).NamedAt is { } at
-        ? new(MeasurementError.FileUnreadable, Placed(at.File, at.Place, at.Path, e.Message)) { File = at.File, Line = at.Place.Line, Column = at.Place.Column, Path = at.Path, Problem = e.Message }
+        ? At(at, MeasurementError.FileUnreadable, e.Message)
         : new(MeasurementError.FileUnreadable, e.Message) { File = e.File };
 
     /// <summary>An output that cannot be written, or must not be.</summary>
@@ -87,6 +87,13 @@ public static class ErrorItems
         Block = r.Block,
         Problem = WithoutLine(r.Message, r.Line),
     })];
+
+    /// <summary>What is wrong with something that a file names.</summary>
+    /// <param name="at">Where it names it.</param>
+    /// <param name="code">A stable word.</param>
+    /// <param name="problem">What was found and what is expected, as a sentence.</param>
+    internal static ErrorItem At(NamedPlace at, string code, string problem) =>
+        new(code, Placed(at.File, at.Place, at.Path, problem)) { File = at.File, Line = at.Place.Line, Column = at.Place.Column, Path = at.Path, Problem = problem };
 
     private static T NotNull<T>(T value) => value ?? throw new ArgumentNullException(nameof(value));
 

@@ -27,7 +27,7 @@ public static class MatingRun
         ArgumentNullException.ThrowIfNull(request);
         var job = WithGain(files.Job, request.Gain);
         var (theoretical, part) = (files.Theoretical(request.Theoretical), files.Part(request.Part));
-        var counterpart = CounterpartOf(job, request.Counterpart) is { } measured ? files.Counterpart(measured) : null;
+        var counterpart = request.Counterpart is { } given ? files.Counterpart(given) : NamedCounterpart(files);
         var (program, bytes) = files.Program(request.Program);
         var dialect = files.OwnDialect();
         cancellation.ThrowIfCancellationRequested();
@@ -40,6 +40,11 @@ public static class MatingRun
             }
 
             var report = MatchReporter.Report(result, Path.Combine(request.Folder ?? "", Path.GetFileName(program)), request.ElapsedS?.Invoke());
+            if (request.Counterpart is null && MissingMeasured.Of(job) is { } missing)
+            {
+                report = report with { Warnings = [.. report.Warnings, missing] };
+            }
+
             return new(new MatchedProgram(result, GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note ? report with { Notes = [.. report.Notes, note] } : report));
         }
         catch (GeometryException e)
@@ -59,6 +64,21 @@ public static class MatingRun
     }
 
     // In feed-forward the counterpart need not exist yet, whatever the job says about its measurement.
-    private static GivenFile? CounterpartOf(MatingJob job, GivenFile? given) =>
-        given ?? (job.Compensation.From == CompensationSource.Counterpart && job.Counterpart.Measured is { } measured ? new(job.PathOf(measured)) : null);
+    private static MeasurementFile? NamedCounterpart(JobFiles files)
+    {
+        var job = files.Job;
+        if (job.Compensation.From != CompensationSource.Counterpart || job.Counterpart.Measured is not { } measured)
+        {
+            return null;
+        }
+
+        try
+        {
+            return files.Counterpart(new(job.PathOf(measured)));
+        }
+        catch (MeasurementException e) when (e.Code == MeasurementError.FileUnreadable && job.MeasuredPlace is { } place)
+        {
+            throw new InputException(e.File!, e.Message, e) { NamedAt = new(job.File, MissingMeasured.Path, place) };
+        }
+    }
 }

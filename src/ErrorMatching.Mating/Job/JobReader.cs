@@ -34,6 +34,7 @@ internal sealed partial class JobReader(JsonItem root)
             Chain = chain,
             Recognition = root.Find("recognition") is { } rules ? new(ReadRules(rules["part"]), ReadRules(rules["counterpart"])) : null,
             Verify = ReadComparisons(),
+            MeasuredPlace = root["counterpart"].Find("measured")?.Place,
         };
         if (job.Compensation.From == CompensationSource.Counterpart && job.Counterpart.Measured is null)
         {

@@ -60,6 +60,9 @@ public sealed record MatingJob
     /// <summary>Comparisons beside those that every feature has.</summary>
     public required IReadOnlyList<JobComparison> Verify { get; init; }
 
+    /// <summary>Where the job names the measured counterpart; null if it names none.</summary>
+    public JsonPlace? MeasuredPlace { get; init; }
+
     /// <summary>Labels of all key points in the order of cutting, each once.</summary>
     public IReadOnlyList<string> KeyPoints => [.. Features.SelectMany(f => f.Points)];
 

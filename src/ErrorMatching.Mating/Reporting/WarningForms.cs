@@ -18,8 +18,12 @@ public static class WarningForms
     /// <summary>Kind of alignment, and what is left in mm.</summary>
     public static SentenceForm Aligned { get; } = new("aligned", "The part was aligned ({0}) before it was compared: what the alignment took away is not compensated. {1} mm (root mean square) are left.");
 
+    /// <summary>The file of the measured counterpart as the job names it.</summary>
+    public static SentenceForm MeasuredNotThere { get; } = new(
+        "measured-not-there", "$.counterpart.measured: found \"{0}\", which is not there; expected the measured counterpart that was cut without compensation, or no such key: as it is, no counterpart can be compared in a cell.");
+
     /// <summary>All of them.</summary>
-    public static IReadOnlyList<SentenceForm> All { get; } = [SparsePoints, FoldedCurve, PointOnCorner, Aligned];
+    public static IReadOnlyList<SentenceForm> All { get; } = [SparsePoints, FoldedCurve, PointOnCorner, Aligned, MeasuredNotThere];
 
     internal static ReportWarning Warning(SentenceForm form, params string[] values) => new(form.Name, form.With(values), values);
 }

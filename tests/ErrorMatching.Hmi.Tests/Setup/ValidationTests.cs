@@ -96,7 +96,7 @@ public sealed partial class ValidationTests
     public Task Every_message_has_its_words_in_both_languages_and_every_word_its_cause() => SetupSeat.AtAsync(Screens.System, seat =>
     {
         var caused = new HashSet<string>(StringComparer.Ordinal);
-        Func<MatingDraft, MatingDraft>[] doubtful = [d => d.WithFeature(0, f => f with { Upper = "9" }), d => d.WithFeature(0, f => f with { Blocks = "N120, N110" })];
+        Func<MatingDraft, MatingDraft>[] doubtful = [d => d.WithFeature(0, f => f with { Upper = "9" }), d => d.WithFeature(0, f => f with { Blocks = "N120, N110" }), d => d with { Counterpart = d.Counterpart with { Measured = "9.csv" } }];
         var edits = new JobEdits(seat.Seat.Station.Settings, seat.Seat.Station.Store, seat.Seat.Station.Users);
         foreach (var problem in Mistakes.Select(m => m.Mistake).Concat(doubtful).Select(m => edits.Check(seat.Shell.Editing.Job!, m(seat.Draft))).SelectMany(c => c.Problems.Concat(c.Doubts)))
         {

@@ -155,6 +155,19 @@ public sealed class MatingDraftCheckTests
     }
 
     [Fact]
+    public void A_measured_counterpart_that_is_not_there_is_asked_about_and_saved()
+    {
+        var draft = MatingDraftFiles.Open(File);
+        var check = MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { Measured = "nope.csv" } }, File);
+        Assert.Empty(check.Problems);
+        Assert.Equal(("$.counterpart.measured", "measured-not-there", "nope.csv"), Assert.Single(check.Doubts) is var d ? (d.Field, d.Code, d.Found) : default);
+
+        // Without the key nothing is looked for; in feedback the gauge gives it.
+        Assert.Empty(MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { Measured = "" } }, File).Doubts);
+        Assert.Empty(MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { Measured = "nope.csv" }, Compensation = draft.Compensation with { From = "counterpart" } }, File).Doubts);
+    }
+
+    [Fact]
     public void Every_empty_coordinate_is_told_by_itself()
     {
         var draft = new MatingDraft();

@@ -52,6 +52,33 @@ public sealed class MatingRunTests
     }
 
     [Fact]
+    public void A_measured_counterpart_that_is_not_there_is_warned_of_and_feedback_says_where_the_job_names_it()
+    {
+        const string Warning = "$.counterpart.measured: found \"nope.csv\", which is not there; expected the measured counterpart that was cut without compensation, or no such key: as it is, no counterpart can be compared in a cell.";
+        using var folder = new TemporaryFolder();
+        foreach (var file in new[] { "theoretical.csv", "part.csv", "counterpart.nc", "counterpart.csv" })
+        {
+            File.Copy(Repository.PathTo("samples", "complex-mating", file), folder[file]);
+        }
+
+        var text = File.ReadAllText(Job).Replace("\"measured\": \"counterpart.csv\"", "\"measured\": \"nope.csv\"", StringComparison.Ordinal);
+        var (there, gone) = (Run(Job, new()), Run(folder.File("job.json", text), new()));
+        Assert.Equal([.. there.Report.Warnings.Select(w => w.Message), Warning], gone.Report.Warnings.Select(w => w.Message));
+        Assert.Equal(there.Program.ToArray(), gone.Program.ToArray());
+        Assert.Equal(("measured-not-there", "nope.csv"), (gone.Report.Warnings[^1].Code, Assert.Single(gone.Report.Warnings[^1].Values)));
+        Assert.Equal(there.Report.Warnings.Count, Run(folder["job.json"], new() { Counterpart = new(folder["counterpart.csv"]) }).Report.Warnings.Count);
+
+        // In feedback it is needed: what is wrong stands in line 20 of the job, from column 17 on.
+        var feedback = folder.File("feedback.json", text.Replace("\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal));
+        var item = Assert.Single(ErrorItems.OfInput(Assert.Throws<InputException>(() => Run(feedback, new())))!);
+        Assert.Equal(("file-unreadable", feedback, 20, 17, "$.counterpart.measured"), (item.Code, item.File, item.Line, item.Column, item.Path));
+        Assert.Contains($"{folder["nope.csv"]}: found no such file; expected a measurement file that exists", item.Message, StringComparison.Ordinal);
+        Assert.NotNull(Run(feedback, new() { Counterpart = new(folder["counterpart.csv"]) }));
+
+        static MatchedProgram Run(string job, MatingRequest request) => MatingRun.Of(new(job), request, TestContext.Current.CancellationToken).Result!;
+    }
+
+    [Fact]
     public void The_report_names_the_program_where_it_will_stand()
     {
         Assert.Equal("counterpart.nc", Matched(new()).Report.Program.File);

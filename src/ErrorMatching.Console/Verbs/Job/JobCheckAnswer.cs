@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
 
@@ -8,6 +9,8 @@ namespace ErrorMatching.Console;
 /// <summary>What a valid job asks for.</summary>
 internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
 {
+    private readonly IReadOnlyList<ErrorItem> _warnings = MissingMeasured.ItemOf(job) is { } measured ? [measured] : [];
+
     /// <inheritdoc/>
     public override string Schema => "errormatch/job-check/1";
 
@@ -40,6 +43,13 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
         json.WriteEndArray();
         json.WriteEndObject();
         new NamedFiles(Files).WriteJson(json);
+        json.WriteStartArray("warnings");
+        foreach (var warning in _warnings)
+        {
+            OutcomeWriter.Write(json, warning);
+        }
+
+        json.WriteEndArray();
     }
 
     /// <inheritdoc/>
@@ -57,6 +67,10 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
         page.Line($"Compensation from the {ReportWords.Of(job.Compensation.From)}, {ReportWords.Of(job.Compensation.Amount)} deviation along the {ReportWords.Of(job.Compensation.Along)}, dialect {job.Counterpart.Dialect}.");
         page.Line();
         new NamedFiles(Files).WriteText(page);
+        foreach (var warning in _warnings)
+        {
+            page.Line("Warning: " + warning.Message);
+        }
     }
 
     private IEnumerable<(string Role, string File)> Files => new (string Role, string? File)[]
