@@ -15,7 +15,7 @@ public sealed class BlockRunTests
     {
         using var shop = Shop(sample);
         var original = File.ReadAllText(shop["job.json"]);
-        var (missing, empty) = (shop.File("missing.json", Regex.Replace(original, "\"blocks\": \\[[^]]*\\], ", "")), shop.File("empty.json", Regex.Replace(original, "\"blocks\": \\[[^]]*\\]", "\"blocks\": []")));
+        var (missing, empty) = (shop.File("missing.json", Regex.Replace(original, "\"blocks\": \\[[^]]*\\], ", "", RegexOptions.None, TimeSpan.FromSeconds(1))), shop.File("empty.json", Regex.Replace(original, "\"blocks\": \\[[^]]*\\]", "\"blocks\": []", RegexOptions.None, TimeSpan.FromSeconds(1))));
         Assert.NotEqual(original, File.ReadAllText(missing));
         foreach (var job in new[] { missing, empty, shop["job.json"] })
         {
