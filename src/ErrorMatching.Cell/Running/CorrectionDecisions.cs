@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace ErrorMatching.Cell;
 
 /// <summary>What people decide about corrections. Who may decide what is the caller's to see; each decision is one step of the store, under the person's name.</summary>
@@ -16,7 +14,7 @@ public sealed class CorrectionDecisions(CellStore store)
         var correction = Demand(id, "approved", CorrectionState.Proposed, CorrectionState.Failed);
         if (correction.ProgramSha256 is null)
         {
-            throw new DecisionException(DecisionException.NothingToSend, Sentence($"Correction {id} failed before it had a program: {correction.Reason} Reject it, put that right and measure again."));
+            throw new DecisionException(DecisionException.NothingToSend, FormattableString.Invariant($"Correction {id} failed before it had a program: {correction.Reason} Reject it, put that right and measure again."));
         }
 
         return Step(correction, CorrectionState.Approved, by, reason ?? Recorded.Approved.With(), c => c with { Code = null, Reason = null });
@@ -48,7 +46,7 @@ public sealed class CorrectionDecisions(CellStore store)
 
         if (store.Slot(correction.Machine!, correction.Slot!).Correction != id)
         {
-            throw new DecisionException(DecisionException.WrongState, Sentence($"Correction {id} is reverted and does not have its slot any more: there is nothing to release."));
+            throw new DecisionException(DecisionException.WrongState, FormattableString.Invariant($"Correction {id} is reverted and does not have its slot any more: there is nothing to release."));
         }
 
         store.FreeSlot(correction.Machine!, correction.Slot!, id, by, reason ?? Recorded.SlotUsable.With());
@@ -58,14 +56,14 @@ public sealed class CorrectionDecisions(CellStore store)
     /// <summary>The correction of a number.</summary>
     /// <exception cref="DecisionException">There is none.</exception>
     public Correction Demand(long id) =>
-        store.Find(id) ?? throw new DecisionException(DecisionException.UnknownCorrection, Sentence($"There is no correction {id}. errormatch cell history lists those that there are."));
+        store.Find(id) ?? throw new DecisionException(DecisionException.UnknownCorrection, FormattableString.Invariant($"There is no correction {id}. errormatch cell history lists those that there are."));
 
     internal Correction Demand(long id, string done, params CorrectionState[] states)
     {
         var correction = Demand(id);
         return states.Contains(correction.State) ? correction : throw new DecisionException(
             DecisionException.WrongState,
-            Sentence($"Correction {id} is {Word(correction.State)}, and only one that is {string.Join(" or ", states.Select(Word))} can be {done}."));
+            FormattableString.Invariant($"Correction {id} is {Word(correction.State)}, and only one that is {string.Join(" or ", states.Select(Word))} can be {done}."));
     }
 
     internal Correction Step(Correction correction, CorrectionState to, string by, string basis, Func<Correction, Correction>? with)
@@ -80,9 +78,7 @@ public sealed class CorrectionDecisions(CellStore store)
         }
     }
 
-    internal static DecisionException ChangedMeanwhile(long id) => new(DecisionException.ChangedMeanwhile, Sentence($"Correction {id} changed meanwhile: look at it again with errormatch cell show."));
+    internal static DecisionException ChangedMeanwhile(long id) => new(DecisionException.ChangedMeanwhile, FormattableString.Invariant($"Correction {id} changed meanwhile: look at it again with errormatch cell show."));
 
     private static string Word(CorrectionState state) => state.ToString().ToLowerInvariant();
-
-    private static string Sentence(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

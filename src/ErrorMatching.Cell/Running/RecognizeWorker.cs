@@ -38,12 +38,10 @@ internal sealed class RecognizeWorker(CellFlow flow)
 
         var slot = flow.Settings.Machines.First(m => m.Name == job.Machine).Slots.First(s => s.Name == job.Slot);
         var known = archived with { Job = job.Name, Piece = found.Piece, Serial = found.Serial, WorkOrder = found.WorkOrder, Machine = job.Machine, Slot = job.Slot, Program = slot.Program };
-        var before = archived.MeasuredAs is { } id && flow.Store.Find(id) is { } first && first.Job == known.Job && first.Piece == known.Piece ? first : null;
-        var cut = !job.Accumulates || known.Piece != "counterpart" ? new(null, null)
-            : before is { SumsSha256: not null } ? new(CutProgram.Before(flow.Store, before), null)
-            : CutProgram.Of(flow.Store, known);
+        var again = GivenAgain.Of(flow.Store, known);
+        var cut = !job.Accumulates || known.Piece != "counterpart" ? new(null, null) : again?.Cut ?? CutProgram.Of(flow.Store, known);
         var cutBy = cut.By;
-        var part = known.Piece != "counterpart" ? null : PartOf(before) ?? LastCut(known, job) ?? LastPart(known, job);
+        var part = known.Piece != "counterpart" ? null : again?.Part ?? LastCut(known, job) ?? LastPart(known, job);
         known = known with { BaseSha256 = cutBy?.ProgramSha256, SumsSha256 = cutBy?.SumsSha256, PartSha256 = part?.MeasurementSha256 };
         if (Earlier(known, job) is { } earlier)
         {
@@ -106,9 +104,6 @@ internal sealed class RecognizeWorker(CellFlow flow)
     // Where corrections add up, each starts from another program, so that its identity is another one: the same file again is the same measurement all the same, and must not be added twice.
     private Correction? Earlier(Correction known, CellJobSettings job) => !job.Accumulates ? null : flow.Store.OfMeasurement(known.MeasurementSha256)
         .FirstOrDefault(c => c.Id != known.Id && c.Job == known.Job && c.Piece == known.Piece && c.Identity is not null);
-
-    // A measurement that is given again is of the same piece as before, whatever was measured since: it is compared with the same part, and was cut by the same program.
-    private Correction? PartOf(Correction? before) => before?.PartSha256 is { } part ? flow.Store.OfMeasurement(part).LastOrDefault(c => c.Piece == "part") : null;
 
     // The part whose program cut it, where parts make programs. What one of the two does not say itself may be anything.
     private Correction? LastCut(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)

@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
@@ -26,26 +25,26 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
         var correction = decisions.Demand(id, "reverted", CorrectionState.Verified, CorrectionState.Released);
         if (correction.PreviousSha256 is not { } previous)
         {
-            throw new DecisionException(DecisionException.NothingBefore, Sentence($"{correction.Slot} of {correction.Machine} was empty before correction {id}: there is no program to bring back."));
+            throw new DecisionException(DecisionException.NothingBefore, FormattableString.Invariant($"{correction.Slot} of {correction.Machine} was empty before correction {id}: there is no program to bring back."));
         }
 
         var machine = settings.Machines.FirstOrDefault(m => m.Name == correction.Machine);
         var slot = machine?.Slots.FirstOrDefault(s => s.Name == correction.Slot);
         if (machine is null || slot is null)
         {
-            throw new DecisionException(DecisionException.WrongState, Sentence($"Slot {correction.Slot} of {correction.Machine} is not in {settings.File} any more: bring it back there first."));
+            throw new DecisionException(DecisionException.WrongState, FormattableString.Invariant($"Slot {correction.Slot} of {correction.Machine} is not in {settings.File} any more: bring it back there first."));
         }
 
         using var slotLock = await LockAsync(machine.Name, slot.Name, cancellation)
-            ?? throw new DecisionException(DecisionException.SlotTaken, Sentence($"A program is being sent to slot {slot.Name} of {machine.Name} just now: try again in a moment."));
+            ?? throw new DecisionException(DecisionException.SlotTaken, FormattableString.Invariant($"A program is being sent to slot {slot.Name} of {machine.Name} just now: try again in a moment."));
         if (store.Slot(machine.Name, slot.Name).Correction is { } holder && holder != id)
         {
-            throw new DecisionException(DecisionException.SlotTaken, Sentence($"Correction {holder} has slot {slot.Name} of {machine.Name}: revert or release that one first."));
+            throw new DecisionException(DecisionException.SlotTaken, FormattableString.Invariant($"Correction {holder} has slot {slot.Name} of {machine.Name}: revert or release that one first."));
         }
 
         if (store.Slot(machine.Name, slot.Name).ProgramSha256 != correction.ProgramSha256)
         {
-            throw new DecisionException(DecisionException.WrongState, Sentence($"Slot {slot.Name} of {machine.Name} holds a later program than that of correction {id}: revert that one."));
+            throw new DecisionException(DecisionException.WrongState, FormattableString.Invariant($"Slot {slot.Name} of {machine.Name} holds a later program than that of correction {id}: revert that one."));
         }
 
         await BringBackAsync(open(machine), machine, slot, correction, previous, by, reason, cancellation);
@@ -61,7 +60,7 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
         {
             throw new DecisionException(
                 DecisionException.ChangedAtMachine,
-                Sentence($"{slot.Program} at {machine.Name} is not the program of correction {correction.Id} but {found ?? "missing"}: somebody changed it. Look at it; what was there before the correction is in the store, for errormatch cell show {correction.Id} --out."));
+                FormattableString.Invariant($"{slot.Program} at {machine.Name} is not the program of correction {correction.Id} but {found ?? "missing"}: somebody changed it. Look at it; what was there before the correction is in the store, for errormatch cell show {correction.Id} --out."));
         }
 
         if (slot.ReadyFile is { } ready)
@@ -78,10 +77,9 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
 
         // Before anything changes at the machine: should this be cut, the trail names who began it.
         store.Audit(by, "reverting", reason, Recorded.Correction.With(correction.Id));
-        await sender.SendAsync(slot.Program, store.Content(previous), Sentence($"revert{correction.Id}"), cancellation);
+        await sender.SendAsync(slot.Program, store.Content(previous), FormattableString.Invariant($"revert{correction.Id}"), cancellation);
     }
 
-    private static string Sentence(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
     // Whoever has just sent a program holds the slot a moment longer than the store says that it is there.
     private async Task<ISlotLock?> LockAsync(string machine, string slot, CancellationToken cancellation)
