@@ -97,6 +97,29 @@ public sealed class DecidingTests
         void Choose(string row, string title, string label) => seat.Tap(row).WaitFor(() => seat.TextOf(title) == label, $"{row} is not shown.");
     });
 
+    [Fact]
+    public Task What_was_looked_at_is_there_again_where_another_one_that_waits_longer_came_meanwhile() => Seat.AtAsync(seat =>
+    {
+        Wait(seat, 1, 2);
+
+        // The first one is approved for a machine that is away, so the second one is shown; nobody chooses it.
+        Directory.Move(seat.Cell.MachineFolder, seat.Cell.MachineFolder + "-away");
+        new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
+        seat.WaitFor(() => seat.Station.State.Status?.Proposed.Count == 1, "The approval is not seen.");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        Assert.Equal("#2 · 0002", seat.TextOf("detail-title"));
+        seat.Tap("nav-system").See("side-gauge");
+
+        // Somebody changed the program there, so the first one fails, and waits for a person longer than the second.
+        Directory.Move(seat.Cell.MachineFolder + "-away", seat.Cell.MachineFolder);
+        File.WriteAllText(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc"), "somebody's\n");
+        seat.WaitFor(1, CorrectionState.Failed);
+        seat.WaitFor(() => seat.Station.State.Status?.Failed.Count == 1, "The failure is not seen.");
+        seat.Tap("nav-compensation").See("points");
+        Assert.Equal(["#1 · 0001", "#2 · 0002"], ((CompensationViewModel)seat.Shell.Current!).Rows.Select(r => r.Title));
+        seat.WaitFor(() => seat.TextOf("detail-title") == "#2 · 0002", "What was looked at is forgotten.");
+    });
+
     private static void Wait(Seat seat, params int[] serials)
     {
         seat.Cell.Run();

@@ -10,6 +10,9 @@ internal sealed class LastLooked
         set => Piece = field = value;
     }
 
+    /// <summary>The correction that the on-line compensation showed last by itself, as long as none was chosen: it stays while it waits, also where one that waits longer came meanwhile; null if none was shown.</summary>
+    public long? Shown { get; set; }
+
     /// <summary>The mating of the verification; null if none was chosen.</summary>
     public string? Mating { get; set; }
 

@@ -34,6 +34,25 @@ internal static class DraftDoubts
         }
     }
 
+    /// <summary>Key points on rounded corners, which no compensation brings where they are measured: the same that a match warns of once it compensates.</summary>
+    /// <param name="draft">The draft.</param>
+    /// <param name="match">Its match.</param>
+    public static IEnumerable<DraftProblem> OfCorners(MatingDraft draft, MatchResult match)
+    {
+        var fields = DraftPaths.Labels(draft).Zip(draft.Points).DistinctBy(p => p.Second.Label.Trim()).ToDictionary(p => p.Second.Label.Trim(), p => p.First, StringComparer.Ordinal);
+        foreach (var foot in match.Maps.SelectMany(m => m.Passes[0].Feet).Where(f => f.OnCorner && fields.ContainsKey(f.Label)))
+        {
+            // Rounded up: nearer it would be asked about again.
+            var mm = string.Create(CultureInfo.InvariantCulture, $"{Math.Ceiling(foot.BeyondEndMm * 10) / 10:0.0} mm");
+            yield return new(
+                DraftPaths.Place(fields[foot.Label]), WarningForms.PointOnCorner.Name, foot.Label,
+                $"Point {foot.Label} lies on a rounded corner at an end of its blocks, where the boundary follows both elements: its own deviation cannot be met exactly. Choose it at least {mm} further from the corner.")
+            {
+                Amount = mm,
+            };
+        }
+    }
+
     // The motions of a pass from the first bend outside of its key points on, where the pass is the end of the cut.
     private static IEnumerable<int> Ways(NcPath path, FeaturePass pass)
     {

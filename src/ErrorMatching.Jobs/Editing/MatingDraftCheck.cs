@@ -131,6 +131,7 @@ public static class MatingDraftCheck
             if (match.Result is { } result)
             {
                 doubts.AddRange(DraftDoubts.OfBlocks(result));
+                doubts.AddRange(DraftDoubts.OfCorners(draft, result));
             }
         }
         catch (NcException e)

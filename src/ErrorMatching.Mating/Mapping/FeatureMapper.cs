@@ -26,6 +26,9 @@ internal static class FeatureMapper
     /// <summary>Cosine of the angle from which a point counts as beside its motion: 5 degrees.</summary>
     private const double CornerCosine = 0.996;
 
+    // Motions meet where no word of a program could tell their ends apart.
+    private const double SamePlaceMm = 1e-6;
+
     /// <summary>Maps all features of a job.</summary>
     /// <param name="job">The job.</param>
     /// <param name="path">The counterpart's program, interpreted.</param>
@@ -196,7 +199,8 @@ internal static class FeatureMapper
         var left = found.TangentAt(nearestFraction).Left;
         var side = (point - found.PlaneAt(nearestFraction)).Dot(left);
         var materialIsLeft = compensated ? found.Has(MotionFlags.CompensationRight) : side > 0;
-        foot = new(label, nearest, nearestFraction, nearestDistance, materialIsLeft ? -left : left, materialIsLeft, Math.Abs(side) < CornerCosine * nearestDistance && wanted > 0);
+        var onCorner = Math.Abs(side) < CornerCosine * nearestDistance && wanted > 0;
+        foot = new(label, nearest, nearestFraction, nearestDistance, materialIsLeft ? -left : left, materialIsLeft, onCorner) { BeyondEndMm = onCorner ? BeyondEnd(path, point, nearest, last, nearestDistance) : 0 };
         if (Math.Abs(nearestDistance - wanted) <= job.Counterpart.MapMm)
         {
             return null;
@@ -211,6 +215,26 @@ internal static class FeatureMapper
             feature.Name,
             label) with
         { DistanceMm = nearestDistance };
+    }
+
+    // Of the motions that meet at the vertex the one that the point is least beyond: the first of them need not be the point's own.
+    private static double BeyondEnd(NcPath path, Point2 point, int nearest, int last, double distance)
+    {
+        var least = double.PositiveInfinity;
+        for (var i = nearest; i <= last; i++)
+        {
+            var motion = path.Motions[i];
+            if (!motion.MovesInPlane)
+            {
+                continue;
+            }
+
+            var fraction = motion.IsArc ? motion.Arc.NearestFraction(point) : motion.Segment.NearestFraction(point);
+            var fromFoot = point - motion.PlaneAt(fraction);
+            least = fromFoot.Length <= distance + SamePlaceMm ? Math.Min(least, Math.Abs(fromFoot.Dot(motion.TangentAt(fraction)))) : least;
+        }
+
+        return least;
     }
 
     private static string NameOf(NcPath path, int motion) => path.Program.NameOf(path.Program[path.Motions[motion].Block]);

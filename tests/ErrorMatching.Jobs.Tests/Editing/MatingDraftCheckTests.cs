@@ -129,7 +129,7 @@ public sealed class MatingDraftCheckTests
         var draft = MatingDraftFiles.Open(File).WithFeature(1, f => f with { Lower = lower, Upper = upper });
         var check = MatingDraftCheck.Of(draft with { Compensation = draft.Compensation with { Limit = stop } }, File);
         Assert.Empty(check.Problems);
-        Assert.Equal(asked, check.Doubts.SingleOrDefault()?.Found);
+        Assert.Equal(asked, check.Doubts.SingleOrDefault(d => d.Code == "limit-implausible")?.Found);
     }
 
     [Theory]
@@ -141,17 +141,40 @@ public sealed class MatingDraftCheckTests
     {
         var check = MatingDraftCheck.Of(MatingDraftFiles.Open(File).WithFeature(feature, f => f with { Blocks = blocks }), File);
         Assert.Empty(check.Problems);
-        Assert.Equal(asked is null ? [] : [(DraftPaths.Feature(feature, "blocks"), asked)], check.Doubts.Select(d => (d.Field, d.Found)));
+        Assert.Equal(asked is null ? [] : [(DraftPaths.Feature(feature, "blocks"), asked)], check.Doubts.Where(d => d.Code == "blocks-lead").Select(d => (d.Field, d.Found)));
     }
 
     [Theory]
-    [InlineData("complex-mating")]
-    [InlineData("curve-mating")]
-    public void Nothing_is_asked_about_a_job_that_is_meant_so(string sample)
+    [InlineData("complex-mating", "2, 4")]
+    [InlineData("curve-mating", "")]
+    public void Nothing_is_asked_about_a_job_that_is_meant_so_but_its_points_on_corners(string sample, string corners)
     {
         var job = Repository.PathTo("samples", sample, "job.json");
         var check = MatingDraftCheck.Of(MatingDraftFiles.Open(job), job);
-        Assert.Equal((0, 0), (check.Problems.Count, check.Doubts.Count));
+        Assert.Equal((0, corners), (check.Problems.Count, string.Join(", ", check.Doubts.Select(d => d.Found))));
+        Assert.All(check.Doubts, d => Assert.Equal("point-on-corner", d.Code));
+    }
+
+    [Fact]
+    public void Before_a_job_is_saved_it_is_asked_about_the_same_points_on_corners_that_its_match_warns_of()
+    {
+        var check = MatingDraftCheck.Of(MatingDraftFiles.Open(File), File);
+        var warned = MatingRun.Of(new(File), new(), CancellationToken.None).Result!.Report.Warnings.Where(w => w.Code == "point-on-corner").Select(w => w.Values[0]);
+        Assert.Equal(warned, check.Doubts.Select(d => d.Found));
+
+        // Point 2 is 1.404 mm behind the end of N120 at (-34.995, 59.757), along it; point 4 is 1.379 mm behind that of N160 at (-34.918, 36.365).
+        Assert.Equal([("$.features[0].points[1]/place", "1.5 mm"), ("$.features[1].points[1][1]/place", "1.4 mm")], check.Doubts.Select(d => (d.Field, d.Amount)));
+    }
+
+    [Theory]
+    [InlineData("59.446", "0.4 mm")]
+    [InlineData("59.846", null)]
+    public void A_point_as_far_from_the_corner_as_is_advised_is_asked_about_no_more(string y, string? asked)
+    {
+        // Point 2, moved along L1 away from the corner: by 1.1 mm, and by the 1.5 mm.
+        var check = MatingDraftCheck.Of(MatingDraftFiles.Open(File).WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0], f.Flanks[0][1] with { Y = y }]] }), File);
+        Assert.Empty(check.Problems);
+        Assert.Equal(asked, check.Doubts.SingleOrDefault(d => d.Found == "2")?.Amount);
     }
 
     [Fact]

@@ -23,7 +23,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
         _shell = shell;
-        _looked = shell.Looked.Correction;
+        (_looked, _byItself) = (shell.Looked.Correction, shell.Looked.Shown);
         _pause = new(Station.Clock, SayDecisions);
         Approve = Decision(Act.Approve, needsReason: false, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Approve(id, by, reason)));
         Reject = Decision(Act.Reject, needsReason: true, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Reject(id, by, reason!)));
@@ -108,6 +108,15 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         : State is CorrectionState.Verified && !Rights.Allows(who.Role, Act.Revert) ? Texts.Current["Compensation.RevertTakesSetter"]
         : null;
 
+    /// <summary>What comes next, who does it, and what a person has to do for it; null while that is a decision here, or <see cref="Waits"/> says it, or nothing comes of it any more.</summary>
+    public string? Next => Detail?.Kept.Correction switch
+    {
+        null or { State: CorrectionState.Proposed } => null,
+        _ when Waits is not null => null,
+        { State: CorrectionState.Released } cut when !IsToBeMeasured(cut) => null,
+        var correction => NextStep.Of(Station.Settings, Station.State.Status, correction),
+    };
+
     // Why there is nothing to be decided; null while it is being sent.
     private string? Ended => State switch
     {
@@ -125,6 +134,9 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 
     /// <summary>Done when what is chosen is shown.</summary>
     internal Task Loading { get; private set; } = Task.CompletedTask;
+
+    // What was cut by it last, and no counterpart of it is known yet.
+    private bool IsToBeMeasured(Correction cut) => Station.State.LastCut.GetValueOrDefault((cut.Machine!, cut.Slot!)) is { IsMating: true, Counterpart: null } last && last.Correction.Id == cut.Id;
 
     // It is in the head, and not in the detail: whom something waits behind changes while it stays as it is.
     private WaitReason? Wait => Detail is { } detail ? WaitOf(detail.Kept.Correction) : null;
@@ -240,8 +252,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Say(nameof(IsEmpty));
         _waiting = [.. (_shell.Who is { } who && !Rights.Allows(who.Role, Act.Approve) ? undecided.Concat(held) : undecided).Select(c => c.Id)];
 
-        // Whoever comes back finds what they chose, unless it is gone meanwhile.
-        _looked = _isOpened || Rows.Any(r => r.Id == _looked) ? _looked : null;
+        // Whoever comes back finds what they chose, unless it is gone meanwhile; what is being computed is still to come.
+        _looked = _isOpened || Rows.Any(r => r.Id == _looked) || status.InWork.Any(c => c.Id == _looked) ? _looked : null;
         _isOpened = true;
         Choose(_looked ?? ByItself());
     }
@@ -268,6 +280,9 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _chosen = Rows.FirstOrDefault(r => r.Id == id);
         Say(nameof(Chosen));
         SayDecisions();
+
+        // Not where the screen is only made ready beside another one.
+        _shell.Looked.Shown = _shell.Current == this ? _byItself : _shell.Looked.Shown;
         if (id is { } shown)
         {
             Loading = LoadAsync(shown).Watched();
@@ -324,6 +339,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Say(nameof(Forbidden));
         Say(nameof(Waits));
         Say(nameof(WaitsSeverity));
+        Say(nameof(Next));
         foreach (var command in new[] { Approve, Reject, Release, Revert })
         {
             command.Refresh();

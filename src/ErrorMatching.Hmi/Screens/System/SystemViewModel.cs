@@ -225,9 +225,10 @@ public sealed partial class SystemViewModel : SetupViewModel
         Decimals.Align(Coordinates.Select(c => c.Y));
         Decimals.Align(Coordinates.Select(c => c.Z).OfType<TextField>());
         var sides = Editing.Problems.Select(p => (Problem: p, Place: ProblemPlace.Of(Editing.Draft, p.Field))).Where(p => p.Place.Screen == Key).ToLookup(p => p.Place.Side);
+        var asked = Editing.Doubts.Select(d => ProblemPlace.Of(Editing.Draft, d.Field)).Where(p => p.Screen == Key).ToLookup(p => p.Side);
         for (var side = 0; side < Heads.Count; side++)
         {
-            Heads[side].Show(sides[side].Count(p => !p.Problem.IsMissing), sides[side].Count(p => p.Problem.IsMissing));
+            Heads[side].Show(sides[side].Count(p => !p.Problem.IsMissing), sides[side].Count(p => p.Problem.IsMissing), asked[side].Count());
         }
 
         ShowPicture();

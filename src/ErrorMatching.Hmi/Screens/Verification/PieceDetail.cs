@@ -1,11 +1,14 @@
+using ErrorMatching.Cell;
 using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
 /// <summary>One piece and those before it, in the words, figures and drawings of the screen.</summary>
-public sealed class PieceDetail
+public sealed class PieceDetail : Observable
 {
     private readonly KeptPiece _piece;
+    private string? _next;
+    private bool _isCut;
     private readonly IReadOnlyDictionary<string, string> _features;
 
     /// <summary>Puts it into words.</summary>
@@ -81,8 +84,8 @@ public sealed class PieceDetail
             var missed = outside.Intersect(Significant.Select(m => m.Point), StringComparer.Ordinal).ToArray();
             return (_piece.IsMeasured, IsWorse, outside.Count, missed.Length) switch
             {
-                (false, _, 0, _) => texts["Verdict.DoMeasure"],
-                (false, _, _, _) => texts.With("Verdict.DoRead", Listed(outside)),
+                (false, _, 0, _) => _next ?? texts["Verdict.DoMeasure"],
+                (false, _, _, _) => Sentence.Joined(_isCut ? "" : texts.With("Verdict.DoRead", Listed(outside)), _next ?? ""),
                 (true, true, _, _) => texts["Verdict.DoStop"],
                 (true, _, 0, _) => texts["Verdict.DoNothing"],
                 (true, _, _, 0) => texts.With(outside.All(IsOnCorner) ? "Verdict.DoReachCorner" : "Verdict.DoReach", Listed(outside)),
@@ -126,6 +129,15 @@ public sealed class PieceDetail
 
     /// <summary>The key points.</summary>
     public IReadOnlyList<MatingErrorRow> Points { get; }
+
+    /// <summary>Says what comes next while it is a prediction, which changes while everything else stays.</summary>
+    /// <param name="correction">Its correction as it is now.</param>
+    /// <param name="next">By <see cref="NextStep"/>; null where nothing is to be said.</param>
+    internal void Follow(Correction correction, string? next)
+    {
+        (_isCut, _next) = (correction.State == CorrectionState.Released, next);
+        Say(nameof(ToDo));
+    }
 
     /// <summary>Measured or predicted, in a word.</summary>
     internal static string KindOf(KeptPiece piece) => Texts.Current[piece.IsMeasured ? "Verify.KindMeasured" : "Verify.KindPredicted"];

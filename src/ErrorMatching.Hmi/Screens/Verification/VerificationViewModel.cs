@@ -132,6 +132,11 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
             Detail = piece is null ? null : new(piece, pieces) { ReadWarnings = new(() => _shell.LookAtWarnings(piece.Correction.Id)) };
         }
 
+        if (Detail is { } detail && piece is { IsMeasured: false })
+        {
+            detail.Follow(piece.Correction, NextStep.Of(Station.Settings, Station.State.Status, piece.Correction));
+        }
+
         // Not where the screen is only made ready beside another one.
         if (piece is { IsMeasured: true } && _shell.Current == this)
         {

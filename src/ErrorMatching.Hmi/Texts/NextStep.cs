@@ -1,0 +1,55 @@
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>What comes next for a correction, who does it, and what a person has to do for it: the same sentence wherever it is said.</summary>
+public static class NextStep
+{
+    /// <summary>What comes next, in a line.</summary>
+    /// <param name="settings">The cell's configuration.</param>
+    /// <param name="status">How the cell is; null before that is known.</param>
+    /// <param name="correction">The correction as it is now.</param>
+    /// <returns>The sentence; null where nothing comes of it any more, or nobody can say what.</returns>
+    public static string? Of(CellSettings settings, CellStatus? status, Correction correction)
+    {
+        ArgumentNullException.ThrowIfNull(settings);
+        ArgumentNullException.ThrowIfNull(correction);
+        var texts = Texts.Current;
+        return correction.State switch
+        {
+            CorrectionState.Proposed => texts["Next.Decide"],
+            CorrectionState.Failed => texts[correction.ProgramSha256 is null ? "Message.FailedUncomputed.Next" : "Message.Failed.Next"],
+            CorrectionState.Approved when status is not null && WaitReason.Of(status, correction.Id) is { } wait => wait.Text,
+            CorrectionState.Approved or CorrectionState.Uploading => texts.With(WayOf(status, correction), correction.Machine!),
+            CorrectionState.Verified => CutOf(settings, correction),
+            CorrectionState.Released when GaugesOf(settings, correction) is { Length: > 0 } gauges => texts.With("Next.Measure", gauges),
+            CorrectionState.Reverted when status?.Slots.Any(s => s.Held?.Id == correction.Id) == true => texts["Message.TakenBack.Next"],
+            CorrectionState.Reverted => texts["Next.TakenBack"],
+            _ => null,
+        };
+    }
+
+    // What is in the way of sending it, where nobody has to decide.
+    private static string WayOf(CellStatus? status, Correction correction) => status switch
+    {
+        { IsRunning: false } => "Next.NotRunning",
+        { Heartbeat.Troubles: { } troubles } when troubles.Any(t => t.Where == $"slot {correction.Machine}/{correction.Slot}") => "Next.Away",
+        _ => "Next.Sent",
+    };
+
+    // A machine with a ready file says itself that the piece is cut.
+    private static string CutOf(CellSettings settings, Correction correction)
+    {
+        var says = settings.Machines.FirstOrDefault(m => m.Name == correction.Machine)?.Slots.FirstOrDefault(s => s.Name == correction.Slot)?.ReadyFile is not null;
+        return GaugesOf(settings, correction) is { Length: > 0 } gauges
+            ? Texts.Current.With(says ? "Next.Cut" : "Next.CutRelease", correction.Machine!, gauges)
+            : Texts.Current.With(says ? "Next.CutOnly" : "Next.CutReleaseOnly", correction.Machine!);
+    }
+
+    // Whose files measure what a mating's program cut: by a job with the same file that takes counterparts. Whether a surface is measured again is the shop's to say.
+    private static string GaugesOf(CellSettings settings, Correction correction)
+    {
+        var mating = settings.Jobs.FirstOrDefault(j => j.Name == correction.Job && !j.IsFreeform);
+        return string.Join(" / ", settings.Jobs.Where(j => j.File == mating?.File && j.Piece is null or "counterpart").SelectMany(j => j.Gauges).Distinct(StringComparer.Ordinal));
+    }
+}
