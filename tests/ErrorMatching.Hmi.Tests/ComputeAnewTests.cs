@@ -122,6 +122,16 @@ public sealed class ComputeAnewTests
         Assert.Contains("Parts that still wait were computed with the job as it was: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Assert.Equal("Compute these anew: 3", here.Shell.Editing.ComputeAnewText);
         seat.See("setup-compute-anew");
+        seat.Tap("setup-look").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0002", "The notice does not lead to the first that waits.");
+        seat.Tap("nav-system");
+        here.Settle();
+        Assert.Null(seat.Find("setup-look"));
+        seat.Tap("side-machine").Type("edit-compensation.gain", "0.51");
+        here.Settle();
+        seat.Type("edit-compensation.gain", "0.5");
+        here.Shell.Editing.Change("", d => d with { Name = "Complex mating, halved" });
+        here.Settle();
+        seat.Tap("setup-save").WaitFor(() => seat.Find("setup-notice") is not null, "It is not saved once more.").See("setup-compute-anew");
         seat.Window.Height = 720;
         foreach (var side in new[] { "side-coordinates", "side-blocks", "side-tolerances", "side-gauge", "side-machine" })
         {
@@ -136,10 +146,15 @@ public sealed class ComputeAnewTests
             "Computed anew with the job as it is now: 2. See On-line compensation. #3 · 0003 was not computed anew: It is not in a state in which this can be done. Look at it again.",
             seat.TextOf("setup-notice"));
         Assert.Null(seat.Find("setup-compute-anew"));
+        Assert.Equal(5, here.Shell.Editing.FirstWaiting);
         Texts.Current.Language = Language.TraditionalChinese;
         here.Settle();
         Assert.StartsWith("以目前的作業重新計算：2 件。", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Texts.Current.Language = Language.English;
+
+        // The notice leads there.
+        seat.Tap("setup-look").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#5 · 0002", "The notice does not lead to the first of them.");
+        Assert.Equal(Screens.Compensation, seat.Shell.Chosen!.Screen.Key);
 
         // With half the gain the programs are displaced half as far, in the order in which they stood.
         foreach (var (old, anew) in new[] { (2L, 5L), (4L, 6L) })
@@ -162,6 +177,7 @@ public sealed class ComputeAnewTests
         here.Seat.Tap("setup-save").WaitFor(() => here.Seat.Find("setup-notice") is not null, "It is not saved.");
         Assert.Equal("Saved: the next measurement uses it.", here.TextOf("setup-notice"));
         Assert.Null(here.Seat.Find("setup-compute-anew"));
+        Assert.Null(here.Seat.Find("setup-look"));
     });
 
     // In both languages.

@@ -38,10 +38,10 @@ public sealed partial class TextTests
         Assert.DoesNotContain(texts, t => t.Value.Contains("量測點", StringComparison.Ordinal));
         Assert.NotEqual(texts["System.From"], texts["Detail.Basis"]);
 
-        // What a program is displaced by; a job, which is no work order and no workpiece; a screen, beside the proof of a program and the seals of the trail.
+        // What a program is displaced by; a job, which is no work order and no workpiece; a screen and who leads there, beside the proof of a program and the seals of the trail.
         Assert.DoesNotContain(texts, t => t.Value.Contains("移動量", StringComparison.Ordinal));
         Assert.DoesNotContain(texts, t => t.Value.Contains("工作", StringComparison.Ordinal));
-        Assert.Equal(["Screen.verification"], texts.Where(t => t.Value.Contains("驗證", StringComparison.Ordinal)).Select(t => t.Key));
+        Assert.Equal(["Next.Measure", "Screen.verification"], texts.Where(t => t.Value.Contains("驗證", StringComparison.Ordinal)).Select(t => t.Key));
 
         // Two pieces are compared; only one of them is the part.
         Assert.DoesNotContain("工件之間", texts["Detail.GapBefore"], StringComparison.Ordinal);

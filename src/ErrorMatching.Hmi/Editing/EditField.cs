@@ -55,6 +55,9 @@ public abstract class EditField(JobEditing editing, string path, string label) :
         private set => Set(ref _isDoubtful, value);
     }
 
+    /// <summary>True if something is wrong with it or it is still to be filled in.</summary>
+    public bool IsToMend => HasProblem && !IsDoubtful;
+
     /// <summary>True if it can be edited now.</summary>
     public bool CanEdit => editing.CanEdit;
 
@@ -78,6 +81,7 @@ public abstract class EditField(JobEditing editing, string path, string label) :
         IsDoubtful = texts.Length == 0 && questions.Length > 0;
         Problem = IsDoubtful ? Sentence.Joined(questions) : told;
         IsWrong = HasProblem && all.Any(p => !p.IsMissing);
+        Say(nameof(IsToMend));
         Say(nameof(CanEdit));
         Say(nameof(Label));
     }

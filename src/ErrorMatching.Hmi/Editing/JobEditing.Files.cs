@@ -9,6 +9,8 @@ namespace ErrorMatching.Hmi;
 /// <content>Opening, keeping and saving: all of it beside the screen.</content>
 public sealed partial class JobEditing
 {
+    private bool _isReplacing;
+
     private async Task LoadAsync(CellJobSettings job)
     {
         var (sha256, draft, hasComments, kept, isBroken, message) = await Task.Run(() => Open(job));
@@ -86,9 +88,17 @@ public sealed partial class JobEditing
         }
     }
 
+    /// <summary>Saves it though it takes the place of another job (<see cref="Asked"/>).</summary>
+    internal void Replace()
+    {
+        _isReplacing = true;
+        Save.Execute(null);
+    }
+
     private async Task SaveAsync()
     {
-        var (job, draft, sha256, by) = (Job!, Draft, _baseSha256, _who()!);
+        var (job, draft, sha256, by, isReplacing) = (Job!, Draft, _baseSha256, _who()!, _isReplacing);
+        _isReplacing = false;
         await _checking.Running;
         await Task.Yield();
         if (Problems.Count > 0)
@@ -96,6 +106,18 @@ public sealed partial class JobEditing
             // Going there may open the other screen, with which everything that was said is over.
             Tell();
             Note(() => Problems.Count > 0 ? Texts.Current.With("Setup.NotSaved", CountText) : "");
+            return;
+        }
+
+        // Another job in the place of one that is used: that is asked once, by whom it is saved.
+        if (draft.IsBegunAnew && _base.Features.Count > 0 && !isReplacing)
+        {
+            var undecided = 0;
+            if (await TryAsync(() => undecided = Undecided(job).Length))
+            {
+                Asked?.Invoke(new(job, draft.Name.Trim(), _base.Name.Trim(), undecided));
+            }
+
             return;
         }
 
@@ -107,7 +129,7 @@ public sealed partial class JobEditing
         }))
         {
             // The imported program is the job's own now.
-            (_base, _baseSha256, HasComments) = (draft with { Program = null }, saved, false);
+            (_base, _baseSha256, HasComments) = (draft with { Program = null, IsBegunAnew = false }, saved, false);
             _history.Begin(_base);
             await _keeping.Running;
             IReadOnlyList<Correction> waiting = [];
@@ -122,7 +144,7 @@ public sealed partial class JobEditing
                     Forget(job);
                 }
             });
-            _waiting = waiting;
+            (_waiting, _first) = (waiting, waiting is [var first, ..] ? first.Id : null);
             _notice = () => Sentence.Joined(
                 Texts.Current["Setup.Saved"],
                 isOtherProgram ? Texts.Current["Setup.SavedProgram"] : "",

@@ -36,7 +36,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         _keeping = new(KeepAway);
         Undo = new(() => Go(_history.Undo), () => CanEdit && _history.CanUndo);
         Redo = new(() => Go(_history.Redo), () => CanEdit && _history.CanRedo);
-        BeginAnew = new(() => Change("", d => d.Emptied()), () => CanEdit);
+        BeginAnew = new(BeginNew, () => CanEdit);
         DiscardChanges = new(() => Change("", _ => _base), () => CanEdit && IsChanged);
         ContinueKept = new(TakeKept, () => Kept is not null && MayEdit);
         DiscardKept = new(_ => ForgetKeptAsync(), () => (Kept is not null || IsKeptBroken) && MayEdit);
@@ -55,6 +55,12 @@ public sealed partial class JobEditing : Observable, IDisposable
 
     /// <summary>Said when the first field is to be gone to that something is wrong with or that is still to be filled in.</summary>
     public event Action? Wanted;
+
+    /// <summary>Said when a new job was begun.</summary>
+    public event Action? Begun;
+
+    /// <summary>Said when another job would take the place of one that is used: a person says whether it may, and then <see cref="Replace"/> saves it.</summary>
+    public event Action<JobReplacement>? Asked;
 
     /// <summary>The cell's mating jobs, each file once: where several take their measurements by the same file, as those of part and counterpart do, by the name of the first that is not the counterpart's.</summary>
     public IReadOnlyList<CellJobSettings> Jobs { get; }
@@ -184,7 +190,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>Says what came of the last change; it goes with the next.</summary>
     public void Note(Func<string>? notice)
     {
-        (_notice, _waiting) = (notice, []);
+        (_notice, _waiting, _first) = (notice, [], null);
         Refresh();
     }
 
@@ -220,6 +226,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         _notice = null;
         Say(nameof(Notice));
         Say(nameof(CanComputeAnew));
+        Say(nameof(FirstWaiting));
     }
 
     /// <summary>Waits for what is being kept: what was typed last is not lost.</summary>
@@ -229,6 +236,12 @@ public sealed partial class JobEditing : Observable, IDisposable
     internal static string CountOf(int wrong, int missing) => string.Join(
         " · ",
         new[] { wrong > 0 ? Texts.Current.With("Setup.Problems", wrong) : "", missing > 0 ? Texts.Current.With("Setup.Missing", missing) : "" }.Where(t => t.Length > 0));
+
+    private void BeginNew()
+    {
+        Change("", d => d.Emptied());
+        Begun?.Invoke();
+    }
 
     private void Go(Action way)
     {

@@ -16,6 +16,13 @@ public abstract class SetupViewModel : ScreenViewModel
         _shell = shell;
         Editing = shell.Editing;
         TellProblems = new(Editing.Tell, () => Editing.Problems.Count > 0);
+        LookAtWaiting = new(() =>
+        {
+            if (Editing.FirstWaiting is { } first)
+            {
+                _shell.Look(first);
+            }
+        });
         Step = new(() => _shell.Go(Key == Screens.Points ? Screens.System : Screens.Points));
     }
 
@@ -34,6 +41,18 @@ public abstract class SetupViewModel : ScreenViewModel
 
     /// <summary>Tells what is wrong at every field, and goes to the first.</summary>
     public Command TellProblems { get; }
+
+    /// <summary>Goes to the first of the corrections that the notice speaks of.</summary>
+    public Command LookAtWaiting { get; }
+
+    /// <summary>True where it speaks of any.</summary>
+    public bool HasWaiting => Editing.FirstWaiting is not null;
+
+    /// <summary>What the job is called, as it is on the screen; by its name in the cell while it has none.</summary>
+    public string JobTitle => Editing.Job is not { } job ? "" : Editing.Draft.Name.Trim() is { Length: > 0 } name ? name : Editing.Draft.IsBegunAnew ? Texts.Current["Setup.NewJob"] : job.Name;
+
+    /// <summary>In which of the cell's jobs it stands, and whether it is saved there.</summary>
+    public string JobState => Editing.Job is not { } job ? "" : Editing.IsChanged ? Texts.Current.With("Setup.JobUnsaved", job.Name) : job.Name;
 
     /// <summary>To the other one of both screens: they are two steps of one thing.</summary>
     public Command Step { get; }

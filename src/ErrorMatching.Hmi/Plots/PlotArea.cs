@@ -252,6 +252,17 @@ public abstract partial class PlotArea : Control, IDrawnWords
         }
     }
 
+    /// <summary>Shows all of a box and a little around it, beside the buttons.</summary>
+    protected void LookClosely(PlotBox box)
+    {
+        if (!box.IsEmpty && Bounds is { Width: > 0, Height: > 0 })
+        {
+            var fit = PlotView.Fit(box, Math.Max(Bounds.Width - ButtonsRoom, 1), Bounds.Height, Around, IsTrueToScale);
+            View = (fit with { Width = Bounds.Width, Height = Bounds.Height }).Pan(new(-ButtonsRoom / 2, 0));
+            Lead();
+        }
+    }
+
     /// <summary>Says that the data are others. Whoever sees all goes on seeing all; whoever looks closely goes on looking there, as long as there is something.</summary>
     /// <param name="places">Where the data are, each at its number: they are found under a finger. None where <see cref="DatumNear"/> finds them in its own way.</param>
     protected void Renew(IReadOnlyList<Point2> places)

@@ -105,6 +105,9 @@ public sealed class MovePicture
     /// <summary>Where a motion begins and ends; null where only the machine knows.</summary>
     public (Point2 From, Point2 To)? EndsOf(int motion) => Is(motion, Kind.Unknown) ? null : (StartOf(motion), _ends[motion]);
 
+    /// <summary>What a motion covers; nothing where only the machine knows.</summary>
+    public PlotBox BoxOf(int motion) => Is(motion, Kind.Unknown) ? PlotBox.Empty : BoxOf(motion, _motions[motion]);
+
     /// <summary>The motion nearest to a place, of several at the same distance the first one, cuts before rapids; -1 if none is within reach.</summary>
     /// <param name="place">Where to look.</param>
     /// <param name="reach">How far it may be, mm.</param>

@@ -212,6 +212,9 @@ public sealed partial class PathPlot : PlotArea
                 break;
             case nameof(ProgramPicture.Feature):
                 break;
+            case nameof(ProgramPicture.Look):
+                LookClosely(BoxOf(Picture!.Look!));
+                break;
             default:
                 return;
         }
@@ -236,6 +239,15 @@ public sealed partial class PathPlot : PlotArea
         {
             Reveal(PlotBox.Empty.With(from).With(to));
         }
+    }
+
+    // What is cut, with the key points that it is cut for.
+    private PlotBox BoxOf(FeatureLook look)
+    {
+        var program = Picture!.Program;
+        return program.MotionsOf(look.Blocks) is not var (first, last) ? PlotBox.Empty : Enumerable.Range(first, last - first + 1)
+            .Where(m => look.Blocks.Contains(program.Path.Motions.BlockOf(m)))
+            .Aggregate(PlotBox.Of(Picture.Points.Where(p => p.Feature == look.Feature).Select(p => p.At)), (box, m) => box.With(program.Moves.BoxOf(m)));
     }
 
     private void Sort()

@@ -19,6 +19,7 @@ public sealed class ProgramPicture : Observable
     private string? _feature;
     private string? _message;
     private bool _isReadOnly;
+    private bool _isWhole = true;
 
     /// <summary>The picture of a program.</summary>
     public ProgramPicture(OpenedProgram program)
@@ -87,6 +88,9 @@ public sealed class ProgramPicture : Observable
         }
     }
 
+    /// <summary>The blocks of a feature that a person wants to see; null before anybody did. Said anew each time.</summary>
+    public FeatureLook? Look { get; private set; }
+
     /// <summary>True where blocks cannot be picked, by somebody who may not.</summary>
     public bool IsReadOnly
     {
@@ -123,7 +127,7 @@ public sealed class ProgramPicture : Observable
     }
 
     /// <summary>The lit blocks in words.</summary>
-    public string Chosen => Selection is not { } range ? Texts.Current["Program.NothingChosen"]
+    public string Chosen => Selection is not { } range ? Look is { } look && look.Feature == Feature ? Texts.Current.With(_isWhole ? "Program.Looked" : look.IsAtEnd ? "Program.LookedEnd" : "Program.LookedBegin", look.Feature, NameOf(look.Blocks)) : Texts.Current["Program.NothingChosen"]
         : IsPicking && !_isMoving ? Texts.Current.With("Program.MovesNothing", NameOf(range)) : NameOf(range);
 
     /// <summary>The text of the lit block, of several the one that was lit last, whole; empty if none is lit. Beside the others it may be cut.</summary>
@@ -186,6 +190,27 @@ public sealed class ProgramPicture : Observable
 
     /// <summary>Lights nothing any more.</summary>
     public void Unlight() => Selection = null;
+
+    /// <summary>Shows all blocks of a feature, from the first to the last; where they are more than have room, and are shown from the beginning already, their end.</summary>
+    /// <param name="feature">Its name.</param>
+    public void LookAt(string feature)
+    {
+        if (Marks.FirstOrDefault(m => m.Name == feature) is { Ranges: [var first, ..] ranges })
+        {
+            var blocks = new BlockRange(first.First, ranges.Max(r => r.Last));
+            Look = new(feature, blocks, IsAtEnd: Look is { IsAtEnd: false } was && was.Feature == feature && was.Blocks == blocks);
+            _isWhole = true;
+            Say(nameof(Look));
+            Say(nameof(Chosen));
+        }
+    }
+
+    /// <summary>Says whether all of what a person wants to see has room.</summary>
+    internal void TellRoom(bool isWhole)
+    {
+        _isWhole = isWhole;
+        Say(nameof(Chosen));
+    }
 
     /// <summary>Lights the block of a motion.</summary>
     public void LightMotion(int motion) => Light(Program.Path.Motions.BlockOf(motion));

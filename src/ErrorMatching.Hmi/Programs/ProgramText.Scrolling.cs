@@ -238,6 +238,15 @@ public sealed partial class ProgramText : ILogicalScrollable
         AutomationProperties.SetHelpText(this, Picture?.Chosen ?? "");
     }
 
+    // All of the blocks in the middle, or as many as have room, with the one beside them.
+    private void Show(FeatureLook look)
+    {
+        var (top, bottom, height) = ((look.Blocks.First - 1) * RowHeight, (look.Blocks.Last + 2) * RowHeight, Bounds.Height);
+        Offset = Offset.WithY(bottom - top <= height ? (top + bottom - height) / 2 : look.IsAtEnd ? bottom - height : top);
+        _begun = look.Feature;
+        Picture!.TellRoom(isWhole: bottom - top <= height);
+    }
+
     // Begins at the blocks of the feature that is picked for, once it is known which they are, unless they are seen or others are lit.
     private void ShowFeature()
     {

@@ -297,6 +297,10 @@ public sealed partial class ProgramText : Control, IDrawnWords
         {
             ShowFeature();
         }
+        else if (e.PropertyName == nameof(ProgramPicture.Look))
+        {
+            Show(Picture!.Look!);
+        }
 
         InvalidateVisual();
     }

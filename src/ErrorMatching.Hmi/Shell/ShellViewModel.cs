@@ -34,6 +34,8 @@ public sealed class ShellViewModel : Observable, IDisposable
         SwitchLanguage = new(() => Texts.Current.Language = Texts.Current.Language == Language.English ? Language.TraditionalChinese : Language.English);
         SwitchTheme = new(() => IsDark = !IsDark);
         Editing = new(station, () => _who);
+        Editing.Begun += () => Looked.SystemSide = 0;
+        Editing.Asked += Ask;
         Station.Changed += Follow;
         Texts.Current.LanguageChanged += Translate;
         Lock();
@@ -295,6 +297,25 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
 
         Say();
+    }
+
+    private void Ask(JobReplacement replacement)
+    {
+        // The one who tapped may have left meanwhile; the draft is kept.
+        if (_who is { } who)
+        {
+            var signing = new SigningViewModel(Station, who, Act.EditJobs, replacement.Subject, needsReason: false, (_, _, _) => Task.CompletedTask)
+            {
+                TitleKey = "Setup.Replace",
+                Told = () => replacement.Told,
+                Known = () => replacement.Facts,
+
+                // Saving demands it.
+                IsDemandedElsewhere = true,
+            };
+            signing.Signed += Editing.Replace;
+            Sign(signing);
+        }
     }
 
     private void TouchSeat()

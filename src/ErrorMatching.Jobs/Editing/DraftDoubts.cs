@@ -45,7 +45,7 @@ internal static class DraftDoubts
             // Rounded up: nearer it would be asked about again.
             var mm = string.Create(CultureInfo.InvariantCulture, $"{Math.Ceiling(foot.BeyondEndMm * 10) / 10:0.0} mm");
             yield return new(
-                DraftPaths.Place(fields[foot.Label]), WarningForms.PointOnCorner.Name, foot.Label,
+                fields[foot.Label], WarningForms.PointOnCorner.Name, foot.Label,
                 $"Point {foot.Label} lies on a rounded corner at an end of its blocks, where the boundary follows both elements: its own deviation cannot be met exactly. Choose it at least {mm} further from the corner.")
             {
                 Amount = mm,

@@ -26,9 +26,6 @@ public static class DraftPaths
     /// <summary>A coordinate of the point with that label: <c>x</c>, <c>y</c> or <c>z</c>.</summary>
     public static string Coordinate(string label, string axis) => $"{label}/{axis}";
 
-    /// <summary>Where the point with that label lies: all of its coordinates together.</summary>
-    public static string Place(string label) => Coordinate(label, "place");
-
     /// <summary>The labels of all points, in the order of <see cref="MatingDraft.Points"/>.</summary>
     public static IEnumerable<string> Labels(MatingDraft draft)
     {

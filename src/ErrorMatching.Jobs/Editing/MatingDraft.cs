@@ -59,6 +59,9 @@ public sealed record MatingDraft
     /// <summary>A program that was imported and takes the place of the job's; null while the job's own stays.</summary>
     public DraftProgram? Program { get; init; }
 
+    /// <summary>True for another job than the one in whose place it is: it was begun from an empty draft, and is not saved yet.</summary>
+    public bool IsBegunAnew { get; init; }
+
     /// <summary>All points, those of features first.</summary>
     [JsonIgnore]
     public IEnumerable<PointDraft> Points => Features.SelectMany(f => f.Points).Concat(OtherPoints);
@@ -91,6 +94,7 @@ public sealed record MatingDraft
         Counterpart = new() { Dialect = Counterpart.Dialect },
         RecognitionJson = RecognitionJson,
         SchemaUri = SchemaUri,
+        IsBegunAnew = true,
     };
 
     /// <summary>The draft with as many points in a flank of a feature: new ones get numbers that no point has, those too many leave from the end.</summary>

@@ -34,7 +34,49 @@ public sealed class SetupCountTests
         seat.Settle();
         Assert.True(save.IsEffectivelyEnabled);
         Assert.Contains("accent", save.Classes);
-        Assert.All(seat.System.Heads, h => Assert.Null(h.Problem));
+
+        // The sample's points 2 and 4 lie on corners, which is asked about and saved all the same.
+        Assert.Equal(["To consider: 2", null, null, null, null], seat.System.Heads.Select(h => h.Problem));
+    });
+
+    [Fact]
+    public Task The_count_looks_like_a_button_only_where_it_leads_to_something() => At(seat =>
+    {
+        var count = (Button)seat.Seat.See("setup-problems");
+        Assert.Equal((false, Color("Line"), Color("InkQuiet")), (count.IsEffectivelyEnabled, Border(), Words()));
+        seat.Seat.Tap("setup-anew");
+        seat.Settle();
+        Assert.Equal((true, Color("Accent"), Color("Accent")), (count.IsEffectivelyEnabled, Border(), Words()));
+
+        // What is wrong stays red.
+        seat.Shell.Editing.Change("", d => d with { Counterpart = d.Counterpart with { Rotate = "x" } });
+        seat.Settle();
+        Assert.Equal(Color("Alarm"), ((Avalonia.Media.ISolidColorBrush)count.GetVisualDescendants().OfType<TextBlock>().Single(t => t.IsEffectivelyVisible && t.Text!.StartsWith("To correct", StringComparison.Ordinal)).Foreground!).Color);
+
+        Avalonia.Media.Color Border() => ((Avalonia.Media.ISolidColorBrush)count.GetVisualDescendants().OfType<Avalonia.Controls.Presenters.ContentPresenter>().First().BorderBrush!).Color;
+        Avalonia.Media.Color Words() => ((Avalonia.Media.ISolidColorBrush)count.GetVisualDescendants().OfType<TextBlock>().First(t => t.IsEffectivelyVisible).Foreground!).Color;
+        Avalonia.Media.Color Color(string key) => ((Avalonia.Media.ISolidColorBrush)seat.Seat.Window.FindResource(seat.Seat.Window.ActualThemeVariant, key)!).Color;
+    });
+
+    [Fact]
+    public Task Points_on_corners_are_asked_about_before_the_job_is_saved_on_whichever_side_one_is() => At(seat =>
+    {
+        const string Corners = "On rounded corners, where no program meets their own deviation: 2 (1.5 mm), 4 (1.4 mm). Probe them so much further away.";
+        Assert.Equal(Corners, seat.TextOf("points-corners"));
+        Assert.Contains("asked", seat.Seat.See("edit-features[0].points[1]").Classes);
+        Assert.DoesNotContain("asked", seat.Seat.See("edit-features[0].points[0]").Classes);
+        Assert.Equal(
+            "It lies on a rounded corner, where its own deviation cannot be met exactly. Probe it at least 1.5 mm further from the corner.", AutomationProperties.GetHelpText(seat.Seat.See("edit-features[0].points[1]")));
+        Assert.Equal("To consider: 2", AutomationProperties.GetHelpText(seat.Seat.See("side-coordinates")));
+        BothLanguages.Take(seat.Seat, "system-corners");
+
+        // So much further away, along L1, it is asked about no more; the job could have been saved with it.
+        Assert.Empty(seat.Shell.Editing.Problems);
+        seat.Seat.Type("edit-features[0].points[1]/y", "59.846");
+        seat.Settle();
+        Assert.Equal(Corners.Replace("2 (1.5 mm), ", "", StringComparison.Ordinal), seat.TextOf("points-corners"));
+        Assert.Equal("To consider: 1", seat.System.Heads[0].Problem);
+        Assert.True(seat.Seat.See("setup-save").IsEffectivelyEnabled);
     });
 
     [Fact]

@@ -78,6 +78,11 @@ public sealed class SetupLayoutTests
         Assert.Null(seat.Seat.Find("setup-message"));
         Assert.Null(seat.Seat.Find("setup-state"));
         Assert.Equal(before, Top());
+
+        // Two lines, as where points are said that no feature has.
+        seat.System.Paste(Table(seat) + "\n90\t1\t1\n91\t1\t1");
+        seat.Seat.WaitFor(() => ((TextBlock)seat.Seat.See("setup-notice")).TextLayout.TextLines.Count == 2, "It is not said in two lines.");
+        Assert.Equal(before, Top());
         seat.System.Paste("nothing");
         seat.Settle().Seat.See("setup-message");
         Assert.Equal(before, Top());

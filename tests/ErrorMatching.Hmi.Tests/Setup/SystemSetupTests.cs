@@ -252,6 +252,57 @@ public sealed class SystemSetupTests
     });
 
     [Fact]
+    public Task A_tap_on_the_name_of_a_feature_shows_all_of_it_and_where_that_has_no_room_the_next_one_shows_its_end() => At(seat =>
+    {
+        seat.Seat.Tap("side-blocks").WaitFor(() => seat.System.Picture?.Points.Count == 16, "The points are not drawn.");
+        var (picture, text, path) = (seat.System.Picture!, (ProgramText)seat.Seat.See("program-text"), (PathPlot)seat.Seat.See("program-path"));
+        seat.Seat.Tap("pick-1");
+        Assert.Equal(("L2L3: N130 to N160: 4 lines", true, true), (picture.Chosen, IsSeen("N130"), IsSeen("N160")));
+        MustBeDrawn(1);
+
+        // C1 has 103 blocks.
+        seat.Seat.Tap("pick-2");
+        Assert.Equal("C1: N170 to N1190: 103 lines. Its name once more shows the end.", picture.Chosen);
+        Assert.Equal((true, false), (IsSeen("N170"), IsSeen("N1190")));
+        MustBeDrawn(2);
+        Take();
+        seat.Seat.Tap("pick-2");
+        Assert.Equal("C1: N170 to N1190: 103 lines. Its name once more shows the beginning.", picture.Chosen);
+        Assert.Equal((false, true), (IsSeen("N170"), IsSeen("N1190")));
+        Take();
+        seat.Seat.Tap("pick-2");
+        Assert.True(IsSeen("N170"));
+
+        // Another one between them begins at its beginning; nothing was taken for any of them.
+        seat.Seat.Tap("pick-0").Tap("pick-2");
+        Assert.Equal((true, "N170..N1190"), (IsSeen("N170"), seat.Draft.Features[2].Blocks));
+        Assert.Null(picture.Selection);
+
+        // Rows are made anew in another language: a tap right behind would be taken for the second half of the one before (TapTests).
+        void Take()
+        {
+            BothLanguages.Take(seat.Seat, "system-feature-" + (picture.Look!.IsAtEnd ? "end" : "begin"));
+            seat.Seat.User.Wait(TimeSpan.FromMilliseconds(600));
+        }
+
+        bool IsSeen(string name)
+        {
+            var top = (Enumerable.Range(0, picture.Program.Count).First(b => picture.Program.NameOf(b) == name) * text.RowHeight) - text.Offset.Y;
+            return top >= 0 && top + text.RowHeight <= text.Bounds.Height;
+        }
+
+        // Its points and the ends of its moves stand in the drawing, beside the buttons, and fill it one way or the other.
+        void MustBeDrawn(int feature)
+        {
+            var (mark, buttons) = (picture.Marks[feature], path.GetVisualDescendants().OfType<StackPanel>().First().Bounds.Left);
+            var ends = Enumerable.Range(mark.Ranges[0].First, mark.Ranges[0].Count).Select(picture.Program.Path.MotionOf).Where(m => m >= 0).Select(m => picture.Program.Moves.EndsOf(m)!.Value).SelectMany(e => new[] { e.From, e.To });
+            Point[] places = [.. ends.Concat(picture.Points.Where(p => p.Feature == mark.Name).Select(p => p.At)).Select(p => path.View.At(p))];
+            Assert.All(places, p => Assert.True(p.X >= 0 && p.X <= buttons && p.Y >= 0 && p.Y <= path.Bounds.Height, $"{p} is not seen."));
+            Assert.True(places.Max(p => p.X) - places.Min(p => p.X) > buttons / 2 || places.Max(p => p.Y) - places.Min(p => p.Y) > path.Bounds.Height / 2, "It is small.");
+        }
+    });
+
+    [Fact]
     public Task It_looks_right() => At(seat =>
     {
         var pictures = new Pictures(seat.Seat.RunCell());

@@ -163,7 +163,7 @@ public sealed class MatingDraftCheckTests
         Assert.Equal(warned, check.Doubts.Select(d => d.Found));
 
         // Point 2 is 1.404 mm behind the end of N120 at (-34.995, 59.757), along it; point 4 is 1.379 mm behind that of N160 at (-34.918, 36.365).
-        Assert.Equal([("$.features[0].points[1]/place", "1.5 mm"), ("$.features[1].points[1][1]/place", "1.4 mm")], check.Doubts.Select(d => (d.Field, d.Amount)));
+        Assert.Equal([("$.features[0].points[1]", "1.5 mm"), ("$.features[1].points[1][1]", "1.4 mm")], check.Doubts.Select(d => (d.Field, d.Amount)));
     }
 
     [Theory]

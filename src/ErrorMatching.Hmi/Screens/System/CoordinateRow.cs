@@ -8,14 +8,13 @@ namespace ErrorMatching.Hmi;
 /// <param name="X">Its first coordinate.</param>
 /// <param name="Y">Its second coordinate.</param>
 /// <param name="Z">Its third coordinate, where points have one; else null.</param>
-/// <param name="Place">What is to be said of where it lies.</param>
-public sealed record CoordinateRow(string Feature, TextField Label, TextField X, TextField Y, TextField? Z, NoteField Place)
+public sealed record CoordinateRow(string Feature, TextField Label, TextField X, TextField Y, TextField? Z)
 {
     /// <summary>True if points have a third coordinate.</summary>
     public bool HasZ => Z is not null;
 
     /// <summary>Its fields.</summary>
-    internal IEnumerable<EditField> Fields => Z is null ? [Label, X, Y, Place] : [Label, X, Y, Z, Place];
+    internal IEnumerable<EditField> Fields => Z is null ? [Label, X, Y] : [Label, X, Y, Z];
 
     /// <summary>The rows of a draft, in the order of its points.</summary>
     public static IEnumerable<CoordinateRow> Of(JobEditing editing)
@@ -52,6 +51,5 @@ public sealed record CoordinateRow(string Feature, TextField Label, TextField X,
         new(editing, path, "System.Label", d => get(d).Label, (d, t) => set(d, get(d) with { Label = t })),
         new(editing, DraftPaths.Coordinate(path, "x"), "System.X", d => get(d).X, (d, t) => set(d, get(d) with { X = t })),
         new(editing, DraftPaths.Coordinate(path, "y"), "System.Y", d => get(d).Y, (d, t) => set(d, get(d) with { Y = t })),
-        hasZ ? new(editing, DraftPaths.Coordinate(path, "z"), "System.Z", d => get(d).Z, (d, t) => set(d, get(d) with { Z = t })) : null,
-        new(editing, DraftPaths.Place(path), "System.Coordinates"));
+        hasZ ? new(editing, DraftPaths.Coordinate(path, "z"), "System.Z", d => get(d).Z, (d, t) => set(d, get(d) with { Z = t })) : null);
 }

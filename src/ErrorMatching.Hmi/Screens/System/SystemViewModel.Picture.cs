@@ -36,6 +36,7 @@ public sealed partial class SystemViewModel
     {
         _picked = feature;
         ShowPicture();
+        Picture?.LookAt(Editing.Draft.Features[feature].Name);
     }
 
     private void ShowPicture()

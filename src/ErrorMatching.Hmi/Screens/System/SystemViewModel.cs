@@ -1,6 +1,7 @@
 using System.Collections.ObjectModel;
 using System.Text;
 using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Hmi;
@@ -10,6 +11,9 @@ public sealed partial class SystemViewModel : SetupViewModel
 {
     // So much of a line tells which one it is.
     private const int MostShown = 60;
+
+    // As many as stand in two lines; which others there are is seen at their fields.
+    private const int MostCorners = 6;
 
     private readonly SystemFields _fields;
     private int _side;
@@ -37,6 +41,7 @@ public sealed partial class SystemViewModel : SetupViewModel
         DryRunFile = new(DryRunFileAsync, CanTry);
         Back = new(() => Detail = null);
         Begin();
+        Editing.Begun += GoToFirstSide;
     }
 
     /// <summary>Which side is open.</summary>
@@ -66,6 +71,10 @@ public sealed partial class SystemViewModel : SetupViewModel
 
     /// <summary>What is wrong with the points as a whole.</summary>
     public NoteField Points { get; }
+
+    /// <summary>Which points lie on rounded corners, and how much further from these they can be met, in words; null if none does.</summary>
+    public string? Corners => Editing.Doubts.Where(d => d.Code == WarningForms.PointOnCorner.Name).Select(d => Texts.Current.With("System.Corner", d.Found, d.Amount)).ToArray() is { Length: > 0 } corners
+        ? Texts.Current.With("System.Corners", Listed(corners, MostCorners)) : null;
 
     /// <summary>What is wrong with the program.</summary>
     public NoteField Program { get; }
@@ -241,6 +250,16 @@ public sealed partial class SystemViewModel : SetupViewModel
         Side = side;
     }
 
+    /// <inheritdoc/>
+    protected override void Dispose(bool isDisposing)
+    {
+        Editing.Begun -= GoToFirstSide;
+        base.Dispose(isDisposing);
+    }
+
+    // A new job is read from the beginning.
+    private void GoToFirstSide() => Turn(0);
+
     private Command Doing(Action act) => new(act, () => Editing.CanEdit);
 
     private async Task ReadAsync(FileChoice choice, Func<string, Task> import)
@@ -272,9 +291,5 @@ public sealed partial class SystemViewModel : SetupViewModel
     private bool IsMeasurement(string file) =>
         new[] { Editing.Draft.MeasuredFile, Editing.Draft.Counterpart.Measured }.Any(m => string.Equals(Path.GetFileName(m.Trim()), file, StringComparison.OrdinalIgnoreCase));
 
-    private static string Listed(IReadOnlyList<string> labels)
-    {
-        const int Most = 12;
-        return string.Join(", ", labels.Take(Most)) + (labels.Count > Most ? " …" : "");
-    }
+    private static string Listed(IReadOnlyList<string> labels, int most = 12) => string.Join(", ", labels.Take(most)) + (labels.Count > most ? " …" : "");
 }

@@ -1,0 +1,20 @@
+using ErrorMatching.Cell;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>A new job that is to take the place of one that is used.</summary>
+/// <param name="Place">The cell's job in whose place it comes: its machine and slot stay.</param>
+/// <param name="Name">Name of the new one.</param>
+/// <param name="Before">Name of the one that is used.</param>
+/// <param name="Undecided">How many corrections of that one still wait, are approved or failed.</param>
+public sealed record JobReplacement(CellJobSettings Place, string Name, string Before, int Undecided)
+{
+    /// <summary>Both of them, in words.</summary>
+    public string Subject => Texts.Current.With("Setup.Replace.Subject", Name, Before.Length > 0 ? Before : Place.Name);
+
+    /// <summary>From when it is used, and where.</summary>
+    public string Told => Texts.Current.With("Setup.Replace.Told", Place.Machine, Place.Slot);
+
+    /// <summary>What becomes of the corrections that still wait; none where none does.</summary>
+    public IReadOnlyList<Fact> Facts => Undecided == 0 ? [] : [new(Texts.Current.With("Setup.Replace.Waiting", Undecided), Severity.Attention)];
+}

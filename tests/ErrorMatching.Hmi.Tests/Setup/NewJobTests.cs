@@ -1,0 +1,107 @@
+using Avalonia.Controls;
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>A new job is begun at the beginning, is called what it is, and takes the place of one that is used only where somebody says so.</summary>
+public sealed class NewJobTests
+{
+    [Fact]
+    public Task A_new_job_is_read_from_the_first_side() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        seat.Seat.Tap("side-gauge").Tap("setup-anew");
+        seat.Settle();
+        Assert.True(((TabItem)seat.Seat.See("side-coordinates")).IsSelected);
+        seat.Seat.Tap("side-gauge").Tap("nav-points").Tap("setup-anew").Tap("nav-system");
+        Assert.True(((TabItem)seat.Seat.See("side-coordinates")).IsSelected);
+
+        // Whoever only comes back to it finds the side where they were.
+        seat.Seat.Tap("side-gauge").Tap("nav-points").Tap("nav-system");
+        Assert.True(((TabItem)seat.Seat.See("side-gauge")).IsSelected);
+    });
+
+    [Fact]
+    public Task The_box_has_the_name_of_the_draft_and_says_that_it_is_not_saved() => SetupSeat.AtAsync(Screens.Points, seat =>
+    {
+        Assert.Equal(("Complex mating", "complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
+        seat.Seat.Tap("setup-anew");
+        Assert.Equal(("New job", "Not saved · complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
+        seat.Seat.Type("edit-name", "Bracket");
+        Assert.Equal(("Bracket", "Not saved · complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
+        BothLanguages.Take(seat.Seat, "setup-job-unsaved");
+        seat.Seat.Tap("setup-discard");
+        Assert.Equal(("Complex mating", "complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
+    });
+
+    [Fact]
+    public Task Another_job_takes_the_place_of_one_that_is_used_only_where_somebody_says_so() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        var (job, here) = (File.ReadAllBytes(seat.JobFile), seat.Seat);
+        here.Cell.Run();
+        here.Cell.Deliver(1, 0);
+        here.WaitFor(1, CorrectionState.Proposed);
+        SetUp(seat);
+        here.Tap("setup-save").See("signing-subject");
+        Assert.Equal("Bracket takes the place of Complex mating.", here.TextOf("signing-subject"));
+        Assert.Equal("The job before is overwritten. From the next measurement on the new one is used at vmc1, slot A.", here.TextOf("signing-consequence"));
+        Assert.Equal([new Fact("Corrections of the job before that still wait: 1. They stay as they are; approve or reject each in On-line compensation.", Severity.Attention)], here.Shell.Signing!.Facts);
+
+        // Saving a job takes no password, and neither does this.
+        Assert.Null(here.Find("signing-password"));
+        BothLanguages.Take(here, "setup-replace");
+        here.Tap("signing-leave");
+        seat.Settle();
+        Assert.Equal((true, null), (seat.Shell.Editing.IsChanged, seat.Shell.Editing.Notice));
+        Assert.Equal(job, File.ReadAllBytes(seat.JobFile));
+
+        here.User.Wait(TimeSpan.FromMilliseconds(600));
+        here.Tap("setup-save").Tap("signing-confirm").WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
+        Assert.Equal("Bracket", InputFile.Job(seat.JobFile).Name);
+        Assert.Equal(("Bracket", "complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
+
+        // From now on it is the one that is used, and edited as any other.
+        seat.Shell.Editing.Change("", d => d with { WorkOrder = "WO-9" });
+        seat.Settle();
+        here.User.Wait(TimeSpan.FromMilliseconds(600));
+        here.Tap("setup-save").WaitFor(() => seat.Shell.Editing.Notice is not null, "An ordinary change is asked about.");
+        Assert.Equal("WO-9", InputFile.Job(seat.JobFile).WorkOrder);
+    });
+
+    [Fact]
+    public Task Where_the_station_locks_while_it_is_asked_nothing_is_saved_and_it_can_be_saved_again() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        var job = File.ReadAllBytes(seat.JobFile);
+        SetUp(seat);
+        seat.Seat.Tap("setup-save").See("signing-subject");
+        seat.Shell.SignOut.Execute(null);
+        seat.Seat.WaitFor(() => seat.Shell.IsLocked, "The station does not lock.").SignIn(DemoCell.Setter);
+        Assert.Equal(job, File.ReadAllBytes(seat.JobFile));
+        seat.Seat.Tap("setup-save").Tap("signing-confirm").WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
+        Assert.Equal("Bracket", InputFile.Job(seat.JobFile).Name);
+    });
+
+    [Fact]
+    public Task A_new_job_that_was_kept_is_still_another_one_and_one_that_was_taken_back_is_not() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        SetUp(seat);
+        var kept = new DraftFolder(Path.Combine(Path.GetDirectoryName(seat.Seat.Station.Settings.File)!, "drafts")).Find(seat.Shell.Editing.Job!.Name);
+        Assert.True(kept!.Draft.IsBegunAnew);
+        seat.Shell.Editing.Undo.Execute(null);
+        seat.Shell.Editing.Undo.Execute(null);
+        seat.Shell.Editing.Change("", d => d with { WorkOrder = "WO-9" });
+        seat.Settle();
+        seat.Seat.Tap("setup-save").WaitFor(() => seat.Shell.Editing.Notice is not null, "What was taken back is asked about.");
+        Assert.Equal("Complex mating", InputFile.Job(seat.JobFile).Name);
+    });
+
+    // What the sample has, set up anew under another name.
+    private static void SetUp(SetupSeat seat)
+    {
+        var sample = MatingDraftFiles.Open(seat.JobFile);
+        seat.Seat.Tap("setup-anew");
+        seat.Shell.Editing.Change("", d => sample with { Name = "Bracket", IsBegunAnew = d.IsBegunAnew });
+        seat.Settle();
+        Assert.Empty(seat.Shell.Editing.Problems);
+    }
+}
