@@ -9,11 +9,8 @@ namespace ErrorMatching.Hmi;
 /// <param name="Undecided">How many corrections of that one still wait, are approved or failed.</param>
 public sealed record JobReplacement(CellJobSettings Place, string Name, string Before, int Undecided)
 {
-    /// <summary>Both of them, in words.</summary>
-    public string Subject => Texts.Current.With("Setup.Replace.Subject", Name, Before.Length > 0 ? Before : Place.Name);
-
-    /// <summary>From when it is used, and where.</summary>
-    public string Told => Texts.Current.With("Setup.Replace.Told", Place.Machine, Place.Slot);
+    /// <summary>Whose place it takes, from when on and where, in words.</summary>
+    public string Told => Texts.Current.With("Setup.Replace.Told", Name, Before.Length > 0 ? Before : Place.Name, Place.Machine, Place.Slot);
 
     /// <summary>What becomes of the corrections that still wait; none where none does.</summary>
     public IReadOnlyList<Fact> Facts => Undecided == 0 ? [] : [new(Texts.Current.With("Setup.Replace.Waiting", Undecided), Severity.Attention)];

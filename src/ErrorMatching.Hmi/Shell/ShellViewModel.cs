@@ -304,7 +304,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         // The one who tapped may have left meanwhile; the draft is kept.
         if (_who is { } who)
         {
-            var signing = new SigningViewModel(Station, who, Act.EditJobs, replacement.Subject, needsReason: false, (_, _, _) => Task.CompletedTask)
+            var signing = new SigningViewModel(Station, who, Act.EditJobs, replacement.Name, needsReason: false, (_, _, _) => Task.CompletedTask)
             {
                 TitleKey = "Setup.Replace",
                 Told = () => replacement.Told,

@@ -43,8 +43,8 @@ public sealed class NewJobTests
         here.WaitFor(1, CorrectionState.Proposed);
         SetUp(seat);
         here.Tap("setup-save").See("signing-subject");
-        Assert.Equal("Bracket takes the place of Complex mating.", here.TextOf("signing-subject"));
-        Assert.Equal("The job before is overwritten. From the next measurement on the new one is used at vmc1, slot A.", here.TextOf("signing-consequence"));
+        Assert.Equal("Bracket", here.TextOf("signing-subject"));
+        Assert.Equal("The job before is overwritten. Bracket takes the place of Complex mating: from the next measurement on it is used at vmc1, slot A.", here.TextOf("signing-consequence"));
         Assert.Equal([new Fact("Corrections of the job before that still wait: 1. They stay as they are; approve or reject each in On-line compensation.", Severity.Attention)], here.Shell.Signing!.Facts);
 
         // Saving a job takes no password, and neither does this.
