@@ -12,7 +12,11 @@ public sealed class NextStepTests
 
     private static readonly Correction Part = new(1, CorrectionState.Approved, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1)
     {
-        Job = "complex-mating", Piece = "part", Machine = "vmc1", Slot = "A", ProgramSha256 = new string('1', 64),
+        Job = "complex-mating",
+        Piece = "part",
+        Machine = "vmc1",
+        Slot = "A",
+        ProgramSha256 = new string('1', 64),
     };
 
     private static readonly Correction Surface = Part with { Job = "surface-one", Piece = "surface", Machine = "mill" };
