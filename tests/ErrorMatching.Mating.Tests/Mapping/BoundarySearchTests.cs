@@ -109,6 +109,10 @@ public sealed class BoundarySearchTests
         Says(Refused(Programs.CompensatedLeft, 6, new(5, 0), new(45, 0.7)), "boundary-not-found", "N50", 7, "2", "A, N50: of all cuts this is the nearest, and the point 2 lies 0.700 mm from the path; expected it on the path, since cutter compensation is active (within 0.5 mm). Check the frame, the tool diameter and the points, or name the blocks yourself.");
         Says(Refused(Programs.ToolBelow, 6, new(5, 0), new(45, -6)), "sides-differ", "N50", 7, "2", "A, N50: the points 1 and 2 lie on different sides of the path, so the material cannot be told. Check the frame and the points, or name the blocks yourself.");
 
+        // Of two cuts, 3.2 and 3 mm away from the points, the first comes nearer to the radius of a tool of 10 mm.
+        var roughed = Depths.Replace("N40 G1 X0. Y3.", "N40 G1 X0. Y3.2", StringComparison.Ordinal);
+        Says(Refused(roughed, 10, new(5, 0), new(45, 0)), "boundary-not-found", "N50", 5, "1", "A, N50: of all cuts this is the nearest, and the point 1 lies 3.200 mm from the path; expected 5 mm, one tool radius (within 0.5 mm). Check the frame, the tool diameter and the points, or name the blocks yourself.");
+
         // Lap by lap; there and back again; and points that are named crosswise.
         Says(Refused(Laps, 6, new(5, 0), new(45, 0)), "boundary-cut-twice", "N30", 3, "1", "A, N30: this cut passes the point 1 twice without a break, so it cannot be told which of its blocks are meant. Check the point, or name the blocks yourself.");
         Says(Refused("N10 G21 G90 G17\nN20 G0 X0. Y3.\nN30 G1 X50. F300\nN40 X0.\nN50 M30\n", 6, new(5, 0), new(45, 0)), "boundary-not-found", "N30", 3, "1", "A, N30: this cut does not lead past the points one behind the other, as they are named. Check the points and their order, or name the blocks yourself.");
