@@ -5,7 +5,6 @@ using Avalonia.Diagnostics;
 using Avalonia.LogicalTree;
 using Avalonia.Threading;
 using Avalonia.VisualTree;
-using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
 

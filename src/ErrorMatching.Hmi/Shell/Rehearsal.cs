@@ -98,7 +98,7 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         await StepAsync(stage.UpdateLayout, end);
     }
 
-    private async Task UnfoldAsync(Unfolding unfolding, CancellationToken end)
+    private static async Task UnfoldAsync(Unfolding unfolding, CancellationToken end)
     {
         while (unfolding.Coming is { } part)
         {
