@@ -44,7 +44,7 @@ public sealed class UnfoldingTests
     public Task A_key_is_taken_before_all_of_a_screen_is_there(string screen) => Seat.AtAsync(seat =>
     {
         seat.SignIn(DemoCell.Setter);
-        var host = seat.Window.GetVisualDescendants().OfType<ScreenHost>().Single();
+        var host = seat.Window.GetVisualDescendants().OfType<ScreenHost>().First();
         var grown = new List<int>();
         host.LayoutUpdated += (_, _) => grown.Add(Seen());
         int? atKey = null;

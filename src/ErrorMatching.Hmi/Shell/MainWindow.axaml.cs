@@ -23,7 +23,14 @@ public sealed partial class MainWindow : Window
     public MainWindow()
     {
         InitializeComponent();
-        _tidying = new(Quiet, DispatcherPriority.ApplicationIdle, (_, _) => Tidy());
+        _tidying = new(
+            Quiet,
+            DispatcherPriority.ApplicationIdle,
+            (_, _) =>
+            {
+                _tidying!.Stop();
+                Tidy();
+            });
         _tidying.Stop();
         _focus = new(this);
         _ = new TwiceKeeper(this);
@@ -37,6 +44,9 @@ public sealed partial class MainWindow : Window
 
     /// <summary>True if whoever sits here pressed a key last, and no pointer or finger.</summary>
     internal bool IsByKeyboard { get; private set; }
+
+    /// <summary>Collects memory once a screen is there and nobody waits: else it is in the middle of opening the next one, where it takes as long as half of that.</summary>
+    internal static void Tidy() => GC.Collect(1, GCCollectionMode.Forced, blocking: true);
 
     /// <summary>Opens all screens of its shell once behind everything, so that the first opening of each is as quick as the next.</summary>
     /// <param name="end">Ends it where it is.</param>
@@ -95,12 +105,6 @@ public sealed partial class MainWindow : Window
         }
     }
 
-    // Memory is collected once a screen is there and nobody waits, or it is in the middle of opening the next one, where it takes as long as half of that.
-    private void Tidy()
-    {
-        _tidying.Stop();
-        GC.Collect(1, GCCollectionMode.Forced, blocking: true);
-    }
 
     private void Touch(bool isByKeyboard)
     {

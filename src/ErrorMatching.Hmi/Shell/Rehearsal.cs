@@ -72,6 +72,7 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
     {
         Control? made = null;
         await StepAsync(stage.Children.Clear, end);
+        await StepAsync(MainWindow.Tidy, end);
         await StepAsync(() => made = make(), end);
         await StepAsync(() => stage.Children.Add(made!), end);
         await StepAsync(stage.UpdateLayout, end);

@@ -1,13 +1,14 @@
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Threading;
+using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Shows a screen, which comes part by part: keys and taps go before what is left of it.</summary>
+/// <summary>Shows a screen, or what is looked at on one, which comes part by part: keys and taps go before what is left of it.</summary>
 public sealed class ScreenHost : Decorator
 {
-    /// <summary>The screen's view model; null for none.</summary>
+    /// <summary>Its view model; null for none.</summary>
     public static readonly StyledProperty<object?> ScreenProperty = AvaloniaProperty.Register<ScreenHost, object?>(nameof(Screen));
 
     // A part with fewer controls than that is laid out in less time than the others take to be laid out once more around it.
@@ -15,34 +16,59 @@ public sealed class ScreenHost : Decorator
 
     private static readonly Views Views = new();
     private Unfolding? _unfolding;
+    private bool _isAwaited;
 
-    /// <summary>The screen's view model; null for none.</summary>
+    /// <summary>Its view model; null for none.</summary>
     public object? Screen
     {
         get => GetValue(ScreenProperty);
         set => SetValue(ScreenProperty, value);
     }
 
+    /// <summary>Makes what nobody could see before: a host within a part waits until that comes.</summary>
+    public override void ApplyTemplate()
+    {
+        base.ApplyTemplate();
+        if (_isAwaited)
+        {
+            Show();
+        }
+    }
+
     /// <inheritdoc/>
     protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
     {
         base.OnPropertyChanged(change);
-        if (change?.Property == ScreenProperty)
+        if (change?.Property != ScreenProperty)
         {
-            Show(change.NewValue);
+            return;
+        }
+
+        // What is seen is replaced at once: nobody acts on what is gone.
+        if (Child is not null || (VisualRoot is not null && IsEffectivelyVisible))
+        {
+            Show();
+        }
+        else
+        {
+            _isAwaited = true;
+            InvalidateMeasure();
         }
     }
 
-    private void Show(object? screen)
+    private void Show()
     {
-        var view = Views.Build(screen, Child);
-        view?.DataContext = screen;
+        _isAwaited = false;
+        var view = Views.Build(Screen, Child);
+        view?.DataContext = Screen;
         if (view == Child)
         {
             return;
         }
 
-        _unfolding = view is null ? null : new(view, Least);
+
+        // What is done for the first time takes longer.
+        _unfolding = view is null ? null : new(view, this.FindAncestorOfType<Stage>() is null ? Least : 0);
         Child = view;
         Unfold(_unfolding);
     }
