@@ -2,7 +2,6 @@ using Avalonia;
 using Avalonia.Automation;
 using Avalonia.Controls;
 using Avalonia.Input;
-using Avalonia.Threading;
 using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
@@ -23,16 +22,17 @@ internal static class SetupKeys
         e.Handled = true;
     }
 
-    /// <summary>Brings a field into view and puts the focus there, once all of the screen is laid out.</summary>
-    public static void Focus(Visual screen, string id) => Dispatcher.UIThread.Post(
-        () =>
+    /// <summary>Brings a field into view and puts the focus there.</summary>
+    /// <returns>False if it is not seen, or not yet.</returns>
+    public static bool Focus(Visual screen, string id)
+    {
+        if (screen.GetVisualDescendants().OfType<InputElement>().FirstOrDefault(c => AutomationProperties.GetAutomationId(c) == id && c.IsEffectivelyVisible) is not Control field)
         {
-            if (screen.GetVisualDescendants().OfType<InputElement>().FirstOrDefault(c => AutomationProperties.GetAutomationId(c) == id && c.IsEffectivelyVisible) is Control field)
-            {
-                // With what is wrong with it, which stands under it in the same view.
-                (field.GetVisualParent() is Control { } whole && whole.Bounds.Height < screen.Bounds.Height / 2 ? whole : field).BringIntoView();
-                field.Focus();
-            }
-        },
-        DispatcherPriority.ContextIdle);
+            return false;
+        }
+
+        // With what is wrong with it, which stands under it in the same view.
+        (field.GetVisualParent() is Control { } whole && whole.Bounds.Height < screen.Bounds.Height / 2 ? whole : field).BringIntoView();
+        return field.Focus();
+    }
 }

@@ -2,6 +2,7 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Interactivity;
+using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
@@ -10,6 +11,10 @@ public abstract class SetupView : UserControl
 {
     private SetupViewModel? _setup;
     private TopLevel? _window;
+    private string? _wanted;
+
+    /// <summary>A view without a screen to set up yet.</summary>
+    protected SetupView() => LayoutUpdated += (_, _) => Look();
 
     /// <inheritdoc/>
     protected override void OnDataContextChanged(EventArgs e)
@@ -30,12 +35,42 @@ public abstract class SetupView : UserControl
     protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
     {
         _window?.RemoveHandler(KeyDownEvent, OnKey);
+        _wanted = null;
         Follow(null);
         base.OnDetachedFromVisualTree(e);
     }
 
-    /// <summary>Brings a field into view and puts the focus there.</summary>
-    protected virtual void GoTo(string id) => SetupKeys.Focus(this, id);
+    /// <summary>Makes what scrolls show the row of a field, if it has it already.</summary>
+    protected virtual void ShowRow(string id)
+    {
+    }
+
+    // The field may be on a side that was only just opened, and that comes part by part.
+    private void GoTo(string id)
+    {
+        _wanted = id;
+        Look();
+    }
+
+    private void Look()
+    {
+        if (_wanted is not null)
+        {
+            Dispatcher.UIThread.Post(GoToWanted, DispatcherPriority.ContextIdle);
+        }
+    }
+
+    private void GoToWanted()
+    {
+        if (_wanted is { } id)
+        {
+            ShowRow(id);
+            if (SetupKeys.Focus(this, id))
+            {
+                _wanted = null;
+            }
+        }
+    }
 
     private void Follow(SetupViewModel? setup)
     {

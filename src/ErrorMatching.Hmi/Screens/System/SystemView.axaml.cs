@@ -1,7 +1,6 @@
 using Avalonia.Controls;
 using Avalonia.Input.Platform;
 using Avalonia.Interactivity;
-using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
@@ -16,15 +15,12 @@ public sealed partial class SystemView : SetupView
     }
 
     /// <inheritdoc/>
-    protected override void GoTo(string id)
+    protected override void ShowRow(string id)
     {
-        if (DataContext is SystemViewModel system && system.RowOf(id) is >= 0 and var row)
+        if (DataContext is SystemViewModel system && system.RowOf(id) is >= 0 and var row && row < PointList.ItemCount)
         {
-            // The side with the list may only just have been opened, and its rows come later.
-            Dispatcher.UIThread.Post(() => PointList.ScrollIntoView(row), DispatcherPriority.ContextIdle);
+            PointList.ScrollIntoView(row);
         }
-
-        base.GoTo(id);
     }
 
     private void OnPaste(object? sender, RoutedEventArgs e) => _ = PasteAsync(null).Watched();
