@@ -131,7 +131,8 @@ public sealed class CompensationTests
         Assert.False(seat.See("signing-confirm").IsEffectivelyEnabled);
         seat.Type("signing-password", "not the password").Tap("signing-confirm");
         seat.WaitFor(() => seat.Find("signing-message") is not null, "A wrong password is not said.");
-        Assert.Equal("This is not the password of anna.", seat.TextOf("signing-message"));
+        seat.WaitFor(() => seat.Find("signing-password") is { IsFocused: true }, "Whoever types it again types into nothing.");
+        Assert.Equal("This is not the password of anna. Type it again.", seat.TextOf("signing-message"));
         Assert.Equal(CorrectionState.Proposed, seat.Station.Store.Find(1)!.State);
         seat.Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         var sent = seat.WaitFor(1, CorrectionState.Verified);

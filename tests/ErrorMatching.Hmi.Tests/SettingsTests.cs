@@ -56,7 +56,7 @@ public sealed class SettingsTests
     public Task A_wrong_password_changes_nobody() => At(DemoCell.Administrator, seat =>
     {
         seat.Tap("user-row-otto").Tap("users-disable").Type("signing-password", "not the password").Tap("signing-confirm");
-        Assert.Equal("This is not the password of ada.", seat.TextOf("signing-message"));
+        Assert.Equal("This is not the password of ada. Type it again.", seat.TextOf("signing-message"));
         seat.Tap("signing-leave");
         Assert.False(Of(seat, DemoCell.Operator).IsDisabled);
     });

@@ -1,6 +1,8 @@
+using System.ComponentModel;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Interactivity;
+using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
@@ -21,6 +23,31 @@ public sealed partial class SigningView : UserControl
         else
         {
             PasswordBox.Focus();
+        }
+
+        if (DataContext is SigningViewModel signing)
+        {
+            signing.PropertyChanged += OnSigning;
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnUnloaded(RoutedEventArgs e)
+    {
+        if (DataContext is SigningViewModel signing)
+        {
+            signing.PropertyChanged -= OnSigning;
+        }
+
+        base.OnUnloaded(e);
+    }
+
+    // The password is gone when something did not work, and is what comes next whichever button was tapped.
+    private void OnSigning(object? sender, PropertyChangedEventArgs e)
+    {
+        if (e.PropertyName is nameof(SigningViewModel.Message) && sender is SigningViewModel { Message: not null, NeedsPassword: true })
+        {
+            Dispatcher.UIThread.Post(() => PasswordBox.Focus(), DispatcherPriority.Background);
         }
     }
 
