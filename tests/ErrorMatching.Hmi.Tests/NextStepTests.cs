@@ -28,7 +28,7 @@ public sealed class NextStepTests
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.SignIn(DemoCell.Setter).Tap("nav-verification").See("piece-to-do");
-        Assert.Equal("Read the warnings of the correction before it is cut: 2, 4 will stay outside. Next: approve or reject it in On-line compensation.", seat.TextOf("piece-to-do"));
+        seat.WaitFor(() => seat.TextOf("piece-to-do") == "Read the warnings of the correction before it is cut: 2, 4 will stay outside. Next: approve or reject it in On-line compensation.", "What to do is not said.");
         seat.Tap("nav-compensation").See("points");
 
         // What is to be decided here the buttons say.
@@ -37,7 +37,7 @@ public sealed class NextStepTests
         seat.WaitFor(() => seat.Find("compensation-next") is not null && seat.TextOf("compensation-next") == Cut, "It is not said what comes next.");
         BothLanguages.Take(seat, "compensation-next");
         seat.Tap("nav-verification").See("piece-to-do");
-        Assert.Equal("Read the warnings of the correction before it is cut: 2, 4 will stay outside. " + Cut, seat.TextOf("piece-to-do"));
+        seat.WaitFor(() => seat.TextOf("piece-to-do") == "Read the warnings of the correction before it is cut: 2, 4 will stay outside. " + Cut, "What to do is not said.");
 
         // It follows by itself, and nothing is read before a cut that was made.
         seat.Cell.FinishPiece();

@@ -85,7 +85,11 @@ public sealed class VerificationTests
         // Both lie beside corners, and within 0.05 mm as designed: -0.024 and +0.006.
         Assert.Equal("2 points outside their limits: 2, 4. Without compensation within them: 2, 4.", seat.TextOf("piece-verdict"));
         Assert.StartsWith("Expected to be better by ", seat.TextOf("piece-summary"), StringComparison.Ordinal);
-        Assert.StartsWith("Read the warnings of the correction before it is cut: 2, 4 will stay outside. Next: ", seat.TextOf("piece-to-do"), StringComparison.Ordinal);
+
+        // It is shown as soon as it is computed, and put forward a moment later.
+        seat.WaitFor(
+            () => seat.TextOf("piece-to-do")?.StartsWith("Read the warnings of the correction before it is cut: 2, 4 will stay outside. Next: ", StringComparison.Ordinal) is true,
+            "What to do is not said.");
         Assert.Null(seat.Find("piece-missed"));
 
         // A tap leads to those warnings, and they are what is seen.

@@ -183,11 +183,14 @@ public sealed class MatingDraftCheckTests
         var draft = MatingDraftFiles.Open(File);
         var check = MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { Measured = "nope.csv" } }, File);
         Assert.Empty(check.Problems);
-        Assert.Equal(("$.counterpart.measured", "measured-not-there", "nope.csv"), Assert.Single(check.Doubts) is var d ? (d.Field, d.Code, d.Found) : default);
+        Assert.Equal([("$.counterpart.measured", "nope.csv")], Told(check));
 
         // Without the key nothing is looked for; in feedback the gauge gives it.
-        Assert.Empty(MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { Measured = "" } }, File).Doubts);
-        Assert.Empty(MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { Measured = "nope.csv" }, Compensation = draft.Compensation with { From = "counterpart" } }, File).Doubts);
+        Assert.Empty(Told(MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { Measured = "" } }, File)));
+        Assert.Empty(Told(MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { Measured = "nope.csv" }, Compensation = draft.Compensation with { From = "counterpart" } }, File)));
+
+        // The sample's points on corners are another matter.
+        static IEnumerable<(string, string?)> Told(DraftCheck check) => check.Doubts.Where(d => d.Code == "measured-not-there").Select(d => (d.Field, (string?)d.Found));
     }
 
     [Fact]

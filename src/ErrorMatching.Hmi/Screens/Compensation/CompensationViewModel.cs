@@ -280,9 +280,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _chosen = Rows.FirstOrDefault(r => r.Id == id);
         Say(nameof(Chosen));
         SayDecisions();
-
-        // Not where the screen is only made ready beside another one.
-        _shell.Looked.Shown = _shell.Current == this ? _byItself : _shell.Looked.Shown;
+        Keep();
         if (id is { } shown)
         {
             Loading = LoadAsync(shown).Watched();
@@ -329,7 +327,11 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 
         _isExpected = false;
         SayDecisions();
+        Keep();
     }
+
+    // Not where the screen is only made ready beside another one, as it is before it is opened.
+    private void Keep() => _shell.Looked.Shown = _shell.Current == this ? _byItself : _shell.Looked.Shown;
 
     private void SayDecisions()
     {
