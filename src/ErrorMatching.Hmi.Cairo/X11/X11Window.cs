@@ -11,6 +11,8 @@ internal sealed unsafe class X11Window : PlatformWindow
 {
     private readonly int _screen;
     private nint _window;
+    private bool _isShown;
+    private PixelSize _normal;
 
     /// <summary>Makes a window that is not shown yet.</summary>
     /// <exception cref="PlatformNotSupportedException">There is no X server.</exception>
@@ -19,7 +21,7 @@ internal sealed unsafe class X11Window : PlatformWindow
     {
         X11Connection.Open();
         _screen = Xlib.XDefaultScreen(X11Connection.Display);
-        var size = PixelSize.FromSize(ClientSize, RenderScaling);
+        var size = Pixels;
         _window = Xlib.XCreateSimpleWindow(X11Connection.Display, Xlib.XRootWindow(X11Connection.Display, _screen), 0, 0, (uint)size.Width, (uint)size.Height, 0, 0, 0);
         _ = Xlib.XSelectInput(X11Connection.Display, _window, Xlib.EventMask);
         var protocol = X11Connection.DeleteWindow;
@@ -35,8 +37,9 @@ internal sealed unsafe class X11Window : PlatformWindow
         {
             if (base.WindowState != value)
             {
+                _normal = base.WindowState is WindowState.Normal ? Pixels : _normal;
                 base.WindowState = value;
-                X11WindowState.Ask(_window, _screen, value, ScreenSize, PixelSize.FromSize(ClientSize, RenderScaling));
+                X11WindowState.Ask(_window, _screen, value, ScreenSize, _normal);
                 WindowStateChanged?.Invoke(value);
             }
         }
@@ -45,9 +48,12 @@ internal sealed unsafe class X11Window : PlatformWindow
     /// <inheritdoc/>
     protected override PixelSize ScreenSize => new(Xlib.XDisplayWidth(X11Connection.Display, _screen), Xlib.XDisplayHeight(X11Connection.Display, _screen));
 
+    private PixelSize Pixels => PixelSize.FromSize(ClientSize, RenderScaling);
+
     /// <inheritdoc/>
     public override void Show(bool activate, bool isDialog)
     {
+        _isShown = true;
         _ = Xlib.XMapRaised(X11Connection.Display, _window);
         _ = Xlib.XFlush(X11Connection.Display);
         base.Show(activate, isDialog);
@@ -75,8 +81,18 @@ internal sealed unsafe class X11Window : PlatformWindow
     public override void Resize(Size clientSize, WindowResizeReason reason = WindowResizeReason.Application)
     {
         var size = PixelSize.FromSize(clientSize, RenderScaling);
+        if (size == Pixels || WindowState is WindowState.Maximized or WindowState.FullScreen)
+        {
+            return;
+        }
+
         _ = Xlib.XResizeWindow(X11Connection.Display, _window, (uint)Math.Max(1, size.Width), (uint)Math.Max(1, size.Height));
-        base.Resize(clientSize, reason);
+
+        // Once it is on the screen the server says what became of it: two sizes, one asked for and one told, would go on asking for each other.
+        if (!_isShown)
+        {
+            base.Resize(clientSize, reason);
+        }
     }
 
     /// <inheritdoc/>
