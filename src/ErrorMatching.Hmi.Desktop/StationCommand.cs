@@ -6,6 +6,7 @@ using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
 using ErrorMatching.Cell;
 using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 
 namespace ErrorMatching.Hmi.Desktop;
@@ -13,7 +14,9 @@ namespace ErrorMatching.Hmi.Desktop;
 /// <summary>The station's command line: the cell to sit at, or the demonstration.</summary>
 internal static class StationCommand
 {
-    private const int Usage = 2, Outside = 3, Least = 100, Most = 200;
+    // As the console's: the command line or the configuration is wrong, or something outside failed, as a store or a screen.
+    private const int WrongInput = 1, Outside = 3;
+    private const int Least = 100, Most = 200;
 
     /// <summary>The command.</summary>
     public static RootCommand Make()
@@ -45,7 +48,7 @@ internal static class StationCommand
         if (isDemo == config is not null)
         {
             Console.Error.WriteLine("Name the cell's configuration, or --demo.");
-            return Usage;
+            return WrongInput;
         }
 
         try
@@ -65,7 +68,12 @@ internal static class StationCommand
                 demonstration?.GetAwaiter().GetResult().Dispose();
             }
         }
-        catch (Exception e) when (e is PlatformNotSupportedException or JsonDocumentException or StoreException or PeopleException or IOException or UnauthorizedAccessException)
+        catch (Exception e) when (e is InputException or JsonDocumentException)
+        {
+            Console.Error.WriteLine(e.Message);
+            return WrongInput;
+        }
+        catch (Exception e) when (e is PlatformNotSupportedException or StoreException or PeopleException or IOException or UnauthorizedAccessException)
         {
             Console.Error.WriteLine(e.Message);
             return Outside;
