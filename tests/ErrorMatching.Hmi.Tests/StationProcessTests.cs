@@ -1,0 +1,90 @@
+using System.Diagnostics;
+using System.Text.RegularExpressions;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>The built station as a process: its command line, and its window on an X server.</summary>
+public sealed partial class StationProcessTests
+{
+    private static readonly TimeSpan Patience = TimeSpan.FromMinutes(2);
+
+    [Theory]
+    [InlineData("", 1, "Name the cell's configuration, or --demo.")]
+    [InlineData("cell.json --demo", 1, "Name the cell's configuration, or --demo.")]
+    [InlineData("--demo --scale 99", 1, "--scale is out of range; expected 100 to 200.")]
+    [InlineData("--demo --scale 201", 1, "--scale is out of range; expected 100 to 200.")]
+    [InlineData("nowhere.json", 1, "nowhere.json cannot be opened: ")]
+    [InlineData("/dev/null", 1, "/dev/null:1:1 ")]
+    [InlineData("--demo", 3, "No X server answers: DISPLAY is not set, or names one that is not there. The operator station needs a screen.")]
+    public async Task What_it_cannot_do_is_said_in_a_line_and_by_its_exit_code(string arguments, int exit, string said)
+    {
+        Drawing.Needed();
+        using var folder = new TemporaryFolder();
+        using var station = Start(folder.Path, "", arguments);
+        var error = await station.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
+        await station.WaitForExitAsync(TestContext.Current.CancellationToken);
+        Assert.Contains(said, error, StringComparison.Ordinal);
+        Assert.DoesNotContain("   at ", error, StringComparison.Ordinal);
+        Assert.Equal(exit, station.ExitCode);
+        Assert.Empty(Directory.EnumerateFileSystemEntries(folder.Path));
+    }
+
+    // The screen has 640 by 480 pixels, the window as many as it has units at 100 %: 1280 by 800.
+    [Theory]
+    [InlineData("--demo", 1280, 800)]
+    [InlineData("--demo --scale 150", 1920, 1200)]
+    [InlineData("--demo --full-screen", 640, 480)]
+    public async Task Its_window_has_the_size_that_was_asked_for_and_ends_in_order(string arguments, int width, int height)
+    {
+        Drawing.Needed();
+        var display = XServer.Needed("xdotool");
+        using var folder = new TemporaryFolder();
+        using var station = Start(folder.Path, display, arguments);
+        try
+        {
+            Assert.Equal($"{width}x{height}", await SizeAsync(display));
+            Assert.Single(Directory.EnumerateDirectories(folder.Path));
+
+            // As whoever runs it as a service stops it; the demonstration takes its folder away.
+            using var end = Process.Start("kill", ["-TERM", $"{station.Id}"]);
+            await station.WaitForExitAsync(TestContext.Current.CancellationToken);
+            Assert.Equal(0, station.ExitCode);
+            Assert.Empty(Directory.EnumerateFileSystemEntries(folder.Path));
+        }
+        finally
+        {
+            station.Kill();
+        }
+    }
+
+    // Pixels of the window, as another program sees it.
+    private static async Task<string> SizeAsync(string display)
+    {
+        using var look = Process.Start(new ProcessStartInfo("timeout", [$"{Patience.TotalSeconds}", "xdotool", "search", "--sync", "--name", "Sample cell", "getwindowgeometry"])
+        {
+            RedirectStandardOutput = true,
+            UseShellExecute = false,
+            Environment = { ["DISPLAY"] = display },
+        })!;
+        return Geometry().Match(await look.StandardOutput.ReadToEndAsync(TestContext.Current.CancellationToken)).Groups["size"].Value;
+    }
+
+    private static Process Start(string folder, string display, string arguments)
+    {
+        // Tests and station are built side by side: .../bin/<project>/<configuration>/
+        var configuration = new DirectoryInfo(AppContext.BaseDirectory.TrimEnd(Path.DirectorySeparatorChar));
+        var executable = Path.Combine(configuration.Parent!.Parent!.FullName, "ErrorMatching.Hmi.Desktop", configuration.Name, "errormatch-station");
+        return Process.Start(new ProcessStartInfo(executable, arguments)
+        {
+            WorkingDirectory = folder,
+            RedirectStandardError = true,
+            RedirectStandardOutput = true,
+            UseShellExecute = false,
+            Environment = { ["DISPLAY"] = display, ["TMPDIR"] = folder },
+        })!;
+    }
+
+    [GeneratedRegex(@"Geometry: (?<size>\d+x\d+)", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
+    private static partial Regex Geometry();
+}
