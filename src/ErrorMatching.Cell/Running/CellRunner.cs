@@ -75,7 +75,7 @@ public sealed class CellRunner
         var originals = new OriginalPrograms(_settings);
         foreach (var (gauge, source) in sources.All)
         {
-            yield return new Worker(flow, $"gauge {gauge}", new(), source.WorkAsync).RunAsync;
+            yield return new Worker(flow, CellTrouble.OfGauge(gauge), new(), source.WorkAsync).RunAsync;
         }
 
         yield return new Worker(flow, "recognition", flow.Archived, new RecognizeWorker(flow).WorkAsync).RunAsync;
@@ -92,7 +92,7 @@ public sealed class CellRunner
             var listing = new MachineListing(folder, _clock, Pace.Ready);
             foreach (var slot in machine.Slots)
             {
-                yield return new Worker(flow, $"slot {machine.Name}/{slot.Name}", flow.OfSlot(machine.Name, slot.Name), new SlotWorker(flow, machine, slot, folder, listing, originals).WorkAsync).RunAsync;
+                yield return new Worker(flow, CellTrouble.OfSlot(machine.Name, slot.Name), flow.OfSlot(machine.Name, slot.Name), new SlotWorker(flow, machine, slot, folder, listing, originals).WorkAsync).RunAsync;
             }
         }
 
