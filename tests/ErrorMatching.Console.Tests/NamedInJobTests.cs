@@ -79,7 +79,7 @@ public sealed class NamedInJobTests
         // The job can be used: exit 0. Its line 20 begins with four blanks and "measured": .
         var warning = Assert.Single(Shell.Json(0, "errormatch/job-check/1", "job", "check", gone).GetProperty("warnings").EnumerateArray());
         Assert.Equal(("measured-not-there", gone, 20, 17, "$.counterpart.measured"), (warning.Text("code"), warning.Text("file"), warning.GetProperty("line").GetInt32(), warning.GetProperty("column").GetInt32(), warning.Text("path")));
-        Assert.StartsWith($"{gone}, line 20, column 17, $.counterpart.measured: found \"nope.csv\", which is not there; expected the measured counterpart", warning.Text("message"), StringComparison.Ordinal);
+        Assert.StartsWith($"{gone}, line 20, column 17, $.counterpart.measured: The measured counterpart \"nope.csv\" is not there; expected the file", warning.Text("message"), StringComparison.Ordinal);
         Assert.EndsWith($"\nWarning: {warning.Text("message")}\n", Shell.Run("job", "check", gone).Output, StringComparison.Ordinal);
     }
 

@@ -25,6 +25,6 @@ public static class MissingMeasured
     /// <summary>The warning with the place in the job's file; null as of <see cref="Of"/>.</summary>
     /// <param name="job">The job.</param>
     public static ErrorItem? ItemOf(MatingJob job) => Of(job) is { } warning && job.MeasuredPlace is { } place
-        ? ErrorItems.At(new(job.File, Path, place), warning.Code, warning.Message[$"{Path}: ".Length..])
+        ? ErrorItems.At(new(job.File, Path, place), warning.Code, warning.Message)
         : null;
 }

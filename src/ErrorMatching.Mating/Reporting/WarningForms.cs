@@ -20,7 +20,7 @@ public static class WarningForms
 
     /// <summary>The file of the measured counterpart as the job names it.</summary>
     public static SentenceForm MeasuredNotThere { get; } = new(
-        "measured-not-there", "$.counterpart.measured: found \"{0}\", which is not there; expected the measured counterpart that was cut without compensation, or no such key: as it is, no counterpart can be compared in a cell.");
+        "measured-not-there", "The measured counterpart \"{0}\" is not there; expected the file of the one that was cut without compensation, or no key counterpart.measured: as it is, no counterpart can be compared in a cell.");
 
     /// <summary>All of them.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } = [SparsePoints, FoldedCurve, PointOnCorner, Aligned, MeasuredNotThere];

@@ -54,7 +54,7 @@ public sealed class MatingRunTests
     [Fact]
     public void A_measured_counterpart_that_is_not_there_is_warned_of_and_feedback_says_where_the_job_names_it()
     {
-        const string Warning = "$.counterpart.measured: found \"nope.csv\", which is not there; expected the measured counterpart that was cut without compensation, or no such key: as it is, no counterpart can be compared in a cell.";
+        const string Warning = "The measured counterpart \"nope.csv\" is not there; expected the file of the one that was cut without compensation, or no key counterpart.measured: as it is, no counterpart can be compared in a cell.";
         using var folder = new TemporaryFolder();
         foreach (var file in new[] { "theoretical.csv", "part.csv", "counterpart.nc", "counterpart.csv" })
         {
