@@ -36,7 +36,8 @@ public sealed class LockTests
         seat.See("waiting-2");
         foreach (var id in new[] { "waiting-1", "waiting-2", "slot-vmc1/A", "login-user-ada" })
         {
-            seat.User.Click(seat.See(id)).Tap(seat.See(id));
+            // By their places: what is shown may be made anew between the two.
+            seat.User.Click(seat.Window, Middle(seat, id)).Tap(seat.Window, Middle(seat, id));
         }
 
         // Every stop of the keyboard is pressed; language and theme are everybody's.

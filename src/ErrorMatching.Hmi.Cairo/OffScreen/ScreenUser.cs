@@ -86,6 +86,17 @@ public sealed class ScreenUser(Window window)
     /// <summary>Touches the middle of a control with a finger, and takes it away.</summary>
     public ScreenUser Tap(Visual target) => Tap(target, () => { });
 
+    /// <summary>Touches a place in a control with a finger, from its left upper corner, and takes it away.</summary>
+    public ScreenUser Tap(Visual target, Point place)
+    {
+        Settle();
+        var at = InWindow(target, place);
+        Platform.Touch(RawPointerEventType.TouchBegin, at);
+        Settle();
+        Platform.Touch(RawPointerEventType.TouchEnd, at);
+        return Settle();
+    }
+
     /// <summary>Touches the middle of a control with a finger, lets something happen, and takes the finger away.</summary>
     public ScreenUser Tap(Visual target, Action meanwhile)
     {
