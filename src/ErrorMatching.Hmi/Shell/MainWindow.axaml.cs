@@ -23,14 +23,7 @@ public sealed partial class MainWindow : Window
     public MainWindow()
     {
         InitializeComponent();
-        _tidying = new(
-            Quiet,
-            DispatcherPriority.ApplicationIdle,
-            (_, _) =>
-            {
-                _tidying!.Stop();
-                Tidy();
-            });
+        _tidying = new(Quiet, DispatcherPriority.ApplicationIdle, (_, _) => OnQuiet());
         _tidying.Stop();
         _focus = new(this);
         _ = new TwiceKeeper(this);
@@ -105,6 +98,11 @@ public sealed partial class MainWindow : Window
         }
     }
 
+    private void OnQuiet()
+    {
+        _tidying.Stop();
+        Tidy();
+    }
 
     private void Touch(bool isByKeyboard)
     {

@@ -280,7 +280,6 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _chosen = Rows.FirstOrDefault(r => r.Id == id);
         Say(nameof(Chosen));
         SayDecisions();
-        Keep();
         if (id is { } shown)
         {
             Loading = LoadAsync(shown).Watched();
@@ -327,11 +326,13 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 
         _isExpected = false;
         SayDecisions();
-        Keep();
-    }
 
-    // Not where the screen is only made ready beside another one, as it is before it is opened.
-    private void Keep() => _shell.Looked.Shown = _shell.Current == this ? _byItself : _shell.Looked.Shown;
+        // Not where the screen is only made ready beside another one.
+        if (_shell.Current == this)
+        {
+            _shell.Looked.Shown = _byItself;
+        }
+    }
 
     private void SayDecisions()
     {
