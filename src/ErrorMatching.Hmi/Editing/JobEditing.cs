@@ -83,8 +83,11 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>How much is wrong.</summary>
     public int WrongCount => Problems.Count - MissingCount;
 
-    /// <summary>Both in words, as far as there is any.</summary>
-    public string CountText => CountOf(WrongCount, MissingCount);
+    /// <summary>How much is to be corrected and to be filled in on which screen, in words, as far as there is any.</summary>
+    public string CountText => string.Join(", ", Problems
+        .GroupBy(p => (p.IsMissing, ProblemPlace.Of(Draft, p.Field).Screen))
+        .OrderBy(g => g.Key.IsMissing).ThenBy(g => g.Key.Screen == Screens.Points ? 0 : 1)
+        .Select(g => Texts.Current.With(g.Key.IsMissing ? "Setup.MissingAt" : "Setup.WrongAt", g.Count(), Texts.Current["Screen." + g.Key.Screen])));
 
     /// <summary>What is wrong with what was typed last, where the draft has no place for it: a count that is no number. It goes with the next change.</summary>
     public DraftProblem? Typed

@@ -10,7 +10,7 @@ namespace ErrorMatching.Hmi;
 public sealed record JobReplacement(CellJobSettings Place, string Name, string Before, int Undecided)
 {
     /// <summary>Whose place it takes, from when on and where, in words.</summary>
-    public string Told => Texts.Current.With("Setup.Replace.Told", Name, Before.Length > 0 ? Before : Place.Name, Place.Machine, Place.Slot);
+    public string Told => Texts.Current.With(Name == Before ? "Setup.Replace.ToldSame" : "Setup.Replace.Told", Name, Before.Length > 0 ? Before : Place.Name, Place.Machine, Place.Slot);
 
     /// <summary>What becomes of the corrections that still wait; none where none does.</summary>
     public IReadOnlyList<Fact> Facts => Undecided == 0 ? [] : [new(Texts.Current.With("Setup.Replace.Waiting", Undecided), Severity.Attention)];

@@ -15,7 +15,7 @@ public abstract class SetupViewModel : ScreenViewModel
     {
         _shell = shell;
         Editing = shell.Editing;
-        TellProblems = new(Editing.Tell, () => Editing.Problems.Count > 0);
+        TellProblems = new(Editing.Tell, () => IsIncomplete);
         LookAtWaiting = new(() =>
         {
             if (Editing.FirstWaiting is { } first)
@@ -57,26 +57,34 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>To the other one of both screens: they are two steps of one thing.</summary>
     public Command Step { get; }
 
-    /// <summary>Which one that is, in words.</summary>
-    public string StepText => Texts.Current[Key == Screens.Points ? "Setup.Next" : "Setup.Back"];
+    /// <summary>Which one that is, in words, and how much is still to be filled in there.</summary>
+    public string StepText => MissingThere > 0 ? $"{StepName} · {Shown.Count(MissingThere)}" : StepName;
 
-    /// <summary>How much is wrong and how much is still to be filled in, in words.</summary>
-    public string ProblemCount => HasProblems ? string.Join(" · ", new[] { HasWrong ? WrongText : "", HasMissing ? MissingText : "" }.Where(t => t.Length > 0)) : Texts.Current["Setup.NothingWrong"];
+    /// <summary>The same for who does not see where the number stands.</summary>
+    public string StepSaid => MissingThere > 0 ? $"{StepName} · {Texts.Current.With("Setup.Missing", MissingThere)}" : StepName;
+
+    /// <summary>True where the other screen is what is left to fill in.</summary>
+    public bool IsStepNext => MissingThere > 0 && !IsIncomplete;
+
+    /// <summary>How much is wrong, and how much is still to be filled in here, in words.</summary>
+    public string ProblemCount => IsIncomplete ? JobEditing.CountOf(Editing.WrongCount, MissingHere) : Texts.Current["Setup.NothingWrong"];
 
     /// <summary>How much is wrong, in words.</summary>
     public string WrongText => Texts.Current.With("Setup.Problems", Editing.WrongCount);
 
-    /// <summary>How much is still to be filled in on this screen, or where that is nothing, on the other one, in words: what is done here does not let the number of this screen grow by what follows from it on the other.</summary>
-    public string MissingText => Editing.Problems.Count(p => p.IsMissing && ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key) is > 0 and var here ? Texts.Current.With("Setup.Missing", here)
-        : Texts.Current.With(Key == Screens.Points ? "Setup.MissingNext" : "Setup.MissingBack", Editing.MissingCount);
+    /// <summary>How much is still to be filled in on this screen, in words: what is done here does not let the number of this screen grow by what follows from it on the other.</summary>
+    public string MissingText => Texts.Current.With("Setup.Missing", MissingHere);
 
     /// <summary>True if something is wrong.</summary>
     public bool HasWrong => Editing.WrongCount > 0;
 
-    /// <summary>True if something is still to be filled in.</summary>
-    public bool HasMissing => Editing.MissingCount > 0;
+    /// <summary>True if something is still to be filled in on this screen.</summary>
+    public bool HasMissing => MissingHere > 0;
 
-    /// <summary>True if something is wrong or still to be filled in.</summary>
+    /// <summary>True if something is wrong, or still to be filled in on this screen.</summary>
+    public bool IsIncomplete => HasWrong || HasMissing;
+
+    /// <summary>True if something is wrong or still to be filled in, wherever.</summary>
     public bool HasProblems => Editing.Problems.Count > 0;
 
     /// <summary>Whether the draft is what stands there.</summary>
@@ -112,6 +120,12 @@ public abstract class SetupViewModel : ScreenViewModel
 
     /// <summary>Key of the screen.</summary>
     protected abstract string Key { get; }
+
+    private string StepName => Texts.Current[Key == Screens.Points ? "Setup.Next" : "Setup.Back"];
+
+    private int MissingHere => Editing.Problems.Count(p => p.IsMissing && ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key);
+
+    private int MissingThere => Editing.MissingCount - MissingHere;
 
     /// <summary>Begins to follow the draft, once the fields are made.</summary>
     protected void Begin()

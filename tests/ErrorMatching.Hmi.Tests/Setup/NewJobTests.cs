@@ -44,8 +44,8 @@ public sealed class NewJobTests
         SetUp(seat);
         here.Tap("setup-save").See("signing-subject");
         Assert.Equal("Bracket", here.TextOf("signing-subject"));
-        Assert.Equal("The job before is overwritten. Bracket takes the place of Complex mating: from the next measurement on it is used at vmc1, slot A.", here.TextOf("signing-consequence"));
-        Assert.Equal([new Fact("Corrections of the job before that still wait: 1. They stay as they are; approve or reject each in On-line compensation.", Severity.Attention)], here.Shell.Signing!.Facts);
+        Assert.Equal("The old one is overwritten. From the next measurement on, vmc1, slot A uses Bracket instead of Complex mating.", here.TextOf("signing-consequence"));
+        Assert.Equal([new Fact("Corrections of the old job still wait: 1. Decide about each in On-line compensation.", Severity.Attention)], here.Shell.Signing!.Facts);
 
         // Saving a job takes no password, and neither does this.
         Assert.Null(here.Find("signing-password"));

@@ -46,7 +46,7 @@ public sealed class PointSetupTests
         // The next change puts the old value back.
         seat.Seat.Type(seat.Setup.WorkOrder.AutomationId, "WO-1");
         seat.Settle();
-        Assert.Equal(("10", "Nothing to correct"), (count.Text, seat.Setup.ProblemCount));
+        Assert.Equal(("10", "Complete"), (count.Text, seat.Setup.ProblemCount));
         seat.Seat.Type(count.AutomationId, "-3").User.Press(Key.Tab);
         seat.Seat.Tap("setup-save");
         seat.Settle();
@@ -64,7 +64,7 @@ public sealed class PointSetupTests
         seat.Seat.Tap("setup-anew");
         seat.Settle();
         var state = (TextBlock)seat.Seat.See("setup-state");
-        Assert.Equal("Not saved yet: when it is saved it takes the place of complex-mating at vmc1, slot A; until then that one runs. Remarks in its file are not taken over.", state.Text);
+        Assert.Equal("Not saved: complex-mating still runs at vmc1, slot A. Saving drops the remarks in its file.", state.Text);
         Assert.Single(state.TextLayout.TextLines);
     });
 

@@ -112,7 +112,7 @@ public sealed class SetupCountTests
             seat.Seat.Tap(text == "6" ? "setup-save" : "setup-problems");
             seat.Seat.WaitFor(() => seat.Seat.Find(id) is { IsFocused: true }, $"{id} has no focus.");
             Assert.Equal(side, seat.System.Side);
-            Assert.Equal(text == "6" ? "Not saved. Both steps: To correct: 2 · Still to fill: 1" : null, seat.Shell.Editing.Notice);
+            Assert.Equal(text == "6" ? "Not saved: 2 to correct in System set-up, 1 to fill in System set-up." : null, seat.Shell.Editing.Notice);
             seat.Seat.Type(id, text);
             seat.Settle();
         }
@@ -122,7 +122,7 @@ public sealed class SetupCountTests
         seat.Settle();
         seat.Seat.Tap("setup-save");
         seat.Seat.WaitFor(() => seat.Seat.Find("edit-name") is { IsFocused: true }, "The name has no focus.");
-        Assert.Equal("Not saved. Both steps: To correct: 1 · Still to fill: 1", seat.TextOf("setup-notice"));
+        Assert.Equal("Not saved: 1 to correct in System set-up, 1 to fill in Point set-up.", seat.TextOf("setup-notice"));
     });
 
     [Fact]
@@ -135,12 +135,17 @@ public sealed class SetupCountTests
         Assert.Equal("Still to fill: 1", seat.Settle().Setup.ProblemCount);
         seat.Seat.Type("edit-name", "Piece");
         seat.Settle();
-        Assert.Equal(("Next: 30 to fill", 30), (seat.Setup.ProblemCount, seat.Shell.Editing.MissingCount));
+        var step = (Button)seat.Seat.See("setup-step");
+        Assert.Equal(("Complete", 30), (seat.Setup.ProblemCount, seat.Shell.Editing.MissingCount));
+        Assert.Equal(("Next: coordinates, program, limits · 30", "Next: coordinates, program, limits · Still to fill: 30"), (seat.Setup.StepText, AutomationProperties.GetName(step)));
+        Assert.Contains("accent", step.Classes);
+        Assert.False(seat.Seat.See("setup-problems").IsEffectivelyEnabled);
 
         // Nine points, program and blocks of three, limits of three, tool, uncertainty: 18 + 4 + 6 + 2.
         seat.Seat.Tap("setup-step");
         seat.Settle();
-        Assert.Equal("Still to fill: 30", seat.System.ProblemCount);
+        Assert.Equal(("Still to fill: 30", "Back: features and points"), (seat.System.ProblemCount, seat.System.StepText));
+        Assert.DoesNotContain("accent", seat.Seat.See("setup-step").Classes);
     });
 
     [Fact]
@@ -157,11 +162,12 @@ public sealed class SetupCountTests
     });
 
     [Fact]
-    public Task The_count_leads_to_the_first_mistake_on_whichever_screen() => At(seat =>
+    public Task The_count_and_saving_lead_to_the_first_mistake_on_whichever_screen() => At(seat =>
     {
         seat.Shell.Editing.Change("", d => d.WithFeature(2, f => f with { Name = "" }));
         seat.Settle();
-        seat.Seat.Tap("setup-problems");
+        Assert.Equal(("Complete", "Back: features and points · 1"), (seat.System.ProblemCount, seat.System.StepText));
+        seat.Seat.Tap("setup-save");
         seat.Seat.WaitFor(() => seat.Seat.Find("edit-features[2].name") is { IsFocused: true }, "The name has no focus.");
         Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);
         seat.Seat.Type("edit-features[2].name", "C1");

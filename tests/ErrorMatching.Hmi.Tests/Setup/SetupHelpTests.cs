@@ -15,7 +15,7 @@ public sealed class SetupHelpTests
         Assert.Contains("attention", question.Classes);
         Assert.DoesNotContain("alarm", question.Classes);
         Assert.DoesNotContain("wrong", seat.Seat.See("edit-features[1].toleranceMm[1]").Classes);
-        Assert.Equal("Nothing to correct", seat.System.ProblemCount);
+        Assert.Equal("Complete", seat.System.ProblemCount);
         seat.Seat.Tap("setup-save");
         seat.Seat.WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
         Assert.StartsWith("Saved", seat.TextOf("setup-notice"), StringComparison.Ordinal);

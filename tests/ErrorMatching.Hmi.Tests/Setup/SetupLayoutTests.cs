@@ -111,7 +111,7 @@ public sealed class SetupLayoutTests
         seat.Seat.WaitFor(() => seat.Shell.Editing.Problems.Count > 9 && Places().SequenceEqual(before), "They stand elsewhere with two digits.");
         seat.Seat.Type("edit-name", "Piece");
         seat.Settle();
-        seat.Seat.WaitFor(() => seat.Setup.MissingText.Contains("30", StringComparison.Ordinal) && Places().SequenceEqual(before), "They stand elsewhere when the next step is counted.");
+        seat.Seat.WaitFor(() => seat.Setup.StepText.Contains("30", StringComparison.Ordinal) && Places().SequenceEqual(before), "They stand elsewhere when the next step is counted.");
 
         double[] Places() => [.. new[] { "setup-undo", "setup-redo", "setup-anew", "setup-discard", "setup-problems", "setup-save" }.Select(id => Math.Round(seat.Seat.See(id).TranslatePoint(default, seat.Seat.Window)!.Value.X))];
     });

@@ -78,8 +78,10 @@ public sealed class CorrectionDetail
 
             var worst = _piece.Result.Points.MaxBy(p => Math.Abs(p.AfterError.NormalMm))!;
             var most = Texts.Current.With("Head.LeftOver", Shown.Mm(Math.Abs(worst.AfterError.NormalMm)), worst.Label);
-            var pushed = _piece.PushedOut is { Count: > 0 } worse ? Texts.Current.With("Head.PushedOut", string.Join(", ", worse)) : "";
-            return most + (_piece.Outside is { Count: > 0 } outside ? Texts.Current.Counted("Head.Outside", outside.Count, outside.Count, string.Join(", ", outside)) + pushed : Texts.Current["Head.NoneOutside"]);
+            var (outside, pushed) = (_piece.Outside, _piece.PushedOut);
+            return most + (outside.Count == 0 ? Texts.Current["Head.NoneOutside"]
+                : Texts.Current.Counted(pushed.Count == outside.Count ? "Head.AllPushedOut" : "Head.Outside", outside.Count, outside.Count, string.Join(", ", outside))
+                    + (pushed.Count > 0 && pushed.Count < outside.Count ? Texts.Current.With("Head.PushedOut", string.Join(", ", pushed)) : ""));
         }
     }
 
