@@ -57,11 +57,15 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>To the other one of both screens: they are two steps of one thing.</summary>
     public Command Step { get; }
 
-    /// <summary>Which one that is, in words, and how much is still to be filled in there.</summary>
-    public string StepText => MissingThere > 0 ? $"{StepName} · {Shown.Count(MissingThere)}" : StepName;
-
-    /// <summary>The same for who does not see where the number stands.</summary>
-    public string StepSaid => MissingThere > 0 ? $"{StepName} · {Texts.Current.With("Setup.Missing", MissingThere)}" : StepName;
+    /// <summary>What is there, in words, or how much is still to be filled in there.</summary>
+    public string StepText
+    {
+        get
+        {
+            var (key, there) = Key == Screens.Points ? ("Setup.Next", Screens.System) : ("Setup.Back", Screens.Points);
+            return MissingThere > 0 ? Texts.Current.With(key + "Fill", Texts.Current.With("Setup.MissingAt", MissingThere, Texts.Current["Screen." + there])) : Texts.Current[key];
+        }
+    }
 
     /// <summary>True where the other screen is what is left to fill in.</summary>
     public bool IsStepNext => MissingThere > 0 && !IsIncomplete;
@@ -120,8 +124,6 @@ public abstract class SetupViewModel : ScreenViewModel
 
     /// <summary>Key of the screen.</summary>
     protected abstract string Key { get; }
-
-    private string StepName => Texts.Current[Key == Screens.Points ? "Setup.Next" : "Setup.Back"];
 
     private int MissingHere => Editing.Problems.Count(p => p.IsMissing && ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key);
 

@@ -137,7 +137,7 @@ public sealed class SetupCountTests
         seat.Settle();
         var step = (Button)seat.Seat.See("setup-step");
         Assert.Equal(("Complete", 30), (seat.Setup.ProblemCount, seat.Shell.Editing.MissingCount));
-        Assert.Equal(("Next: coordinates, program, limits · 30", "Next: coordinates, program, limits · Still to fill: 30"), (seat.Setup.StepText, AutomationProperties.GetName(step)));
+        Assert.Equal("Next: 30 to fill in System set-up", AutomationProperties.GetName(step));
         Assert.Contains("accent", step.Classes);
         Assert.False(seat.Seat.See("setup-problems").IsEffectivelyEnabled);
 
@@ -166,7 +166,7 @@ public sealed class SetupCountTests
     {
         seat.Shell.Editing.Change("", d => d.WithFeature(2, f => f with { Name = "" }));
         seat.Settle();
-        Assert.Equal(("Complete", "Back: features and points · 1"), (seat.System.ProblemCount, seat.System.StepText));
+        Assert.Equal(("Complete", "Back: 1 to fill in Point set-up"), (seat.System.ProblemCount, seat.System.StepText));
         seat.Seat.Tap("setup-save");
         seat.Seat.WaitFor(() => seat.Seat.Find("edit-features[2].name") is { IsFocused: true }, "The name has no focus.");
         Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);
