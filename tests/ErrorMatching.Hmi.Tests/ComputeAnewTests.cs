@@ -20,7 +20,8 @@ public sealed class ComputeAnewTests
         Assert.Null(seat.Find("compute-anew"));
 
         Change(seat, "-31.95", "-31.951");
-        seat.See("compute-anew");
+        Assert.Contains("accent", seat.See("compute-anew").Classes);
+        Assert.DoesNotContain("accent", seat.See("approve").Classes);
         Assert.Equal("Made with the job as it was before it was changed. To use the job as it is now, compute this anew.", seat.TextOf("detail-changed-job"));
         BeClean(seat, "compensation-compute-anew");
         seat.Tap("compute-anew").WaitFor(() => seat.TextOf("detail-title") == "#3 · 0001" && seat.TextOf("detail-state") == Texts.Current.Word(CorrectionState.Proposed), "What came of it is not shown.");

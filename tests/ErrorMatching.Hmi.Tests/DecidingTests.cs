@@ -24,6 +24,7 @@ public sealed class DecidingTests
         // What releases stands elsewhere and looks otherwise.
         Assert.False(approve.Intersects(Place(seat, "release")) || approve.Intersects(Place(seat, "revert")));
         Assert.DoesNotContain("accent", seat.See("release").Classes);
+        seat.WaitFor(() => seat.Find("forbidden") is not null && seat.TextOf("forbidden") == "The slot held no program before: there is none to restore.", "It is not said why nothing is restored.");
 
         // Cut and released, it stays to be seen, with nothing left to tap.
         seat.Cell.FinishPiece();

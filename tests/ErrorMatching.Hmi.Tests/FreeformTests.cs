@@ -144,7 +144,7 @@ public sealed class FreeformTests
         seat.Cell.Run();
         seat.SignIn(DemoCell.Setter).WaitFor(() => seat.Shell.Banner is null, "The cell is not seen to run.");
         seat.Tap("nav-freeform").See("plan");
-        pictures.Take("freeform-empty", isPictured: false);
+        pictures.Take("freeform-empty", isPictured: false, settled: () => seat.TextOf("plan-caption")!.Contains(Texts.Current.Language == Language.English ? "stylus" : "測", StringComparison.Ordinal));
         seat.Cell.DeliverSurface(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.See("surface-title");

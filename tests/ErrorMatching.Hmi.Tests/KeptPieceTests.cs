@@ -46,7 +46,7 @@ public sealed class KeptPieceTests
         // What is said under the finger is not turned with the drawing, and neither are the limits of 0.05 mm.
         Assert.Equal(piece.Result.Points.Select(p => (p.Label, -p.AfterError.NormalMm, Math.Abs(p.AfterError.NormalMm) > 0.05)), after.Points.OrderBy(p => piece.Result.Points.ToList().FindIndex(r => r.Label == p.Label)).Select(p => (p.Label, p.GapMm, p.IsOutside)));
         Assert.True(after.Points.Max(p => p.At.X) - after.Points.Min(p => p.At.X) > 5 * (after.Points.Max(p => p.At.Y) - after.Points.Min(p => p.At.Y)));
-        Assert.EndsWith(" Turned clockwise by 90°.", after.Note, StringComparison.Ordinal);
+        Assert.EndsWith(" Turned by 90°.", after.Note, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -13,6 +13,15 @@ public sealed record SeriesDrawing(IReadOnlyList<string> Labels, IReadOnlyList<s
     /// <summary>Places that no line leads to from the place before, such as the first of a feature.</summary>
     public IReadOnlySet<int> Beginnings { get; init; } = new HashSet<int>();
 
+    /// <summary>Values with compensation that lie outside of the limits at their places.</summary>
+    public IEnumerable<(int Place, double Value)> Outside =>
+        from line in Lines
+        where line.Kind is SeriesKind.After
+        from band in Bands
+        from place in Enumerable.Range(band.First, band.Last - band.First + 1)
+        where line.Values[place] is { } value && (value < band.Low || value > band.High)
+        select (place, line.Values[place]!.Value);
+
     /// <summary>How much there is: half a place on either side, zero, all values and all limits.</summary>
     public PlotBox Extent
     {

@@ -21,12 +21,15 @@ public sealed class SeriesPlot : PlotArea
     /// <summary>What lies between limits.</summary>
     public static readonly StyledProperty<IBrush?> BandBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(BandBrush));
 
+    /// <summary>Rings around values with compensation that lie outside of their limits.</summary>
+    public static readonly StyledProperty<IBrush?> OutsideBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(OutsideBrush));
+
     // A mark takes at most half of the way to the next one.
     private const double MarkShare = 0.25;
     private PlotBox _extent = PlotBox.Empty;
     private string _longest = "";
 
-    static SeriesPlot() => AffectsRender<SeriesPlot>(BeforeBrushProperty, AfterBrushProperty, BandBrushProperty);
+    static SeriesPlot() => AffectsRender<SeriesPlot>(BeforeBrushProperty, AfterBrushProperty, BandBrushProperty, OutsideBrushProperty);
 
     /// <summary>What is drawn.</summary>
     public SeriesDrawing? Drawing
@@ -54,6 +57,13 @@ public sealed class SeriesPlot : PlotArea
     {
         get => GetValue(BandBrushProperty);
         set => SetValue(BandBrushProperty, value);
+    }
+
+    /// <summary>Rings around values with compensation that lie outside of their limits.</summary>
+    public IBrush? OutsideBrush
+    {
+        get => GetValue(OutsideBrushProperty);
+        set => SetValue(OutsideBrushProperty, value);
     }
 
     /// <summary>Where lines and marks are drawn, within numbers, names and buttons.</summary>
@@ -120,6 +130,12 @@ public sealed class SeriesPlot : PlotArea
             foreach (var line in drawing.Lines)
             {
                 Line(context, view, line);
+            }
+
+            var reach = MarkSize(view) + DrawnSizes.DiamondMore + DrawnSizes.OutsideMore;
+            foreach (var (place, value) in view.ScaleX < DrawnSizes.OutsideApart ? [] : drawing.Outside)
+            {
+                context.DrawEllipse(null, new Pen(OutsideBrush, DrawnSizes.Line), To(view, place, value), reach, reach);
             }
         }
 
@@ -221,10 +237,12 @@ public sealed class SeriesPlot : PlotArea
         {
             if (line.Values[i] is { } value)
             {
-                MarkAt(context, line.Kind, To(view, i, value), Math.Clamp(MarkShare * view.ScaleX, DrawnSizes.LeastMark, DrawnSizes.Mark), Drawing!.IsHollow.ElementAtOrDefault(i));
+                MarkAt(context, line.Kind, To(view, i, value), MarkSize(view), Drawing!.IsHollow.ElementAtOrDefault(i));
             }
         }
     }
+
+    private static double MarkSize(PlotView view) => Math.Clamp(MarkShare * view.ScaleX, DrawnSizes.LeastMark, DrawnSizes.Mark);
 
     private Pen PenOf(SeriesKind kind) => new Pen(BrushOf(kind), DrawnSizes.Line, kind is SeriesKind.BeforeMean or SeriesKind.AfterMean ? DrawnSizes.Dashes : null);
 

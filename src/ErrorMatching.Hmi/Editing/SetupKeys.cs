@@ -2,6 +2,7 @@ using Avalonia;
 using Avalonia.Automation;
 using Avalonia.Controls;
 using Avalonia.Input;
+using Avalonia.Threading;
 using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
@@ -31,8 +32,10 @@ internal static class SetupKeys
             return false;
         }
 
-        // With what is wrong with it, which stands under it in the same view.
-        (field.GetVisualParent() is Control { } whole && whole.Bounds.Height < screen.Bounds.Height / 2 ? whole : field).BringIntoView();
+        // With what is wrong with it, which stands under it in the same view: once it has its room there.
+        var whole = field.GetVisualParent() is Control { } around && around.Bounds.Height < screen.Bounds.Height / 2 ? around : field;
+        whole.BringIntoView();
+        Dispatcher.UIThread.Post(whole.BringIntoView, DispatcherPriority.Loaded);
         return field.Focus();
     }
 }

@@ -11,6 +11,9 @@ internal sealed class PlotLabels
     private const int MostLooks = 200_000;
     private const int Sides = 8;
 
+    // The first of them, but for a name: to the right and to the left.
+    private const int Beside = 2;
+
     // A dot that is covered is as bad as so many lines, and so is one that the label may be taken for.
     private const int LinesADot = 10;
 
@@ -51,7 +54,9 @@ internal sealed class PlotLabels
     /// <param name="isSpare">True if it stands beside its place over nothing else, or is left out.</param>
     public LabelRoom? Place(FormattedText text, Point at, double away, bool isName = false, bool isSpare = false)
     {
-        var best = Best(Around(text, at, away, isName), at, isName, isAway: false);
+        // One that may be left out stands at the height of its own place, or it is taken for a neighbor's.
+        var around = Around(text, at, away, isName);
+        var best = Best(isSpare ? around.Take(Beside) : around, at, isName, isAway: false);
         foreach (var further in Further.TakeWhile(_ => !isSpare && best is not { Cost: < LinesADot }))
         {
             best = Best(Around(text, at, further * away, isName).Where(_within.Contains), at, isName, isAway: true) is { } found && !(found.Cost >= best?.Cost) ? found : best;

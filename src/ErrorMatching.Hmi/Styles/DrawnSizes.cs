@@ -42,6 +42,12 @@ internal static class DrawnSizes
     /// <summary>How much further the corners of a diamond reach than a circle that looks as large.</summary>
     public const double DiamondMore = 1;
 
+    /// <summary>How much further the ring around a value outside of its limits reaches than its mark.</summary>
+    public const double OutsideMore = 4;
+
+    /// <summary>How far apart places are at least for rings: closer ones would be a stripe.</summary>
+    public const double OutsideApart = 4;
+
     /// <summary>Half of a mark that others stand out from.</summary>
     public const double QuietMark = 3.5;
 

@@ -81,5 +81,16 @@ public sealed class PlotLabelsTests
         return Task.CompletedTask;
     });
 
+    [Fact]
+    public Task A_spare_label_stands_at_the_height_of_its_place_or_is_left_out() => Drawing.Needed().RunAsync(() =>
+    {
+        // Lines at both sides leave room above, where it could be taken for another one's.
+        var (text, place) = (Text("12"), new Point(100, 100));
+        Point[][] sides = [[new(112, 95), new(112, 105)], [new(88, 95), new(88, 105)]];
+        Assert.Null(new PlotLabels(sides, [place], Dot, All).Place(text, place, Away, isSpare: true));
+        Assert.Equal(100 - (text.Height / 2), new PlotLabels(sides[..1], [place], Dot, All).Place(text, place, Away, isSpare: true)!.Value.Corner.Y);
+        return Task.CompletedTask;
+    });
+
     private static FormattedText Text(string words) => new(words, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, Typeface.Default, 14, Brushes.Black);
 }

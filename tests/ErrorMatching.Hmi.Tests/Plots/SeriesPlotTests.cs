@@ -28,6 +28,14 @@ public sealed class SeriesPlotTests
         Assert.DoesNotContain("−0.2", words);
     });
 
+    [Fact]
+    public void What_lies_outside_with_compensation_is_ringed()
+    {
+        var drawing = new SeriesDrawing(
+            ["A", "B", "C", "D", "E"], ["", "", "", "", ""], [new(SeriesKind.Before, "before", [9, 9, 9, 9, 9]), new(SeriesKind.After, "after", [-0.21, -0.2, null, 0.2, 0.31])], [new(0, 2, -0.2, 0.2), new(3, 3, -0.1, 0.1)], []);
+        Assert.Equal([(0, -0.21), (3, 0.2)], drawing.Outside);
+    }
+
     // All that is written in a plot of 700 by 400.
     private static HashSet<string> Words(SeriesDrawing drawing)
     {

@@ -14,7 +14,8 @@ internal sealed class Pictures(Seat seat)
     /// <summary>Looks at what is shown now.</summary>
     /// <param name="name">Name of the screen, with which its pictures begin.</param>
     /// <param name="isPictured">False for what differs in content only: then two pictures are made instead of eight. All sizes and languages are measured all the same.</param>
-    public void Take(string name, bool isPictured = true)
+    /// <param name="settled">What is waited for in each language: words that are made beside the screen.</param>
+    public void Take(string name, bool isPictured = true, Func<bool>? settled = null)
     {
         // Nothing is meant to be pointed at.
         seat.User.MoveTo(seat.Window, new(1, 1));
@@ -25,6 +26,7 @@ internal sealed class Pictures(Seat seat)
             {
                 Texts.Current.Language = language;
                 seat.User.Settle();
+                seat.WaitFor(settled ?? (() => true), $"{name} is not made anew in another language.");
                 _problems.AddRange(Layout.Problems(seat.Window).Select(p => $"{name} {size.Width}x{size.Height} {code}: {p}"));
                 foreach (var isDark in new[] { false, true })
                 {

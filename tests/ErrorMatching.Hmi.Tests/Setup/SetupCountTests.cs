@@ -61,7 +61,7 @@ public sealed class SetupCountTests
     [Fact]
     public Task Points_on_corners_are_asked_about_before_the_job_is_saved_on_whichever_side_one_is() => At(seat =>
     {
-        const string Corners = "On rounded corners, where no program meets their own deviation: 2 (1.5 mm), 4 (1.4 mm). Choose points that much further from the corner.";
+        const string Corners = "On rounded corners, not fully compensated: 2 (1.5 mm), 4 (1.4 mm). Move each point that much further from its corner.";
         Assert.Equal(Corners, seat.TextOf("points-corners"));
         Assert.Contains("asked", seat.Seat.See("edit-features[0].points[1]").Classes);
         Assert.DoesNotContain("asked", seat.Seat.See("edit-features[0].points[0]").Classes);

@@ -256,6 +256,8 @@ public sealed class SystemSetupTests
     {
         seat.Seat.Tap("side-blocks").WaitFor(() => seat.System.Picture?.Points.Count == 16, "The points are not drawn.");
         var (picture, text, path) = (seat.System.Picture!, (ProgramText)seat.Seat.See("program-text"), (PathPlot)seat.Seat.See("program-path"));
+        seat.Seat.Tap("pick-1").Tap("language").Tap("language");
+        Assert.Equal([false, true, false], seat.System.Blocks.Select(b => b.IsPicked));
         seat.Seat.Tap("pick-1");
         Assert.Equal(("L2L3: N130 to N160: 4 lines", true, true), (picture.Chosen, IsSeen("N130"), IsSeen("N160")));
         MustBeDrawn(1);

@@ -106,6 +106,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         : _pause.IsOn ? Texts.Current["Compensation.Changed"]
         : State is CorrectionState.Proposed or CorrectionState.Failed && !Rights.Allows(who.Role, Act.Approve) ? Texts.Current["Compensation.ApproveTakesSetter"]
         : State is CorrectionState.Verified && !Rights.Allows(who.Role, Act.Revert) ? Texts.Current["Compensation.RevertTakesSetter"]
+        : State is CorrectionState.Verified && Detail.Kept.Correction.PreviousSha256 is null ? Texts.Current["Compensation.NothingBefore"]
         : null;
 
     /// <summary>What comes next, who does it, and what a person has to do for it; null while that is a decision here, or <see cref="Waits"/> says it, or nothing comes of it any more.</summary>

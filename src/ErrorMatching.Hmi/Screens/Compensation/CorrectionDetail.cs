@@ -80,8 +80,8 @@ public sealed class CorrectionDetail
             var most = Texts.Current.With("Head.LeftOver", Shown.Mm(Math.Abs(worst.AfterError.NormalMm)), worst.Label);
             var (outside, pushed) = (_piece.Outside, _piece.PushedOut);
             return most + (outside.Count == 0 ? Texts.Current["Head.NoneOutside"]
-                : Texts.Current.Counted(pushed.Count == outside.Count ? "Head.AllPushedOut" : "Head.Outside", outside.Count, outside.Count, string.Join(", ", outside))
-                    + (pushed.Count > 0 && pushed.Count < outside.Count ? Texts.Current.With("Head.PushedOut", string.Join(", ", pushed)) : ""));
+                : pushed.Count == outside.Count ? Texts.Current.With("Head.AllPushedOut", string.Join(", ", pushed))
+                : Texts.Current.Counted("Head.Outside", outside.Count, outside.Count, string.Join(", ", outside)) + (pushed.Count > 0 ? Texts.Current.With("Head.PushedOut", string.Join(", ", pushed)) : ""));
         }
     }
 

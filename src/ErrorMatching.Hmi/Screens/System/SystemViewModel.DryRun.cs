@@ -43,7 +43,12 @@ public sealed partial class SystemViewModel
     protected override void Translate()
     {
         Detail = Detail is null ? null : new(Detail.Kept, Station.Clock);
+
+        // Rows are made anew in other words; who picks blocks for a feature goes on doing so.
+        var picked = _picked;
         base.Translate();
+        _picked = picked;
+        ShowPicture();
     }
 
     private bool CanTry() => Editing.Job is not null && Editing.Problems.Count == 0 && Editing.IsChecked;
