@@ -64,8 +64,8 @@ public sealed class SamplesTests
         // The job's own points have one that nobody measures.
         Begin(seat);
         seat.Seat.Tap("nav-system").Tap("points-read").Type("chooser-path", Path.Combine(Path.GetDirectoryName(seat.JobFile)!, "theoretical.csv")).Tap("chooser-confirm");
-        seat.Seat.WaitFor(() => seat.Seat.Find("setup-notice") is not null, "Nothing is said.");
-        Assert.StartsWith("The table has 17 points. No feature has 2a, 3a, 3b:", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        seat.Seat.WaitFor(() => seat.Seat.Find("setup-message") is not null, "Nothing is said.");
+        Assert.StartsWith("Nothing was taken: 17 rows for 16 points", seat.TextOf("setup-message"), StringComparison.Ordinal);
     });
 
     [Fact]

@@ -194,6 +194,14 @@ public abstract class SetupViewModel : ScreenViewModel
         Say();
     }
 
+    /// <summary>Lets the person go on in a field of the screen.</summary>
+    /// <param name="field">The field.</param>
+    protected void GoTo(EditField field)
+    {
+        ArgumentNullException.ThrowIfNull(field);
+        FieldWanted?.Invoke(field.AutomationId);
+    }
+
     // What was said of the draft as it was is over.
     private void Forget()
     {
@@ -242,7 +250,7 @@ public abstract class SetupViewModel : ScreenViewModel
         Turn(first.Key.Side);
         if (Fields.FirstOrDefault(f => f.HasProblem && first.Any(path => Leads(f, path))) is { } field)
         {
-            FieldWanted?.Invoke(field.AutomationId);
+            GoTo(field);
         }
     }
 }

@@ -112,6 +112,21 @@ public sealed record MatingDraft
     /// <summary>The draft with the limits of the first feature, or their source, at all features.</summary>
     public MatingDraft WithSameLimits() => this with { Features = [.. Features.Select(f => f with { Tolerance = Features[0].Tolerance, Lower = Features[0].Lower, Upper = Features[0].Upper })] };
 
+    /// <summary>The draft with coordinates and labels of rows at its points; what a row does not have stays.</summary>
+    /// <param name="rowOf">The row of a point, by its number among all points and as it is; null for none.</param>
+    internal MatingDraft WithRows(Func<int, PointDraft, PointDraft?> rowOf)
+    {
+        var next = 0;
+        return this with
+        {
+            Features = [.. Features.Select(f => f with { Flanks = [.. f.Flanks.Select(k => (IReadOnlyList<PointDraft>)[.. k.Select(Filled)])] })],
+            OtherPoints = [.. OtherPoints.Select(Filled)],
+        };
+
+        PointDraft Filled(PointDraft point) => rowOf(next++, point) is { } row
+            ? new(row.Label.Length > 0 ? row.Label : point.Label, row.X, row.Y, row.Z.Length > 0 ? row.Z : point.Z) : point;
+    }
+
     /// <summary>The draft with a feature changed.</summary>
     /// <param name="feature">Number of the feature, from 0.</param>
     /// <param name="change">What it becomes.</param>

@@ -38,59 +38,67 @@ public sealed partial class PointTable
     }
 
     /// <summary>
-    /// The draft with these coordinates: by their labels, points that it has not become points of no feature; or without labels in the order of its points. Where it has as many points, none of them with a coordinate yet,
-    /// and other labels, its points become those of the table in its order.
+    /// Puts the coordinates into a draft: by their labels, or without labels in the order of its points. Numbers that points got when they were counted are labels that nobody chose: as long as such points have no
+    /// coordinates, they take the rows that no other point has, by label where all labels are the same, else in the table's order and with its labels where these are as many. Where it cannot be known which row is whose,
+    /// nothing is taken.
     /// </summary>
-    public MatingDraft Into(MatingDraft draft)
+    /// <param name="draft">The draft.</param>
+    /// <returns>The draft with the coordinates, or why it stays as it was. Rows with labels that no point has become points of no feature.</returns>
+    public TakenTable Into(MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(draft);
-        return IsWholeOf(draft) ? With(draft, Labeled) : Filled(draft);
+        return !draft.Features.SelectMany(f => f.Points).Any() ? new(draft, PointTableRefusal.NoFeatures) : _hasLabels ? ByLabel(draft) : ByOrder(draft);
     }
 
-    /// <summary>What a table and a draft do not have in common, before the one is put into the other.</summary>
-    /// <param name="draft">The draft.</param>
-    /// <returns>The table's points that no point of a feature is named like, and the points of features that the table says nothing about, each in their order. Rows without labels are named by their number.</returns>
-    public (IReadOnlyList<string> NotInFeatures, IReadOnlyList<string> NotInTable) Differences(MatingDraft draft)
+    private TakenTable ByOrder(MatingDraft draft)
     {
-        ArgumentNullException.ThrowIfNull(draft);
-        string[] wanted = [.. draft.Features.SelectMany(f => f.Flanks).SelectMany(k => k).Select(p => p.Label.Trim())];
-        if (IsWholeOf(draft))
+        var (all, ofFeatures) = (draft.Points.Count(), draft.Features.Sum(f => f.Points.Count()));
+        return _points.Count == ofFeatures || _points.Count == all
+            ? new(draft.WithRows((index, _) => _points.ElementAtOrDefault(index)))
+            : new(draft, PointTableRefusal.NoLabels) { Rows = _points.Count, Points = all };
+    }
+
+    private TakenTable ByLabel(MatingDraft draft)
+    {
+        var byLabel = _points.ToLookup(p => p.Label, StringComparer.Ordinal);
+        if (byLabel.Where(l => l.Count() > 1).Select(l => l.Key).ToArray() is { Length: > 0 } twice)
         {
-            return ([], []);
+            return new(draft, PointTableRefusal.LabelTwice) { OnlyInTable = twice };
         }
 
-        return _hasLabels
-            ? ([.. _points.Select(p => p.Label).Except(wanted, StringComparer.Ordinal)], [.. wanted.Except(_points.Select(p => p.Label), StringComparer.Ordinal)])
-            : ([.. Enumerable.Range(draft.Points.Count() + 1, Math.Max(0, _points.Count - draft.Points.Count())).Select(n => n.ToString(CultureInfo.InvariantCulture))], [.. wanted.Skip(_points.Count)]);
-    }
+        var ofFeatures = draft.Features.SelectMany(f => f.Points).ToArray();
+        string[] waiting = [.. ofFeatures.Where(IsWaiting).Select(LabelOf)];
+        var chosen = ofFeatures.Where(p => !IsWaiting(p)).Concat(draft.OtherPoints).Select(LabelOf).ToHashSet(StringComparer.Ordinal);
+        var left = _points.Where(p => !chosen.Contains(p.Label)).ToArray();
+        var leftLabels = left.Select(p => p.Label).ToHashSet(StringComparer.Ordinal);
 
-    // Labels that a count of points gave are nobody's choice yet.
-    private bool IsWholeOf(MatingDraft draft)
-    {
-        var points = draft.Points.ToArray();
-        var labels = _points.Select(p => p.Label).ToHashSet(StringComparer.Ordinal);
-        return _hasLabels && points.Length == _points.Count && labels.Count == _points.Count && points.All(p => p.X.Length + p.Y.Length + p.Z.Length == 0) && !labels.SetEquals(points.Select(p => p.Label.Trim()));
-    }
+        // Who named a point has looked at the labels: rows beyond them are points of no feature.
+        var isByLabel = waiting.Length == 0 || left.Length == 0 || leftLabels.SetEquals(waiting) || (ofFeatures.Any(IsNamed) && leftLabels.IsSupersetOf(waiting));
+        var onlyInTable = left.Where(p => !draft.Points.Select(LabelOf).Contains(p.Label, StringComparer.Ordinal)).ToArray();
+        if (!isByLabel && left.Length != waiting.Length)
+        {
+            return Taken(draft) with { Refusal = PointTableRefusal.OtherCount, OnlyInTable = [.. onlyInTable.Select(p => p.Label)], Rows = left.Length, Points = waiting.Length };
+        }
 
-    private static MatingDraft With(MatingDraft draft, Func<int, PointDraft, PointDraft> point)
-    {
         var next = 0;
-        return draft with { Features = [.. draft.Features.Select(f => f with { Flanks = [.. f.Flanks.Select(k => (IReadOnlyList<PointDraft>)[.. k.Select(p => point(next++, p))])] })], OtherPoints = [.. draft.OtherPoints.Select(p => point(next++, p))] };
+        var filled = draft.WithRows((index, point) => index >= ofFeatures.Length || !IsWaiting(point) ? byLabel[LabelOf(point)].FirstOrDefault()
+            : isByLabel ? Array.Find(left, p => p.Label == LabelOf(point)) : left[next++]);
+        return isByLabel
+            ? Taken(filled with { OtherPoints = [.. filled.OtherPoints, .. onlyInTable] }) with { OnlyInTable = [.. onlyInTable.Select(p => p.Label)] }
+            : Taken(filled) with { HasNewLabels = true };
+
+        TakenTable Taken(MatingDraft now) => new(now) { OnlyInFeatures = [.. now.Features.SelectMany(f => f.Points).Select(LabelOf).Where(l => !byLabel.Contains(l))] };
     }
 
-    private PointDraft Labeled(int index, PointDraft was) => _points[index];
+    private static string LabelOf(PointDraft point) => point.Label.Trim();
 
-    private MatingDraft Filled(MatingDraft draft)
-    {
-        var byLabel = _points.GroupBy(p => p.Label, StringComparer.Ordinal).ToDictionary(g => g.Key, g => g.Last(), StringComparer.Ordinal);
-        var filled = With(draft, (index, point) => (_hasLabels ? byLabel.GetValueOrDefault(point.Label.Trim()) : index < _points.Count ? _points[index] : null) is { } found
-            ? point with { X = found.X, Y = found.Y, Z = found.Z.Length > 0 ? found.Z : point.Z }
-            : point);
-        var known = draft.Points.Select(p => p.Label.Trim()).ToHashSet(StringComparer.Ordinal);
-        return _hasLabels ? filled with { OtherPoints = [.. filled.OtherPoints, .. byLabel.Values.Where(p => !known.Contains(p.Label))] } : filled;
-    }
+    private static bool IsNamed(PointDraft point) => !LabelOf(point).All(char.IsAsciiDigit);
 
-    private static bool IsPoint(string[] cells) => cells.Length is >= 2 and <= 4 && cells.Skip(cells.Length > 2 ? 1 : 0).All(IsNumber);
+    // For a label and for coordinates.
+    private static bool IsWaiting(PointDraft point) => !IsNamed(point) && point.X.Length + point.Y.Length + point.Z.Length == 0;
+
+    // With a column of labels each point has one.
+    private static bool IsPoint(string[] cells) => cells.Length is >= 2 and <= 4 && (cells.Length == 2 || cells[0].Length > 0) && cells.Skip(cells.Length > 2 ? 1 : 0).All(IsNumber);
 
     // A point with one coordinate that cannot be read is none.
     private static bool IsHeading(string[] cells) => !IsPoint(cells) && (cells.Length < 3 || !(IsNumber(cells[^1]) || IsNumber(cells[^2])));

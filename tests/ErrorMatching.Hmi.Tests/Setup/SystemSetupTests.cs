@@ -125,7 +125,7 @@ public sealed class SystemSetupTests
         seat.Seat.WaitFor(() => seat.Draft.OtherPoints.Any(p => p.Label == "O"), "Nothing is pasted.");
         Assert.Equal(("-31.951", "76", "-32.3"), (seat.Draft.Features[0].Flanks[0][0].X, seat.Draft.Features[0].Flanks[0][0].Y, seat.Draft.Features[0].Flanks[0][1].X));
         Assert.Equal("-31.951", ((Avalonia.Controls.TextBox)seat.Seat.See("edit-features[0].points[0]/x")).Text);
-        Assert.StartsWith("The table has 3 points. No feature has O: these stand at the end", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.StartsWith("The table has 3 points. No point had the label O: at the end of the list", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Assert.EndsWith("It says nothing about 2a, 3a, 3b, 4, 5, 6, 7, 8, 9, 10, 11, 12 ….", seat.TextOf("setup-notice"), StringComparison.Ordinal);
 
         // Into a field: a table goes to all, a number to the field.
@@ -134,41 +134,6 @@ public sealed class SystemSetupTests
         seat.Seat.WaitFor(() => seat.Draft.Features[0].Flanks[0][0].Y == "-7.5", "The number is not pasted.");
         seat.Seat.User.Press(Key.Z, RawInputModifiers.Control);
         Assert.Equal("76", seat.Draft.Features[0].Flanks[0][0].Y);
-    });
-
-    [Fact]
-    public Task What_is_advised_where_a_table_has_other_points_leads_to_a_job_with_its_points() => SetupSeat.AtAsync(Screens.Points, seat =>
-    {
-        const string Advice = "Undo, then set the counts of points as the table has them, or, where points have coordinates already, name them as it does. Then take the table again.";
-        seat.Seat.Tap("setup-anew").Tap("add-line").Tap("add-triangle").Tap("add-curve");
-        var drawing = File.ReadAllText(Path.Combine(seat.Seat.Cell.SamplesFolder, DemoCell.DrawingFile));
-        string[] labels = [.. drawing.Split('\n', StringSplitOptions.RemoveEmptyEntries).Skip(1).Select(l => l.Split(',')[0])];
-        Take(drawing, () => seat.Draft.OtherPoints.Count > 0);
-        Assert.Contains(Advice, seat.TextOf("setup-notice"), StringComparison.Ordinal);
-
-        // The counts are set, as nothing had coordinates.
-        seat.Seat.Tap("setup-undo").Tap("nav-points").Type("edit-features[2].points", "10").User.Press(Key.Enter);
-        seat.Settle();
-        Take(drawing, () => seat.Draft.Points.All(p => p.X.Length > 0));
-        Assert.Equal(labels, seat.Draft.Features.SelectMany(f => f.Flanks).SelectMany(k => k).Select(p => p.Label));
-        Assert.Equal($"The table has {labels.Length} points.", seat.TextOf("setup-notice"));
-
-        // Another table calls the first point otherwise: it is named so.
-        var other = drawing.Replace("\n1,", "\nP1,", StringComparison.Ordinal);
-        Take(other, () => seat.Draft.OtherPoints.Count > 0);
-        Assert.Contains(Advice, seat.TextOf("setup-notice"), StringComparison.Ordinal);
-        seat.Seat.Tap("setup-undo").Type("edit-features[0].points[0]", "P1").User.Press(Key.Tab);
-        seat.Settle();
-        Take(other, () => seat.TextOf("setup-notice") == $"The table has {labels.Length} points.");
-        Assert.Equal(["P1", .. labels.Skip(1)], seat.Draft.Points.Select(p => p.Label));
-
-        void Take(string table, Func<bool> isTaken)
-        {
-            seat.Seat.Tap("nav-system").See("points-paste");
-            Avalonia.Input.Platform.ClipboardExtensions.SetTextAsync(Avalonia.Controls.TopLevel.GetTopLevel(seat.Seat.Window)!.Clipboard!, table).GetAwaiter().GetResult();
-            seat.Seat.Tap("points-paste").WaitFor(isTaken, "The table is not taken.");
-            seat.Settle();
-        }
     });
 
     [Fact]

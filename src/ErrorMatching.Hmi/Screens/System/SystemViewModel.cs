@@ -9,9 +9,6 @@ namespace ErrorMatching.Hmi;
 /// <summary>System set-up: where each point is designed, which blocks cut each feature, and how deviations are judged and followed; tried out before it is saved.</summary>
 public sealed partial class SystemViewModel : SetupViewModel
 {
-    // So much of a line tells which one it is.
-    private const int MostShown = 60;
-
     // As many as stand in two lines; which others there are is seen at their fields.
     private const int MostCorners = 6;
 
@@ -28,13 +25,13 @@ public sealed partial class SystemViewModel : SetupViewModel
         Program = new(Editing, MatingDraftCheck.Program, "System.Program");
         Dialect = new(Editing, "$.counterpart.dialect", "System.Program");
         Rules = new(Editing, "$.recognition", "System.Gauge");
-        AddPoint = Doing(() => Editing.Change("", d => d with { OtherPoints = [.. d.OtherPoints, new("")] }));
+        AddPoint = Doing(AddOtherPoint);
         RemovePoint = new(() => Editing.Change("", d => d with { OtherPoints = d.OtherPoints.Without(d.OtherPoints.Count - 1) }), () => Editing.CanEdit && Editing.Draft.OtherPoints.Count > 0);
         AddLink = Doing(() => Editing.Change("", d => d with { Chain = [.. d.Chain, new()] }));
         SameLimits = new(() => Editing.Change("", d => d.WithSameLimits()), () => Editing.CanEdit && Editing.Draft.Features.Count > 1);
         AddComparison = Doing(() => Editing.Change("", d => d with { Comparisons = [.. d.Comparisons, new()] }));
         AddContribution = Doing(() => Editing.Change("", d => d with { Gauge = d.Gauge with { Contributions = [.. d.Gauge.Contributions, new("", d.Gauge.Contributions.Count == 0 ? d.Gauge.Uncertainty : "")], Uncertainty = "" } }));
-        ReadPoints = new(async _ => await ReadAsync(new(FileChoiceKind.Open, "System.ChooseDrawing", [".csv", ".txt"]) { Sample = DemoCell.DrawingFile }, ImportPointsAsync), () => Editing.CanEdit);
+        ReadPoints = new(_ => ReadPointsAsync(), () => Editing.CanEdit);
         ReadProgram = new(async _ => await ReadAsync(new(FileChoiceKind.Open, "System.ChooseProgram", [".nc", ".ngc", ".mpf", ".spf", ".cnc", ".tap", ".min", ".prg", ".txt"]) { Sample = DemoCell.ProgramFile }, ImportProgramAsync), () => Editing.CanEdit);
         FindBlocks = new(FindBlocksAsync, () => Editing.CanEdit && Picture is not null && Editing.Draft.Features.Any(f => f.BlockList.Count == 0));
         DryRun = new(DryRunAsync, CanTry);
@@ -69,12 +66,15 @@ public sealed partial class SystemViewModel : SetupViewModel
     /// <summary>True if points have a third coordinate.</summary>
     public bool HasZ => Coordinates.Any(c => c.HasZ);
 
+    /// <summary>True before there are features: coordinates have no points to go to.</summary>
+    public bool NeedsFeatures => Editing.Job is not null && Editing.Draft.Features.Count == 0;
+
     /// <summary>What is wrong with the points as a whole.</summary>
     public NoteField Points { get; }
 
     /// <summary>Which points lie on rounded corners, and how much further from these they can be met, in words; null if none does.</summary>
     public string? Corners => Editing.Doubts.Where(d => d.Code == WarningForms.PointOnCorner.Name).Select(d => Texts.Current.With("System.Corner", d.Found, d.Amount)).ToArray() is { Length: > 0 } corners
-        ? Texts.Current.With("System.Corners", Listed(corners, MostCorners)) : null;
+        ? Texts.Current.With("System.Corners", TableText.Listed(corners, MostCorners)) : null;
 
     /// <summary>What is wrong with the program.</summary>
     public NoteField Program { get; }
@@ -270,19 +270,36 @@ public sealed partial class SystemViewModel : SetupViewModel
         }
     }
 
+    // It stands at the end of the list, which is seldom in sight, and has no label yet.
+    private void AddOtherPoint()
+    {
+        Editing.Change("", d => d with { OtherPoints = [.. d.OtherPoints, new("")] });
+        GoTo(Coordinates[^1].Label);
+    }
+
+    // Before there are features no file has to be looked for.
+    private async Task ReadPointsAsync()
+    {
+        if (NeedsFeatures)
+        {
+            Tell(() => Texts.Current["System.NoFeatures"]);
+            Show();
+            return;
+        }
+
+        await ReadAsync(new(FileChoiceKind.Open, "System.ChooseDrawing", [".csv", ".txt"]) { Sample = DemoCell.DrawingFile }, ImportPointsAsync);
+    }
+
     private void Take(PointTable table, string? file = null)
     {
-        var (other, missing) = table.Differences(Editing.Draft);
-        Editing.Change("", table.Into);
-        Tell(table.Fault is { } fault ? () => Texts.Current.With("System.BadRow", fault.Line, fault.Text.Length > MostShown ? fault.Text[..MostShown] + "…" : fault.Text)
-            : table.Count == 0 ? () => Texts.Current["System.NoCoordinates"] : null);
+        var taken = table.Into(Editing.Draft);
+        Editing.Change("", _ => taken.Draft);
+        var refused = TableText.Refused(table, taken);
+        Tell(refused);
 
         // What was said of a table before is over, also where nothing was taken of this one.
-        Editing.Note(table.Count == 0 ? null : () => Sentence.Joined(
-            file is not null && IsMeasurement(file) ? Texts.Current.With("System.TableMeasured", file) : "",
-            Texts.Current.With("System.Table", table.Count),
-            other.Count > 0 ? Texts.Current.With("System.TableOther", Listed(other)) : "",
-            missing.Count > 0 ? Texts.Current.With("System.TableMissing", Listed(missing)) : ""));
+        Editing.Note(refused is not null ? null : () => Sentence.Joined(
+            file is not null && IsMeasurement(file) ? Texts.Current.With("System.TableMeasured", file) : "", TableText.Taken(table, taken)));
 
         Show();
     }
@@ -290,6 +307,4 @@ public sealed partial class SystemViewModel : SetupViewModel
     // What was measured reads like a drawing, and is one for nobody: the job itself says how its measurements are called.
     private bool IsMeasurement(string file) =>
         new[] { Editing.Draft.MeasuredFile, Editing.Draft.Counterpart.Measured }.Any(m => string.Equals(Path.GetFileName(m.Trim()), file, StringComparison.OrdinalIgnoreCase));
-
-    private static string Listed(IReadOnlyList<string> labels, int most = 12) => string.Join(", ", labels.Take(most)) + (labels.Count > most ? " …" : "");
 }

@@ -1,0 +1,47 @@
+using ErrorMatching.Jobs;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>What came of a table of coordinates, in words.</summary>
+internal static class TableText
+{
+    // So much of a line tells which one it is, and so many labels and features which are meant.
+    private const int MostShown = 60, MostLabels = 12, MostFeatures = 6, MostRefused = 4;
+
+    /// <summary>Why nothing of a table was taken, and what to do; null if it was.</summary>
+    /// <param name="table">The table.</param>
+    /// <param name="taken">What came of it.</param>
+    public static Func<string>? Refused(PointTable table, TakenTable taken) => table switch
+    {
+        { Fault: { } fault } => () => Texts.Current.With("System.BadRow", fault.Line, fault.Text.Length > MostShown ? fault.Text[..MostShown] + "…" : fault.Text),
+        { Count: 0 } => () => Texts.Current["System.NoCoordinates"],
+        _ => taken.Refusal switch
+        {
+            PointTableRefusal.NoFeatures => () => Texts.Current["System.NoFeatures"],
+            PointTableRefusal.LabelTwice => () => Texts.Current.With("System.TableTwice", Listed(taken.OnlyInTable)),
+            PointTableRefusal.NoLabels => () => Texts.Current.With("System.TableNoLabels", taken.Rows, taken.Points),
+            PointTableRefusal.OtherCount => () => Sentence.Joined(
+                Texts.Current.With("System.TableCount", taken.Rows, taken.Points),
+                taken.OnlyInTable.Count > 0 ? Texts.Current.With("System.OnlyInTable", Listed(taken.OnlyInTable, MostRefused)) : "",
+                taken.OnlyInFeatures.Count > 0 ? Texts.Current.With("System.OnlyInFeatures", Listed(taken.OnlyInFeatures, MostRefused)) : "",
+                Texts.Current["System.TableCountNext"]),
+            _ => null,
+        },
+    };
+
+    /// <summary>What was taken of a table, and what table and features do not have in common.</summary>
+    /// <param name="table">The table.</param>
+    /// <param name="taken">What came of it.</param>
+    public static string Taken(PointTable table, TakenTable taken) => Sentence.Joined(
+        Texts.Current.With("System.Table", table.Count),
+        taken.HasNewLabels ? Texts.Current.With("System.TableLabels", Listed([.. taken.Draft.Features.Where(f => f.Points.Any()).Select(LabelsOf)], MostFeatures)) : "",
+        taken.OnlyInTable.Count > 0 ? Texts.Current.With("System.TableOther", Listed(taken.OnlyInTable)) : "",
+        taken.OnlyInFeatures.Count > 0 ? Texts.Current.With("System.TableMissing", Listed(taken.OnlyInFeatures)) : "");
+
+    /// <summary>The first of many words.</summary>
+    /// <param name="words">The words.</param>
+    /// <param name="most">How many are listed.</param>
+    public static string Listed(IReadOnlyList<string> words, int most = MostLabels) => string.Join(", ", words.Take(most)) + (words.Count > most ? " …" : "");
+
+    private static string LabelsOf(FeatureDraft feature) => Texts.Current.With("System.LabelsOf", feature.Name, feature.Points.First().Label, feature.Points.Last().Label);
+}
