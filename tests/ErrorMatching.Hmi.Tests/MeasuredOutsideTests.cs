@@ -4,7 +4,7 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>A counterpart that was measured outside of its limits is told until somebody has looked at it, or a newer one was measured; and the history tells it for good.</summary>
+/// <summary>A counterpart that was measured outside of its limits is told until somebody has looked at it, each of them; and the history tells it for good.</summary>
 [Trait("Length", "Long")]
 public sealed class MeasuredOutsideTests
 {
@@ -31,7 +31,7 @@ public sealed class MeasuredOutsideTests
     });
 
     [Fact]
-    public Task A_newer_one_takes_the_place_of_an_older_one_and_the_history_tells_of_both() => Seat.AtAsync(seat =>
+    public Task Of_several_the_newest_is_told_with_how_many_more_until_each_was_looked_at_and_the_history_tells_of_all() => Seat.AtAsync(seat =>
     {
         seat.RunCell();
         CutAndMeasure(seat, 1);
@@ -40,6 +40,15 @@ public sealed class MeasuredOutsideTests
         CutAndMeasure(seat, 2);
         seat.SignIn(DemoCell.Setter).See("measured-4");
         Assert.Null(seat.Find("measured-2"));
+        var overview = (OverviewViewModel)seat.Shell.Current!;
+        Assert.Equal(("Counterparts measured outside their limits: 2", "2 measured counterparts outside their limits"), (overview.Summary, seat.TextOf("overview-counts")));
+        Assert.EndsWith("\n1 more is outside its limits: it is marked in the list under Verification.", overview.Waiting.Single().State, StringComparison.Ordinal);
+        seat.Cell.Deliver(3, 0.003);
+        seat.WaitFor(() => seat.TextOf("overview-counts") == "1 approval · 2 measured counterparts outside their limits", "It is not said how many wait.");
+        BothLanguages.Take(seat, "overview-measured-outside-several");
+        seat.Tap("nav-messages").See("message-4");
+        Assert.Null(seat.Find("message-2"));
+        Assert.Contains("\n1 more is outside", ((MessagesViewModel)seat.Shell.Current!).Messages.Single(m => m.IsMeasured).What, StringComparison.Ordinal);
 
         // What was cut says how it was measured, and so does the measurement itself.
         seat.Tap("nav-history").Tap("found-1").See("history-measured");
@@ -53,9 +62,32 @@ public sealed class MeasuredOutsideTests
         seat.Tap("history-measured").See("piece-title");
         Assert.Equal("#1 · 0001", seat.TextOf("piece-title"));
 
-        // Only the older one was looked at.
+        // Only the older one was looked at. Both are marked in the list.
+        seat.Tap("nav-overview").See("measured-4");
+        Assert.Equal("1 approval · 1 measured counterpart outside its limits", seat.TextOf("overview-counts"));
+        seat.Tap("measured-4").See("piece-title");
+        Assert.Equal("#3 · 0002", seat.TextOf("piece-title"));
+        Assert.Equal([("#3 · 0002", Severity.Attention), ("#1 · 0001", Severity.Attention)], ((VerificationViewModel)seat.Shell.Current!).Rows.Where(r => r.Kind == "Measured").Select(r => (r.Title, r.Severity)));
+        seat.Tap("nav-overview").WaitFor(() => seat.TextOf("overview-counts") == "1 approval", "What was looked at is still counted.");
+    });
+
+    [Fact]
+    public Task The_older_one_is_told_when_the_newest_was_looked_at_first_and_a_piece_that_was_measured_again_once() => Seat.AtAsync(seat =>
+    {
+        seat.RunCell();
+        CutAndMeasure(seat, 1);
+        seat.Cell.FinishPiece();
+        seat.WaitFor(1, CorrectionState.Released);
+        CutAndMeasure(seat, 2);
+        seat.Cell.DeliverCounterpart(1, 0.004);
+        seat.WaitFor(5, CorrectionState.Recorded);
+        seat.WaitFor(() => seat.Station.State.Outside is [{ LastId: 5 }, ..], "The second measurement is not seen.");
+        Assert.Equal([5L, 4L], seat.Station.State.Outside.Select(p => p.LastId));
+        seat.SignIn(DemoCell.Setter).Tap("measured-5").See("piece-title");
+        Assert.Equal("#1 · 0001", seat.TextOf("piece-title"));
         seat.Tap("nav-overview").Tap("measured-4").See("piece-title");
         Assert.Equal("#3 · 0002", seat.TextOf("piece-title"));
+        seat.Tap("nav-overview").WaitFor(() => seat.TextOf("overview-summary") == "All is well", "What was looked at is told.");
     });
 
     [Fact]
@@ -89,6 +121,6 @@ public sealed class MeasuredOutsideTests
         seat.WaitFor((2 * serial) - 1, CorrectionState.Verified);
         seat.Cell.DeliverCounterpart(serial, spread);
         seat.WaitFor(2 * serial, CorrectionState.Recorded);
-        seat.WaitFor(() => seat.Station.State.Outside is [{ LastId: var id }] && id == 2 * serial, "The measured piece is not seen.");
+        seat.WaitFor(() => seat.Station.State.Outside is [{ LastId: var id }, ..] && id == 2 * serial, "The measured piece is not seen.");
     }
 }

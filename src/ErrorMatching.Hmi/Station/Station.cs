@@ -64,7 +64,7 @@ public sealed class Station : IDisposable
     /// <summary>What is known of the cell.</summary>
     public StationState State { get; private set; } = StationState.Unknown;
 
-    /// <summary>Counterparts that were measured with points outside of their limits, and that nobody has looked at here since the station was started: of each mating the one that was measured last.</summary>
+    /// <summary>Counterparts that were measured with points outside of their limits, and that nobody has looked at here since the station was started: of each mating those among the last, the newest first.</summary>
     public IReadOnlyList<KeptPiece> Outside => [.. State.Outside.Where(p => !_lookedAt.Contains(p.LastId))];
 
     /// <summary>Says that somebody has looked at a measured piece. On the screen's thread.</summary>

@@ -17,6 +17,6 @@ public sealed record StationState(long Version, CellStatus? Status, StoreExcepti
     /// <summary>What the programs of free slots cut last, by machine and slot.</summary>
     public IReadOnlyDictionary<(string Machine, string Slot), LastCut> LastCut { get; init; } = new Dictionary<(string Machine, string Slot), LastCut>();
 
-    /// <summary>The counterpart of each mating that was measured last, where it has points outside of their limits.</summary>
+    /// <summary>The counterparts that were measured outside of their limits, of each mating the newest first.</summary>
     public IReadOnlyList<KeptPiece> Outside { get; init; } = [];
 }

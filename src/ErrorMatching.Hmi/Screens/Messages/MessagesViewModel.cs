@@ -123,9 +123,17 @@ public sealed partial class MessagesViewModel : ScreenViewModel
                 failed.Id);
         }
 
-        foreach (var outside in Station.Outside)
+        foreach (var outside in OutsidePieces.Of(Station.Outside))
         {
-            yield return new(Severity.Attention, texts.With("Message.Outside", CorrectionLabel.Of(outside.Counterpart!), PieceDetail.VerdictOf(outside)), texts["Message.Outside.Next"], outside.LastId) { IsMeasured = true };
+            var newest = outside.Newest;
+            yield return new(
+                Severity.Attention,
+                string.Join('\n', new[] { texts.With("Message.Outside", CorrectionLabel.Of(newest.Counterpart!), PieceDetail.VerdictOf(newest)), outside.Others }.OfType<string>()),
+                texts["Message.Outside.Next"],
+                newest.LastId)
+            {
+                IsMeasured = true,
+            };
         }
 
         foreach (var (slot, up) in status.Slots.SelectMany(s => s.HeldUp.Select(h => (s, h))))

@@ -28,6 +28,9 @@ public sealed class OverviewViewModel : ScreenViewModel
     /// <summary>What waits for a person, has failed, or is on its way, the worst first.</summary>
     public RowList<WaitingTile> Waiting { get; } = [];
 
+    /// <summary>How many approvals and how many measured pieces wait for a person; empty if none do.</summary>
+    public string Counts { get; private set; } = "";
+
     /// <summary>How it is, in a sentence.</summary>
     public string Summary { get; private set; } = "";
 
@@ -61,8 +64,9 @@ public sealed class OverviewViewModel : ScreenViewModel
         var texts = Texts.Current;
         Slots.Show([.. status.Slots.Select(s => Tile(status, s))]);
         Gauges.Show([.. Station.Settings.Gauges.Select(g => Tile(status, g))]);
-        Waiting.Show([.. status.Failed.Select(c => Tile(c, Severity.Alarm)), .. Station.Outside.Select(Tile), .. status.Proposed.Select(c => Tile(c, Severity.Attention)), .. status.Slots.SelectMany(s => s.Approved).Select(c => Tile(status, c)), .. status.InWork.Select(c => Tile(c, Severity.Quiet))]);
+        Waiting.Show([.. status.Failed.Select(c => Tile(c, Severity.Alarm)), .. OutsidePieces.Of(Station.Outside).Select(Tile), .. status.Proposed.Select(c => Tile(c, Severity.Attention)), .. status.Slots.SelectMany(s => s.Approved).Select(c => Tile(status, c)), .. status.InWork.Select(c => Tile(c, Severity.Quiet))]);
         var (failed, proposed) = (status.CountOf(CorrectionState.Failed), status.CountOf(CorrectionState.Proposed));
+        Counts = string.Join(" · ", new[] { CountOf("Overview.Approvals", proposed), CountOf("Overview.PiecesOutside", Station.Outside.Count) }.OfType<string>());
         (Summary, Severity) =
             !status.IsRunning ? (texts["Overview.NotRunning"], Severity.Alarm)
             : failed > 0 ? (texts.With("Overview.Failed", Shown.Count(failed)), Severity.Alarm)
@@ -73,6 +77,8 @@ public sealed class OverviewViewModel : ScreenViewModel
             : (texts["Overview.Well"], Severity.Quiet);
         Say();
     }
+
+    private static string? CountOf(string key, long count) => count == 0 ? null : Texts.Current.Counted(key, (int)count, Shown.Count(count));
 
     private static IReadOnlyList<CellTrouble> Troubles(CellStatus status) => status.IsRunning ? status.Heartbeat!.Troubles : [];
 
@@ -126,8 +132,17 @@ public sealed class OverviewViewModel : ScreenViewModel
         return Tile(approved, $"{Texts.Current["Waiting." + approved.State]} · {wait?.Text ?? Texts.Current["Wait.Next"]}", wait?.Severity ?? Severity.Quiet);
     }
 
-    private WaitingTile Tile(KeptPiece outside) =>
-        new(outside.LastId, outside.JobName, CorrectionLabel.Of(outside.Counterpart!), Texts.Current.With("Overview.Measured", PieceDetail.VerdictOf(outside)), "", Shown.Time(outside.Counterpart!.ChangedAt, Station.Clock), Severity.Attention) { IsMeasured = true };
+    private WaitingTile Tile(OutsidePieces outside) => new(
+        outside.Newest.LastId,
+        outside.Newest.JobName,
+        CorrectionLabel.Of(outside.Newest.Counterpart!),
+        string.Join('\n', new[] { Texts.Current.With("Overview.Measured", PieceDetail.VerdictOf(outside.Newest)), outside.Others }.OfType<string>()),
+        "",
+        Shown.Time(outside.Newest.Counterpart!.ChangedAt, Station.Clock),
+        Severity.Attention)
+    {
+        IsMeasured = true,
+    };
 
     private WaitingTile Tile(Correction correction, string state, Severity severity) => new(
         correction.Id,

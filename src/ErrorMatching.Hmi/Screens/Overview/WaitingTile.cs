@@ -1,6 +1,6 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>A correction that waits for a person, or is on its way, or a counterpart that was measured outside of its limits, in the overview.</summary>
+/// <summary>A correction that waits for a person, or is on its way, or the newest counterpart of a workpiece that was measured outside of its limits, in the overview.</summary>
 /// <param name="Id">Its number.</param>
 /// <param name="Job">What people call the workpiece; empty before it is recognized.</param>
 /// <param name="Title">Number and serial number or file.</param>
