@@ -86,7 +86,7 @@ public sealed class LostConnectionTests
             Assert.IsType<Button>(seat.See("waiting-1"), exactMatch: false);
 
             // Seen, but nobody can go there.
-            seat.User.Click(seat.See("waiting-1"));
+            seat.Tap("waiting-1");
             Assert.True(seat.Shell.IsLocked);
             Assert.Null(seat.Find("detail-title"));
         },

@@ -123,6 +123,7 @@ public sealed class TapTests
     {
         Control pressed = seat.See(id);
         seat.User.Settle();
+        seat.Clock.Advance(AimKeeper.OnItsWay);
         _ = isFinger ? seat.User.Tap(pressed, meanwhile) : seat.User.Hold(pressed, meanwhile);
     }
 
@@ -133,6 +134,9 @@ public sealed class TapTests
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.See("waiting-1");
+
+        // Nobody taps where another tile stood a moment ago.
+        seat.Clock.Advance(AimKeeper.OnItsWay);
         test(seat);
     });
 }

@@ -23,6 +23,11 @@ public sealed class RowList<T> : ObservableCollection<T>
             behind++;
         }
 
+        if (first < Math.Max(Count, rows.Count))
+        {
+            RowsChange.Tell();
+        }
+
         for (var i = first; i < rows.Count - behind; i++)
         {
             if (i == Count - behind)

@@ -26,8 +26,11 @@ public sealed partial class MainWindow : Window
         _tidying = new(Quiet, DispatcherPriority.ApplicationIdle, (_, _) => OnQuiet());
         _tidying.Stop();
         _focus = new(this);
-        _ = new TwiceKeeper(this);
+
+        // The first one sees a tap last, and what the others made of it.
         _ = new TapKeeper(this);
+        _ = new TwiceKeeper(this);
+        Aim = new(this);
         AddHandler(PointerPressedEvent, (_, _) => Touch(isByKeyboard: false), RoutingStrategies.Tunnel, handledEventsToo: true);
         AddHandler(KeyDownEvent, (_, _) => Touch(isByKeyboard: true), RoutingStrategies.Tunnel, handledEventsToo: true);
         AddHandler(TextInputEvent, OnScannedText, RoutingStrategies.Tunnel);
@@ -37,6 +40,9 @@ public sealed partial class MainWindow : Window
 
     /// <summary>True if whoever sits here pressed a key last, and no pointer or finger.</summary>
     internal bool IsByKeyboard { get; private set; }
+
+    /// <summary>Keeps taps from falling on rows that have just moved.</summary>
+    internal AimKeeper Aim { get; }
 
     /// <summary>Collects memory once a screen is there and nobody waits: else it is in the middle of opening the next one, where it takes as long as half of that.</summary>
     internal static void Tidy() => GC.Collect(1, GCCollectionMode.Forced, blocking: true);
@@ -93,6 +99,7 @@ public sealed partial class MainWindow : Window
         }
         else if (e.PropertyName is nameof(ShellViewModel.Current))
         {
+            Aim.Leave();
             _tidying.Stop();
             _tidying.Start();
         }

@@ -15,6 +15,7 @@ internal sealed class TapKeeper
     private const double Still = 8;
 
     private readonly MainWindow _window;
+    private readonly HashSet<int> _refused = [];
     private Control? _pressed;
     private string _id = "";
     private Point _at;
@@ -32,7 +33,9 @@ internal sealed class TapKeeper
 
     private void OnPressed(object? sender, PointerPressedEventArgs e)
     {
-        _pressed = e.Pointer.IsPrimary ? (e.Source as Visual)?.GetSelfAndVisualAncestors().OfType<Control>().FirstOrDefault(IsKept) : null;
+        // What was not taken when the finger came down is not taken when it is lifted: a row is chosen by that.
+        _ = e.Handled ? _refused.Add(e.Pointer.Id) : _refused.Remove(e.Pointer.Id);
+        _pressed = e.Pointer.IsPrimary && !e.Handled ? (e.Source as Visual)?.GetSelfAndVisualAncestors().OfType<Control>().FirstOrDefault(IsKept) : null;
 
         // By the name of the row, which its control forgets with it.
         _id = _pressed is null ? "" : AutomationProperties.GetAutomationId(_pressed) ?? "";
@@ -43,6 +46,7 @@ internal sealed class TapKeeper
     {
         var (pressed, place) = (_pressed, e.GetPosition(_window));
         _pressed = null;
+        e.Handled |= _refused.Remove(e.Pointer.Id);
         if (pressed is null || _id.Length == 0 || Point.Distance(place, _at) > Still || IsUnder(pressed, place))
         {
             return;

@@ -1,6 +1,7 @@
 using Avalonia;
 using Avalonia.Automation;
 using Avalonia.Controls;
+using Avalonia.Input;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
 using ErrorMatching.Hmi.Cairo;
@@ -98,7 +99,13 @@ internal sealed class Seat : IAsyncDisposable
         User.Settle();
         Point? place = null;
         WaitFor(() => (place = Find(id) is { } control ? control.TranslatePoint(new Rect(control.Bounds.Size).Center, Window) : null) is not null, $"{id} is gone.");
-        User.Click(Window, place!.Value);
+        if (Window.Aim.IsMissed(Window.InputHitTest(place!.Value), place.Value))
+        {
+            // Where rows have just moved, a person looks again.
+            Clock.Advance(AimKeeper.OnItsWay);
+        }
+
+        User.Click(Window, place.Value);
         return this;
     }
 
