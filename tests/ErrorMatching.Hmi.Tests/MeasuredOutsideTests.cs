@@ -43,6 +43,11 @@ public sealed class MeasuredOutsideTests
         var overview = (OverviewViewModel)seat.Shell.Current!;
         Assert.Equal(("Counterparts measured outside their limits: 2", "2 measured counterparts outside their limits"), (overview.Summary, seat.TextOf("overview-counts")));
         Assert.EndsWith("\n1 more is outside its limits: it is marked in the list under Verification.", overview.Waiting.Single().State, StringComparison.Ordinal);
+
+        // A station that is started now tells of the last one alone: it is not begun with old ones.
+        var later = new MeasuredOutside(seat.Cell.Settings);
+        Assert.Equal([4L], later.Now(seat.Station.Store).Select(p => p.LastId));
+        Assert.Equal([4L], later.Now(seat.Station.Store).Select(p => p.LastId));
         seat.Cell.Deliver(3, 0.003);
         seat.WaitFor(() => seat.TextOf("overview-counts") == "1 approval · 2 measured counterparts outside their limits", "It is not said how many wait.");
         BothLanguages.Take(seat, "overview-measured-outside-several");

@@ -7,9 +7,10 @@ namespace ErrorMatching.Hmi;
 internal sealed class MeasuredOutside(CellSettings settings)
 {
     private readonly IReadOnlyList<MatingChoice> _matings = MatingChoice.Of(settings);
+    private readonly Dictionary<string, long> _since = new(StringComparer.Ordinal);
     private Dictionary<long, KeptPiece?> _read = [];
 
-    /// <summary>Those that have, of each mating in the order of the configuration the newest first. A newer measurement of the same piece takes the place of an older one, also where all of its points are within.</summary>
+    /// <summary>Those that have, of each mating in the order of the configuration the newest first: what was measured last when this was asked for the first time, and all since. A newer measurement of the same piece takes the place of an older one, also where all of its points are within.</summary>
     /// <param name="store">The store.</param>
     /// <exception cref="StoreException">The store cannot be read.</exception>
     public IReadOnlyList<KeptPiece> Now(CellStore store)
@@ -24,9 +25,17 @@ internal sealed class MeasuredOutside(CellSettings settings)
         return outside;
     }
 
-    // As many as the verification lists.
-    private static IEnumerable<Correction> Measured(CellStore store, MatingChoice mating) =>
-        store.Reported(mating.Jobs, KeptPieces.Most).Where(c => c.Piece == "counterpart" && c.State is not (CorrectionState.Rejected or CorrectionState.Superseded));
+    // As many as the verification lists at most. What was measured before the station was started, all but the last, is no news of it.
+    private IEnumerable<Correction> Measured(CellStore store, MatingChoice mating)
+    {
+        Correction[] measured = [.. store.Reported(mating.Jobs, KeptPieces.Most).Where(c => c.Piece == "counterpart" && c.State is not (CorrectionState.Rejected or CorrectionState.Superseded))];
+        if (!_since.TryGetValue(mating.Name, out var since))
+        {
+            _since[mating.Name] = since = measured is [var newest, ..] ? newest.Id : 0;
+        }
+
+        return measured.Where(c => c.Id >= since);
+    }
 
     // A counterpart that is compensated by itself has the report of a match, and nothing was verified.
     private static KeptPiece? Read(CellStore store, Correction counterpart) =>
