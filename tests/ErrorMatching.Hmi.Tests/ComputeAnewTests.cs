@@ -1,3 +1,4 @@
+using Avalonia;
 using Avalonia.Input;
 using ErrorMatching.Cell;
 using ErrorMatching.Testing;
@@ -119,11 +120,16 @@ public sealed class ComputeAnewTests
         decisions.Approve(2, DemoCell.Setter, null);
         seat.Tap("side-machine").Type("edit-compensation.gain", "0.5");
         here.Settle();
+        var before = Top();
         seat.Tap("setup-save").WaitFor(() => seat.Find("setup-notice") is not null, "It is not saved.");
-        Assert.Contains("Parts that still wait were computed with the job as it was: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        seat.See("setup-compute-anew");
+        Assert.Equal(before, Top());
+        Assert.Contains("Computed with the job as it was, and waiting: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Assert.Equal("Compute these anew: 3", here.Shell.Editing.ComputeAnewText);
         seat.See("setup-compute-anew");
         seat.Tap("setup-look").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0002", "The notice does not lead to the first that waits.");
+
+        double Top() => Math.Round(seat.See("side-machine").TranslatePoint(default, seat.Window)!.Value.Y);
         seat.Tap("nav-system");
         here.Settle();
         Assert.Null(seat.Find("setup-look"));
@@ -144,13 +150,13 @@ public sealed class ComputeAnewTests
         decisions.Reject(3, DemoCell.Operator, "dirty");
         seat.Tap("setup-compute-anew").WaitFor(() => seat.TextOf("setup-notice")!.StartsWith("Computed anew", StringComparison.Ordinal), "Nothing is said of it.");
         Assert.Equal(
-            "Computed anew with the job as it is now: 2. See On-line compensation. #3 · 0003 was not computed anew: It is not in a state in which this can be done. Look at it again.",
+            "Computed anew: 2. #3 · 0003 was not computed anew: It is not in a state in which this can be done. Look at it again.",
             seat.TextOf("setup-notice"));
         Assert.Null(seat.Find("setup-compute-anew"));
         Assert.Equal(5, here.Shell.Editing.FirstWaiting);
         Texts.Current.Language = Language.TraditionalChinese;
         here.Settle();
-        Assert.StartsWith("以目前的作業重新計算：2 件。", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.StartsWith("已重新計算：2 件。", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Texts.Current.Language = Language.English;
 
         // The notice leads there.
@@ -176,7 +182,7 @@ public sealed class ComputeAnewTests
         here.Seat.Tap("side-machine").Type("edit-compensation.gain", "0.5");
         here.Settle();
         here.Seat.Tap("setup-save").WaitFor(() => here.Seat.Find("setup-notice") is not null, "It is not saved.");
-        Assert.Equal("Saved: the next measurement uses it.", here.TextOf("setup-notice"));
+        Assert.Equal("Saved: the next part uses it.", here.TextOf("setup-notice"));
         Assert.Null(here.Seat.Find("setup-compute-anew"));
         Assert.Null(here.Seat.Find("setup-look"));
     });

@@ -39,7 +39,7 @@ public sealed class CorrectionHeadTests
             $"Proved to {Shown.Mm(proof.GetProperty("maxDeviationFromWantedMm").GetDouble())} mm: {proof.GetProperty("movedMotions")} of {proof.GetProperty("motions")} motions displaced as wanted, the rest unchanged.", seat.TextOf("detail-proof"));
         var worst = points.MaxBy(p => Math.Abs(p.GetProperty("predictedMm").GetDouble()));
         Assert.Equal(
-            $"Left over, predicted: at most {Shown.Mm(Math.Abs(worst.GetProperty("predictedMm").GetDouble()))} mm, at point {worst.GetProperty("point").GetString()}; compensation drives 2, 4 out of limits", seat.TextOf("detail-left-over"));
+            $"Left over, predicted: at most {Shown.Mm(Math.Abs(worst.GetProperty("predictedMm").GetDouble()))} mm, at point {worst.GetProperty("point").GetString()}; driven out of limits: 2, 4", seat.TextOf("detail-left-over"));
 
         // The tip of the tooth moves most, where both flanks meet.
         Assert.Equal($"Largest displacement {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)} mm at N150", seat.TextOf("detail-largest"));

@@ -115,7 +115,7 @@ public sealed partial class JobEditing
             var undecided = 0;
             if (await TryAsync(() => undecided = Undecided(job).Length))
             {
-                Asked?.Invoke(new(job, draft.Name.Trim(), _base.Name.Trim(), undecided));
+                Asked?.Invoke(new(job, draft.Name.Trim(), _base.Name.Trim(), undecided, HasComments));
             }
 
             return;

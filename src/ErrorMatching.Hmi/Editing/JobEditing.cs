@@ -84,7 +84,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     public int WrongCount => Problems.Count - MissingCount;
 
     /// <summary>How much is to be corrected and to be filled in on which screen, in words, as far as there is any.</summary>
-    public string CountText => string.Join(", ", Problems
+    public string CountText => Texts.Current.Listed(Problems
         .GroupBy(p => (p.IsMissing, ProblemPlace.Of(Draft, p.Field).Screen))
         .OrderBy(g => g.Key.IsMissing).ThenBy(g => g.Key.Screen == Screens.Points ? 0 : 1)
         .Select(g => Texts.Current.With(g.Key.IsMissing ? "Setup.MissingAt" : "Setup.WrongAt", g.Count(), Texts.Current["Screen." + g.Key.Screen])));
@@ -197,12 +197,12 @@ public sealed partial class JobEditing : Observable, IDisposable
         Refresh();
     }
 
-    /// <summary>Tells mistakes at every field, and goes to the first.</summary>
+    /// <summary>Tells mistakes at every field, and goes to the first; where there is none, to the first that is asked about.</summary>
     public void Tell()
     {
         _isTold = true;
         Refresh();
-        if (Problems.Count > 0)
+        if (Problems.Count + Doubts.Count > 0)
         {
             Wanted?.Invoke();
         }

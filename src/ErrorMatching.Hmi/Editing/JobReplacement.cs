@@ -7,11 +7,16 @@ namespace ErrorMatching.Hmi;
 /// <param name="Name">Name of the new one.</param>
 /// <param name="Before">Name of the one that is used.</param>
 /// <param name="Undecided">How many corrections of that one still wait, are approved or failed.</param>
-public sealed record JobReplacement(CellJobSettings Place, string Name, string Before, int Undecided)
+/// <param name="HasComments">True if its file has comments, which are not taken over.</param>
+public sealed record JobReplacement(CellJobSettings Place, string Name, string Before, int Undecided, bool HasComments)
 {
     /// <summary>Whose place it takes, from when on and where, in words.</summary>
     public string Told => Texts.Current.With(Name == Before ? "Setup.Replace.ToldSame" : "Setup.Replace.Told", Name, Before.Length > 0 ? Before : Place.Name, Place.Machine, Place.Slot);
 
-    /// <summary>What becomes of the corrections that still wait; none where none does.</summary>
-    public IReadOnlyList<Fact> Facts => Undecided == 0 ? [] : [new(Texts.Current.With("Setup.Replace.Waiting", Undecided), Severity.Attention)];
+    /// <summary>What becomes of the corrections that still wait, and of what people wrote into the file; none where there is neither.</summary>
+    public IReadOnlyList<Fact> Facts => [.. new[]
+    {
+        Undecided > 0 ? new Fact(Texts.Current.With("Setup.Replace.Waiting", Undecided), Severity.Attention) : null,
+        HasComments ? new Fact(Texts.Current["Setup.CommentsLost"], Severity.Attention) : null,
+    }.OfType<Fact>()];
 }

@@ -15,7 +15,7 @@ public abstract class SetupViewModel : ScreenViewModel
     {
         _shell = shell;
         Editing = shell.Editing;
-        TellProblems = new(Editing.Tell, () => IsIncomplete);
+        TellProblems = new(Editing.Tell, () => IsIncomplete || HasAsked);
         LookAtWaiting = new(() =>
         {
             if (Editing.FirstWaiting is { } first)
@@ -70,8 +70,17 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>True where the other screen is what is left to fill in.</summary>
     public bool IsStepNext => MissingThere > 0 && !IsIncomplete;
 
-    /// <summary>How much is wrong, and how much is still to be filled in here, in words.</summary>
-    public string ProblemCount => IsIncomplete ? JobEditing.CountOf(Editing.WrongCount, MissingHere) : Texts.Current["Setup.NothingWrong"];
+    /// <summary>How much is wrong, and how much is still to be filled in here; else how much is asked about, in words.</summary>
+    public string ProblemCount => IsIncomplete ? JobEditing.CountOf(Editing.WrongCount, MissingHere) : HasAsked ? AskedText : Texts.Current["Setup.NothingWrong"];
+
+    /// <summary>How much is asked about, in words.</summary>
+    public string AskedText => Texts.Current.With("Setup.Asked", Editing.Doubts.Count);
+
+    /// <summary>True where nothing has to be done before it is saved, and something is asked about.</summary>
+    public bool HasAsked => !HasProblems && Editing.Doubts.Count > 0;
+
+    /// <summary>True where nothing is to be said of the draft.</summary>
+    public bool IsComplete => !IsIncomplete && !HasAsked;
 
     /// <summary>How much is wrong, in words.</summary>
     public string WrongText => Texts.Current.With("Setup.Problems", Editing.WrongCount);
@@ -93,7 +102,7 @@ public abstract class SetupViewModel : ScreenViewModel
 
     /// <summary>Whether the draft is what stands there.</summary>
     public string StateText => Editing.Job is not { } job ? "" : !Editing.IsChanged ? Texts.Current.With("Setup.AsSaved", job.Machine, job.Slot)
-        : Sentence.Joined(Texts.Current.With("Setup.Unsaved", job.Machine, job.Slot, job.Name), Editing.HasComments ? Texts.Current["Setup.CommentsLost"] : "");
+        : Sentence.Joined(Texts.Current.With("Setup.Unsaved", job.Machine, job.Slot, job.Name), Editing.HasComments && !Editing.Draft.IsBegunAnew ? Texts.Current["Setup.CommentsLost"] : "");
 
     /// <summary>What a new job is for, and what becomes of the one that is there.</summary>
     public string? AnewHelp => Editing.Job is { } job ? Texts.Current.With("Setup.BeginAnewHelp", job.Name, job.Machine, job.Slot) : null;
@@ -229,7 +238,7 @@ public abstract class SetupViewModel : ScreenViewModel
     // As they are read: this screen after the other, its sides from the left, its fields from above.
     private void GoToFirst()
     {
-        var places = Editing.Problems.Select(p => (p.Field, Place: ProblemPlace.Of(Editing.Draft, p.Field))).ToLookup(p => p.Place, p => p.Field);
+        var places = (Editing.Problems.Count > 0 ? Editing.Problems : Editing.Doubts).Select(p => (p.Field, Place: ProblemPlace.Of(Editing.Draft, p.Field))).ToLookup(p => p.Place, p => p.Field);
         var first = places.MinBy(p => (p.Key.Screen == Screens.Points ? 0 : 1, p.Key.Side));
         if (first is null)
         {

@@ -53,6 +53,10 @@ public sealed class Texts : Observable
     /// <exception cref="KeyNotFoundException">There is no such key.</exception>
     public string Counted(string key, int count, params object[] values) => With(count == 1 ? key + "One" : key, values);
 
+    /// <summary>Words one after the other, as the language writes a list.</summary>
+    /// <param name="words">The words.</param>
+    public string Listed(IEnumerable<string> words) => string.Join(this["List.Between"], words);
+
     /// <summary>The text of a value of an enumeration, by the key TYPE.VALUE.</summary>
     public string Word<T>(T value)
         where T : struct, Enum => this[$"{typeof(T).Name}.{value}"];

@@ -32,7 +32,7 @@ public sealed record WaitReason(string Text, Severity Severity, long First)
     public static string Numbers(IReadOnlyList<Correction> corrections)
     {
         ArgumentNullException.ThrowIfNull(corrections);
-        return string.Join(", ", corrections.Take(Most).Select(Number)) + (corrections.Count > Most ? " …" : "");
+        return Texts.Current.Listed(corrections.Take(Most).Select(Number)) + (corrections.Count > Most ? " …" : "");
     }
 
     private static string Number(Correction correction) => "#" + Shown.Id(correction.Id);

@@ -15,7 +15,7 @@ public sealed class FoundBlocksTests
         seat.Seat.Tap("blocks-find");
         Wait(seat);
         Assert.Equal(Paper, seat.Draft.Features.Select(f => f.Blocks));
-        Assert.Equal("Blocks were found for L1, L2L3, C1, by the key points that they lead past. Look at them in the drawn path before you save.", seat.TextOf("setup-notice"));
+        Assert.Equal("Found for L1, L2L3, C1. Look at them in the drawn path.", seat.TextOf("setup-notice"));
         Assert.Equal(["L1", "L2L3", "C1"], seat.System.Picture!.Marks.Where(m => m.Ranges.Count > 0).Select(m => m.Name));
         Assert.Empty(seat.Shell.Editing.Problems);
         Assert.False(seat.Seat.See("blocks-find").IsEffectivelyEnabled);
@@ -38,8 +38,8 @@ public sealed class FoundBlocksTests
         seat.Seat.Tap("blocks-find");
         Wait(seat);
         Assert.Equal(["N120", "N130..N150", ""], seat.Draft.Features.Select(f => f.Blocks));
-        Assert.StartsWith("Blocks were found for L1, by the key points that they lead past.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
-        Assert.Contains("None were found for C1: a key point has no coordinates", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.StartsWith("Found for L1.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.Contains("Not found for C1: a key point has no coordinates", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Assert.Equal("C1", seat.System.Picture!.Feature);
     });
 

@@ -45,7 +45,8 @@ public sealed class NewJobTests
         here.Tap("setup-save").See("signing-subject");
         Assert.Equal("Bracket", here.TextOf("signing-subject"));
         Assert.Equal("The old one is overwritten. From the next measurement on, vmc1, slot A uses Bracket instead of Complex mating.", here.TextOf("signing-consequence"));
-        Assert.Equal([new Fact("Corrections of the old job still wait: 1. Decide about each in On-line compensation.", Severity.Attention)], here.Shell.Signing!.Facts);
+        Assert.Equal(
+            [new Fact("Corrections of the old job that wait: 1. Once saved, they can be computed anew.", Severity.Attention), new("Saving drops the comments in its file.", Severity.Attention)], here.Shell.Signing!.Facts);
 
         // Saving a job takes no password, and neither does this.
         Assert.Null(here.Find("signing-password"));

@@ -13,7 +13,7 @@ public sealed class PointSetupTests
     [Fact]
     public Task A_job_is_shown_as_it_stands() => At(seat =>
     {
-        Assert.Equal("As the cell uses it, at vmc1, slot A.", seat.TextOf("setup-state"));
+        Assert.Equal("In use at vmc1, slot A.", seat.TextOf("setup-state"));
         Assert.Equal(("WO-2021-02", "Complex mating", "anna"), (seat.Setup.WorkOrder.Text, seat.Setup.Workpiece.Text, seat.Seat.TextOf("points-operator")));
         Assert.Equal([("L1", "2"), ("L2L3", "2 2"), ("C1", "10")], seat.Setup.Features.Select(f => (f.Name.Text, string.Join(' ', f.Flanks.Select(k => k.Count.Text)))));
         Assert.Equal((false, 16, 16), (seat.Setup.Drawing.IsSchematic, seat.Setup.Drawing.Known, seat.Setup.Drawing.Total));
@@ -46,7 +46,7 @@ public sealed class PointSetupTests
         // The next change puts the old value back.
         seat.Seat.Type(seat.Setup.WorkOrder.AutomationId, "WO-1");
         seat.Settle();
-        Assert.Equal(("10", "Complete"), (count.Text, seat.Setup.ProblemCount));
+        Assert.Equal(("10", "To consider: 2"), (count.Text, seat.Setup.ProblemCount));
         seat.Seat.Type(count.AutomationId, "-3").User.Press(Key.Tab);
         seat.Seat.Tap("setup-save");
         seat.Settle();
@@ -64,8 +64,11 @@ public sealed class PointSetupTests
         seat.Seat.Tap("setup-anew");
         seat.Settle();
         var state = (TextBlock)seat.Seat.See("setup-state");
-        Assert.Equal("Not saved: complex-mating still runs at vmc1, slot A. Saving drops the remarks in its file.", state.Text);
+        Assert.Equal("Not saved: complex-mating still runs at vmc1, slot A.", state.Text);
         Assert.Single(state.TextLayout.TextLines);
+
+        // It is filled in from its beginning.
+        seat.Seat.WaitFor(() => seat.Seat.Find("edit-workOrder") is { IsFocused: true }, "The first field has no focus.");
     });
 
     [Fact]

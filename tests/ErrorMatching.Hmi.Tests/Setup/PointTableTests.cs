@@ -12,7 +12,7 @@ public sealed class PointTableTests
 
     [Theory]
     [InlineData(false, "Nothing was taken: 17 rows for 16 points without coordinates. Only the table has 2a, 3a, 3b. Only the features have 15, 16. Correct the number of points in Point set-up; for a row of no feature, such as a tip, tap Add point and type its label. Then take the table again.")]
-    [InlineData(true, "未讀入任何座標：表格有 17 行，而尚無座標的點有 16 個。僅表格有 2a, 3a, 3b。僅特徵有 15, 16。請在點位設定更正點數；不屬於特徵的點（例如頂點），請在此點選「新增點」並輸入其標籤。然後再讀取一次表格。")]
+    [InlineData(true, "未讀入任何座標：表格有 17 行，而尚無座標的點有 16 個。僅表格有 2a、3a、3b。僅特徵有 15、16。請在點位設定更正點數；不屬於特徵的點（例如頂點），請在此點選「新增點」並輸入其標籤。然後再讀取一次表格。")]
     public Task A_drawing_with_a_tip_of_no_feature_is_taken_once_the_tip_is_named(bool isChinese, string refused) => SetupSeat.AtAsync(Screens.Points, seat =>
     {
         if (isChinese)
@@ -35,8 +35,8 @@ public sealed class PointTableTests
         before = seat.Draft;
         Read(seat, Drawing);
         Assert.Equal(
-            isChinese ? "表中有 17 點。各點已依表格順序取得標籤：L1 自 1 至 2, T1 自 2a 至 4, C1 自 5 至 14。請與圖面核對。"
-                : "The table has 17 points. The points took its labels, in its order: L1 from 1 to 2, T1 from 2a to 4, C1 from 5 to 14. Compare these with the drawing.",
+            isChinese ? "表中有 17 點。依其順序的標籤：L1 1..2、T1 2a..4、C1 5..14。"
+                : "The table has 17 points. Labels in its order: L1 1..2, T1 2a..4, C1 5..14.",
             seat.TextOf("setup-notice"));
         Assert.Equal(MatingDraftFiles.Open(seat.JobFile).Points.Select(p => (p.Label, p.X, p.Y)), seat.Draft.Points.Select(p => (p.Label, p.X, p.Y)));
         seat.Seat.Tap("setup-undo");
@@ -55,7 +55,7 @@ public sealed class PointTableTests
         seat.Seat.Tap("nav-points").Type("edit-features[2].points", "10").User.Press(Key.Enter);
         seat.Settle();
         Paste(seat, drawing);
-        Assert.StartsWith("The table has 16 points. The points took its labels", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.StartsWith("The table has 16 points. Labels in its order:", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Assert.Equal(labels, seat.Draft.Features.SelectMany(f => f.Points).Select(p => p.Label));
 
         // Another table calls the first point otherwise: it is named so.

@@ -43,7 +43,13 @@ public sealed class SetupCountTests
     public Task The_count_looks_like_a_button_only_where_it_leads_to_something() => At(seat =>
     {
         var count = (Button)seat.Seat.See("setup-problems");
-        Assert.Equal((false, Color("Line"), Color("InkQuiet")), (count.IsEffectivelyEnabled, Border(), Words()));
+
+        // The sample's points 2 and 4 lie on corners: one tap leads to the first, from whichever side.
+        Assert.Equal((true, "To consider: 2", Color("Attention")), (count.IsEffectivelyEnabled, AutomationProperties.GetName(count), Words()));
+        seat.Seat.Tap("side-machine").Tap("setup-problems").WaitFor(() => seat.Seat.Find("edit-features[0].points[1]") is { IsFocused: true }, "The point on a corner has no focus.");
+        seat.Seat.Type("edit-features[0].points[1]/y", "59.846").Type("edit-features[1].points[1][1]/y", "39.5").Type("edit-features[1].points[1][1]/x", "-34.5");
+        seat.Settle();
+        Assert.Equal((false, "All filled in", Color("Line"), Color("InkQuiet")), (count.IsEffectivelyEnabled, AutomationProperties.GetName(count), Border(), Words()));
         seat.Seat.Tap("setup-anew");
         seat.Settle();
         Assert.Equal((true, Color("Accent"), Color("Accent")), (count.IsEffectivelyEnabled, Border(), Words()));
@@ -61,7 +67,7 @@ public sealed class SetupCountTests
     [Fact]
     public Task Points_on_corners_are_asked_about_before_the_job_is_saved_on_whichever_side_one_is() => At(seat =>
     {
-        const string Corners = "On rounded corners, not fully compensated: 2 (1.5 mm), 4 (1.4 mm). Move each point that much further from its corner.";
+        const string Corners = "On rounded corners, not fully compensated: 2 (1.5 mm), 4 (1.4 mm). Better that much further from the corner; it can be saved as it is.";
         Assert.Equal(Corners, seat.TextOf("points-corners"));
         Assert.Contains("asked", seat.Seat.See("edit-features[0].points[1]").Classes);
         Assert.DoesNotContain("asked", seat.Seat.See("edit-features[0].points[0]").Classes);
@@ -136,7 +142,7 @@ public sealed class SetupCountTests
         seat.Seat.Type("edit-name", "Piece");
         seat.Settle();
         var step = (Button)seat.Seat.See("setup-step");
-        Assert.Equal(("Complete", 30), (seat.Setup.ProblemCount, seat.Shell.Editing.MissingCount));
+        Assert.Equal(("All filled in", 30), (seat.Setup.ProblemCount, seat.Shell.Editing.MissingCount));
         Assert.Equal("Next: 30 to fill in System set-up", AutomationProperties.GetName(step));
         Assert.Contains("accent", step.Classes);
         Assert.False(seat.Seat.See("setup-problems").IsEffectivelyEnabled);
@@ -144,7 +150,7 @@ public sealed class SetupCountTests
         // Nine points, program and blocks of three, limits of three, tool, uncertainty: 18 + 4 + 6 + 2.
         seat.Seat.Tap("setup-step");
         seat.Settle();
-        Assert.Equal(("Still to fill: 30", "Back: features and points"), (seat.System.ProblemCount, seat.System.StepText));
+        Assert.Equal(("Still to fill: 30", "Back: Point set-up"), (seat.System.ProblemCount, seat.System.StepText));
         Assert.DoesNotContain("accent", seat.Seat.See("setup-step").Classes);
     });
 
@@ -153,12 +159,12 @@ public sealed class SetupCountTests
     {
         seat.Seat.Tap("setup-step");
         Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);
-        Assert.Equal("Next: coordinates, program, limits", seat.Setup.StepText);
+        Assert.Equal("Next: System set-up", seat.Setup.StepText);
 
         // A tap right behind the first would be taken for its second half (TapTests).
         seat.Seat.User.Wait(TimeSpan.FromMilliseconds(600));
         seat.Seat.Tap("setup-step");
-        Assert.Equal((Screens.System, "Back: features and points"), (seat.Shell.Chosen!.Screen.Key, seat.System.StepText));
+        Assert.Equal((Screens.System, "Back: Point set-up"), (seat.Shell.Chosen!.Screen.Key, seat.System.StepText));
     });
 
     [Fact]
@@ -166,7 +172,7 @@ public sealed class SetupCountTests
     {
         seat.Shell.Editing.Change("", d => d.WithFeature(2, f => f with { Name = "" }));
         seat.Settle();
-        Assert.Equal(("Complete", "Back: 1 to fill in Point set-up"), (seat.System.ProblemCount, seat.System.StepText));
+        Assert.Equal(("All filled in", "Back: 1 to fill in Point set-up"), (seat.System.ProblemCount, seat.System.StepText));
         seat.Seat.Tap("setup-save");
         seat.Seat.WaitFor(() => seat.Seat.Find("edit-features[2].name") is { IsFocused: true }, "The name has no focus.");
         Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);

@@ -15,7 +15,7 @@ public sealed class SetupHelpTests
         Assert.Contains("attention", question.Classes);
         Assert.DoesNotContain("alarm", question.Classes);
         Assert.DoesNotContain("wrong", seat.Seat.See("edit-features[1].toleranceMm[1]").Classes);
-        Assert.Equal("Complete", seat.System.ProblemCount);
+        Assert.Equal("To consider: 3", seat.System.ProblemCount);
         seat.Seat.Tap("setup-save");
         seat.Seat.WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
         Assert.StartsWith("Saved", seat.TextOf("setup-notice"), StringComparison.Ordinal);
@@ -41,6 +41,6 @@ public sealed class SetupHelpTests
         Assert.Equal("empty: automatic", ((TextBox)seat.Seat.Tap(tolerances).See(degree)).PlaceholderText);
         Texts.Current.Language = Language.TraditionalChinese;
         seat.Settle();
-        Assert.Equal("空白時：自動", ((TextBox)seat.Seat.See(degree)).PlaceholderText);
+        Assert.Equal("預設 自動", ((TextBox)seat.Seat.See(degree)).PlaceholderText);
     });
 }

@@ -20,7 +20,7 @@ public sealed class SetupWordsTests
         var program = Path.Combine(Path.GetDirectoryName(seat.JobFile)!, seat.Draft.Counterpart.Program);
         Import(seat, program);
         Save(seat);
-        Assert.Equal("Saved: the next measurement uses it.", seat.TextOf("setup-notice"));
+        Assert.Equal("Saved: the next part uses it.", seat.TextOf("setup-notice"));
         Texts.Current.Language = Language.TraditionalChinese;
         seat.Settle();
         Assert.Equal(Texts.Current["Setup.Saved"], seat.TextOf("setup-notice"));

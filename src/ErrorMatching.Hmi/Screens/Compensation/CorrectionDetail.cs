@@ -80,8 +80,8 @@ public sealed class CorrectionDetail
             var most = Texts.Current.With("Head.LeftOver", Shown.Mm(Math.Abs(worst.AfterError.NormalMm)), worst.Label);
             var (outside, pushed) = (_piece.Outside, _piece.PushedOut);
             return most + (outside.Count == 0 ? Texts.Current["Head.NoneOutside"]
-                : pushed.Count == outside.Count ? Texts.Current.With("Head.AllPushedOut", string.Join(", ", pushed))
-                : Texts.Current.Counted("Head.Outside", outside.Count, outside.Count, string.Join(", ", outside)) + (pushed.Count > 0 ? Texts.Current.With("Head.PushedOut", string.Join(", ", pushed)) : ""));
+                : pushed.Count == outside.Count ? Texts.Current.With("Head.AllPushedOut", Texts.Current.Listed(pushed))
+                : Texts.Current.Counted("Head.Outside", outside.Count, outside.Count, Texts.Current.Listed(outside)) + (pushed.Count > 0 ? Texts.Current.With("Head.PushedOut", Texts.Current.Listed(pushed)) : ""));
         }
     }
 
@@ -159,9 +159,7 @@ public sealed class CorrectionDetail
         proof.Holds ? "Head.Proved" : "Head.NotProved", Shown.Count(proof.Motions), Shown.Count(proof.MovedMotions), Shown.Mm(proof.MaxDeviationFromWantedMm));
 
     /// <summary>How much of the program differs.</summary>
-    public string Changed => Kept.Report is not { } report ? "" : Sentence.Joined(
-        Texts.Current.With("Detail.Changed", Shown.Count(report.ChangedBlocks), Shown.Count(report.ChangedWords)),
-        report.Proof.MovedMotions > report.ChangedBlocks ? Texts.Current.With("Detail.ChangedMotions", Shown.Count(report.Proof.MovedMotions)) : "");
+    public string Changed => Kept.Report is not { } report ? "" : Texts.Current.With("Detail.Changed", Shown.Count(report.ChangedBlocks));
 
     /// <summary>What a person should know before using the program.</summary>
     public IReadOnlyList<string> Warnings => [.. Kept.Report?.Warnings.Select(w => w.Text) ?? Surface?.Warnings ?? []];

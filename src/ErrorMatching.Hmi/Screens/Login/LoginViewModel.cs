@@ -117,6 +117,7 @@ public sealed class LoginViewModel : ScreenViewModel
     {
         Users = [.. Users.Select(u => u with { RoleName = Texts.Current.Word(u.Role) })];
         Say(nameof(Chosen));
+        Say(nameof(Hint));
     }
 
     private async Task LoadAsync()

@@ -23,6 +23,7 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         AddTriangle = Adding(FeatureKind.Triangle, "T");
         AddCurve = Adding(FeatureKind.Curve, "C");
         _minute = Station.Clock.CreateTimer(_ => _screen.Post(_ => Say(nameof(Time)), null), null, TimeSpan.FromSeconds(1), TimeSpan.FromSeconds(1));
+        Editing.Begun += GoToFirstField;
         Begin();
     }
 
@@ -87,6 +88,7 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
     protected override void Dispose(bool isDisposing)
     {
         _minute.Dispose();
+        Editing.Begun -= GoToFirstField;
         base.Dispose(isDisposing);
     }
 
@@ -120,6 +122,15 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         foreach (var command in new[] { AddLine, AddTriangle, AddCurve })
         {
             command.Refresh();
+        }
+    }
+
+    // A new job is filled in from its beginning.
+    private void GoToFirstField()
+    {
+        if (Shell.Current == this)
+        {
+            GoTo(WorkOrder);
         }
     }
 

@@ -141,8 +141,8 @@ public sealed partial class SystemViewModel
         ShowPicture();
         string[] missed = [.. proposed.Where(p => p.Blocks.Count == 0).Select(p => p.Name)];
         Editing.Note(() => Sentence.Joined(
-            found.Length > 0 ? Texts.Current.With("System.BlocksFound", string.Join(", ", found.Select(p => p.Name))) : "",
-            missed.Length > 0 ? Texts.Current.With("System.BlocksMissed", string.Join(", ", missed)) : ""));
+            found.Length > 0 ? Texts.Current.With("System.BlocksFound", Texts.Current.Listed(found.Select(p => p.Name))) : "",
+            missed.Length > 0 ? Texts.Current.With("System.BlocksMissed", Texts.Current.Listed(missed)) : ""));
     }
 
     /// <summary>What a picture is of: while it is the same, it stays.</summary>

@@ -47,9 +47,10 @@ public sealed partial class SystemViewModel : SetupViewModel
         get => _side;
         set
         {
-            if (Set(ref _side, value))
+            // What was said on a side is read once another one is turned to; what can be done about it stays.
+            if (Show(value) && Editing.FirstWaiting is null)
             {
-                Shell.Looked.SystemSide = value;
+                Editing.ForgetNotice();
             }
         }
     }
@@ -247,7 +248,14 @@ public sealed partial class SystemViewModel : SetupViewModel
     protected override void Turn(int side)
     {
         Detail = null;
-        Side = side;
+        Show(side);
+    }
+
+    private bool Show(int side)
+    {
+        var isOther = Set(ref _side, side, nameof(Side));
+        Shell.Looked.SystemSide = side;
+        return isOther;
     }
 
     /// <inheritdoc/>

@@ -41,7 +41,7 @@ internal static class TableText
     /// <summary>The first of many words.</summary>
     /// <param name="words">The words.</param>
     /// <param name="most">How many are listed.</param>
-    public static string Listed(IReadOnlyList<string> words, int most = MostLabels) => string.Join(", ", words.Take(most)) + (words.Count > most ? " …" : "");
+    public static string Listed(IReadOnlyList<string> words, int most = MostLabels) => Texts.Current.Listed(words.Take(most)) + (words.Count > most ? " …" : "");
 
     private static string LabelsOf(FeatureDraft feature) => Texts.Current.With("System.LabelsOf", feature.Name, feature.Points.First().Label, feature.Points.Last().Label);
 }

@@ -155,7 +155,7 @@ public sealed class PieceDetail : Observable
 
     private IReadOnlyList<PredictionMiss> Significant => [.. _piece.Misses.Where(m => m.IsSignificant)];
 
-    private static string Listed(IEnumerable<string> labels) => string.Join(", ", labels);
+    private static string Listed(IEnumerable<string> labels) => Texts.Current.Listed(labels);
 
     private SeriesDrawing ErrorsOf()
     {
