@@ -149,7 +149,10 @@ public sealed partial class MainWindow : Window
     private void ShowTargets()
     {
         Resources["Target"] = Resources["RowHeight"] = Application.Current!.FindResource("Target" + _shell!.TouchSize);
-        Resources["PlotLeast"] = Application.Current!.FindResource("PlotLeast" + _shell!.TouchSize);
+        foreach (var key in new[] { "PlotLeast", "ProgramRow", "NoticeHeight" })
+        {
+            Resources[key] = Application.Current!.FindResource(key + _shell!.TouchSize);
+        }
     }
 
     private void ShowTheme() => RequestedThemeVariant = _shell!.IsDark ? ThemeVariant.Dark : ThemeVariant.Light;

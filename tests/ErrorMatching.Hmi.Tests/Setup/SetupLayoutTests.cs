@@ -52,6 +52,19 @@ public sealed class SetupLayoutTests
     });
 
     [Fact]
+    public Task Lines_of_a_program_are_whole_targets_for_whoever_takes_the_largest() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        const double Target = 15 / 25.4 * 96;
+        seat.Seat.Tap("side-blocks").WaitFor(() => seat.System.Picture is not null, "The program is not opened.");
+        var text = (ProgramText)seat.Seat.See("program-text");
+        Assert.True(text.RowHeight < Target);
+        seat.Shell.Preferences.TouchSize = TouchSize.Largest;
+        seat.Settle();
+        Assert.InRange(text.RowHeight, Target, 1.1 * Target);
+        Assert.Empty(Layout.Problems(seat.Seat.Window));
+    });
+
+    [Fact]
     public Task Points_with_three_coordinates_have_the_whole_width() => SetupSeat.AtAsync(Screens.System, seat =>
     {
         seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Plane = "ZX" }));

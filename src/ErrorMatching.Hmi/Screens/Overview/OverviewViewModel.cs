@@ -28,7 +28,7 @@ public sealed class OverviewViewModel : ScreenViewModel
     /// <summary>What waits for a person, has failed, or is on its way, the worst first.</summary>
     public RowList<WaitingTile> Waiting { get; } = [];
 
-    /// <summary>How many approvals and how many measured pieces wait for a person; empty if none do.</summary>
+    /// <summary>How many approvals and how many measured pieces wait for a person; empty where none does, or <see cref="Summary"/> says how many.</summary>
     public string Counts { get; private set; } = "";
 
     /// <summary>How it is, in a sentence.</summary>
@@ -66,7 +66,8 @@ public sealed class OverviewViewModel : ScreenViewModel
         Gauges.Show([.. Station.Settings.Gauges.Select(g => Tile(status, g))]);
         Waiting.Show([.. status.Failed.Select(c => Tile(c, Severity.Alarm)), .. OutsidePieces.Of(Station.Outside).Select(Tile), .. status.Proposed.Select(c => Tile(c, Severity.Attention)), .. status.Slots.SelectMany(s => s.Approved).Select(c => Tile(status, c)), .. status.InWork.Select(c => Tile(c, Severity.Quiet))]);
         var (failed, proposed) = (status.CountOf(CorrectionState.Failed), status.CountOf(CorrectionState.Proposed));
-        Counts = string.Join(" · ", new[] { CountOf("Overview.Approvals", proposed), CountOf("Overview.PiecesOutside", Station.Outside.Count) }.OfType<string>());
+        string[] counts = [.. new[] { CountOf("Overview.Approvals", proposed), CountOf("Overview.PiecesOutside", Station.Outside.Count) }.OfType<string>()];
+        Counts = counts.Length == 1 && failed == 0 && status.IsRunning ? "" : string.Join(" · ", counts);
         (Summary, Severity) =
             !status.IsRunning ? (texts["Overview.NotRunning"], Severity.Alarm)
             : failed > 0 ? (texts.With("Overview.Failed", Shown.Count(failed)), Severity.Alarm)
