@@ -57,13 +57,14 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>To the other one of both screens: they are two steps of one thing.</summary>
     public Command Step { get; }
 
-    /// <summary>What is there, in words, or how much is still to be filled in there.</summary>
+    /// <summary>Which one that is, in words, and how much is still to be filled in there.</summary>
     public string StepText
     {
         get
         {
             var (key, there) = Key == Screens.Points ? ("Setup.Next", Screens.System) : ("Setup.Back", Screens.Points);
-            return MissingThere > 0 ? Texts.Current.With(key + "Fill", Texts.Current.With("Setup.MissingAt", MissingThere, Texts.Current["Screen." + there])) : Texts.Current[key];
+            var name = Texts.Current["Screen." + there];
+            return Texts.Current.With(key, MissingThere > 0 ? Texts.Current.With("Setup.MissingAt", MissingThere, name) : name);
         }
     }
 

@@ -48,7 +48,7 @@ public sealed partial class SystemViewModel : SetupViewModel
         set
         {
             // What was said on a side is read once another one is turned to; what can be done about it stays.
-            if (Show(value) && Editing.FirstWaiting is null)
+            if (TurnTo(value) && Editing.FirstWaiting is null)
             {
                 Editing.ForgetNotice();
             }
@@ -248,10 +248,10 @@ public sealed partial class SystemViewModel : SetupViewModel
     protected override void Turn(int side)
     {
         Detail = null;
-        Show(side);
+        TurnTo(side);
     }
 
-    private bool Show(int side)
+    private bool TurnTo(int side)
     {
         var isOther = Set(ref _side, side, nameof(Side));
         Shell.Looked.SystemSide = side;
