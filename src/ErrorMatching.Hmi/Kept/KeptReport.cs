@@ -9,7 +9,6 @@ namespace ErrorMatching.Hmi;
 /// <param name="Points">The key points in the order of cutting.</param>
 /// <param name="Blocks">The blocks that differ.</param>
 /// <param name="ChangedBlocks">How many blocks differ.</param>
-/// <param name="ChangedWords">How many words differ.</param>
 /// <param name="Proof">What was proved about the program.</param>
 /// <param name="FollowsWhole">True if the counterpart follows the whole deviation, false if only what lies beyond the limit.</param>
 /// <param name="Warnings">What a person should know before using the program.</param>
@@ -20,7 +19,6 @@ public sealed record KeptReport(
     IReadOnlyList<KeptPoint> Points,
     IReadOnlyList<KeptBlock> Blocks,
     int ChangedBlocks,
-    int ChangedWords,
     KeptProof Proof,
     bool FollowsWhole,
     IReadOnlyList<KeptWarning> Warnings)
@@ -47,7 +45,6 @@ public sealed record KeptReport(
             [.. root.GetProperty("keyPoints").EnumerateArray().Select(KeptPoint.Read)],
             [.. program.GetProperty("blocks").EnumerateArray().Select(KeptBlock.Read)],
             program.GetProperty("changedBlocks").GetInt32(),
-            program.GetProperty("changedWords").GetInt32(),
             KeptProof.Read(root.GetProperty("proof")),
             root.GetProperty("compensation").GetProperty("amount").GetString() == "whole",
             KeptWarning.Read(root));

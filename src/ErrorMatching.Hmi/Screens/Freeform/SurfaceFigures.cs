@@ -83,7 +83,7 @@ public sealed class SurfaceFigures
     /// <summary>What was proved about the program, in a sentence or two.</summary>
     public string Proof => (_kept.Proof, _kept.ToolPath) switch
     {
-        ({ } proof, _) => Texts.Current.With(proof.Holds ? "Detail.ProofHolds" : "Detail.ProofFails", Shown.Count(proof.Motions), Shown.Count(proof.MovedMotions), Shown.Mm(proof.MaxDeviationFromWantedMm)),
+        ({ } proof, _) => Texts.Current.With(proof.Holds ? "Head.Proved" : "Head.NotProved", Shown.Count(proof.Motions), Shown.Count(proof.MovedMotions), Shown.Mm(proof.MaxDeviationFromWantedMm)),
         (_, { } path) => Sentence.Joined(
             Texts.Current.With("Freeform.Path", Shown.Count(path.Passes), Shown.Count(path.Points), Shown.Count((long)Math.Round(path.LengthMm)), Shown.Micrometers(path.ChordMm), Shown.Micrometers(path.ScallopMm)),
             path.RaisedPoints == 0 ? Texts.Current.With("Freeform.NoGouge", Shown.Micrometers(path.GougeMm)) : Texts.Current.With("Freeform.Raised", Shown.Count(path.RaisedPoints), Shown.Micrometers(path.RaisedMm))),
