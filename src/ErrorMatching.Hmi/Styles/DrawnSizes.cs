@@ -24,6 +24,9 @@ internal static class DrawnSizes
     /// <summary>Half of a thin line: so far from a border it lies on whole pixels.</summary>
     public const double HalfThin = 0.5;
 
+    /// <summary>Height of the shade at an edge beyond which there is more.</summary>
+    public const double EdgeShade = 14;
+
     /// <summary>Radius of a point.</summary>
     public const double Dot = 4;
 
