@@ -15,8 +15,8 @@ public sealed partial class CompensationWordsTests
 {
     // Table 5 of Wang, Tu and Gunawan (2021): point 1 of L1 lies 0.117 mm off, where 0.05 are allowed; of L2L3 two points are outside by 0.051 and 0.086.
     [Theory]
-    [InlineData(0, "L1 · line", "+0.1170", "Points outside: 1; furthest: point 1, 0.0670 mm beyond its limit.")]
-    [InlineData(1, "L2L3 · triangle", "+0.1359", "Points outside: 2; furthest: point 3b, 0.0859 mm beyond its limit.")]
+    [InlineData(0, "L1 · line", "+0.1170", "Points outside: 1; furthest: point 1, 0.0670\u00a0mm beyond its limit.")]
+    [InlineData(1, "L2L3 · triangle", "+0.1359", "Points outside: 2; furthest: point 3b, 0.0859\u00a0mm beyond its limit.")]
     public Task A_decision_says_its_reason(int row, string feature, string largest, string reason) => Seat.AtAsync(seat =>
     {
         var decision = Arrive(seat).Decisions[row];
@@ -52,9 +52,9 @@ public sealed partial class CompensationWordsTests
         // The same point, seen from the part and seen from the mating.
         Assert.Equal(("+0.1170", "−0.1170"), (detail.Decisions[0].Largest, detail.Points[0].Without));
         seat.Tap("tab-decisions").See("decisions-note");
-        Assert.Equal("Largest deviation: part − counterpart without compensation, the sign that limits have. +0.1359 mm here is a mating error of −0.1359 mm under Points.", seat.TextOf("decisions-note"));
+        Assert.Equal("Largest deviation: part − counterpart without compensation, the sign that limits have. +0.1359\u00a0mm here is a mating error of −0.1359\u00a0mm under Points.", seat.TextOf("decisions-note"));
         Texts.Current.Language = Language.TraditionalChinese;
-        seat.WaitFor(() => seat.TextOf("decisions-note") == "最大偏差：工件 − 未補償的對應件，與公差限的正負號一致。此處的 +0.1359 mm 即「關鍵點」頁的配合誤差 −0.1359 mm。", "It is said in English only.");
+        seat.WaitFor(() => seat.TextOf("decisions-note") == "最大偏差：工件 − 未補償的對應件，與公差限的正負號一致。此處的 +0.1359\u00a0mm 即「關鍵點」頁的配合誤差 −0.1359\u00a0mm。", "It is said in English only.");
         Texts.Current.Language = Language.English;
     });
 
@@ -63,7 +63,7 @@ public sealed partial class CompensationWordsTests
     {
         var detail = Arrive(seat);
         Assert.Equal(["Waits for approval", "Computed", "Recognized", "Arrived"], detail.Steps.Select(s => s.State));
-        Assert.Equal("displaced by at most 0.2979 mm at block N150. Warnings: 2", detail.Steps[1].Basis);
+        Assert.Equal("displaced by at most 0.2979\u00a0mm at block N150. Warnings: 2", detail.Steps[1].Basis);
         Assert.Contains("Point 2 lies on a rounded corner", seat.Station.Store.StepsOf(1).Single(s => s.To == CorrectionState.Computed).Basis, StringComparison.Ordinal);
     });
 

@@ -36,13 +36,13 @@ public sealed class CorrectionHeadTests
         using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
         var (proof, points) = (report.RootElement.GetProperty("proof"), report.RootElement.GetProperty("keyPoints").EnumerateArray().ToArray());
         Assert.Equal(
-            $"Proved to {Shown.Mm(proof.GetProperty("maxDeviationFromWantedMm").GetDouble())} mm: {proof.GetProperty("movedMotions")} of {proof.GetProperty("motions")} motions displaced as wanted, the rest unchanged.", seat.TextOf("detail-proof"));
+            $"Proved to {Shown.Mm(proof.GetProperty("maxDeviationFromWantedMm").GetDouble())}\u00a0mm: {proof.GetProperty("movedMotions")} of {proof.GetProperty("motions")} motions displaced as wanted, the rest unchanged.", seat.TextOf("detail-proof"));
         var worst = points.MaxBy(p => Math.Abs(p.GetProperty("predictedMm").GetDouble()));
         Assert.Equal(
-            $"Left over, predicted: at most {Shown.Mm(Math.Abs(worst.GetProperty("predictedMm").GetDouble()))} mm, at point {worst.GetProperty("point").GetString()}; driven out of limits: 2, 4", seat.TextOf("detail-left-over"));
+            $"Left over, predicted: at most {Shown.Mm(Math.Abs(worst.GetProperty("predictedMm").GetDouble()))}\u00a0mm, at point {worst.GetProperty("point").GetString()}; driven out of limits: 2, 4", seat.TextOf("detail-left-over"));
 
         // The tip of the tooth moves most, where both flanks meet.
-        Assert.Equal($"Largest displacement {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)} mm at N150", seat.TextOf("detail-largest"));
+        Assert.Equal($"Largest displacement {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)}\u00a0mm at N150", seat.TextOf("detail-largest"));
         Assert.Equal(("Complex mating", "Goes to vmc1/A as counterpart.nc"), (seat.TextOf("detail-job"), seat.TextOf("detail-target")));
         seat.Tap("approve");
         Assert.Equal(("Complex mating · #1 · 0001", "Goes to vmc1/A as counterpart.nc"), (seat.TextOf("signing-subject"), seat.TextOf("signing-target")));

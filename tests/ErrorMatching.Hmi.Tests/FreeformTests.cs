@@ -21,10 +21,10 @@ public sealed class FreeformTests
         seat.Cell.Run();
         seat.SignIn(DemoCell.Operator).Tap("nav-freeform").See("plan");
         Assert.NotNull(seat.Find("freeform-empty"));
-        Assert.Equal($"{plan.Points.Count} points on {plan.Curves} curves; the stylus travels {Shown.Count((long)Math.Round(plan.TravelMm))} mm.", seat.TextOf("plan-caption"));
+        Assert.Equal($"{plan.Points.Count} points on {plan.Curves} curves; the stylus travels {Shown.Count((long)Math.Round(plan.TravelMm))}\u00a0mm.", seat.TextOf("plan-caption"));
         var drawing = ((SurfacePlot)seat.See("plan")).Drawing!;
         Assert.Equal(plan.Points.Select(p => (p.Position.X, p.Position.Y)), drawing.Points.Select(p => (p.At.X, p.At.Y)));
-        Assert.Equal($"Point 3\nx {Shown.Mm(plan.Points[2].Position.X)} mm\ny {Shown.Mm(plan.Points[2].Position.Y)} mm\nz {Shown.Mm(plan.Points[2].Position.Z)} mm", drawing.Points[2].Values);
+        Assert.Equal($"Point 3\nx {Shown.Mm(plan.Points[2].Position.X)}\u00a0mm\ny {Shown.Mm(plan.Points[2].Position.Y)}\u00a0mm\nz {Shown.Mm(plan.Points[2].Position.Z)}\u00a0mm", drawing.Points[2].Values);
         var plot = (SurfacePlot)seat.See("plan");
         var third = plot.View.ToScreen(drawing.Points[2].At);
         seat.User.Click(plot, new(third.X + 3, third.Y - 2));
@@ -66,8 +66,8 @@ public sealed class FreeformTests
             new[] { result.Before, result.Mirror.Statistics, result.ToolRadius.Statistics }.Select(s => (Shown.SignedMicrometers(s.MeanMm), Shown.Micrometers(s.StandardDeviationMm), Shown.Micrometers(s.ProfileIsoMm), Shown.Micrometers(s.ProfileRangeMm))),
             figures.Statistics.Select(s => (s.Mean, s.Deviation, s.Profile, s.Range)));
         Assert.Equal(["As measured", "Expected, mirrored – chosen", "Expected, tool radius"], figures.Statistics.Select(s => s.Name));
-        Assert.Equal(result.Samples.Select(s => $"Point {s.Point}\nmeasured {Shown.SignedMicrometers(s.ErrorMm)} µm"), figures.Measured.Points.Select(p => p.Values));
-        Assert.Equal(result.ToolRadius.Errors.Select(e => Math.Round(e, 9)), figures.ToolRadius.Points.Zip(result.ToolRadius.Errors, (p, e) => p.Values.EndsWith($" {Shown.SignedMicrometers(e)} µm", StringComparison.Ordinal) ? Math.Round(e, 9) : double.NaN));
+        Assert.Equal(result.Samples.Select(s => $"Point {s.Point}\nmeasured {Shown.SignedMicrometers(s.ErrorMm)}\u00a0µm"), figures.Measured.Points.Select(p => p.Values));
+        Assert.Equal(result.ToolRadius.Errors.Select(e => Math.Round(e, 9)), figures.ToolRadius.Points.Zip(result.ToolRadius.Errors, (p, e) => p.Values.EndsWith($" {Shown.SignedMicrometers(e)}\u00a0µm", StringComparison.Ordinal) ? Math.Round(e, 9) : double.NaN));
         var map = ErrorMap.Of(result);
         Assert.All(map.BeforeMm.Zip(figures.Measured.ValuesMm!), v => Assert.Equal(v.First, v.Second, 1e-11));
         Assert.All(map.ToolRadiusMm.Zip(figures.ToolRadius.ValuesMm!), v => Assert.Equal(v.First, v.Second, 1e-11));
@@ -88,7 +88,7 @@ public sealed class FreeformTests
         seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("detail-surface-summary");
         using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
         var before = report.RootElement.GetProperty("before");
-        Assert.StartsWith($"Standard deviation {Shown.Micrometers(before.GetProperty("standardDeviationUm").GetDouble() / 1000)} µm, expected ", seat.TextOf("detail-surface-summary"), StringComparison.Ordinal);
+        Assert.StartsWith($"Standard deviation {Shown.Micrometers(before.GetProperty("standardDeviationUm").GetDouble() / 1000)}\u00a0µm, expected ", seat.TextOf("detail-surface-summary"), StringComparison.Ordinal);
         Assert.NotNull(seat.Find("detail-map"));
 
         // The colors are told together with the maps, without scrolling.
@@ -99,11 +99,11 @@ public sealed class FreeformTests
 
         // One unit for one quantity: what the program is displaced by is said in mm wherever it stands.
         var largest = Shown.Mm(seat.Station.Store.Find(1)!.LargestMm);
-        Assert.Contains($"by at most {largest} mm", ((CompensationViewModel)seat.Shell.Current!).Detail!.Surface!.How, StringComparison.Ordinal);
-        Assert.StartsWith($"Largest displacement {largest} mm at ", seat.TextOf("detail-largest"), StringComparison.Ordinal);
+        Assert.Contains($"by at most {largest}\u00a0mm", ((CompensationViewModel)seat.Shell.Current!).Detail!.Surface!.How, StringComparison.Ordinal);
+        Assert.StartsWith($"Largest displacement {largest}\u00a0mm at ", seat.TextOf("detail-largest"), StringComparison.Ordinal);
         Assert.StartsWith("The program calls no tool", seat.TextOf("detail-missing"), StringComparison.Ordinal);
         Texts.Current.Language = Language.TraditionalChinese;
-        seat.WaitFor(() => seat.TextOf("detail-largest") is "最大位移 0.0248 mm，位於 點 9 及其附近", $"It says {seat.TextOf("detail-largest")}.");
+        seat.WaitFor(() => seat.TextOf("detail-largest") is "最大位移 0.0248\u00a0mm，位於 點 9 及其附近", $"It says {seat.TextOf("detail-largest")}.");
         Texts.Current.Language = Language.English;
 
         // A mating behind it has its own sides again.

@@ -32,7 +32,7 @@ public sealed partial class RecordedTextTests
 
     [Fact]
     public Task Of_several_sentences_those_that_are_known_are_said() => InChinese(() => Assert.Equal(
-        "最大位移 0.3283 mm，在單節 N150。C1 在 40 mm 上有 3 個關鍵點；建議每 5 mm 一點。Somebody says more.",
+        "最大位移 0.3283\u00a0mm，在單節 N150。C1 在 40\u00a0mm 上有 3 個關鍵點；建議每 5\u00a0mm 一點。Somebody says more.",
         RecordedText.Of("displaced by at most 0.3283 mm at block N150. C1 has 3 key points on 40 mm; one per 5 mm is recommended. Somebody says more.")));
 
     [Fact]

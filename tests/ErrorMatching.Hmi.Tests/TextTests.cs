@@ -32,6 +32,13 @@ public sealed partial class TextTests
         t => Assert.DoesNotMatch(UnitBehindComma(), t.Value));
 
     [Fact]
+    public void A_number_and_its_unit_stay_in_one_line()
+    {
+        Assert.All(Enum.GetValues<Language>().SelectMany(l => Texts.Of(l)), t => Assert.DoesNotMatch(PartedUnit(), t.Value));
+        Assert.Equal("Largest displacement 0.1\u00a0mm", Texts.Current.With("Head.Largest", "0.1"));
+    }
+
+    [Fact]
     public void One_thing_has_one_word_in_Chinese_and_one_word_is_one_thing()
     {
         var texts = Texts.Of(Language.TraditionalChinese);
@@ -127,6 +134,9 @@ public sealed partial class TextTests
 
     [GeneratedRegex(@"\{\d\}", RegexOptions.None, 1000)]
     private static partial Regex Place();
+
+    [GeneratedRegex(@"[\d}] (mm|µm)\b", RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex PartedUnit();
 
     [GeneratedRegex("""(\{l:Text |[Tt]exts(\.Current)?\[|(\.With|texts\.With|Texts\.Current\.With)\()"?(?<key>[A-Za-z]+\.[A-Za-z.\-]*[A-Za-z])["}]""", RegexOptions.None | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Key();

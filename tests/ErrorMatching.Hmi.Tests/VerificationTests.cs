@@ -23,7 +23,7 @@ public sealed class VerificationTests
         Assert.Equal(("#1 · 0001", "Measured"), (seat.TextOf("piece-title"), seat.TextOf("piece-kind")));
         Assert.Equal("With compensation: as measured on #2 · 0001. Without: the counterpart without compensation that the job names, as measured in counterpart.csv.", seat.TextOf("piece-origin"));
         Assert.Equal(
-            $"Better by {Shown.Percent(100 * (1 - (console.Result.RmsAfterMm / console.Result.RmsBeforeMm)))}: root mean square {Shown.Mm(console.Result.RmsBeforeMm)} → {Shown.Mm(console.Result.RmsAfterMm)} mm, largest error {Shown.Mm(console.Result.MaxBeforeMm)} → {Shown.Mm(console.Result.MaxAfterMm)} mm.",
+            $"Better by {Shown.Percent(100 * (1 - (console.Result.RmsAfterMm / console.Result.RmsBeforeMm)))}: root mean square {Shown.Mm(console.Result.RmsBeforeMm)} → {Shown.Mm(console.Result.RmsAfterMm)}\u00a0mm, largest error {Shown.Mm(console.Result.MaxBeforeMm)} → {Shown.Mm(console.Result.MaxAfterMm)}\u00a0mm.",
             seat.TextOf("piece-summary"));
 
         Assert.Equal(console.Result.Points.Select(p => (p.Label, Shown.SignedMm(p.BeforeError.NormalMm), Shown.SignedMm(p.AfterError.NormalMm))), detail.Points.Select(p => (p.Point, p.Before, p.After)));
@@ -59,7 +59,7 @@ public sealed class VerificationTests
         var missed = console.Result.Points.Select(p => (p.Label, Mm: Math.Abs(p.AfterError.NormalMm - predicted[p.Label]))).Where(p => p.Mm > 0.0108).ToArray();
         var worst = missed.MaxBy(p => p.Mm);
         Assert.Equal(
-            $"Prediction missed by more than twice the gauge's standard uncertainty: {missed.Length} ({string.Join(", ", missed.Select(p => p.Label))}); most by {Shown.Mm(worst.Mm)} mm at {worst.Label}.", seat.TextOf("piece-missed"));
+            $"Prediction missed by more than twice the gauge's standard uncertainty: {missed.Length} ({string.Join(", ", missed.Select(p => p.Label))}); most by {Shown.Mm(worst.Mm)}\u00a0mm at {worst.Label}.", seat.TextOf("piece-missed"));
         var outside = detail.Points.Where(p => p.IsOutside).Select(p => p.Point).Intersect(missed.Select(p => p.Label));
         Assert.Equal($"Somebody has to decide whether this piece is used; the station does not. Before the next one, look for what made {string.Join(", ", outside)} other than predicted: clamping, worn tool, chip under the probe.", seat.TextOf("piece-to-do"));
     });
@@ -153,7 +153,7 @@ public sealed class VerificationTests
         var row = ((VerificationViewModel)seat.Shell.Current!).Detail!.Points[6];
         var at = plot.View.ToScreen(new(6, 0));
         seat.User.Click(plot, new(at.X + 3, at.Y - 20));
-        Assert.Equal($"Point {row.Point}\nwithout {row.Before} mm\nwith {row.After} mm\nlimits −0.0500 to +0.0500 mm", plot.Values);
+        Assert.Equal($"Point {row.Point}\nwithout {row.Before}\u00a0mm\nwith {row.After}\u00a0mm\nlimits −0.0500 to +0.0500\u00a0mm", plot.Values);
         var scale = plot.View.ScaleX;
 
         // The axis says its unit and the limits; what is drawn ends before the buttons.

@@ -1,10 +1,11 @@
 using System.Globalization;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Hmi;
 
 /// <summary>What the screen says, in the language that is chosen. The words are in the files beside this one, by the same keys in each language.</summary>
-public sealed class Texts : Observable
+public sealed partial class Texts : Observable
 {
     private static readonly Dictionary<Language, IReadOnlyDictionary<string, string>> All = Enum.GetValues<Language>().ToDictionary(l => l, l => (IReadOnlyDictionary<string, string>)Read(l));
     private Language _language;
@@ -44,7 +45,7 @@ public sealed class Texts : Observable
 
     /// <summary>The text of a key, with values in the places of <c>{0}</c> and so on.</summary>
     /// <exception cref="KeyNotFoundException">There is no such key.</exception>
-    public string With(string key, params object[] values) => string.Format(CultureInfo.InvariantCulture, this[key], values);
+    public string With(string key, params object[] values) => Unparted(string.Format(CultureInfo.InvariantCulture, this[key], values));
 
     /// <summary>The text of a key for so many; for one that of the key with <c>One</c> behind it.</summary>
     /// <param name="key">The key.</param>
@@ -67,6 +68,12 @@ public sealed class Texts : Observable
     private static Dictionary<string, string> Read(Language language)
     {
         using var stream = typeof(Texts).Assembly.GetManifestResourceStream("texts." + (language == Language.English ? "en" : "zh-Hant"))!;
-        return JsonSerializer.Deserialize<Dictionary<string, string>>(stream)!;
+        return JsonSerializer.Deserialize<Dictionary<string, string>>(stream)!.ToDictionary(t => t.Key, t => Unparted(t.Value));
     }
+
+    // A number and its unit stay in one line.
+    private static string Unparted(string text) => BeforeUnit().Replace(text, "\u00a0");
+
+    [GeneratedRegex(@"(?<=[\d}]) (?=(mm|µm)\b)", RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex BeforeUnit();
 }

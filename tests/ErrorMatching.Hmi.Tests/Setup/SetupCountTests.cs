@@ -67,7 +67,7 @@ public sealed class SetupCountTests
     [Fact]
     public Task Points_on_corners_are_asked_about_before_the_job_is_saved_on_whichever_side_one_is() => At(seat =>
     {
-        const string Corners = "On rounded corners, not fully compensated: 2 (1.5 mm), 4 (1.4 mm). Better that much further from the corner; it can be saved as it is.";
+        const string Corners = "On rounded corners, not fully compensated: 2 (1.5\u00a0mm), 4 (1.4\u00a0mm). Better that much further from the corner; it can be saved as it is.";
         Assert.Equal(Corners, seat.TextOf("points-corners"));
         Assert.Contains("asked", seat.Seat.See("edit-features[0].points[1]").Classes);
         Assert.DoesNotContain("asked", seat.Seat.See("edit-features[0].points[0]").Classes);
@@ -80,7 +80,7 @@ public sealed class SetupCountTests
         Assert.Empty(seat.Shell.Editing.Problems);
         seat.Seat.Type("edit-features[0].points[1]/y", "59.846");
         seat.Settle();
-        Assert.Equal(Corners.Replace("2 (1.5 mm), ", "", StringComparison.Ordinal), seat.TextOf("points-corners"));
+        Assert.Equal(Corners.Replace("2 (1.5\u00a0mm), ", "", StringComparison.Ordinal), seat.TextOf("points-corners"));
         Assert.Equal("To consider: 1", seat.System.Heads[0].Problem);
         Assert.True(seat.Seat.See("setup-save").IsEffectivelyEnabled);
     });
