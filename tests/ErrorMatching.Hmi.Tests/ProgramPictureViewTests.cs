@@ -190,6 +190,32 @@ public sealed class ProgramPictureViewTests
     });
 
     [Fact]
+    public async Task What_is_brought_into_view_begins_with_a_whole_line() => await At(Sample(), async view =>
+    {
+        double Cut() => Math.Abs(Math.IEEERemainder(view.Text.Offset.Y, view.Text.RowHeight));
+        view.Picture.Light(60);
+        view.User.Settle();
+        Assert.True(view.Text.Offset.Y > 0);
+        Assert.Equal(0, Cut(), 1e-6);
+
+        // By as little as it takes, which leaves none of the lit line below the edge.
+        var lit = 60;
+        while (view.Text.Offset.Y + view.Text.Bounds.Height > (lit + 1) * view.Text.RowHeight)
+        {
+            lit++;
+        }
+
+        view.Picture.Light(lit);
+        view.User.Settle();
+        Assert.Equal(0, Cut(), 1e-6);
+        Assert.True(view.Text.Offset.Y + view.Text.Bounds.Height >= (lit + 1) * view.Text.RowHeight, "Part of the lit line is below the edge.");
+        view.Picture.Feature = "C1";
+        await view.Picture.MarkAsync([new("C1", ["N900..N1190"])]);
+        view.User.Settle();
+        Assert.Equal(0, Cut(), 1e-6);
+    });
+
+    [Fact]
     public Task Key_points_are_drawn_where_they_lie_in_the_program_and_those_that_blocks_are_picked_for_stand_out() => At(Sample(), view =>
     {
         var (point, other) = (new Point2(-31.95, 70), new Point2(-36.62, 19.803));

@@ -17,6 +17,7 @@ public sealed partial class ProgramText : ILogicalScrollable
     // Rows of so many screens are kept.
     private const int MostScreens = 3;
     private const double FromAfarShare = 1.0 / 3;
+    private const double RoundingShare = 0.000001;
     private static readonly TimeSpan ScrollEvery = TimeSpan.FromMilliseconds(40);
 
     private readonly DispatcherTimer _scrolling;
@@ -225,6 +226,9 @@ public sealed partial class ProgramText : ILogicalScrollable
         }
     }
 
+    // With a whole row, at this height or the next below: nobody reads half a line first.
+    private void BeginWith(double top) => Offset = Offset.WithY(Math.Ceiling((top / RowHeight) - RoundingShare) * RowHeight);
+
     // Brings a block into view: by as little as it takes from nearby, to a third from above from afar.
     private void Show(int block)
     {
@@ -232,7 +236,7 @@ public sealed partial class ProgramText : ILogicalScrollable
         if (_dragged is null && Picture?.Selection is not null && (top < Offset.Y || top + RowHeight > Offset.Y + height))
         {
             var away = Math.Min(Math.Abs(top - Offset.Y), Math.Abs(top + RowHeight - Offset.Y - height));
-            Offset = Offset.WithY(away > 2 * RowHeight ? top - (FromAfarShare * height) : top < Offset.Y ? top : top + RowHeight - height);
+            BeginWith(away > 2 * RowHeight ? top - (FromAfarShare * height) : top < Offset.Y ? top : top + RowHeight - height);
         }
 
         AutomationProperties.SetHelpText(this, Picture?.Chosen ?? "");
@@ -242,7 +246,7 @@ public sealed partial class ProgramText : ILogicalScrollable
     private void Show(FeatureLook look)
     {
         var (top, bottom, height) = ((look.Blocks.First - 1) * RowHeight, (look.Blocks.Last + 2) * RowHeight, Bounds.Height);
-        Offset = Offset.WithY(bottom - top <= height ? (top + bottom - height) / 2 : look.IsAtEnd ? bottom - height : top);
+        BeginWith(bottom - top <= height ? (top + bottom - height) / 2 : look.IsAtEnd ? bottom - height : top);
         _begun = look.Feature;
         Picture!.TellRoom(isWhole: bottom - top <= height);
     }
@@ -257,7 +261,7 @@ public sealed partial class ProgramText : ILogicalScrollable
             var top = first * RowHeight;
             if (top < Offset.Y || top + RowHeight > Offset.Y + Bounds.Height)
             {
-                Offset = Offset.WithY(top - (FromAfarShare * Bounds.Height));
+                BeginWith(top - (FromAfarShare * Bounds.Height));
             }
         }
     }
