@@ -14,7 +14,7 @@ public sealed class MessagesTests
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.SignIn(DemoCell.Setter).Tap("nav-messages").See("message-1");
-        Assert.Equal(("#1 · 0001 waits for an approval: largest displacement 0.2979 mm.", "Tap to see what will change, then approve or reject it."), ((MessagesViewModel)seat.Shell.Current!).Messages.Where(m => m.Severity == Severity.Attention).Select(m => (m.What, m.Next)).Single());
+        Assert.Equal(("#1 · 0001 waits for an approval: largest displacement 0.2979\u00a0mm.", "Tap to see what will change, then approve or reject it."), ((MessagesViewModel)seat.Shell.Current!).Messages.Where(m => m.Severity == Severity.Attention).Select(m => (m.What, m.Next)).Single());
         seat.Tap("message-1");
         seat.WaitFor(() => seat.Find("detail-title") is not null, "The tap does not lead there.");
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
@@ -31,6 +31,35 @@ public sealed class MessagesTests
         seat.Tap("audit-verify").See("audit-finding");
         Assert.Equal($"All {screen.Entries.Count} entries are as they were written.", seat.TextOf("audit-finding"));
     });
+
+    [Fact]
+    public Task Of_a_long_basis_the_first_sentence_is_read_and_all_of_it_after_a_tap() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Setter).Tap("nav-messages");
+        var screen = (MessagesViewModel)seat.Shell.Current!;
+        seat.WaitFor(() => screen.Entries.Any(e => e.What == "computed"), "Nothing was computed.");
+        var entry = screen.Entries.Single(e => e.What == "computed");
+        Assert.Contains("Point 4 lies on a rounded corner", entry.Basis, StringComparison.Ordinal);
+        Assert.Equal("displaced by at most 0.2979\u00a0mm at block N150. …", entry.Short);
+        Assert.All(screen.Entries.Where(e => e.What != "computed"), e => Assert.Equal(e.Basis, e.Short));
+
+        ListBoxItem Row() => ((ListBox)seat.See("audit")).GetVisualDescendants().OfType<ListBoxItem>().Single(i => Equals(i.DataContext, entry));
+        string? Said() => Row().GetVisualDescendants().OfType<TextBlock>().Last().Text;
+        seat.WaitFor(() => Said() == entry.Short, "The row is as long as ever.");
+        seat.User.Click(Row());
+        seat.WaitFor(() => Said() == entry.Basis, "A tap does not show the rest.");
+    });
+
+    [Theory]
+    [InlineData("One. Two.", "One.")]
+    [InlineData("一。二。", "一。")]
+    [InlineData("一。Two. 三。", "一。")]
+    [InlineData("0.5 mm", "0.5 mm")]
+    [InlineData("", "")]
+    public void The_first_sentence_ends_with_its_stop(string text, string first) => Assert.Equal(first, Sentence.First(text));
 
     [Fact]
     public Task What_there_is_to_know_is_as_high_as_it_needs_to_be_and_the_trail_has_the_rest() => Seat.AtAsync(seat =>
