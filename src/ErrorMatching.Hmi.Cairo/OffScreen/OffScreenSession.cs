@@ -10,9 +10,10 @@ public sealed class OffScreenSession
     private static readonly Lock Starting = new();
     private static OffScreenSession? _current;
     private readonly Dispatcher _dispatcher;
+    private readonly Task _ended;
     private readonly SemaphoreSlim _turn = new(1, 1);
 
-    private OffScreenSession(Dispatcher dispatcher) => _dispatcher = dispatcher;
+    private OffScreenSession(Dispatcher dispatcher, Task ended) => (_dispatcher, _ended) = (dispatcher, ended);
 
     /// <summary>Pixels a device-independent unit of windows that are opened from now on.</summary>
     public static double Scaling
@@ -35,8 +36,9 @@ public sealed class OffScreenSession
             }
 
             var ready = new TaskCompletionSource<Dispatcher>(TaskCreationOptions.RunContinuationsAsynchronously);
-            new Thread(() => Live(configure, ready)) { IsBackground = true, Name = "UI" }.Start();
-            return _current = new OffScreenSession(ready.Task.GetAwaiter().GetResult());
+            var ended = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+            new Thread(() => Live(configure, ready, ended)) { IsBackground = true, Name = "UI" }.Start();
+            return _current = new OffScreenSession(ready.Task.GetAwaiter().GetResult(), ended.Task);
         }
     }
 
@@ -46,7 +48,7 @@ public sealed class OffScreenSession
         await _turn.WaitAsync();
         try
         {
-            await _dispatcher.InvokeAsync(work);
+            await await Task.WhenAny(_dispatcher.InvokeAsync(work), _ended);
         }
         finally
         {
@@ -61,7 +63,7 @@ public sealed class OffScreenSession
         return Task.CompletedTask;
     });
 
-    private static void Live(Func<AppBuilder> configure, TaskCompletionSource<Dispatcher> ready)
+    private static void Live(Func<AppBuilder> configure, TaskCompletionSource<Dispatcher> ready, TaskCompletionSource ended)
     {
         try
         {
@@ -74,6 +76,14 @@ public sealed class OffScreenSession
             return;
         }
 
-        Dispatcher.UIThread.MainLoop(CancellationToken.None);
+        // Without its thread nothing would ever be done: whoever waits is told what ended it.
+        try
+        {
+            Dispatcher.UIThread.MainLoop(CancellationToken.None);
+        }
+        catch (Exception e)
+        {
+            ended.SetException(e);
+        }
     }
 }
