@@ -62,6 +62,24 @@ public sealed class SurfaceMapTests
     });
 
     [Fact]
+    public Task A_point_on_the_border_is_seen_in_the_dark_as_well() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.DeliverSurface(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Operator).Tap("nav-freeform").See("map");
+        seat.Shell.IsDark = true;
+        seat.User.Settle();
+        var map = (SurfacePlot)seat.See("map");
+        var (x, y) = map.View.ToScreen(map.Drawing!.Points.MinBy(p => p.At.X).At);
+        var dot = map.TranslatePoint(new(x, y), seat.Window)!.Value;
+
+        // From its middle outwards: the dot, the ring around it, and the ground.
+        byte[] light = [.. new[] { 0, DrawnSizes.Dot, 2 * DrawnSizes.Dot }.Select(away => seat.User.PixelAt(new((int)(dot.X - away), (int)dot.Y)).G)];
+        Assert.True(light[1] > 128 && light[0] < 64 && light[2] < 64, $"It is {string.Join(", ", light)}.");
+    });
+
+    [Fact]
     public Task Of_two_maps_beside_each_other_both_have_numbers_or_none() => Seat.AtAsync(seat =>
     {
         Arrive(seat, TouchSize.Standard);

@@ -14,6 +14,9 @@ public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic
 {
     private const double Step = 10, Depth = 12;
 
+    // So many pieces between two points of a curve look round.
+    private const int Pieces = 8;
+
     /// <summary>The drawing of a draft.</summary>
     public static PartDrawing Of(MatingDraft draft)
     {
@@ -65,12 +68,15 @@ public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic
         foreach (var feature in draft.Features)
         {
             var (first, from) = (feature.Flanks[0].Count, x);
-            lines.Add(Line(feature.Name, [.. feature.Flanks.Select((k, flank) => k.Select((p, i) => (p.Label, (Point2?)At((flank == 0 ? 0 : first) + i))).ToArray())]));
+            var line = Line(feature.Name, [.. feature.Flanks.Select((k, flank) => k.Select((p, i) => (p.Label, (Point2?)At((flank == 0 ? 0 : first) + i))).ToArray())]);
+
+            // A curve is one, also of three points, which would be two sides of a triangle.
+            lines.Add(feature.Kind == FeatureKind.Curve && first > 1 ? line with { Outline = [.. Enumerable.Range(0, ((first - 1) * Pieces) + 1).Select(i => At((double)i / Pieces))] } : line);
             x += Step * (feature.Points.Count() + 0.5);
 
-            Point2 At(int i) => new(from + (Step * i), Height(i));
+            Point2 At(double i) => new(from + (Step * i), Height(i));
 
-            double Height(int i) => feature.Kind switch
+            double Height(double i) => feature.Kind switch
             {
                 FeatureKind.Line => 0,
                 // Straight down to the apex, which is half a step from the last point of either flank.

@@ -209,9 +209,12 @@ public sealed class SurfacePlot : PlotArea
         // Colors of the map are the same in both themes, and so is what is written on them.
         var isMap = drawing.ValuesMm is not null;
         var radius = DotRadius(view);
+
+        // With a ring of paper: in the dark, those on the border would lose their outer half.
+        var ring = isMap && radius > DrawnSizes.MeanMark ? new Pen(MapPaper, DrawnSizes.Thin) : null;
         foreach (var (_, at, _) in drawing.Points)
         {
-            context.DrawEllipse(isMap ? MapInk : WayBrush, null, To(view, at), radius, radius);
+            context.DrawEllipse(isMap ? MapInk : WayBrush, ring, To(view, at), radius, radius);
         }
 
         // All or none, here and in the twin beside it: labels that find no room appear when one goes nearer. A brush that shows through is drawn at once; a group that does takes a picture of its own for each label.

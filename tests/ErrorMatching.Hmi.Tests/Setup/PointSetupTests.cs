@@ -205,6 +205,20 @@ public sealed class PointSetupTests
     }
 
     [Fact]
+    public void A_curve_without_coordinates_is_round_and_passes_through_its_points()
+    {
+        var draft = new MatingDraft();
+        draft = draft with { Features = [FeatureDraft.New(FeatureKind.Curve, "C", draft)] };
+        var curve = PartDrawing.Of(draft.WithFeature(0, f => f with { Flanks = [[new("1", "", ""), new("2", "", ""), new("3", "", "")]] })).Lines[0];
+        Assert.Equal(["1", "2", "3"], curve.Points.Select(p => p.Label));
+        Assert.All(curve.Points, p => Assert.Contains(curve.Outline, o => o.DistanceTo(p.At) < 1e-9));
+
+        // Halfway to its top it lies well above the chord, as the side of a triangle would not.
+        var halfway = curve.Outline.MinBy(o => Math.Abs(o.X - ((curve.Points[0].At.X + curve.Points[1].At.X) / 2)));
+        Assert.True(halfway.Y > 0.6 * curve.Points[1].At.Y, $"It is {halfway.Y} high.");
+    }
+
+    [Fact]
     public Task It_looks_right() => At(seat =>
     {
         var pictures = new Pictures(seat.Seat.RunCell());
