@@ -26,7 +26,7 @@ public sealed class KeptPieceTests
 
         // And the counterpart is the outline that the program cuts; it stands upright, and is drawn lying.
         Assert.True(after.IsLong && after.IsTurned);
-        Assert.All(report.Features.Zip(after.Counterpart), f => Assert.All(f.First.Outline.Zip(f.Second), p => Assert.True(new Point2(p.First.Y, -p.First.X).DistanceTo(p.Second) < 1e-6)));
+        Assert.All(report.Features.Zip(after.Counterpart), f => Assert.All(f.First.Outline, p => Assert.Contains(f.Second, c => new Point2(p.Y, -p.X).DistanceTo(c) < 1e-6)));
     }
 
     [Fact]
@@ -41,7 +41,20 @@ public sealed class KeptPieceTests
         Assert.Equal(0.117, before.Points.Single(p => p.Label == "1").GapMm, 0.0005);
         Assert.Equal(0, after.Points.Single(p => p.Label == "1").GapMm, 0.001);
         Assert.True(after.LargestMm < before.LargestMm);
-        Assert.Equal(before.Factor, after.Factor);
+        Assert.Equal((before.Factor, before.Extent), (after.Factor, after.Extent));
+
+        // What is said to be the most is seen, also at a point on a corner, beside both lines.
+        Assert.All(new[] { before, after }, d =>
+        {
+            Assert.Equal(d.LargestMm, d.Points.Max(p => p.At.DistanceTo(p.Opposite)) / d.Factor, 1e-9);
+
+            // Point 1 lies on a straight of two corners, far from either: the lines are where it is.
+            var first = d.Points.Single(p => p.Label == "1");
+            Assert.Contains(d.Part[0], p => p.DistanceTo(first.At) < 0.02 * d.Factor);
+            Assert.Contains(d.Counterpart[0], p => p.DistanceTo(first.Opposite) < 0.02 * d.Factor);
+            Assert.All(d.Points, p => Assert.Equal(Math.Abs(p.GapMm), p.At.DistanceTo(p.Opposite) / d.Factor, 1e-9));
+            Assert.All(d.Points.SelectMany(p => new[] { p.At, p.Opposite }).Concat(d.Part.Concat(d.Counterpart).SelectMany(l => l)), p => Assert.True(d.Extent.Contains(p)));
+        });
 
         // What is said under the finger is not turned with the drawing, and neither are the limits of 0.05 mm.
         Assert.Equal(piece.Result.Points.Select(p => (p.Label, -p.AfterError.NormalMm, Math.Abs(p.AfterError.NormalMm) > 0.05)), after.Points.OrderBy(p => piece.Result.Points.ToList().FindIndex(r => r.Label == p.Label)).Select(p => (p.Label, p.GapMm, p.IsOutside)));

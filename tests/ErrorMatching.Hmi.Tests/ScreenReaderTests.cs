@@ -15,7 +15,7 @@ public sealed class ScreenReaderTests
     [Fact]
     public Task A_plot_is_a_picture_that_says_the_values_that_were_asked_for() => Drawing.Needed().RunAsync(() =>
     {
-        var plot = new GapPlot { Drawing = new([[new(0, 0), new(100, 1)]], [[new(0, 1), new(100, 0)]], [("A", new(0, 0), 0.0005, 0.01, false), ("B", new(100, 1), -0.0125, 0.02, false)], 1, 0.0125, IsLong: true, IsTurned: false) };
+        var plot = new GapPlot { Drawing = new([[new(0, 0), new(100, 1)]], [[new(0, 1), new(100, 0)]], [("A", new(0, 0), new(0, 1), 0.0005, 0.01, false), ("B", new(100, 1), new(100, 0), -0.0125, 0.02, false)], new(0, 0, 100, 1), 1, 0.0125, IsLong: true, IsTurned: false) };
         Show(plot, user =>
         {
             var (peer, heard) = (PeerOf(plot, AutomationControlType.Image), new List<object?>());

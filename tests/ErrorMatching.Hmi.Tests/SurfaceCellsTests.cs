@@ -13,8 +13,9 @@ public sealed class SurfaceCellsTests
     [InlineData(0.2)]
     [InlineData(1)]
     [InlineData(3)]
-    public void Each_part_of_a_cell_has_the_color_of_its_middle_however_its_neighbors_are_joined(double swing)
+    public void Each_place_has_the_color_of_its_value_and_no_other(double swing)
     {
+        var told = 0;
         for (var seed = 0; seed < 20; seed++)
         {
             var random = new Random(seed);
@@ -23,29 +24,45 @@ public sealed class SurfaceCellsTests
             var cells = new SurfaceCells(net, values, Limit);
             for (var cell = 0; cell < (CountU - 1) * (CountV - 1); cell++)
             {
-                for (var part = 0; part < SurfaceCells.Parts * SurfaceCells.Parts; part++)
+                foreach (var side in Enumerable.Range(0, 4))
                 {
-                    var (s, t) = ((double)(part / SurfaceCells.Parts), (double)(part % SurfaceCells.Parts));
-                    var color = DivergingColors.IndexOf(Value(values, cell, (s + 0.5) / SurfaceCells.Parts, (t + 0.5) / SurfaceCells.Parts), Limit);
-                    var place = Place(net, cell, (s + 0.05 + (0.9 * random.NextDouble())) / SurfaceCells.Parts, (t + 0.05 + (0.9 * random.NextDouble())) / SurfaceCells.Parts);
-                    var found = cells.Quadrangles.Where(q => IsWithin(q.Corners, place)).Select(q => q.Color);
-                    Assert.Equal(net.Outside.Contains(cell) ? [] : [color], found);
+                    // Between two corners and the middle, by barycentric coordinates.
+                    double[] share = [random.NextDouble(), random.NextDouble(), random.NextDouble()];
+                    share = [.. share.Select(s => s / share.Sum())];
+                    double At(Func<int, double> at) => (share[0] * at(Corner(cell, side))) + (share[1] * at(Corner(cell, (side + 1) % 4))) + (share[2] * Enumerable.Range(0, 4).Average(c => at(Corner(cell, c))));
+                    var (value, place) = (At(i => values[i]), new Point2(At(i => net.Places[i].X), At(i => net.Places[i].Y)));
+
+                    // Beside the line between two colors rounding tells.
+                    if (DivergingColors.IndexOf(value - 1e-6, Limit) is var color && color == DivergingColors.IndexOf(value + 1e-6, Limit) && share.Min() > 1e-3)
+                    {
+                        Assert.Equal(net.Outside.Contains(cell) ? [] : [color], cells.Pieces.Where(q => IsWithin(q.Corners, place)).Select(q => q.Color));
+                        told++;
+                    }
                 }
             }
         }
+
+        Assert.True(told > 1000);
+    }
+
+    [Theory]
+    [InlineData(0.01)]
+    [InlineData(0.5)]
+    [InlineData(30)]
+    public void All_pieces_together_are_the_surface(double swing)
+    {
+        var random = new Random(1);
+        var net = Net(random, outside: [3]);
+        double[] values = [.. Enumerable.Range(0, CountU * CountV).Select(_ => swing * ((2 * random.NextDouble()) - 1))];
+        Assert.Equal(new SurfaceCells(net, null, Limit).Pieces.Sum(q => AreaOf(q.Corners)), new SurfaceCells(net, values, Limit).Pieces.Sum(q => AreaOf(q.Corners)), 1e-6);
     }
 
     [Fact]
-    public void What_has_one_color_is_one_quadrangle_a_cell()
+    public void What_has_one_color_is_one_piece_a_cell()
     {
         var net = Net(new(1), outside: [3]);
-        Assert.Equal(((CountU - 1) * (CountV - 1)) - 1, new SurfaceCells(net, new double[CountU * CountV], Limit).Quadrangles.Count);
-        Assert.All(new SurfaceCells(net, null, Limit).Quadrangles, q => Assert.Equal(-1, q.Color));
-
-        // Along u alone: three strips a cell, whichever way it changes.
-        double[] along = [.. Enumerable.Range(0, CountU * CountV).Select(i => 0.3 * (i / CountV))];
-        double[] across = [.. Enumerable.Range(0, CountU * CountV).Select(i => 0.3 * (i % CountV))];
-        Assert.All(new[] { along, across }, v => Assert.InRange(new SurfaceCells(net, v, Limit).Quadrangles.Count, 30, 3 * 19));
+        Assert.Equal(((CountU - 1) * (CountV - 1)) - 1, new SurfaceCells(net, new double[CountU * CountV], Limit).Pieces.Count);
+        Assert.All(new SurfaceCells(net, null, Limit).Pieces, q => Assert.Equal(-1, q.Color));
     }
 
     [Fact]
@@ -61,15 +78,14 @@ public sealed class SurfaceCellsTests
     private static SurfaceNet Net(Random random, int[] outside) => new(
         CountU, CountV, [.. Enumerable.Range(0, CountU * CountV).Select(i => new Point3((10 * (i / CountV)) + (3 * random.NextDouble()), (10 * (i % CountV)) + (3 * random.NextDouble()), random.NextDouble()))], outside);
 
-    private static double Value(double[] values, int cell, double s, double t) => Between(cell, i => values[i], s, t);
-
-    private static Point2 Place(SurfaceNet net, int cell, double s, double t) => new(Between(cell, i => net.Places[i].X, s, t), Between(cell, i => net.Places[i].Y, s, t));
-
-    private static double Between(int cell, Func<int, double> at, double s, double t)
+    // Around a cell.
+    private static int Corner(int cell, int corner)
     {
         var a = (cell / (CountV - 1) * CountV) + (cell % (CountV - 1));
-        return (at(a) * (1 - s) * (1 - t)) + (at(a + CountV) * s * (1 - t)) + (at(a + CountV + 1) * s * t) + (at(a + 1) * (1 - s) * t);
+        return corner switch { 0 => a, 1 => a + CountV, 2 => a + CountV + 1, _ => a + 1 };
     }
+
+    private static double AreaOf(IReadOnlyList<Point2> corners) => Math.Abs(corners.Select((c, i) => (c - Point2.Origin).Cross(corners[(i + 1) % corners.Count] - Point2.Origin)).Sum()) / 2;
 
     // On the same side of all four sides.
     private static bool IsWithin(IReadOnlyList<Point2> corners, Point2 place)

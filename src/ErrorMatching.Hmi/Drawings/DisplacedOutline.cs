@@ -5,7 +5,10 @@ namespace ErrorMatching.Hmi;
 /// <summary>The boundary of a feature, moved along its normals by what is known at its key points, and evenly between them along the boundary.</summary>
 internal sealed class DisplacedOutline
 {
-    private readonly IReadOnlyList<Point2> _outline;
+    // Corners closer than this are one, mm.
+    private const double LeastShare = 0.000001;
+
+    private readonly List<Point2> _outline;
     private readonly double[] _at;
     private readonly double[] _feet;
     private readonly double _side;
@@ -13,15 +16,25 @@ internal sealed class DisplacedOutline
     /// <summary>A boundary of two points or more, and its key points in the order of cutting.</summary>
     public DisplacedOutline(IReadOnlyList<Point2> outline, IReadOnlyList<(Point2 At, Vector2 Normal)> points)
     {
-        _outline = outline;
-        _at = new double[outline.Count];
-        for (var i = 1; i < outline.Count; i++)
+        // With a corner at the foot of each key point: there it is moved by what is known, however long the straight is.
+        _outline = [.. outline];
+        foreach (var (at, _) in points)
         {
-            _at[i] = _at[i - 1] + outline[i].DistanceTo(outline[i - 1]);
+            var (segment, foot) = FootOf(at);
+            if (foot.DistanceTo(_outline[segment]) > LeastShare && foot.DistanceTo(_outline[segment + 1]) > LeastShare)
+            {
+                _outline.Insert(segment + 1, foot);
+            }
         }
 
-        _feet = [.. points.Select(p => _at[Nearest(p.At)])];
-        _side = points.Count > 0 && NormalAt(Nearest(points[0].At)).Dot(points[0].Normal) < 0 ? -1 : 1;
+        _at = new double[_outline.Count];
+        for (var i = 1; i < _outline.Count; i++)
+        {
+            _at[i] = _at[i - 1] + _outline[i].DistanceTo(_outline[i - 1]);
+        }
+
+        _feet = [.. points.Select(p => _at[Nearest(FootOf(p.At).Foot)])];
+        _side = points.Count > 0 && NormalAt(Nearest(FootOf(points[0].At).Foot)).Dot(points[0].Normal) < 0 ? -1 : 1;
     }
 
     /// <summary>The boundary, moved.</summary>
@@ -43,6 +56,23 @@ internal sealed class DisplacedOutline
 
         var (from, to) = (_feet[next - 1], _feet[next]);
         return to > from ? amounts[next - 1] + ((amounts[next] - amounts[next - 1]) * (at - from) / (to - from)) : amounts[next];
+    }
+
+    // The nearest place of all pieces, and the piece that it lies on.
+    private (int Segment, Point2 Foot) FootOf(Point2 place)
+    {
+        var (found, nearest) = (0, _outline[0]);
+        for (var i = 0; i + 1 < _outline.Count; i++)
+        {
+            var (from, way) = (_outline[i], _outline[i + 1] - _outline[i]);
+            var foot = way.Length > 0 ? from + (Math.Clamp((place - from).Dot(way) / way.Dot(way), 0, 1) * way) : from;
+            if (foot.DistanceTo(place) < nearest.DistanceTo(place))
+            {
+                (found, nearest) = (i, foot);
+            }
+        }
+
+        return (found, nearest);
     }
 
     private int Nearest(Point2 place)

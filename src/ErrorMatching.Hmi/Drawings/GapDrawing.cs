@@ -7,13 +7,14 @@ namespace ErrorMatching.Hmi;
 /// <summary>The two boundaries of a mating as lines, deviations exaggerated: the measured part, and the counterpart that a program cuts. In the part's frame, or turned where it stands upright: what is long lies.</summary>
 /// <param name="Part">The part's boundary, a line a feature, mm.</param>
 /// <param name="Counterpart">The counterpart's boundary, a line a feature, mm.</param>
-/// <param name="Points">The key points on the part's boundary, mm, with their labels, the gap and the part's deviation there, and whether the mating error leaves its limits.</param>
+/// <param name="Points">The key points on the part's boundary, mm, with their labels, the places opposite on the counterpart's, the gap and the part's deviation there, and whether the mating error leaves its limits.</param>
+/// <param name="Extent">How much there is of it, without compensation and with it: the two are seen at one scale.</param>
 /// <param name="Factor">How many times deviations are drawn larger than they are.</param>
 /// <param name="LargestMm">The largest gap or overlap at a key point, without sign.</param>
 /// <param name="IsLong">True if it is much longer than high.</param>
 /// <param name="IsTurned">True if it is turned clockwise by 90 degrees.</param>
 public sealed record GapDrawing(
-    IReadOnlyList<IReadOnlyList<Point2>> Part, IReadOnlyList<IReadOnlyList<Point2>> Counterpart, IReadOnlyList<(string Label, Point2 At, double GapMm, double PartMm, bool IsOutside)> Points, double Factor, double LargestMm, bool IsLong, bool IsTurned)
+    IReadOnlyList<IReadOnlyList<Point2>> Part, IReadOnlyList<IReadOnlyList<Point2>> Counterpart, IReadOnlyList<(string Label, Point2 At, Point2 Opposite, double GapMm, double PartMm, bool IsOutside)> Points, PlotBox Extent, double Factor, double LargestMm, bool IsLong, bool IsTurned)
 {
     // The largest deviation takes this much of the drawing.
     private const double Share = 0.08;
@@ -43,21 +44,28 @@ public sealed record GapDrawing(
         var factor = FactorOf(piece);
         var (width, height) = SizeOf(piece);
         var (isLong, isTurned) = (Math.Max(width, height) >= LongFactor * Math.Min(width, height), height >= LongFactor * width);
-        var (part, counterpart, labels) = (new List<IReadOnlyList<Point2>>(), new List<IReadOnlyList<Point2>>(), new List<(string, Point2, double, double, bool)>());
+        var (part, counterpart, labels) = (new List<IReadOnlyList<Point2>>(), new List<IReadOnlyList<Point2>>(), new List<(string, Point2, Point2, double, double, bool)>());
+        var all = new List<Point2>();
         var byLabel = piece.Result.Points.ToDictionary(p => p.Label, StringComparer.Ordinal);
         foreach (var boundary in piece.Boundaries)
         {
             var points = boundary.Points.Select(p => (Point: byLabel[p.Label], p.Theoretical, PartMm: (byLabel[p.Label].Part - p.Theoretical).Dot(byLabel[p.Label].Normal))).ToArray();
-            labels.AddRange(points.Select(p => (p.Point.Label, Lying(p.Theoretical + (factor * p.PartMm * p.Point.Normal)), -error(p.Point).NormalMm, p.PartMm, piece.IsOutside(p.Point.Label, error(p.Point).NormalMm))));
+            labels.AddRange(points.Select(p => (p.Point.Label, Off(p.Theoretical, p.Point, p.PartMm), Off(p.Theoretical, p.Point, p.PartMm + error(p.Point).NormalMm), -error(p.Point).NormalMm, p.PartMm, piece.IsOutside(p.Point.Label, error(p.Point).NormalMm))));
+            all.AddRange(points.SelectMany(p => new[] { 0, p.Point.BeforeError.NormalMm, p.Point.AfterError.NormalMm }.Select(e => Off(p.Theoretical, p.Point, p.PartMm + e))));
             if (boundary.Outline.Count > 1)
             {
                 var outline = new DisplacedOutline(boundary.Outline, [.. points.Select(p => (p.Theoretical, p.Point.Normal))]);
-                part.Add([.. outline.By([.. points.Select(p => factor * p.PartMm)]).Select(Lying)]);
-                counterpart.Add([.. outline.By([.. points.Select(p => factor * (p.PartMm + error(p.Point).NormalMm))]).Select(Lying)]);
+                part.Add(By(_ => 0));
+                counterpart.Add(By(p => error(p).NormalMm));
+                all.AddRange([.. part[^1], .. By(p => p.BeforeError.NormalMm), .. By(p => p.AfterError.NormalMm)]);
+
+                Point2[] By(Func<VerifiedPoint, double> further) => [.. outline.By([.. points.Select(p => factor * (p.PartMm + further(p.Point)))]).Select(Lying)];
             }
         }
 
-        return new(part, counterpart, labels, factor, piece.Result.Points.Select(p => Math.Abs(error(p).NormalMm)).DefaultIfEmpty().Max(), isLong, isTurned);
+        return new(part, counterpart, labels, PlotBox.Of(all), factor, piece.Result.Points.Select(p => Math.Abs(error(p).NormalMm)).DefaultIfEmpty().Max(), isLong, isTurned);
+
+        Point2 Off(Point2 place, VerifiedPoint point, double mm) => Lying(place + (factor * mm * point.Normal));
 
         Point2 Lying(Point2 place) => isTurned ? new(place.Y, -place.X) : place;
     }

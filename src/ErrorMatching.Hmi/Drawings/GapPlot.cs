@@ -64,13 +64,13 @@ public sealed class GapPlot : PlotArea
         base.OnPropertyChanged(change);
         if (change.Property == DrawingProperty)
         {
-            _extent = PlotBox.Of(Drawing?.Part.Concat(Drawing.Counterpart).SelectMany(l => l) ?? []);
+            _extent = Drawing?.Extent ?? PlotBox.Empty;
             Renew([.. Drawing?.Points.Select(p => p.At) ?? []]);
         }
     }
 
     /// <inheritdoc/>
-    protected override PlotDatum? DatumAt(int index) => index >= 0 && Drawing?.Points[index] is var (label, at, gap, part, _)
+    protected override PlotDatum? DatumAt(int index) => index >= 0 && Drawing?.Points[index] is var (label, at, _, gap, part, _)
         ? new(at, Texts.Current.With("Detail.GapAt", label, Shown.SignedMm(gap), Shown.SignedMm(part)), index)
         : null;
 
@@ -83,6 +83,19 @@ public sealed class GapPlot : PlotArea
             context.DrawGeometry(GapBrush, null, Area(part.Concat(counterpart.Reverse()), view));
         }
 
+        // A point on a corner lies beside both lines, and what is free there is the most of all at times: it is seen at the point itself.
+        foreach (var (_, at, opposite, _, _, _) in Drawing.Points)
+        {
+            var (from, to) = (view.At(at), view.At(opposite));
+            var way = (Vector)(to - from);
+            if (way.Length > DrawnSizes.Dot)
+            {
+                context.DrawLine(new Pen(GapBrush, DrawnSizes.Thick), from, to);
+                var beside = new Vector(-way.Y, way.X) / way.Length * DrawnSizes.Mark;
+                context.DrawLine(new Pen(CounterpartBrush, DrawnSizes.Line), to - beside, to + beside);
+            }
+        }
+
         foreach (var (line, pen) in Drawing.Counterpart.Select(l => (l, new Pen(CounterpartBrush, DrawnSizes.Line, DrawnSizes.Dashes))).Concat(Drawing.Part.Select(l => (l, new Pen(PartBrush, DrawnSizes.Line)))))
         {
             Line(context, pen, line, view);
@@ -91,7 +104,7 @@ public sealed class GapPlot : PlotArea
         var labels = new PlotLabels(Drawing.Part.Concat(Drawing.Counterpart).Select(l => (IReadOnlyList<Point>)[.. l.Select(p => view.At(p))]), [.. Drawing.Points.Select(p => view.At(p.At))], DrawnSizes.Dot, Free);
 
         // Where there is not room for all, those are named that ask for it.
-        foreach (var (name, at, _, _, _) in Drawing.Points.OrderByDescending(p => p.IsOutside))
+        foreach (var (name, at, _, _, _, _) in Drawing.Points.OrderByDescending(p => p.IsOutside))
         {
             var text = Label(name);
             if (labels.Place(text, view.At(at), DrawnSizes.LabelAway) is { } room)
@@ -101,7 +114,7 @@ public sealed class GapPlot : PlotArea
         }
 
         // Over the ground of words beside them.
-        foreach (var (_, at, _, _, _) in Drawing.Points)
+        foreach (var (_, at, _, _, _, _) in Drawing.Points)
         {
             context.DrawEllipse(PartBrush, null, view.At(at), DrawnSizes.Dot, DrawnSizes.Dot);
         }

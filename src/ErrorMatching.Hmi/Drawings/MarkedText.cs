@@ -74,7 +74,7 @@ public sealed class MarkedText : TextBlock
         foreach (var (start, length) in spans.Where(s => s.Start >= at && s.Start + s.Length <= line.Length))
         {
             inlines.Add(new Run(line[at..start]));
-            inlines.Add(new Run(line.Substring(start, length)) { Background = Mark, FontWeight = FontWeight.Bold });
+            inlines.Add(new Run(line.Substring(start, length)) { Background = Mark, FontWeight = FontWeight.Bold, TextDecorations = Avalonia.Media.TextDecorations.Underline });
             at = start + length;
         }
 

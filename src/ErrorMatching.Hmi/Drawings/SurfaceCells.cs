@@ -4,16 +4,13 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A surface seen from above as quadrangles of one color each, and the border around them, in units of the drawing.</summary>
-/// <remarks>Within a cell of the net, what has a part of the cell on either side in the same color is one quadrangle: lines of one parameter are straight there.</remarks>
+/// <summary>A surface seen from above as pieces of one color each, and the border around them, in units of the drawing.</summary>
+/// <remarks>A cell of the net that has one color at its corners is one piece. Where colors meet in a cell, its four triangles around its middle are cut along the lines between them, with values that change evenly from corner to corner: these lines go on from cell to cell.</remarks>
 public sealed class SurfaceCells
 {
-    /// <summary>Each cell of the net has so many by so many parts: colors change little from one to the next.</summary>
-    public const int Parts = 3;
-
     private readonly SurfaceNet _net;
     private readonly bool[] _isOutside;
-    private readonly List<(int Color, IReadOnlyList<Point2> Corners)> _quadrangles = [];
+    private readonly List<(int Color, IReadOnlyList<Point2> Corners)> _pieces = [];
     private readonly List<(Point2 From, Point2 To)> _border = [];
 
     /// <summary>Divides a surface.</summary>
@@ -39,13 +36,37 @@ public sealed class SurfaceCells
         }
     }
 
-    /// <summary>The quadrangles with the numbers of their colors; -1 where there are no values.</summary>
-    public IReadOnlyList<(int Color, IReadOnlyList<Point2> Corners)> Quadrangles => _quadrangles;
+    /// <summary>The pieces with the numbers of their colors; -1 where there are no values.</summary>
+    public IReadOnlyList<(int Color, IReadOnlyList<Point2> Corners)> Pieces => _pieces;
 
     /// <summary>The border of the surface, piece by piece in no order.</summary>
     public IReadOnlyList<(Point2 From, Point2 To)> Border => _border;
 
-    private static double Between(double a, double b, double c, double d, double s, double t) => (a * (1 - s) * (1 - t)) + (b * s * (1 - t)) + (c * s * t) + (d * (1 - s) * t);
+    // Colors change at whole numbers of it: what DivergingColors rounds.
+    private static double StepOf(double mm, double limitMm) => (((mm / limitMm) + 1) / 2 * (DivergingColors.Count - 1)) + 0.5;
+
+    private static int ColorOf(double step) => (int)Math.Clamp(Math.Floor(step), 0, DivergingColors.Count - 1);
+
+    // What of a figure lies on one side of the line where its step has a value (I. Sutherland and G. Hodgman, "Reentrant polygon clipping", 1974).
+    private static List<(Point2 At, double Step)> Cut(IReadOnlyList<(Point2 At, double Step)> figure, double step, int side)
+    {
+        var kept = new List<(Point2 At, double Step)>();
+        for (var i = 0; i < figure.Count; i++)
+        {
+            var (from, to) = (figure[i], figure[(i + 1) % figure.Count]);
+            if (side * (from.Step - step) >= 0)
+            {
+                kept.Add(from);
+            }
+
+            if ((from.Step - step) * (to.Step - step) < 0)
+            {
+                kept.Add((from.At.Lerp(to.At, (step - from.Step) / (to.Step - from.Step)), step));
+            }
+        }
+
+        return kept;
+    }
 
     private int[] CornersOf(int cell)
     {
@@ -57,50 +78,41 @@ public sealed class SurfaceCells
 
     private void Divide(int[] corners, IReadOnlyList<double>? values, double limitMm)
     {
-        var (a, b, c, d) = (Above(corners[0]), Above(corners[1]), Above(corners[2]), Above(corners[3]));
+        Point2[] at = [.. corners.Select(Above)];
         if (values is null)
         {
-            _quadrangles.Add((-1, [a, b, c, d]));
+            _pieces.Add((-1, at));
             return;
         }
 
-        Span<int> colors = stackalloc int[Parts * Parts];
-        for (var part = 0; part < colors.Length; part++)
+        double[] steps = [.. corners.Select(c => StepOf(values[c], limitMm))];
+        if (steps.All(s => ColorOf(s) == ColorOf(steps[0])))
         {
-            var (s, t) = (((part / Parts) + 0.5) / Parts, ((part % Parts) + 0.5) / Parts);
-            colors[part] = DivergingColors.IndexOf(Between(values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]], s, t), limitMm);
+            _pieces.Add((ColorOf(steps[0]), at));
+            return;
         }
 
-        // As far as the color goes along t, then as far as all of that goes along s.
-        for (var part = 0; part < colors.Length; part++)
+        var middle = (new Point2(at.Average(p => p.X), at.Average(p => p.Y)), steps.Average());
+        for (var i = 0; i < at.Length; i++)
         {
-            if (colors[part] is not (>= 0 and var color))
-            {
-                continue;
-            }
-
-            var (row, column) = (part / Parts, part % Parts);
-            var (rows, columns) = (1, 1);
-            while (column + columns < Parts && colors[part + columns] == color)
-            {
-                columns++;
-            }
-
-            while (row + rows < Parts && !colors.Slice(part + (rows * Parts), columns).ContainsAnyExcept(color))
-            {
-                rows++;
-            }
-
-            for (var taken = 0; taken < rows; taken++)
-            {
-                colors.Slice(part + (taken * Parts), columns).Fill(-1);
-            }
-
-            var (s1, s2, t1, t2) = ((double)row / Parts, (double)(row + rows) / Parts, (double)column / Parts, (double)(column + columns) / Parts);
-            _quadrangles.Add((color, [At(s1, t1), At(s2, t1), At(s2, t2), At(s1, t2)]));
+            var next = (i + 1) % at.Length;
+            Divide([(at[i], steps[i]), (at[next], steps[next]), middle]);
         }
+    }
 
-        Point2 At(double s, double t) => new(Between(a.X, b.X, c.X, d.X, s, t), Between(a.Y, b.Y, c.Y, d.Y, s, t));
+    private void Divide((Point2 At, double Step)[] triangle)
+    {
+        var (low, high) = (ColorOf(triangle.Min(c => c.Step)), ColorOf(triangle.Max(c => c.Step)));
+        for (var color = low; color <= high; color++)
+        {
+            IReadOnlyList<(Point2 At, double Step)> piece = triangle;
+            piece = color > low ? Cut(piece, color, 1) : piece;
+            piece = color < high ? Cut(piece, color + 1, -1) : piece;
+            if (piece.Count > 2)
+            {
+                _pieces.Add((color, [.. piece.Select(c => c.At)]));
+            }
+        }
     }
 
     // Those sides of a cell beyond which there is none.

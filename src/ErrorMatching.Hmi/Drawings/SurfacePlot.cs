@@ -143,7 +143,7 @@ public sealed class SurfacePlot : PlotArea
     private static List<(int Color, StreamGeometry Geometry)> ShapesOf(SurfaceCells cells)
     {
         var shapes = new List<(int Color, StreamGeometry Geometry)>();
-        foreach (var color in cells.Quadrangles.GroupBy(q => q.Color))
+        foreach (var color in cells.Pieces.GroupBy(q => q.Color))
         {
             var geometry = new StreamGeometry();
             using (var figures = geometry.Open())

@@ -124,7 +124,7 @@ public sealed class PlotAreaTests
     {
         // Up, down and up again: each point has a line at one of its sides, where the box would lie.
         (Geometry.Point2 A, Geometry.Point2 B, Geometry.Point2 C, Geometry.Point2 D) = (new(0, 0), new(30, 60), new(60, 0), new(90, 60));
-        plot.Drawing = new([[A, B, C, D]], [[A, B, C, D]], [("A", A, 0.1, 0, false), ("B", B, 0.1, 0, false), ("C", C, 0.1, 0, false), ("D", D, 0.1, 0, false)], 1, 0.1, IsLong: false, IsTurned: false);
+        plot.Drawing = new([[A, B, C, D]], [[A, B, C, D]], [("A", A, A, 0.1, 0, false), ("B", B, B, 0.1, 0, false), ("C", C, C, 0.1, 0, false), ("D", D, D, 0.1, 0, false)], new(0, 0, 90, 60), 1, 0.1, IsLong: false, IsTurned: false);
         Assert.True(plot.Focus());
         foreach (var name in new[] { "A", "B", "C", "D" })
         {
@@ -154,7 +154,7 @@ public sealed class PlotAreaTests
     private static Button Button(PlotArea plot, string part) => plot.GetVisualDescendants().OfType<Button>().Single(b => AutomationProperties.GetAutomationId(b) == "gap-" + part);
 
     private static GapDrawing Gap(double from = 0) => new(
-        [[new(from, 0), new(from + 100, 1)]], [[new(from, 1), new(from + 100, 0)]], [("A", new(from, 0), 0.0005, 0.01, false), ("B", new(from + 100, 1), -0.0125, 0.02, false)], 1, 0.0125, IsLong: true, IsTurned: false);
+        [[new(from, 0), new(from + 100, 1)]], [[new(from, 1), new(from + 100, 0)]], [("A", new(from, 0), new(from, 1), 0.0005, 0.01, false), ("B", new(from + 100, 1), new(from + 100, 0), -0.0125, 0.02, false)], new(from, 0, from + 100, 1), 1, 0.0125, IsLong: true, IsTurned: false);
 
     private static Task At(Action<GapPlot, ScreenUser, Window> test) => Drawing.Needed().RunAsync(() =>
     {
