@@ -107,6 +107,9 @@ public sealed class DecidingTests
         Directory.Move(seat.Cell.MachineFolder, seat.Cell.MachineFolder + "-away");
         new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
         seat.WaitFor(() => seat.Station.State.Status?.Proposed.Count == 1, "The approval is not seen.");
+
+        // A banner that comes while a finger is down moves what is below it.
+        seat.WaitFor(() => seat.Shell.Banner is not null, "Nothing is said of the machine that is away.");
         seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
         Assert.Equal("#2 · 0002", seat.TextOf("detail-title"));
         seat.Tap("nav-system").See("side-gauge");
@@ -115,7 +118,7 @@ public sealed class DecidingTests
         Directory.Move(seat.Cell.MachineFolder + "-away", seat.Cell.MachineFolder);
         File.WriteAllText(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc"), "somebody's\n");
         seat.WaitFor(1, CorrectionState.Failed);
-        seat.WaitFor(() => seat.Station.State.Status?.Failed.Count == 1, "The failure is not seen.");
+        seat.WaitFor(() => seat.Station.State.Status?.Failed.Count == 1 && seat.Shell.Banner is null, "The failure is not seen, or the machine is still said to be away.");
         seat.Tap("nav-compensation").See("points");
         Assert.Equal(["#1 · 0001", "#2 · 0002"], ((CompensationViewModel)seat.Shell.Current!).Rows.Select(r => r.Title));
         seat.WaitFor(() => seat.TextOf("detail-title") == "#2 · 0002", "What was looked at is forgotten.");

@@ -258,6 +258,13 @@ public sealed partial class ProgramText : ILogicalScrollable
             && picture.Marks.FirstOrDefault(m => m.Name == feature) is { Ranges: [{ First: var first }, ..] })
         {
             _begun = feature;
+            if (picture.Look is { } look && look.Feature == feature)
+            {
+                // Made anew, for another language as an example: it shows what was asked for.
+                Show(look);
+                return;
+            }
+
             var top = first * RowHeight;
             if (top < Offset.Y || top + RowHeight > Offset.Y + Bounds.Height)
             {
