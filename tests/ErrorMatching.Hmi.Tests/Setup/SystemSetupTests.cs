@@ -237,6 +237,9 @@ public sealed class SystemSetupTests
         Assert.Equal("C1: N170 to N1190: 103 lines. Its name once more shows the beginning.", picture.Chosen);
         Assert.Equal((false, true), (IsSeen("N170"), IsSeen("N1190")));
         Take();
+
+        // Its rows were made anew for another language, twice.
+        Assert.Equal((false, true), (IsSeen("N170"), IsSeen("N1190")));
         seat.Seat.Tap("pick-2");
         Assert.True(IsSeen("N170"));
 
@@ -254,8 +257,9 @@ public sealed class SystemSetupTests
 
         bool IsSeen(string name)
         {
-            var top = (Enumerable.Range(0, picture.Program.Count).First(b => picture.Program.NameOf(b) == name) * text.RowHeight) - text.Offset.Y;
-            return top >= 0 && top + text.RowHeight <= text.Bounds.Height;
+            var now = (ProgramText)seat.Seat.See("program-text");
+            var top = (Enumerable.Range(0, picture.Program.Count).First(b => picture.Program.NameOf(b) == name) * now.RowHeight) - now.Offset.Y;
+            return top >= 0 && top + now.RowHeight <= now.Bounds.Height;
         }
 
         // Its points and the ends of its moves stand in the drawing, beside the buttons, and fill it one way or the other.
