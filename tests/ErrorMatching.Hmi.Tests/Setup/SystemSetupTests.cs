@@ -229,12 +229,12 @@ public sealed class SystemSetupTests
 
         // C1 has 103 blocks.
         seat.Seat.Tap("pick-2");
-        Assert.Equal("C1: N170 to N1190: 103 lines. Its name once more shows the end.", picture.Chosen);
+        Assert.Equal("C1: N170 to N1190: 103 lines. Tap its name again for the end.", picture.Chosen);
         Assert.Equal((true, false), (IsSeen("N170"), IsSeen("N1190")));
         MustBeDrawn(2);
         Take();
         seat.Seat.Tap("pick-2");
-        Assert.Equal("C1: N170 to N1190: 103 lines. Its name once more shows the beginning.", picture.Chosen);
+        Assert.Equal("C1: N170 to N1190: 103 lines. Tap its name again for the beginning.", picture.Chosen);
         Assert.Equal((false, true), (IsSeen("N170"), IsSeen("N1190")));
         Take();
 

@@ -6,6 +6,9 @@ namespace ErrorMatching.Hmi;
 /// <summary>One piece and those before it, in the words, figures and drawings of the screen.</summary>
 public sealed class PieceDetail : Observable
 {
+    // So many points tell where to look; all of them are on the sides of errors and points.
+    private const int MostMissed = 6;
+
     private readonly KeptPiece _piece;
     private string? _next;
     private bool _isCut;
@@ -66,7 +69,7 @@ public sealed class PieceDetail : Observable
     /// <summary>Where the prediction was missed by more than measuring explains, which is twice the standard uncertainty; null where there is nothing to compare.</summary>
     public string? Missed => _piece.Misses is not { Count: > 0 } all ? null
         : Significant is { Count: > 0 } missed && missed.MaxBy(m => Math.Abs(m.Mm)) is var worst
-            ? Texts.Current.With("Verdict.Missed", missed.Count, Listed(missed.Select(m => m.Point)), Shown.Mm(Math.Abs(worst.Mm)), worst.Point)
+            ? Texts.Current.With("Verdict.Missed", missed.Count, Listed(missed.Take(MostMissed).Select(m => m.Point)) + (missed.Count > MostMissed ? " …" : ""), Shown.Mm(Math.Abs(worst.Mm)), worst.Point)
             : Texts.Current.With("Verdict.Met", Shown.Mm(all.Max(m => Math.Abs(m.Mm))));
 
     /// <summary>True where the prediction was missed.</summary>
@@ -107,7 +110,7 @@ public sealed class PieceDetail : Observable
     public SeriesDrawing Trend { get; }
 
     /// <summary>How to read it, and that pieces are told from different counterparts, where they are.</summary>
-    public string TrendCaption => Sentence.Joined(Texts.Current["Verify.TrendCaption"], Trend.Lines.Any(l => l.Beginnings.Count > 0) ? Texts.Current["Verify.TrendBreaks"] : "");
+    public string TrendCaption => Sentence.Joined(Texts.Current["Verify.TrendCaption"], Trend.IsHollow.Any(h => h) ? Texts.Current["Verify.TrendHollow"] : "", Trend.Lines.Any(l => l.Beginnings.Count > 0) ? Texts.Current["Verify.TrendBreaks"] : "");
 
     /// <summary>The assembly without compensation.</summary>
     public GapDrawing Before { get; }
