@@ -13,7 +13,7 @@ public sealed class SurfaceCellsTests
     [InlineData(0.2)]
     [InlineData(1)]
     [InlineData(3)]
-    public void Each_place_has_the_color_of_its_value_and_no_other(double swing)
+    public void Along_its_sides_a_cell_has_the_colors_of_its_values_and_nowhere_two(double swing)
     {
         var told = 0;
         for (var seed = 0; seed < 20; seed++)
@@ -26,20 +26,24 @@ public sealed class SurfaceCellsTests
             {
                 foreach (var side in Enumerable.Range(0, 4))
                 {
-                    // Between two corners and the middle, by barycentric coordinates.
-                    double[] share = [random.NextDouble(), random.NextDouble(), random.NextDouble()];
-                    share = [.. share.Select(s => s / share.Sum())];
-                    double At(Func<int, double> at) => (share[0] * at(Corner(cell, side))) + (share[1] * at(Corner(cell, (side + 1) % 4))) + (share[2] * Enumerable.Range(0, 4).Average(c => at(Corner(cell, c))));
-                    var (value, place) = (At(i => values[i]), new Point2(At(i => net.Places[i].X), At(i => net.Places[i].Y)));
-
-                    // Beside the line between two colors rounding tells.
-                    if (DivergingColors.IndexOf(value - 1e-6, Limit) is var color && color == DivergingColors.IndexOf(value + 1e-6, Limit) && share.Min() > 1e-3)
+                    // Just inside of a side, between two corners; then anywhere within.
+                    var (from, to, share) = (Corner(cell, side), Corner(cell, (side + 1) % 4), 0.1 + (0.8 * random.NextDouble()));
+                    var (value, middle) = (values[from] + (share * (values[to] - values[from])), Middle(net, cell));
+                    var place = Above(net, from).Lerp(Above(net, to), share);
+                    var color = DivergingColors.IndexOf(value - 1e-4, Limit);
+                    if (color == DivergingColors.IndexOf(value + 1e-4, Limit))
                     {
-                        Assert.Equal(net.Outside.Contains(cell) ? [] : [color], cells.Pieces.Where(q => IsWithin(q.Corners, place)).Select(q => q.Color));
+                        Assert.Equal(net.Outside.Contains(cell) ? [] : [color], At(place.Lerp(middle, 1e-7)));
                         told++;
                     }
+
+                    int[] corners = [.. Enumerable.Range(0, 4).Select(c => DivergingColors.IndexOf(values[Corner(cell, c)], Limit))];
+                    var within = At(place.Lerp(middle, random.NextDouble()));
+                    Assert.True(net.Outside.Contains(cell) ? within.Length == 0 : within.Length <= 1 && within.All(c => c >= corners.Min() && c <= corners.Max()));
                 }
             }
+
+            int[] At(Point2 place) => [.. cells.Pieces.Where(q => IsWithin(q.Corners, place)).Select(q => q.Color)];
         }
 
         Assert.True(told > 1000);
@@ -84,6 +88,10 @@ public sealed class SurfaceCellsTests
         var a = (cell / (CountV - 1) * CountV) + (cell % (CountV - 1));
         return corner switch { 0 => a, 1 => a + CountV, 2 => a + CountV + 1, _ => a + 1 };
     }
+
+    private static Point2 Above(SurfaceNet net, int place) => new(net.Places[place].X, net.Places[place].Y);
+
+    private static Point2 Middle(SurfaceNet net, int cell) => new(Enumerable.Range(0, 4).Average(c => Above(net, Corner(cell, c)).X), Enumerable.Range(0, 4).Average(c => Above(net, Corner(cell, c)).Y));
 
     private static double AreaOf(IReadOnlyList<Point2> corners) => Math.Abs(corners.Select((c, i) => (c - Point2.Origin).Cross(corners[(i + 1) % corners.Count] - Point2.Origin)).Sum()) / 2;
 

@@ -5,7 +5,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A surface seen from above as pieces of one color each, and the border around them, in units of the drawing.</summary>
-/// <remarks>A cell of the net that has one color at its corners is one piece. Where colors meet in a cell, its four triangles around its middle are cut along the lines between them, with values that change evenly from corner to corner: these lines go on from cell to cell.</remarks>
+/// <remarks>A cell of the net that has one color at its corners is one piece. Where colors meet, a cell is cut from side to side where its values, even along each side, change color: these lines go on from cell to cell. A saddle, whose opposite corners are higher than the others, is cut as four triangles around its middle.</remarks>
 public sealed class SurfaceCells
 {
     private readonly SurfaceNet _net;
@@ -92,6 +92,12 @@ public sealed class SurfaceCells
             return;
         }
 
+        if (!IsSaddle(steps))
+        {
+            Divide([.. at.Zip(steps)]);
+            return;
+        }
+
         var middle = (new Point2(at.Average(p => p.X), at.Average(p => p.Y)), steps.Average());
         for (var i = 0; i < at.Length; i++)
         {
@@ -100,12 +106,15 @@ public sealed class SurfaceCells
         }
     }
 
-    private void Divide((Point2 At, double Step)[] triangle)
+    // Both corners of one diagonal above both of the other: a color may come in at all four sides.
+    private static bool IsSaddle(double[] steps) => Math.Min(steps[0], steps[2]) > Math.Max(steps[1], steps[3]) || Math.Min(steps[1], steps[3]) > Math.Max(steps[0], steps[2]);
+
+    private void Divide((Point2 At, double Step)[] figure)
     {
-        var (low, high) = (ColorOf(triangle.Min(c => c.Step)), ColorOf(triangle.Max(c => c.Step)));
+        var (low, high) = (ColorOf(figure.Min(c => c.Step)), ColorOf(figure.Max(c => c.Step)));
         for (var color = low; color <= high; color++)
         {
-            IReadOnlyList<(Point2 At, double Step)> piece = triangle;
+            IReadOnlyList<(Point2 At, double Step)> piece = figure;
             piece = color > low ? Cut(piece, color, 1) : piece;
             piece = color < high ? Cut(piece, color + 1, -1) : piece;
             if (piece.Count > 2)
