@@ -266,6 +266,18 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
             return flow.Pace.Ready;
         }
 
+        // With the right to the slot: were the next one sent by another cell before the file is removed, the file of its own piece would be taken away, and the slot never become free.
+        using var slotLock = flow.Store.TryLockSlot(machine.Name, slot.Name);
+        if (slotLock is null)
+        {
+            return flow.Pace.Locked;
+        }
+
+        if (flow.Store.Slot(machine.Name, slot.Name).Correction != held.Id || flow.Store.Find(held.Id)!.Version != held.Version)
+        {
+            return TimeSpan.Zero;
+        }
+
         var basis = Recorded.MachineWrote.With(ready);
         if (held.State == CorrectionState.Verified)
         {
@@ -276,7 +288,11 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
             flow.Store.FreeSlot(machine.Name, slot.Name, held.Id, CellFlow.ByCell, basis);
         }
 
-        await folder.DeleteAsync(ready, flow.Finish);
+        if (slotLock.IsHeld)
+        {
+            await folder.DeleteAsync(ready, flow.Finish);
+        }
+
         return TimeSpan.Zero;
     }
 
