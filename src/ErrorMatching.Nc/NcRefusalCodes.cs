@@ -78,6 +78,9 @@ public static class NcRefusalCodes
     /// <summary>A program that is called is neither in the file nor in the library.</summary>
     public const string MissingProgram = "missing-program";
 
+    /// <summary>A block behind a slash changes what is cut, and nobody has said how the switch for block skip stands.</summary>
+    public const string BlockSkip = "block-skip";
+
     /// <summary>A jump has no target, or a loop or branch has no end.</summary>
     public const string MissingLabel = "missing-label";
 

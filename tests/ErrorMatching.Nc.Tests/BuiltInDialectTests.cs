@@ -180,7 +180,7 @@ public sealed class BuiltInDialectTests
     {
         Assert.Equal([FunctionRole.ProgramEnd, FunctionRole.Call, FunctionRole.Return, FunctionRole.Harmless], new[] { 30, 98, 99, 8 }.Select(NcDialects.FanucMill.FunctionOf));
         Assert.Equal([FunctionRole.Return, FunctionRole.Harmless, FunctionRole.Unknown, FunctionRole.Unknown], new[] { 17, 98, 10_000, -1 }.Select(NcDialects.Siemens840D.FunctionOf));
-        Assert.Equal(FunctionRole.Unsure, NcDialects.LinuxCnc.FunctionOf(72));
+        Assert.Equal(FunctionRole.RestoreModes, NcDialects.LinuxCnc.FunctionOf(72));
         Assert.Equal([98], NcDialects.LinuxCnc.CallFunctions);
     }
 

@@ -29,7 +29,7 @@ public sealed class FlowLimitTests
     [InlineData(NcSyntax.Siemens, "L10", true)]
     [InlineData(NcSyntax.Siemens, "N5 M17", true)]
     public void Straight_blocks_need_not_be_given_to_the_machine(NcSyntax syntax, string text, bool concerns) =>
-        Assert.Equal(concerns, FlowTrigger.Concerns(Encoding.UTF8.GetBytes(text), syntax));
+        Assert.Equal(concerns, FlowTrigger.Concerns(Encoding.UTF8.GetBytes(text), FlowRun.DialectOf(syntax)));
 
     [Theory]
     [InlineData(NcSyntax.Iso, "#1=0\nN1 #1=#1+1\nIF[#1GT0]GOTO1")]
@@ -62,7 +62,7 @@ public sealed class FlowLimitTests
     public void A_million_blocks_of_a_loop_are_executed_in_seconds()
     {
         var watch = Stopwatch.StartNew();
-        var run = new NcFlow(NcProgram.FromText("#1=0\nWHILE[#1LT330000]DO1\n#1=#1+1\nEND1\nM30"), NcSyntax.Iso);
+        var run = new NcFlow(NcProgram.FromText("#1=0\nWHILE[#1LT330000]DO1\n#1=#1+1\nEND1\nM30"), NcDialects.FanucMill);
         for (var i = 0; run.Before(i) == FlowAction.Continue; i = run.Next)
         {
         }

@@ -18,10 +18,13 @@ internal sealed class FlowRun
 
     public static FlowRun Of(NcSyntax syntax, string text, FlowSettings? settings = null)
     {
-        var run = new FlowRun(new(NcProgram.FromText(text), syntax, settings));
+        var run = new FlowRun(new(NcProgram.FromText(text), DialectOf(syntax), settings));
         run.Run(syntax);
         return run;
     }
+
+    public static NcDialect DialectOf(NcSyntax syntax) =>
+        syntax switch { NcSyntax.Iso => NcDialects.FanucMill, NcSyntax.LinuxCnc => NcDialects.LinuxCnc, _ => NcDialects.Siemens840D };
 
     public static FlowSettings Library(params (string Name, string Text)[] programs) =>
         new() { Library = name => programs.FirstOrDefault(p => p.Name == name) is { Text: { } text } ? NcProgram.FromText(text) : null };
@@ -44,11 +47,12 @@ internal sealed class FlowRun
             {
                 var block = Flow.Program[i];
                 var text = Flow.Program.BytesOf(block);
-                action = FlowTrigger.Concerns(text, syntax) ? Flow.Before(i) : FlowAction.Words;
+                action = FlowTrigger.Concerns(text, DialectOf(syntax)) ? Flow.Before(i) : FlowAction.Words;
                 if (action == FlowAction.Words)
                 {
                     var moves = Record(block);
-                    action = FlowTrigger.Concerns(text, syntax) || (moves && Flow.HasModalCall) ? Flow.Behind(i, moves) : FlowAction.Words;
+                    var concerns = FlowTrigger.Concerns(text, DialectOf(syntax)) || (moves && Flow.HasModalCall);
+                    action = concerns ? Flow.Behind(i, moves) : FlowAction.Words;
                 }
             }
 

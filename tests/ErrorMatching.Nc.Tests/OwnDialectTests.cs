@@ -46,7 +46,7 @@ public sealed class OwnDialectTests
                 { "codes": "G54..G59 G300", "means": "harmless", "statement": "Ours.", "source": "our tests" },
                 { "codes": "G56", "means": "unknown", "statement": "Ours has none.", "source": "our tests" },
                 { "codes": "WASH", "means": "harmless", "statement": "Ours.", "source": "our tests" } ],
-              "letters": [ { "letters": "E", "role": "feed", "statement": "Ours.", "source": "our tests" } ],
+              "letters": [ { "letters": "E", "role": "harmless", "statement": "Ours.", "source": "our tests" } ],
               "functions": [ { "functions": "M200..M201", "role": "call", "statement": "Ours.", "source": "our tests" } ],
               "flow": [ { "words": "JUMP", "statement": "Ours.", "source": "our tests" } ],
               "machinePrograms": [ { "programs": "O7000..O7009 8000 WASHING", "statement": "Ours.", "source": "our tests" } ],
@@ -54,7 +54,7 @@ public sealed class OwnDialectTests
             """);
         Assert.Equal([NcMeaning.Harmless, NcMeaning.Unknown, NcMeaning.Harmless, NcMeaning.Harmless, NcMeaning.WorkOffset], new[] { 540, 560, 590, 3000, 541 }.Select(dialect.MeaningOf));
         Assert.Equal(NcMeaning.Harmless, dialect.MeaningOf("wash"u8));
-        Assert.Equal((LetterRole.Feed, LetterRole.Feed), (dialect.RoleOf((byte)'E'), dialect.RoleOf((byte)'F')));
+        Assert.Equal((LetterRole.Harmless, LetterRole.Feed), (dialect.RoleOf((byte)'E'), dialect.RoleOf((byte)'F')));
         Assert.Equal([97, 98, 198, 200, 201], dialect.CallFunctions.Order());
         Assert.True(dialect.IsFlow("jump"u8) && dialect.IsFlow("GOTO"u8));
         Assert.Equal([true, true, false, true, true], new[] { 7000, 7009, 7010, 8000, 9810 }.Select(dialect.IsMachineProgram));

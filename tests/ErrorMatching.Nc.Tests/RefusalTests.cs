@@ -104,6 +104,7 @@ public sealed class RefusalTests
         [
             NcRefusalCodes.BlockNotFound, NcRefusalCodes.BlockAmbiguous, NcRefusalCodes.PointOffPath, NcRefusalCodes.RunWithoutPoint, NcRefusalCodes.PointsCoincide, NcRefusalCodes.ProofFailed,
             NcRefusalCodes.EndlessLoop, NcRefusalCodes.MissingProgram, NcRefusalCodes.MissingLabel, NcRefusalCodes.UnknownCondition, NcRefusalCodes.BadExpression, NcRefusalCodes.CallTooDeep,
+            NcRefusalCodes.BlockSkip,
         ];
         var codes = typeof(NcRefusalCodes).GetFields(BindingFlags.Public | BindingFlags.Static).Select(f => (string)f.GetRawConstantValue()!);
         Assert.Equal(codes.Order(StringComparer.Ordinal), Normals.Concat(SiemensNormals).Select(r => r.Data.Item1).Concat(EndPoints.Select(r => r.Data.Item1)).Concat(elsewhere).Distinct().Order(StringComparer.Ordinal));

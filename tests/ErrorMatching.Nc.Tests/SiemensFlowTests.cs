@@ -74,7 +74,7 @@ public sealed class SiemensFlowTests
     [Fact]
     public void Programs_come_from_the_library_and_words_of_the_language_do_not()
     {
-        var settings = FlowRun.Library(("UP", "N5 X5\nM17")) with { IsWord = w => w == "STOPRE" };
+        var settings = FlowRun.Library(("UP", "N5 X5\nM17"));
         Runs("STOPRE\nUP\nCYCLE81(1,,2)\nM30", "1 N5 2 3 4", settings);
     }
 

@@ -43,7 +43,9 @@ public sealed partial class PackageProgramTests
             }
 
             compared++;
-            var path = NcInterpreter.Run(NcProgram.Read(bytes, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc, name => InFolder(Path.GetDirectoryName(file)!, name), TestContext.Current.CancellationToken);
+            var dialect = NcDialects.LinuxCnc.With(BlockSkip.Off);
+            NcProgram? Library(string name) => InFolder(Path.GetDirectoryName(file)!, name);
+            var path = NcInterpreter.Run(NcProgram.Read(bytes, dialect.Syntax), dialect, Library, TestContext.Current.CancellationToken);
             if (Agreement.FirstDifference(peer.Motions, path, mostUnknown: 1, peerStops: peer.Refusal is not null) is { } difference)
             {
                 differences.Add($"{file}: {difference}");

@@ -39,6 +39,7 @@ public sealed class RandomProgramTests
     [InlineData(Topic.Compensation)]
     [InlineData(Topic.Polar)]
     [InlineData(Topic.OddBlocks)]
+    [InlineData(Topic.SavedModes)]
     [InlineData(Topic.Everything)]
     public void Motions_agree_with_rs274(Topic topic)
     {
@@ -47,11 +48,16 @@ public sealed class RandomProgramTests
         for (var seed = FirstSeed; seed < FirstSeed + Programs; seed++)
         {
             var text = RandomProgram.Write(topic, seed);
-            var peer = Rs274.Run(WithoutCompensation(text));
-            Assert.True(peer.Refusal is null, $"seed {seed}: rs274 refuses the program, {peer.Refusal}\n{text}");
-            if (Agreement.FirstDifference(peer.Motions, NcInterpreter.Run(NcProgram.FromText(text, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc)) is { } difference)
+            BlockSkip[] positions = text.Contains("\n/", StringComparison.Ordinal) ? [BlockSkip.Off, BlockSkip.On] : [BlockSkip.Unstated];
+            foreach (var position in positions)
             {
-                differences.Add($"seed {seed}: {difference}\n{text}");
+                var peer = Rs274.Run(WithoutCompensation(text), position == BlockSkip.On);
+                Assert.True(peer.Refusal is null, $"seed {seed}, block skip {position}: rs274 refuses the program, {peer.Refusal}\n{text}");
+                var path = NcInterpreter.Run(NcProgram.FromText(text, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc.With(position));
+                if (Agreement.FirstDifference(peer.Motions, path) is { } difference)
+                {
+                    differences.Add($"seed {seed}, block skip {position}: {difference}\n{text}");
+                }
             }
         }
 

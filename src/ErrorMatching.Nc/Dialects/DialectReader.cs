@@ -9,6 +9,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     private static readonly Dictionary<string, int> Roles = KebabNames.Of(typeof(LetterRole));
     private static readonly Dictionary<string, int> FunctionRoles = KebabNames.Of(typeof(FunctionRole));
     private static readonly Dictionary<string, int> Syntaxes = KebabNames.Of(typeof(NcSyntax));
+    private static readonly Dictionary<string, int> Switches = KebabNames.Of(typeof(BlockSkip));
 
     public List<JsonProblem> Problems { get; } = [];
 
@@ -32,6 +33,8 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case "syntax": tables.Syntax = (NcSyntax)Syntaxes[value.Text]; break;
             case "integersAreIncrements": tables.IntegersAreIncrements = value.Flag; break;
             case "notesNumbersWithoutPoint": tables.NotesNumbersWithoutPoint = value.Flag; break;
+            case "semicolonEndsBlock": tables.SemicolonEndsBlock = value.Flag; break;
+            case "blockSkip": tables.BlockSkip = (BlockSkip)Switches[value.Text]; break;
             case "metricDecimals": tables.MetricDecimals = (int)value.Number; break;
             case "inchDecimals": tables.InchDecimals = (int)value.Number; break;
             case "arcMismatchMm": tables.ArcMismatchMm = value.Number; break;
@@ -82,6 +85,13 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     {
         switch (topic)
         {
+            case DialectTopic.Code when Misplaced((NcMeaning)Meanings[entry["means"].Text], subject) is { } expected:
+                Problems.Add(JsonProblem.At(entry["means"], "bad-role", $"\"{entry["means"].Text}\" for {subject.Spelling}", expected));
+                break;
+            case DialectTopic.Letter
+                when subject.Word.Length == 1 && Misplaced((LetterRole)Roles[entry["role"].Text], subject.Word[0]) is { } expected:
+                Problems.Add(JsonProblem.At(entry["role"], "bad-role", $"\"{entry["role"].Text}\" for {subject.Spelling}", expected));
+                break;
             case DialectTopic.Code:
                 Code(subject, (NcMeaning)Meanings[entry["means"].Text], tables.FamilyNumber(entry.Find("family")?.Text ?? ""), entry.Find("feeds") is { Flag: false });
                 break;
@@ -108,6 +118,40 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
                 tables.MachineNames.UnionWith(subject.Names());
                 break;
         }
+    }
+
+    // What the interpreter would not do: a role that it has no way for is not to be declared.
+    private static string? Misplaced(NcMeaning meaning, SubjectRange subject)
+    {
+        var isCode = subject is { HasNumbers: true, Word: "G" };
+        return meaning switch
+        {
+            NcMeaning.CycleCall or NcMeaning.ModalCycle when isCode => "another meaning: only a word of several letters can have this one",
+            NcMeaning.WorkOffset or NcMeaning.ReferenceReturn or NcMeaning.StoreReference when !isCode =>
+                "another meaning: only a G code can have this one",
+            _ => null,
+        };
+    }
+
+    private string? Misplaced(LetterRole role, char letter)
+    {
+        LetterRole[] fitting = letter switch
+        {
+            'X' or 'Y' or 'Z' => [LetterRole.Axis],
+            'I' or 'J' or 'K' => [LetterRole.Center],
+            'F' => [LetterRole.Feed],
+            'G' => [LetterRole.G],
+            'M' => [LetterRole.M],
+            'N' => [LetterRole.Number],
+            'O' => [LetterRole.Program],
+            'R' => [LetterRole.Radius, LetterRole.Variable],
+            'L' when tables.Syntax == NcSyntax.Siemens => [LetterRole.Program],
+            _ => [LetterRole.Harmless, LetterRole.OtherAxis, LetterRole.Variable],
+        };
+        var names = Roles.Where(r => Array.IndexOf(fitting, (LetterRole)r.Value) >= 0).Select(r => r.Key);
+        return role == LetterRole.Unknown || Array.IndexOf(fitting, role) >= 0
+            ? null
+            : $"{string.Join(" or ", names)}, or unknown: the letter can have no other role";
     }
 
     private void Code(SubjectRange subject, NcMeaning meaning, int family, bool lengthsOnly)

@@ -19,6 +19,10 @@ internal sealed class DialectTables
 
     public bool NotesNumbersWithoutPoint { get; set; }
 
+    public bool SemicolonEndsBlock { get; set; }
+
+    public BlockSkip BlockSkip { get; set; }
+
     public int MetricDecimals { get; set; }
 
     public int InchDecimals { get; set; }

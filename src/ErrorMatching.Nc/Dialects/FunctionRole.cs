@@ -9,8 +9,14 @@ public enum FunctionRole : byte
     /// <summary>Changes no position and no mode: spindle, coolant, tool, a stop.</summary>
     Harmless,
 
-    /// <summary>Calls a program.</summary>
+    /// <summary>Calls a program by its number P (M98).</summary>
     Call,
+
+    /// <summary>Calls a part of the same program, from the block with the number P up to a return (M97).</summary>
+    LocalCall,
+
+    /// <summary>Calls a program in a way that is not followed, or one that is looked for elsewhere (M198): refused.</summary>
+    OpaqueCall,
 
     /// <summary>Ends the program.</summary>
     ProgramEnd,
@@ -20,4 +26,16 @@ public enum FunctionRole : byte
 
     /// <summary>May change modes or positions: nothing is known behind it until the program states it again.</summary>
     Unsure,
+
+    /// <summary>Saves the modes of the present call level, to be restored later (M70).</summary>
+    SaveModes,
+
+    /// <summary>Saves them, and restores them when the subprogram ends (M73).</summary>
+    SaveModesOfCall,
+
+    /// <summary>Restores the saved modes of the present call level (M72).</summary>
+    RestoreModes,
+
+    /// <summary>Drops them (M71).</summary>
+    DropModes,
 }

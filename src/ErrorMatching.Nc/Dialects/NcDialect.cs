@@ -11,7 +11,8 @@ public sealed class NcDialect
     internal NcDialect(string name, string description, DialectTables tables, IReadOnlyList<DialectFile> files, Func<IReadOnlyList<DialectFact>> facts)
     {
         (Name, Description, _tables, Files, _facts) = (name, description, tables, files, new(facts));
-        _callFunctions = new(() => new HashSet<int>(Enumerable.Range(0, DialectTables.Functions).Where(f => tables.FunctionOf[f] == FunctionRole.Call)));
+        BlockSkip = tables.BlockSkip;
+        _callFunctions = new(() => new HashSet<int>(Enumerable.Range(0, DialectTables.Functions).Where(f => Calls(tables.FunctionOf[f]))));
     }
 
     /// <summary>Name as in jobs and on the command line; of a shop's own, the name that its file gives.</summary>
@@ -31,6 +32,12 @@ public sealed class NcDialect
 
     /// <summary>True if results say how coordinates without a point were read: machines of the kind differ there, or the dialect's own file has them count increments.</summary>
     public bool NotesNumbersWithoutPoint => _tables.NotesNumbersWithoutPoint || _tables.IntegersAreIncrements;
+
+    /// <summary>True if a semicolon ends a block, so that words behind it are another one; false if it begins a comment.</summary>
+    public bool SemicolonEndsBlock => _tables.SemicolonEndsBlock;
+
+    /// <summary>How the switches for block skip stand.</summary>
+    public BlockSkip BlockSkip { get; private init; }
 
     /// <summary>Decimals of the least increment in millimetres.</summary>
     public int MetricDecimals => _tables.MetricDecimals;
@@ -56,6 +63,12 @@ public sealed class NcDialect
 
     /// <summary>Miscellaneous functions that call a program.</summary>
     public IReadOnlySet<int> CallFunctions => _callFunctions.Value;
+
+    /// <summary>The same control with its switches for block skip in a position.</summary>
+    /// <param name="blockSkip">The position; unstated leaves what the dialect states.</param>
+    public NcDialect With(BlockSkip blockSkip) => blockSkip == BlockSkip || blockSkip == BlockSkip.Unstated
+        ? this
+        : new(Name, Description, _tables, Files, () => Facts) { BlockSkip = blockSkip };
 
     /// <summary>What a G code means.</summary>
     /// <param name="tenths">The code times ten: 1 is 10, 54.1 is 541.</param>
@@ -106,4 +119,6 @@ public sealed class NcDialect
     /// <summary>Whether a program of this name is known to be in the machine.</summary>
     /// <param name="name">The name without arguments, in any case: <c>L9810</c>.</param>
     public bool IsMachineProgram(ReadOnlySpan<byte> name) => _tables.MachineNames.GetAlternateLookup<ReadOnlySpan<byte>>().Contains(name);
+
+    private static bool Calls(FunctionRole role) => role is FunctionRole.Call or FunctionRole.LocalCall or FunctionRole.OpaqueCall;
 }

@@ -5,12 +5,13 @@ namespace ErrorMatching.Nc;
 /// <param name="Number">The block's number; -1 where it has none.</param>
 /// <param name="LabelAt">Where the label begins (Siemens).</param>
 /// <param name="LabelLength">Its length; 0 where there is none.</param>
-internal readonly record struct BlockHead(int At, long Number, int LabelAt, int LabelLength)
+/// <param name="IsSkip">True if it has a slash: the switch for block skip decides whether it is executed.</param>
+internal readonly record struct BlockHead(int At, long Number, int LabelAt, int LabelLength, bool IsSkip)
 {
     /// <summary>Reads the head of a block.</summary>
     public static BlockHead Read(ReadOnlySpan<byte> text, NcSyntax syntax)
     {
-        var (at, number, labelAt, labelLength) = (SyntaxBytes.MarkLength(text), -1L, 0, 0);
+        var (at, number, labelAt, labelLength, isSkip) = (SyntaxBytes.MarkLength(text), -1L, 0, 0, false);
         while (at < text.Length)
         {
             var c = text[at];
@@ -20,6 +21,7 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
             }
             else if (c == '/')
             {
+                isSkip = true;
                 at += at + 1 < text.Length && SyntaxBytes.IsDigit(text[at + 1]) ? 2 : 1;
             }
             else if (c == '(' && syntax != NcSyntax.Siemens && text[at..].IndexOf((byte)')') is > 0 and var close)
@@ -41,7 +43,7 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
             }
         }
 
-        return new(at, number, labelAt, labelLength);
+        return new(at, number, labelAt, labelLength, isSkip);
     }
 
     /// <summary>Length of the name (letters, digits, underscores, not beginning with a digit) at a place; 0 where none stands there.</summary>

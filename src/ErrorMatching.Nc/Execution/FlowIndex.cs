@@ -6,6 +6,7 @@ namespace ErrorMatching.Nc;
 internal sealed partial class FlowIndex
 {
     private readonly NcSyntax _syntax;
+    private readonly bool _skips;
     private readonly List<FlowUnit> _units = [];
     private readonly Dictionary<string, int> _numbers = new(StringComparer.Ordinal);
     private readonly Dictionary<string, FlowUnit> _named = new(StringComparer.Ordinal);
@@ -13,16 +14,23 @@ internal sealed partial class FlowIndex
     private readonly Dictionary<string, FlowStatement> _subs = new(StringComparer.Ordinal);
     private readonly Dictionary<(int From, bool Forward, bool Backward, long Number, string Label), int> _targets = [];
 
-    public FlowIndex(NcProgram program, NcSyntax syntax)
+    public FlowIndex(NcProgram program, NcDialect dialect)
     {
+        var syntax = dialect.Syntax;
         Program = program;
         _syntax = syntax;
-        var (name, first, hasContent) = ("", 0, false);
+        _skips = dialect.BlockSkip == BlockSkip.On;
+        var (name, first, hasContent) = ("", Leader.BlocksOf(program, dialect), false);
         var end = program.BlockCount;
-        for (var i = 0; i < end; i++)
+        for (var i = first; i < end; i++)
         {
             var text = program.BytesOf(program[i]);
             var head = BlockHead.Read(text, syntax);
+            if (_skips && head.IsSkip)
+            {
+                continue;
+            }
+
             if (HeadingOf(text, head.At) is { } heading)
             {
                 // LinuxCNC runs on over the number of a subprogram; only the second percent sign ends the file.
@@ -193,7 +201,7 @@ internal sealed partial class FlowIndex
         Searched++;
         var text = Program.BytesOf(Program[block]);
         var head = BlockHead.Read(text, _syntax);
-        return label.Length == 0
+        return _skips && head.IsSkip ? false : label.Length == 0
             ? head.Number == number && number >= 0
             : head.LabelLength == label.Length && NcText.Decode(text.Slice(head.LabelAt, head.LabelLength)).Equals(label, StringComparison.OrdinalIgnoreCase);
     }

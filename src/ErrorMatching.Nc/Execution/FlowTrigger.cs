@@ -4,8 +4,9 @@ namespace ErrorMatching.Nc;
 internal static class FlowTrigger
 {
     /// <summary>True if a block must be given to <see cref="NcFlow.Before"/>. Answering true for another block costs time and nothing else.</summary>
-    public static bool Concerns(ReadOnlySpan<byte> text, NcSyntax syntax)
+    public static bool Concerns(ReadOnlySpan<byte> text, NcDialect dialect)
     {
+        var syntax = dialect.Syntax;
         var lastClose = text.LastIndexOf((byte)')');
         for (var at = 0; at < text.Length; at++)
         {
@@ -33,7 +34,7 @@ internal static class FlowTrigger
                 return true;
             }
 
-            if (SyntaxBytes.IsLetter(c) && ConcernsWord(text, at, (byte)(c & ~0x20), syntax))
+            if (SyntaxBytes.IsLetter(c) && ConcernsWord(text, at, (byte)(c & ~0x20), dialect))
             {
                 return true;
             }
@@ -42,17 +43,24 @@ internal static class FlowTrigger
         return false;
     }
 
-    private static bool ConcernsWord(ReadOnlySpan<byte> text, int at, byte letter, NcSyntax syntax)
+    private static bool ConcernsWord(ReadOnlySpan<byte> text, int at, byte letter, NcDialect dialect)
     {
         var number = BlockHead.NumberAt(text, at + 1);
         var next = number.Start < text.Length ? text[number.Start] : (byte)0;
         return letter switch
         {
             (byte)'O' => true,
-            (byte)'M' => number.Length == 0 || number.Value is 2 or 17 or 30 or 98 or 99,
-            (byte)'G' => syntax == NcSyntax.Iso && (number.Length == 0 || number.Value is 65 or 66 or 67),
-            (byte)'L' => syntax == NcSyntax.Siemens,
+            (byte)'M' => number.Length == 0 || dialect.FunctionOf((int)Math.Min(number.Value, int.MaxValue)).Steers(),
+            (byte)'G' when number.Length == 0 => dialect.Syntax == NcSyntax.Iso,
+            (byte)'G' => Calls(text, number.Start + number.Length, number.Value, dialect),
+            (byte)'L' => dialect.Syntax == NcSyntax.Siemens,
             _ => SyntaxBytes.IsLetter(next),
         };
+    }
+
+    private static bool Calls(ReadOnlySpan<byte> text, int behind, long code, NcDialect dialect)
+    {
+        var tenth = behind + 1 < text.Length && text[behind] == '.' && SyntaxBytes.IsDigit(text[behind + 1]) ? text[behind + 1] - '0' : 0;
+        return code < 1000 && dialect.MeaningOf((10 * (int)code) + tenth).Steers();
     }
 }

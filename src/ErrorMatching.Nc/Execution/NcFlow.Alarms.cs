@@ -30,10 +30,11 @@ internal sealed partial class NcFlow
         for (var block = branch.Block + 1; block < end.Block; block++)
         {
             var text = Program.BytesOf(Program[block]);
-            var at = BlockHead.Read(text, _syntax).At;
+            var head = BlockHead.Read(text, _syntax);
+            var at = head.At;
             var word = text.Slice(at, BlockHead.NameLength(text, at));
             ends = IsWord(word, "M30"u8) || IsWord(word, "M2"u8) || IsWord(word, "M02"u8);
-            if (!ends && !IsWord(word, "SETAL"u8) && !IsWord(word, "MSG"u8) && !IsWord(word, "STOPRE"u8))
+            if (head.IsSkip || (!ends && !IsWord(word, "SETAL"u8) && !IsWord(word, "MSG"u8) && !IsWord(word, "STOPRE"u8)))
             {
                 return false;
             }

@@ -192,7 +192,7 @@ internal sealed partial class NcFlow
     private FlowAction CallProgram(int block, ReadOnlySpan<byte> text, int at, string name, bool mustExist)
     {
         var unit = Unit.Index.Unit(name);
-        if (unit is null && !mustExist && _settings.IsWord(name))
+        if (unit is null && !mustExist && IsWord(name))
         {
             return WordsOf(block, text, at);
         }
@@ -212,6 +212,14 @@ internal sealed partial class NcFlow
 
         if (!TryPasses(block, ref reader, out var passes))
         {
+            return FlowAction.Stop;
+        }
+
+        reader.SkipSpaces();
+        if (reader.At < text.Length && text[reader.At] != ';')
+        {
+            reader.Fail("the call should end here");
+            Check(ref reader, block);
             return FlowAction.Stop;
         }
 

@@ -99,6 +99,7 @@ internal sealed partial class NcFlow
             Variables.Write(outside, value);
         }
 
+        _settings.Returned(_frames.Count - 1);
         _changes++;
         frame.Regions.Clear();
         frame.Counters.Clear();
@@ -199,7 +200,7 @@ internal sealed partial class NcFlow
     {
         if (!_library.TryGetValue(name, out var index))
         {
-            index = _settings.Library(name) is { } program ? new FlowIndex(program, _syntax) : null;
+            index = _settings.Library(name) is { } program ? new FlowIndex(program, _dialect) : null;
             _library.Add(name, index);
         }
 

@@ -3,9 +3,6 @@ namespace ErrorMatching.Nc;
 /// <content>Fanuc custom macro: IF, GOTO, and the calls M98, G65, G66.</content>
 internal sealed partial class NcFlow
 {
-    private const int Modal = 66;
-    private const int ModalEnd = 67;
-
     // Local variables of the letters A to Z; 0 where a letter is no argument (Fanuc, argument specification I).
     private static ReadOnlySpan<byte> LocalOfLetter => [1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26];
 
@@ -60,15 +57,22 @@ internal sealed partial class NcFlow
         return Check(ref reader, block) && TryCount(block, value, "the target of the jump", out var number) ? JumpToNumber(block, number) : FlowAction.Stop;
     }
 
-    // G65, G66 or G67 among the collected words, and where its arguments begin.
-    private bool TryMacroCode(int block, out int code, out int at)
+    // A code that calls among the collected words, and where its arguments begin.
+    private bool TryMacroCode(int block, out NcMeaning meaning, out int tenths, out int at)
     {
-        (code, at) = (0, 0);
+        (meaning, tenths, at) = (NcMeaning.Unknown, 0, 0);
         for (var i = 0; i < _words.Count; i++)
         {
-            if (_words[i].Letter == 'G' && TryCount(block, _words[i].Value, "the number of a G code", out var number) && number == _words[i].Value.Number && number is 65 or Modal or ModalEnd)
+            if (_words[i].Letter != 'G' || !TryCount(block, _words[i].Value, "the number of a G code", out _))
             {
-                (code, at) = ((int)number, i + 1);
+                continue;
+            }
+
+            tenths = (int)Math.Clamp(Math.Round(10 * _words[i].Value.Number), -1, DialectTables.Codes);
+            meaning = _dialect.MeaningOf(tenths);
+            if (meaning.Steers() && tenths == 10 * _words[i].Value.Number)
+            {
+                at = i + 1;
                 return true;
             }
         }
@@ -78,7 +82,7 @@ internal sealed partial class NcFlow
 
     private FlowAction CallNumber(int block, NcValue program)
     {
-        if (!TryProgram(block, program, out var number, out var passes))
+        if (!TryProgram(block, program, isLocal: false, out var number, out var passes))
         {
             return FlowAction.Stop;
         }
@@ -99,7 +103,7 @@ internal sealed partial class NcFlow
             program = letter == 'P' ? value : program;
         }
 
-        if (!TryProgram(block, program, out var number, out var passes))
+        if (!TryProgram(block, program, isLocal: false, out var number, out var passes))
         {
             return FlowAction.Stop;
         }
@@ -141,12 +145,12 @@ internal sealed partial class NcFlow
     }
 
     // Number and repetitions of a call. M98 P51002 is the older form of M98 P1002 L5.
-    private bool TryProgram(int block, NcValue program, out long number, out long passes)
+    private bool TryProgram(int block, NcValue program, bool isLocal, out long number, out long passes)
     {
         (number, passes) = (0, 1);
         if (program.IsVacant)
         {
-            Refuse(NcRefusalCodes.BadExpression, block, "the call names no program: P is missing.");
+            Refuse(NcRefusalCodes.BadExpression, block, $"the call names no {(isLocal ? "block" : "program")}: P is missing.");
             return false;
         }
 
@@ -168,7 +172,7 @@ internal sealed partial class NcFlow
             }
         }
 
-        if (!hasCount && number > 9999 && UnitOf(number) is null)
+        if (!isLocal && !hasCount && number > 9999 && UnitOf(number) is null)
         {
             (passes, number) = (number / 10_000, number % 10_000);
         }

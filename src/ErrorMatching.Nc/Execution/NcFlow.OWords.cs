@@ -28,16 +28,31 @@ internal sealed partial class NcFlow
         reader.SkipSpaces();
         if (reader.At < text.Length && text[reader.At] == '[')
         {
-            var value = reader.Bracket();
-            if (!Check(ref reader, statement.Block))
-            {
-                return FlowAction.Stop;
-            }
-
-            Variables.Return(value);
+            Variables.Return(reader.Bracket());
         }
 
-        return Return(statement.Block);
+        EndOfStatement(ref reader, text);
+        return Check(ref reader, statement.Block) ? Return(statement.Block) : FlowAction.Stop;
+    }
+
+    // Comments stand anywhere behind the keyword and count for nothing.
+    private static void SkipComments(ref ExpressionReader reader, ReadOnlySpan<byte> text)
+    {
+        for (reader.SkipSpaces(); reader.At < text.Length && text[reader.At] == '('; reader.SkipSpaces())
+        {
+            var close = text[reader.At..].IndexOf((byte)')');
+            reader.At = close < 0 ? text.Length : reader.At + close + 1;
+        }
+    }
+
+    // The control stops at anything else.
+    private static void EndOfStatement(ref ExpressionReader reader, ReadOnlySpan<byte> text)
+    {
+        SkipComments(ref reader, text);
+        if (reader.Error is null && reader.At < text.Length && text[reader.At] != ';')
+        {
+            reader.Fail("the statement should end here");
+        }
     }
 
     private FlowAction CallSub(FlowStatement statement, ReadOnlySpan<byte> text)
@@ -57,15 +72,19 @@ internal sealed partial class NcFlow
 
         var reader = ReaderAt(text, keywordEnd);
         var arguments = new List<(VariablePlace, NcValue)>();
-        for (reader.SkipSpaces(); reader.Error is null && reader.At < text.Length && text[reader.At] == '['; reader.SkipSpaces())
+        SkipComments(ref reader, text);
+        while (reader.Error is null && reader.At < text.Length && text[reader.At] == '[')
         {
             arguments.Add((VariablePlace.Numbered(arguments.Count + 1), reader.Bracket()));
             if (arguments.Count > MostArguments)
             {
                 reader.Fail("a subroutine takes at most 30 arguments");
             }
+
+            SkipComments(ref reader, text);
         }
 
+        EndOfStatement(ref reader, text);
         if (!Check(ref reader, statement.Block))
         {
             return FlowAction.Stop;

@@ -18,9 +18,17 @@ internal sealed partial class NcFlow
             case "PROC": return FlowAction.Continue;
             case "EXTERN": return DeclareExternal(text, end);
             case "RET": return Returned(block);
-            case "CALL": return CallText(block, text, end);
-            default: return IsCall(text, head.At, length) ? CallNamed(block, text, head.At, length) : AssignSiemens(block, text, head.At);
+            default: return CallOrAssign(block, text, head.At, length);
         }
+    }
+
+    private FlowAction CallOrAssign(int block, ReadOnlySpan<byte> text, int at, int length)
+    {
+        var meaning = _dialect.MeaningOf(text.Slice(at, length));
+        return meaning == NcMeaning.Call ? CallText(block, text, at + length)
+            : meaning.Steers() ? RefuseCall(block, NcText.Decode(text.Slice(at, length)))
+            : IsCall(text, at, length) ? CallNamed(block, text, at, length)
+            : AssignSiemens(block, text, at);
     }
 
     private FlowAction IfGoTo(int block, ReadOnlySpan<byte> text, int at)
@@ -231,9 +239,10 @@ internal sealed partial class NcFlow
         for (var at = 0; at < text.Length && text[at] != ';';)
         {
             var length = BlockHead.NameLength(text, at);
-            if (length > 1 && (text[at] | 0x20) == 'm' && BlockHead.NumberAt(text, at + 1) is var number && number.Length == length - 1 && number.Value is 2 or 17 or 30)
+            if (length > 1 && (text[at] | 0x20) == 'm' && BlockHead.NumberAt(text, at + 1) is var number && number.Length == length - 1
+                && _dialect.FunctionOf((int)Math.Min(number.Value, int.MaxValue)) is var role && role.Steers())
             {
-                return Returned(block);
+                return Steer(block, role, number.Value, NcValue.Vacant);
             }
 
             // Digits belong to what they follow: the 3 of 1EX3 is no word.

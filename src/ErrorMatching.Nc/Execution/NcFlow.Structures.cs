@@ -50,6 +50,11 @@ internal sealed partial class NcFlow
     {
         var reader = ReaderAt(text, statement.At);
         var value = _syntax == NcSyntax.Siemens ? reader.Expression() : reader.Bracket();
+        if (_syntax == NcSyntax.LinuxCnc)
+        {
+            EndOfStatement(ref reader, text);
+        }
+
         return TryTruth(statement.Block, ref reader, value, out truth);
     }
 
@@ -84,6 +89,7 @@ internal sealed partial class NcFlow
     {
         var reader = ReaderAt(text, statement.At);
         var value = reader.Bracket();
+        EndOfStatement(ref reader, text);
         if (!Check(ref reader, statement.Block) || !TryCount(statement.Block, value, "the number of repetitions", out var passes))
         {
             return FlowAction.Stop;

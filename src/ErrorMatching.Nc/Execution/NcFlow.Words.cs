@@ -115,36 +115,7 @@ internal sealed partial class NcFlow
         }
 
         _pending.Clear();
-        if (_syntax == NcSyntax.Iso && TryMacroCode(block, out var code, out var at))
-        {
-            return code == ModalEnd ? EndModal() : CallMacro(block, at, code == Modal);
-        }
-
-        var (function, program) = (0L, NcValue.Vacant);
-        foreach (var (letter, value) in _words)
-        {
-            if (letter == 'P')
-            {
-                program = value;
-            }
-            else if (letter == 'M')
-            {
-                if (!TryCount(block, value, "the number of the M function", out var number))
-                {
-                    return FlowAction.Stop;
-                }
-
-                function = number is 2 or 30 or 98 or 99 ? number : function;
-            }
-        }
-
-        return Refusal is not null ? FlowAction.Stop : function switch
-        {
-            2 or 30 => Ended(),
-            98 => CallNumber(block, program),
-            99 => ReturnTo(block, program),
-            _ => moved && HasModalCall ? CallModal(block) : FlowAction.Continue,
-        };
+        return SteerByWords(block, moved);
     }
 
     private FlowAction ReturnTo(int block, NcValue program)

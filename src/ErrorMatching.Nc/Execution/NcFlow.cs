@@ -13,6 +13,7 @@ internal sealed partial class NcFlow
     private const int SearchedPerStep = 8;
 
     private readonly FlowSettings _settings;
+    private readonly NcDialect _dialect;
     private readonly NcSyntax _syntax;
     private readonly ExpressionSyntax _expressions;
     private readonly NcProgram _program;
@@ -28,13 +29,14 @@ internal sealed partial class NcFlow
     private bool _hasEnded;
     private bool _breaking;
 
-    public NcFlow(NcProgram program, NcSyntax syntax, FlowSettings? settings = null)
+    public NcFlow(NcProgram program, NcDialect dialect, FlowSettings? settings = null)
     {
         _program = program;
-        _syntax = syntax;
+        _dialect = dialect;
+        _syntax = dialect.Syntax;
         _settings = settings ?? new();
-        _expressions = ExpressionSyntax.Of(syntax);
-        Variables = new(syntax);
+        _expressions = ExpressionSyntax.Of(_syntax);
+        Variables = new(_syntax);
     }
 
     /// <summary>The file in which <see cref="Next"/> stands: the program itself, or one of the library.</summary>
@@ -64,7 +66,7 @@ internal sealed partial class NcFlow
         {
             if (_frames.Count == 0)
             {
-                var main = new FlowIndex(_program, _syntax).Main;
+                var main = new FlowIndex(_program, _dialect).Main;
                 _frames.Push(new() { Unit = main, First = main.First });
             }
 
@@ -114,7 +116,7 @@ internal sealed partial class NcFlow
         }
 
         var depth = Depth;
-        var action = Heads(text, head.At) ? Heading(block)
+        var action = Heads(text, head.At) ? Heading(block, text, head.At)
             : MayBeStructure(text, head.At) && Unit.Index.StatementAt(block) is { } statement ? Execute(statement, text)
             : Statement(block, text, head);
         return action == FlowAction.Continue && Depth == depth && Next == block + 1 ? BehindRegion(block) : action;
@@ -131,6 +133,7 @@ internal sealed partial class NcFlow
         }
 
         Next = block + 1;
+        HasSteered = false;
         var text = Program.BytesOf(Program[block]);
         var depth = Depth;
         var action = _syntax == NcSyntax.Siemens ? BehindSiemens(block, text) : BehindIso(block, text, moved);
@@ -190,9 +193,10 @@ internal sealed partial class NcFlow
         at < text.Length && (text[at] == '%' || (_syntax == NcSyntax.Iso && (text[at] | 0x20) == 'o' && BlockHead.NumberAt(text, at + 1).Length > 0));
 
     // The beginning of the next program is the end of the one that runs. What an index knows is not asked here: behind its end no block is met.
-    private FlowAction Heading(int block)
+    private FlowAction Heading(int block, ReadOnlySpan<byte> head, int headAt)
     {
-        for (var i = block - 1; _frames.Count == 0 && i >= 0; i--)
+        var first = _frames.Count == 0 && _syntax == NcSyntax.Iso ? Leader.BlocksOf(_program, _dialect) : 0;
+        for (var i = block - 1; _frames.Count == 0 && i >= first; i--)
         {
             var text = _program.BytesOf(_program[i]);
             var at = BlockHead.Read(text, _syntax).At;
@@ -202,7 +206,9 @@ internal sealed partial class NcFlow
             }
         }
 
-        return FlowAction.Continue;
+        // What stands behind the number of a program is executed.
+        var number = BlockHead.NumberAt(head, headAt + 1);
+        return head[headAt] == '%' ? FlowAction.Continue : Macro(block, head, number.Start + number.Length);
     }
 
     // Structures begin with a word of letters, or with an O word.
@@ -229,7 +235,8 @@ internal sealed partial class NcFlow
         return Refusal is null;
     }
 
-    private FlowAction Refuse(string code, int block, string message)
+    /// <summary>Ends the run at a block for a reason.</summary>
+    public FlowAction Refuse(string code, int block, string message)
     {
         var main = InProgram(block);
         if (ReferenceEquals(Program, _program))

@@ -135,8 +135,8 @@ internal sealed partial class BlockWords
                 case NcTokenKind.Keyword or NcTokenKind.Assignment or NcTokenKind.Expression:
                     _statements.Add(token);
                     break;
-                case NcTokenKind.BlockSkip:
-                    IsSkipped = true;
+                case NcTokenKind.Comment when bytes[token.Start] == ';':
+                    Semicolon = token;
                     break;
                 case NcTokenKind.Invalid when Invalid.Length == 0:
                     Invalid = token;

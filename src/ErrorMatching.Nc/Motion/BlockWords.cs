@@ -58,8 +58,8 @@ internal sealed partial class BlockWords
     /// <summary>The first bytes that no rule explains; of length 0 where there are none.</summary>
     public NcToken Invalid { get; private set; }
 
-    /// <summary>True if the block begins with a slash.</summary>
-    public bool IsSkipped { get; private set; }
+    /// <summary>The semicolon with the rest of its line; of length 0 where there is none.</summary>
+    public NcToken Semicolon { get; private set; }
 
     public ReadOnlySpan<int> Codes => _codes.AsSpan(0, _codeCount);
 
@@ -87,7 +87,7 @@ internal sealed partial class BlockWords
     private void Clear()
     {
         (Present, Computed, Unknown, Repeated, Integers, Absolute, Incremental) = (0, 0, 0, 0, 0, 0, 0);
-        (_codeCount, _functionCount, Corner, CornerValue, Invalid, IsSkipped) = (0, 0, 0, 0, default, false);
+        (_codeCount, _functionCount, Corner, CornerValue, Invalid, Semicolon) = (0, 0, 0, 0, default, default);
         (PlaneAngle, PolarDistance, PolarAngle) = (null, null, null);
         _statements.Clear();
     }

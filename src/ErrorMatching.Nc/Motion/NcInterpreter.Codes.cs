@@ -24,11 +24,15 @@ public sealed partial class NcInterpreter
                     _hasUnknownCode = true;
                     break;
                 case NcMeaning.WorkOffset:
-                    ChooseWorkOffset(tenths);
+                    var number = _words.Has('P') ? (int)Math.Clamp(_words.Value('P'), 0, 1000) : 0;
+                    ChooseWorkOffset((tenths, number), (_words.Unknown & BlockWords.Bit('P')) == 0);
                     break;
                 case NcMeaning.Inch or NcMeaning.Metric:
-                    _state.Inch = meaning == NcMeaning.Inch;
-                    _state.InchFeed = _dialect.ScalesFeed(tenths) ? _state.Inch : _state.InchFeed;
+                    Units(meaning == NcMeaning.Inch, _dialect.ScalesFeed(tenths));
+                    break;
+                case var _ when meaning.Steers():
+                    // The flow executes it behind the words; axis words are arguments.
+                    _use = AxisUse.Nothing;
                     break;
                 case NcMeaning.ReferenceReturn or NcMeaning.StoreReference:
                     _reference = tenths / 10;
@@ -36,6 +40,35 @@ public sealed partial class NcInterpreter
                     break;
                 default:
                     Obey(meaning, _dialect.FamilyOf(tenths));
+                    break;
+            }
+        }
+
+        return flags;
+    }
+
+    private MotionFlags ReadFunctions()
+    {
+        var flags = MotionFlags.None;
+        foreach (var function in _words.Functions)
+        {
+            switch (_dialect.FunctionOf(function))
+            {
+                case FunctionRole.Harmless or FunctionRole.SaveModes or FunctionRole.SaveModesOfCall or FunctionRole.RestoreModes:
+                    break;
+                case FunctionRole.DropModes:
+                    _savedModes.Remove(CallDepth);
+                    break;
+                case FunctionRole.Unknown:
+                    var message = $"An M function is not known to the dialect {_dialect.Name}.";
+                    flags |= Problem("unknown-code", message, MotionFlags.UnknownWord);
+                    Forget();
+                    break;
+                case var role when role.Steers():
+                    // The flow executes it behind the words.
+                    break;
+                default:
+                    Forget();
                     break;
             }
         }
@@ -72,8 +105,15 @@ public sealed partial class NcInterpreter
             case NcMeaning.MachineCoordinates or NcMeaning.SuppressFrames:
                 _use = AxisUse.MachineCoordinates;
                 break;
-            case NcMeaning.Call or NcMeaning.ModalCall:
+            case var _ when meaning.Steers():
+                // A word that calls and that the flow has not executed.
                 _use = AxisUse.Nothing;
+                Flow.RefuseCall(_at, "A word of this block");
+                break;
+            case NcMeaning.Inch or NcMeaning.Metric:
+                Units(meaning == NcMeaning.Inch, feedsToo: true);
+                break;
+            case NcMeaning.Harmless:
                 break;
             case NcMeaning.LengthOffset:
                 TakeLengthOfTable();
@@ -138,7 +178,17 @@ public sealed partial class NcInterpreter
             case NcMeaning.CompensationRight: Compensate(MotionFlags.CompensationRight); break;
             case NcMeaning.InverseTimeFeed: _state.InverseTime = true; break;
             case NcMeaning.FeedPerMinute or NcMeaning.FeedPerRevolution: _state.InverseTime = false; break;
+            default:
+                Problem("unknown-code", "What a word of this block means is not followed here.", MotionFlags.UnknownWord);
+                Forget();
+                break;
         }
+    }
+
+    private void Units(bool inch, bool feedsToo)
+    {
+        _state.Inch = inch;
+        _state.InchFeed = feedsToo ? inch : _state.InchFeed;
     }
 
     private void Mode(MotionKind kind)

@@ -41,10 +41,9 @@ public sealed partial class NcInterpreter
         (_isWorkOffsetUnsure, _unknownShift, _keptShift, _localShift) = (true, AxisSet.All, (Vector3.Zero, AxisSet.All), (Vector3.Zero, AxisSet.All));
     }
 
-    private void ChooseWorkOffset(int tenths)
+    private void ChooseWorkOffset((int Code, int Number) chosen, bool isKnown)
     {
-        var chosen = (tenths, _words.Has('P') ? (int)Math.Clamp(_words.Value('P'), 0, 1000) : 0);
-        if (chosen == _workOffset && !_isWorkOffsetUnsure && (_words.Unknown & BlockWords.Bit('P')) == 0)
+        if (chosen == _workOffset && !_isWorkOffsetUnsure && isKnown)
         {
             return;
         }

@@ -21,17 +21,18 @@ public sealed partial class NcInterpreter
     private int _at;
     private bool _ended;
 
-    private NcFlow Flow => _flow ??= new(_program, _dialect.Syntax, new()
+    private NcFlow Flow => _flow ??= new(_program, _dialect, new()
     {
         Library = name => _library?.Invoke(name)?.In(_dialect.Syntax),
-        IsWord = name => IsWord(Encoding.UTF8.GetBytes(name)),
+        Returned = ReturnModes,
         Steps = LeastSteps + (StepsPerBlock * _program.BlockCount),
         Cancellation = _cancellation,
     });
 
     private NcPath Run()
     {
-        _at = _dialect.Syntax == NcSyntax.Siemens && _program.Bytes.Span[SyntaxBytes.MarkLength(_program.Bytes.Span)..] is [(byte)'%', ..] ? Flow.First : 0;
+        var bytes = _program.Bytes.Span[SyntaxBytes.MarkLength(_program.Bytes.Span)..];
+        _at = _dialect.Syntax == NcSyntax.Siemens && bytes is [(byte)'%', ..] ? Flow.First : BehindLeader();
         using var ahead = new CancellationTokenSource();
         while (!_ended)
         {
@@ -91,20 +92,35 @@ public sealed partial class NcInterpreter
     private void RunAny(ReadOnlySpan<byte> bytes, NcBlock block)
     {
         _onlyCuts = false;
-        if (FlowTrigger.Concerns(bytes.Slice(block.Start, block.Length), _dialect.Syntax) && HasStatements(block))
+        if (PassesSkip(bytes, block))
+        {
+            return;
+        }
+
+        if (FlowTrigger.Concerns(bytes.Slice(block.Start, block.Length), _dialect) && HasStatements(block))
         {
             RunWithFlow(block);
+            return;
         }
-        else
+
+        _words.ReadTokens(bytes, block, _dialect.Syntax, ValueOf);
+        if (ConcernsFlow())
         {
-            _words.ReadTokens(bytes, block, _dialect.Syntax, ValueOf);
-            Step();
-            GoOn();
+            RunWithFlow(block);
+            return;
         }
+
+        Step();
+        GoOn();
     }
 
     private void RunWithFlow(NcBlock block)
     {
+        if (RefusesSemicolon(block))
+        {
+            return;
+        }
+
         var writes = Flow.Variables.MachineWrites;
         var action = Flow.Before(_at);
         if (action == FlowAction.Words)
@@ -124,6 +140,10 @@ public sealed partial class NcInterpreter
             }
 
             action = Flow.Behind(_at, Moved);
+            if (action == FlowAction.Continue && Steers() && !Flow.HasSteered)
+            {
+                action = Flow.RefuseCall(_at, "A word of this block");
+            }
         }
 
         if (Flow.Variables.MachineWrites != writes)
@@ -162,7 +182,7 @@ public sealed partial class NcInterpreter
                 case FunctionRole.ProgramEnd or FunctionRole.Return when _flow is null && !_words.Has('P'):
                     _ended = true;
                     break;
-                case FunctionRole.ProgramEnd or FunctionRole.Return or FunctionRole.Call:
+                case var role when role.Steers():
                     isNamed = true;
                     break;
             }
@@ -170,10 +190,28 @@ public sealed partial class NcInterpreter
 
         foreach (var code in _words.Codes)
         {
-            isNamed |= _dialect.MeaningOf(code) is NcMeaning.Call or NcMeaning.ModalCall or NcMeaning.ModalCallOff;
+            isNamed |= _dialect.MeaningOf(code).Steers();
         }
 
         return isNamed;
+    }
+
+    // Whether the words of the block say how the program goes on. A call by an address that is a word among others is not executed.
+    private bool Steers()
+    {
+        var steers = _dialect.Syntax == NcSyntax.Siemens && _dialect.RoleOf((byte)'L') == LetterRole.Program
+            && ((_words.Present | _words.Computed) & BlockWords.Bit('L')) != 0;
+        foreach (var function in _words.Functions)
+        {
+            steers |= _dialect.FunctionOf(function).Steers();
+        }
+
+        foreach (var code in _words.Codes)
+        {
+            steers |= _dialect.MeaningOf(code).Steers();
+        }
+
+        return steers;
     }
 
     // Siemens writes plain addresses with an equals sign as well; they concern nobody but the interpreter.
@@ -207,15 +245,13 @@ public sealed partial class NcInterpreter
 
         foreach (var code in _words.Codes)
         {
-            calls |= _dialect.MeaningOf(code) is NcMeaning.Call or NcMeaning.ModalCall;
+            // One that runs behind every motion from here on is missing all the same: nothing would be known of any of them.
+            calls |= _dialect.MeaningOf(code) is NcMeaning.Call;
         }
 
         return (calls && _words.Has('P') && _dialect.IsMachineProgram((int)Math.Clamp(_words.Value('P'), -1, int.MaxValue)))
             || (_dialect.Syntax == NcSyntax.Siemens && _words.Has('L') && _dialect.IsMachineProgram((int)Math.Clamp(_words.Value('L'), -1, int.MaxValue)));
     }
-
-    private bool IsWord(ReadOnlySpan<byte> name) =>
-        _dialect.MeaningOf(name) != NcMeaning.Unknown || _dialect.RoleOf(name) != LetterRole.Unknown || _dialect.IsFlow(name) || _dialect.IsMachineProgram(name);
 
     private bool IsVariable(ReadOnlySpan<byte> name) => Flow.Variables.Knows(Encoding.ASCII.GetString(name).ToUpperInvariant());
 

@@ -19,6 +19,11 @@ public sealed partial class NcInterpreter
             Forget();
         }
 
+        if (_words.Semicolon.Length > 1)
+        {
+            flags |= ReadSemicolon();
+        }
+
         var given = _words.Present | _words.Computed;
         if ((given & _unknownLetters) != 0)
         {

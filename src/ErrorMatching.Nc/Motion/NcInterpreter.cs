@@ -79,21 +79,16 @@ public sealed partial class NcInterpreter
     {
         (_use, _code, _family, _probes, _hasUnknownCode) = (AxisUse.Motion, NcMeaning.Unknown, 0, false, false);
         var flags = ReadObstacles();
-        var inchFeed = _state.InchFeed;
-        flags |= ReadCodes();
-        foreach (var function in _words.Functions)
+        var modes = ModesRole();
+        if (modes == FunctionRole.RestoreModes)
         {
-            switch (_dialect.FunctionOf(function))
-            {
-                case FunctionRole.Unsure:
-                    Forget();
-                    break;
-                case FunctionRole.Unknown:
-                    flags |= Problem("unknown-code", $"An M function is not known to the dialect {_dialect.Name}.", MotionFlags.UnknownWord);
-                    Forget();
-                    break;
-            }
+            flags |= RestoreModes();
         }
+
+        var saves = modes is FunctionRole.SaveModes or FunctionRole.SaveModesOfCall;
+        var before = saves ? Modes(atReturn: modes == FunctionRole.SaveModesOfCall) : default;
+        var inchFeed = _state.InchFeed;
+        flags |= ReadCodes() | ReadFunctions();
 
         if (_countsIntegers && _words.Integers != 0 && _use != AxisUse.Nothing)
         {
@@ -105,6 +100,11 @@ public sealed partial class NcInterpreter
             // LinuxCNC takes the feed of a block before its units.
             inchFeed = _dialect.Syntax == NcSyntax.LinuxCnc ? inchFeed : _state.InchFeed;
             _state.Feed = _words.Value('F') * (inchFeed && !_state.InverseTime ? MmPerInch : 1);
+        }
+
+        if (saves)
+        {
+            SaveModes(before);
         }
 
         switch (_use)

@@ -216,6 +216,9 @@ public enum NcMeaning : byte
     /// <summary>Ends such calls.</summary>
     ModalCallOff,
 
+    /// <summary>Calls a program in a way that is not followed, or one that is looked for elsewhere (PCALL, G72.1): refused.</summary>
+    OpaqueCall,
+
     /// <summary>An arc through an intermediate point (CIP).</summary>
     ArcThrough,
 

@@ -30,6 +30,11 @@ public sealed class WishFile
     /// <summary>The control in whose language both programs are read.</summary>
     public string Dialect { get; }
 
+    /// <summary>
+    /// How the switch for block skip stands in both programs; unstated where they do not depend on it, or the dialect's file says so.
+    /// </summary>
+    public BlockSkip BlockSkip { get; init; }
+
     /// <summary>SHA-256 of the program that the wish is about, 64 lower-case hexadecimal digits.</summary>
     public string BeforeSha256 { get; }
 
@@ -60,7 +65,10 @@ public sealed class WishFile
             named[i] = new(before.Program.NumberOf(block), block.Line, motion, null);
         }
 
-        return new(before.Dialect.Name, Sha256(before.Program), leastIncrementMm, marker, wish, named);
+        return new(before.Dialect.Name, Sha256(before.Program), leastIncrementMm, marker, wish, named)
+        {
+            BlockSkip = before.Dialect.BlockSkip,
+        };
     }
 
     /// <summary>Reads a document.</summary>

@@ -25,7 +25,10 @@ internal static class WishReader
         var wish = ends is not null
             ? EndPoints(motions, ToVector3(ends["by"]))
             : DisplacementWish.OfElements([.. motions.Select(m => ToElement(m.Motion, m.Source!))]);
-        return new(root["dialect"].Text, root["beforeSha256"].Text, root["leastIncrementMm"].Number, marker, wish, motions);
+        return new(root["dialect"].Text, root["beforeSha256"].Text, root["leastIncrementMm"].Number, marker, wish, motions)
+        {
+            BlockSkip = BlockSkips.Of(root.Find("blockSkip")?.Text),
+        };
     }
 
     /// <summary>Holds a wish against its program.</summary>

@@ -46,6 +46,11 @@ internal sealed class WishWriter : IDisposable
         _json.WriteStartObject();
         _json.WriteString("schema", WishFile.Schema);
         _json.WriteString("dialect", file.Dialect);
+        if (BlockSkips.WordOf(file.BlockSkip) is { } blockSkip)
+        {
+            _json.WriteString("blockSkip", blockSkip);
+        }
+
         _json.WriteString("beforeSha256", file.BeforeSha256);
         _json.WriteNumber("leastIncrementMm", file.LeastIncrementMm);
         _json.WriteString("marker", file.Marker);

@@ -27,11 +27,13 @@ internal static class Rs274
     }
 
     /// <summary>Interprets a program's text.</summary>
-    public static PeerRun Run(string program) => WithHome(home =>
+    /// <param name="program">The text.</param>
+    /// <param name="skips">True if blocks behind a slash are passed over.</param>
+    public static PeerRun Run(string program, bool skips = false) => WithHome(home =>
     {
         var file = Path.Combine(home, "program.ngc");
         File.WriteAllText(file, program);
-        return Run(file, home, home);
+        return Run(file, home, home, skips);
     });
 
     /// <summary>Interprets a text as if it stood in a folder, whose subprograms it can call.</summary>
@@ -55,9 +57,9 @@ internal static class Rs274
         }
     }
 
-    private static PeerRun Run(string file, string home, string folder)
+    private static PeerRun Run(string file, string home, string folder, bool skips = false)
     {
-        var start = new ProcessStartInfo(Executable!, ["-g", file])
+        var start = new ProcessStartInfo(Executable!, skips ? ["-b", "-g", file] : ["-g", file])
         {
             UseShellExecute = false,
             WorkingDirectory = folder,

@@ -101,6 +101,7 @@ internal sealed partial class RandomProgram
             case Topic.Compensation: WriteCompensation(); break;
             case Topic.Polar: WriteInPlaneXY(WritePolar); break;
             case Topic.OddBlocks: WriteOddBlock(); break;
+            case Topic.SavedModes: WriteSavedModes(); break;
         }
     }
 

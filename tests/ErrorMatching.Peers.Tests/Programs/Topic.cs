@@ -81,6 +81,9 @@ public enum Topic
     /// <summary>Blocks that are rarely written: a wait beside a motion, a motion code alone, threads.</summary>
     OddBlocks,
 
+    /// <summary>M70 to M73, in subprograms that call one another.</summary>
+    SavedModes,
+
     /// <summary>Everything in one program.</summary>
     Everything,
 }
