@@ -10,6 +10,7 @@ namespace ErrorMatching.Jobs;
 /// <param name="TranslateX">Translation along X behind it, mm.</param>
 /// <param name="TranslateY">Translation along Y behind it, mm.</param>
 /// <param name="Map">How far a key point may lie from the path of its blocks, mm.</param>
+/// <param name="BlockSkip">How the switch for block skip stands: <c>off</c>, <c>on</c>, or empty.</param>
 public sealed record CounterpartDraft(
     string Program = "",
     string Dialect = "",
@@ -19,4 +20,5 @@ public sealed record CounterpartDraft(
     string Rotate = "",
     string TranslateX = "",
     string TranslateY = "",
-    string Map = "");
+    string Map = "",
+    string BlockSkip = "");

@@ -126,7 +126,8 @@ internal sealed class DraftReader(JsonItem root, string file, MeasurementFile th
             Text(frame, "rotateDeg"),
             by?[0].Text ?? "",
             by?[1].Text ?? "",
-            Text(item, "mapMm"));
+            Text(item, "mapMm"),
+            Text(item, "blockSkip"));
     }
 
     private static CompensationDraft Compensation(JsonItem? item) => new(

@@ -136,6 +136,7 @@ internal sealed class DraftWriter(MatingDraft draft)
 
         counterpart["frame"] = frame;
         OptionalNumber(counterpart, "mapMm", c.Map);
+        Optional(counterpart, "blockSkip", c.BlockSkip);
         return counterpart;
     }
 

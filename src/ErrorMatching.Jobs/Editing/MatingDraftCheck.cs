@@ -89,7 +89,8 @@ public static class MatingDraftCheck
     public static NcDialect DialectOf(MatingDraft draft, string file)
     {
         ArgumentNullException.ThrowIfNull(draft);
-        return InputFile.Dialect(NcDialects.IsFile(draft.Counterpart.Dialect) ? Beside(file, draft.Counterpart.Dialect) : draft.Counterpart.Dialect);
+        var name = draft.Counterpart.Dialect;
+        return InputFile.Dialect(NcDialects.IsFile(name) ? Beside(file, name) : name).With(BlockSkips.Of(draft.Counterpart.BlockSkip));
     }
 
     private static string Beside(string file, string name) => Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, name);

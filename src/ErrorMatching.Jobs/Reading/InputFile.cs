@@ -42,7 +42,11 @@ public static class InputFile
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JsonDocumentException">It cannot be used.</exception>
     /// <exception cref="NcException">No dialect has this name.</exception>
-    public static NcDialect DialectOf(MatingJob job) => Dialect(NcDialects.IsFile(job.Counterpart.Dialect) ? job.PathOf(job.Counterpart.Dialect) : job.Counterpart.Dialect);
+    public static NcDialect DialectOf(MatingJob job)
+    {
+        var name = job.Counterpart.Dialect;
+        return Dialect(NcDialects.IsFile(name) ? job.PathOf(name) : name).With(job.Counterpart.BlockSkip);
+    }
 
     /// <summary>The bytes of a program.</summary>
     /// <exception cref="InputException">The file cannot be opened, or is larger than any program that is read.</exception>

@@ -26,7 +26,7 @@ public static class BlockRun
         var theoretical = files.Theoretical();
         theoretical.Require(job.KeyPoints);
         var (program, text) = files.Program(null);
-        var dialect = files.OwnDialect() ?? NcDialects.Named(job.Counterpart.Dialect);
+        var dialect = job.Counterpart.DialectOf(files.OwnDialect());
         cancellation.ThrowIfCancellationRequested();
 
         // As a match interprets it.

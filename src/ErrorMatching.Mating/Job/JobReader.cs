@@ -110,7 +110,10 @@ internal sealed partial class JobReader(JsonItem root)
         item["toolDiameterMm"].Number,
         item.Find("measured")?.Text,
         item.Find("frame") is { } frame ? ReadFrame(frame) : RigidTransform2.Identity,
-        item.Find("mapMm")?.Number ?? JobCounterpart.DefaultMapMm);
+        item.Find("mapMm")?.Number ?? JobCounterpart.DefaultMapMm)
+    {
+        BlockSkip = Nc.BlockSkips.Of(item.Find("blockSkip")?.Text),
+    };
 
     private static RigidTransform2 ReadFrame(JsonItem item)
     {

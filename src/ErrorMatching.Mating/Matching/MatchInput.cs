@@ -29,5 +29,5 @@ public sealed record MatchInput(MatingJob Job, MeasurementFile Theoretical, Meas
 
     /// <summary>Interprets the program in the job's dialect.</summary>
     /// <exception cref="NcException">The dialect is not known, or the program is too large.</exception>
-    public NcPath Interpret() => NcInterpreter.Run(NcProgram.Read(Program), OwnDialect ?? NcDialects.Named(Job.Counterpart.Dialect));
+    public NcPath Interpret() => NcInterpreter.Run(NcProgram.Read(Program), Job.Counterpart.DialectOf(OwnDialect));
 }

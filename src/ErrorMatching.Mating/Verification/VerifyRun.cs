@@ -21,7 +21,7 @@ public static class VerifyRun
     {
         ArgumentNullException.ThrowIfNull(input);
         var job = input.Job;
-        var path = NcInterpreter.Run(NcProgram.Read(input.Program), input.OwnDialect ?? NcDialects.Named(job.Counterpart.Dialect));
+        var path = NcInterpreter.Run(NcProgram.Read(input.Program), job.Counterpart.DialectOf(input.OwnDialect));
         IReadOnlyList<FeatureMap> maps = [];
         if ((MatingRefusal.OfPath(path) ?? OriginCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After) ?? AlignedMeasurement.Check(job) ?? FeatureMapper.Map(job, path, input.Theoretical, out maps)) is { } refusal)
         {

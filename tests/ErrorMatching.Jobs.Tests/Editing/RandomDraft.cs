@@ -33,7 +33,8 @@ internal static class RandomDraft
             OriginLimit = others.Length > 0 ? "0.01" : "",
             Features = features,
             OtherPoints = others,
-            Counterpart = new("counterpart.nc", Any("generic", "delta-nc300"), "6", "counterpart.csv", Any("none", "x", "y"), Any("", "-12.5"), "0", Number(), Any("", "0.5")),
+            Counterpart = new("counterpart.nc", Any("generic", "delta-nc300"), "6", "counterpart.csv", Any("none", "x", "y"),
+                Any("", "-12.5"), "0", Number(), Any("", "0.5"), Any("", "off", "on")),
             Compensation = new(Any("part", "counterpart"), Any("", "1.0", "0.5"), Any("whole", "excess"), Any("normal", "vector"), Any("", "1.0")),
             Chain = [new("housing", "17.5", "-0.03", "0.03", "1"), new("cover", "15", "-0.02", "0.02", "-1")],
             Comparisons =

@@ -42,7 +42,8 @@ public sealed partial class SystemViewModel
     private void ShowPicture()
     {
         var draft = Editing.Draft;
-        var of = new PictureOf(Editing.Job?.File, draft.Counterpart.Program, draft.Program, draft.Counterpart.Dialect);
+        var counterpart = draft.Counterpart;
+        var of = new PictureOf(Editing.Job?.File, counterpart.Program, draft.Program, counterpart.Dialect, counterpart.BlockSkip);
         if (of != _of)
         {
             (_of, Picture) = (of, null);
@@ -146,5 +147,5 @@ public sealed partial class SystemViewModel
     }
 
     /// <summary>What a picture is of: while it is the same, it stays.</summary>
-    private sealed record PictureOf(string? Job, string Program, DraftProgram? Imported, string Dialect);
+    private sealed record PictureOf(string? Job, string Program, DraftProgram? Imported, string Dialect, string BlockSkip);
 }
