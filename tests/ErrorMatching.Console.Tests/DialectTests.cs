@@ -99,10 +99,60 @@ public class DialectTests
             Shell.Json(0, "errormatch/match/1", "match", job).GetProperty("program").Text("sha256"));
     }
 
+    [Theory]
+    [InlineData("off", "/N20 X20.|N30 X21. Y11.|N40 X0. Y10.")]
+    [InlineData("on", "/N20 X20.|N30 X11. Y11.|N40 X0. Y10.")]
+    public void The_switch_for_block_skip_is_stated_at_the_console_and_kept_in_the_wish(string position, string expected)
+    {
+        using var folder = new TemporaryFolder();
+        var program = folder.File("p.nc", "G21 G90 G54\nG0 X0. Y0. Z0.\nN10 G1 X10. F100\n/N20 X20.\nN30 Y10.\nN40 X0.\nM30\n");
+        string[] files = [program, "--out", folder["o.nc"], "--wish", folder["w.json"]];
+        string[] displace = ["nc", "displace", .. files, "--blocks", "N30", "--by", "1,1", "--dialect", "fanuc"];
+        var error = Shell.Error(2, displace);
+        Assert.Equal(("block-skip", "N20", 4), (error.Text("code"), error.Text("block"), error.GetProperty("line").GetInt32()));
+        Assert.False(File.Exists(folder["o.nc"]));
+
+        var (exit, check, _) = Shell.Run("nc", "check", program, "--dialect", "fanuc");
+        Assert.Equal((2, false), (exit, check.Contains("Everything is understood", StringComparison.Ordinal)));
+
+        var answer = Shell.Json(0, "errormatch/nc-displace/1", [.. displace, "--block-skip", position]);
+        Assert.Contains("block-skip", answer.GetProperty("notes").EnumerateArray().Select(n => n.Text("code")));
+        var lines = File.ReadAllLines(folder["o.nc"]);
+        Assert.All(expected.Split('|'), l => Assert.Contains(l, lines));
+        Assert.Equal(0, Shell.Run("nc", "prove", program, folder["o.nc"], "--wish", folder["w.json"]).Exit);
+        Assert.Equal("command-line", Shell.Error(1, [.. displace, "--block-skip", "sometimes"]).Text("code"));
+    }
+
+    [Fact]
+    public void A_job_states_the_switch_for_block_skip()
+    {
+        using var folder = new TemporaryFolder();
+        foreach (var file in new[] { "theoretical.csv", "part.csv", "counterpart.nc" })
+        {
+            folder.File(file, File.ReadAllText(Repository.PathTo("samples", "complex-mating", file)));
+        }
+
+        // A last block behind a slash: the way to another place.
+        var program = File.ReadAllText(folder["counterpart.nc"]).Replace("M30", "/G0 X0. Y0.\nM30", StringComparison.Ordinal);
+        folder.File("counterpart.nc", program);
+        var text = File.ReadAllText(Repository.PathTo("samples", "complex-mating", "job.json"));
+        var job = folder.File("job.json", text);
+        Assert.Equal("block-skip", Shell.Error(2, "match", job).Text("code"));
+        Assert.Equal("block-skip", Shell.Error(2, "job", "blocks", job).Text("code"));
+        foreach (var position in new[] { "off", "on" })
+        {
+            var stated = $"\"delta-nc300\", \"blockSkip\": \"{position}\"";
+            folder.File("job.json", text.Replace("\"delta-nc300\"", stated, StringComparison.Ordinal));
+            Shell.Json(0, "errormatch/match/1", "match", job);
+            Assert.Equal(0, Shell.Run("job", "blocks", job).Exit);
+        }
+    }
+
     [Fact]
     public void Each_code_of_a_dialect_file_is_in_the_reference()
     {
         var reference = File.ReadAllText(Repository.PathTo("docs", "reference-console.md"));
-        Assert.All(["bad-subject", "stated-twice", "name-taken", "unknown-like", "circular-like"], c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
+        string[] codes = ["bad-subject", "stated-twice", "bad-role", "name-taken", "unknown-like", "circular-like"];
+        Assert.All(codes, c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
     }
 }

@@ -63,7 +63,9 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
         page.Line();
         if (path.Problems.Count == 0)
         {
-            page.Line("Everything is understood.");
+            page.Line(path.Refusal is null
+                ? "Everything is understood."
+                : "The program is followed up to the block that is refused, and not behind it.");
             return;
         }
 

@@ -12,6 +12,7 @@ internal sealed class NcDiff : Verb
     private readonly Argument<string> _after = new("AFTER") { Description = "The second program." };
     private readonly Option<string> _html = FileOption("--html", "The file to write the comparison to as a page.");
     private readonly Option<string> _dialect = NcVerb.DialectOption();
+    private readonly Option<string> _blockSkip = NcVerb.BlockSkipOption();
 
     /// <summary>The verb.</summary>
     public NcDiff()
@@ -20,6 +21,7 @@ internal sealed class NcDiff : Verb
         Arguments.Add(_before);
         Arguments.Add(_after);
         Options.Add(_dialect);
+        Options.Add(_blockSkip);
         Options.Add(_html);
     }
 
@@ -27,7 +29,9 @@ internal sealed class NcDiff : Verb
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var (before, after, dialect) = (arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_dialect));
-        var (was, now) = (NcVerb.Interpret(before, dialect, cancellation), NcVerb.Interpret(after, dialect, cancellation));
+        var blockSkip = BlockSkips.Of(arguments.GetValue(_blockSkip));
+        var was = NcVerb.Interpret(before, dialect, blockSkip, cancellation);
+        var now = NcVerb.Interpret(after, dialect, blockSkip, cancellation);
         cancellation.ThrowIfCancellationRequested();
         if ((was.Refusal ?? now.Refusal) is { } refusal)
         {

@@ -37,7 +37,7 @@ internal sealed class NcProve : Verb
         var wish = InputFile.Wish(file);
         cancellation.ThrowIfCancellationRequested();
         var dialect = arguments.GetValue(_dialect) ?? wish.Dialect;
-        var was = NcVerb.Interpret(before, dialect, cancellation);
+        var was = NcVerb.Interpret(before, dialect, wish.BlockSkip, cancellation);
         if (was.Dialect.Name != wish.Dialect)
         {
             return FailureOf.OtherDialect(file, dialect, wish.Dialect);
@@ -53,7 +53,7 @@ internal sealed class NcProve : Verb
             return FailureOf.Refused(before, refusal);
         }
 
-        var now = NcVerb.Interpret(after, dialect, cancellation);
+        var now = NcVerb.Interpret(after, dialect, wish.BlockSkip, cancellation);
         cancellation.ThrowIfCancellationRequested();
         var proof = Prover.Check(was, now.Program, wish.Wish, wish.LeastIncrementMm, wish.Marker);
         return proof.Holds ? new NcProveAnswer(before, after, file, wish, proof, MotionComparison.Of(was, now)) : FailureOf.NotProved(before, after, proof);

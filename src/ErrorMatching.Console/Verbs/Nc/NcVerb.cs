@@ -9,6 +9,7 @@ internal abstract class NcVerb : Verb
 {
     private readonly Argument<string> _program = new("PROGRAM") { Description = "The NC program." };
     private readonly Option<string> _dialect = DialectOption();
+    private readonly Option<string> _blockSkip = BlockSkipOption();
 
     /// <inheritdoc/>
     protected NcVerb(string name, string description, string example)
@@ -16,6 +17,7 @@ internal abstract class NcVerb : Verb
     {
         Arguments.Add(_program);
         Options.Add(_dialect);
+        Options.Add(_blockSkip);
     }
 
     /// <summary>The option that names a control.</summary>
@@ -26,16 +28,29 @@ internal abstract class NcVerb : Verb
         DefaultValueFactory = _ => NcDialects.Names[0],
     };
 
+    /// <summary>The option that states the switch for block skip.</summary>
+    public static Option<string> BlockSkipOption()
+    {
+        var option = new Option<string>("--block-skip")
+        {
+            Description = "How the machine's switches for block skip are set: off, blocks behind a slash are executed; "
+                + "on, they are passed over. A program that depends on it is refused without.",
+            HelpName = string.Join('|', BlockSkips.Words),
+        };
+        option.AcceptOnlyFromAmong([.. BlockSkips.Words]);
+        return option;
+    }
+
     /// <summary>Reads and interprets a program.</summary>
     /// <exception cref="InputException">A file cannot be opened.</exception>
     /// <exception cref="NcException">The dialect is not known, or the program is too large.</exception>
     /// <exception cref="Json.JsonDocumentException">The dialect's file cannot be used.</exception>
     /// <exception cref="OperationCanceledException">Ctrl+C was pressed.</exception>
-    public static NcPath Interpret(string file, string dialect, CancellationToken cancellation)
+    public static NcPath Interpret(string file, string dialect, BlockSkip blockSkip, CancellationToken cancellation)
     {
         // The dialect is read beside the program; if neither can be used, the dialect is what is said to be wrong.
         var reading = Task.Run(() => NcProgram.Read(InputFile.Program(file)), CancellationToken.None);
-        var known = InputFile.Dialect(dialect);
+        var known = InputFile.Dialect(dialect).With(blockSkip);
         return NcInterpreter.Run(reading.GetAwaiter().GetResult(), known, new ProgramFolder(file).Find, cancellation);
     }
 
@@ -43,7 +58,7 @@ internal abstract class NcVerb : Verb
     public sealed override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_program);
-        var path = Interpret(file, arguments.GetRequiredValue(_dialect), cancellation);
+        var path = Interpret(file, arguments.GetRequiredValue(_dialect), BlockSkips.Of(arguments.GetValue(_blockSkip)), cancellation);
         cancellation.ThrowIfCancellationRequested();
         return path.Refusal is { } refusal && !ShowsWhatIsWrong ? FailureOf.Refused(file, refusal) : Run(file, path, arguments, cancellation);
     }
