@@ -24,16 +24,29 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         {
             var head = AuditRow.Head(connection, transaction, "");
             var count = Count(connection, transaction);
-            var fault = AuditChain.Verify(Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), "looking at entries", count, progress, cancellation), head, key);
+            var meaning = new RecordedMeaning();
+            var fault = AuditChain.Verify(meaning.Replay.Added(Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), "looking at entries", count, progress, cancellation)), head, key);
             var seen = Rows.Query(connection, AuditRow.Select + " WHERE seq = @Seq", ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
-            return new AuditFinding(count, head.Hash, fault ?? witness?.Fault(head, seen), key is not null);
+            return new AuditFinding(count, head.Hash, fault ?? witness?.Fault(head, seen) ?? meaning.Fault(store.Database, connection, transaction, key), key is not null);
         });
         if (finding.Holds && key is not null && finding.Entries > (witness?.Seq ?? 0))
         {
-            new AuditWitness(finding.Entries, finding.Hash).Keep(keysFolder);
+            Keep(new AuditWitness(finding.Entries, finding.Hash));
         }
 
         return finding;
+    }
+
+    // What was found stands, though a disk that cannot be written keeps it from being remembered.
+    private void Keep(AuditWitness witness)
+    {
+        try
+        {
+            witness.Keep(keysFolder);
+        }
+        catch (PeopleException e) when (e.InnerException is IOException or UnauthorizedAccessException)
+        {
+        }
     }
 
     /// <summary>Remembers beside the keys how far the trail goes, without looking at more than its end: the more often, the less can be cut off unseen. Nothing happens where the end is not the one that was sealed.</summary>

@@ -133,6 +133,115 @@ public static class Recorded
     internal static readonly SentenceForm Correction = new("correction", "correction {0:0}");
     internal static readonly SentenceForm Slot = new("slot", "slot {0} of {1}");
 
+    // What somebody else did to the store.
+    internal static readonly SentenceForm RowsCoded = new(
+        "rows-coded",
+        "{0:0} rows that had no codes are what the audit trail says of them; from here on they carry codes.");
+    internal static readonly SentenceForm CorrectionTampered = new(
+        "correction-tampered",
+        "Correction {0:0} is not as the cell left it: somebody else wrote to its row of the store. It is not sent. See "
+        + "errormatch audit verify; then reject it, or restore a backup.");
+    internal static readonly SentenceForm SlotTampered = new(
+        "slot-tampered",
+        "Slot {0} of {1} is not as the cell left it: somebody else wrote to its row of the store. Nothing is sent "
+        + "there. See errormatch audit verify; then restore a backup.");
+    internal static readonly SentenceForm UserTampered = new(
+        "user-tampered",
+        "The user {0} is not as the cell left it: somebody else wrote to its row of the store. This user may do nothing "
+        + "until another administrator sets the password anew (errormatch user password).");
+    internal static readonly SentenceForm UserOfNoRole = new(
+        "user-of-no-role",
+        "The store says that the user {0} is \"{1}\", and there is no such role: it is operator, setter or "
+        + "administrator. This user may do nothing until another administrator gives a role (errormatch user role).");
+    internal static readonly SentenceForm NotSent = new("not-sent", "It is not sent: {0:any}");
+    internal static readonly SentenceForm NoCorrection = new(
+        "no-correction",
+        "Entry {0:0} is \"{1}\" of \"{2}\", which is no correction.");
+    internal static readonly SentenceForm NeverArrived = new(
+        "never-arrived",
+        "Entry {0:0} makes correction {1:0} {2:state}, and no entry before it says that it arrived.");
+    internal static readonly SentenceForm StepNotAllowed = new(
+        "step-not-allowed",
+        "Entry {0:0} makes correction {1:0} {2:state}, and it was {3:state}: from there no step leads to it.");
+    internal static readonly SentenceForm ApprovalNotAllowed = new(
+        "approval-not-allowed",
+        "Entry {0:0} approves correction {1:0} by {2}, {3:who}. It takes the policy, or a setter or administrator.");
+    internal static readonly SentenceForm NotByPolicy = new("who-not-by-policy", "and names no policy");
+    internal static readonly SentenceForm WasNobody = new("who-was-nobody", "who was no user then");
+    internal static readonly SentenceForm WasDisabled = new("who-was-disabled", "who was disabled then");
+    internal static readonly SentenceForm WasOfRole = new("who-was-of-role", "who was {0:word} then, and this takes {1:word}");
+    internal static readonly SentenceForm OtherProgram = new(
+        "other-program",
+        "Entry {0:0} is about correction {1:0} with the program {2}; the one that was computed is {3}.");
+    internal static readonly SentenceForm UserNotAllowed = new("user-not-allowed", "Entry {0:0} ({1} of {2}) is by {3}, {4:who}.");
+    internal static readonly SentenceForm UserUnknown = new(
+        "user-unknown",
+        "Entry {0:0} ({1} of {2}) does not fit what is recorded of this user before.");
+    internal static readonly SentenceForm CorrectionUnrecorded = new(
+        "correction-unrecorded",
+        "Correction {0:0} ({1:state}) is in the store, and no entry of the audit trail says that it arrived.");
+    internal static readonly SentenceForm StateDiffers = new(
+        "state-differs",
+        "Correction {0:0} is {1:state} in the store; entry {2:0} of the audit trail left it {3:state}.");
+    internal static readonly SentenceForm ProgramDiffers = new(
+        "program-differs",
+        "Correction {0:0} has the program {1} in the store; by entry {2:0} of the audit trail it has {3}.");
+    internal static readonly SentenceForm FileDiffers = new(
+        "file-differs",
+        "Correction {0:0} has the file {1} in the store; by the audit trail it came in with {2}.");
+    internal static readonly SentenceForm CorrectionDiffers = new(
+        "correction-differs",
+        "The row of correction {0:0} is not the one that entry {1:0} of the audit trail left: something in it was "
+        + "changed.");
+    internal static readonly SentenceForm CorrectionMissing = new(
+        "correction-missing",
+        "Correction {0:0} is not in the store any more; entry {1:0} of the audit trail is about it.");
+    internal static readonly SentenceForm SlotHeldByOther = new(
+        "slot-held-by-other",
+        "Slot {0} of {1} is held by correction {2:0} in the store, which is {3:state} by the audit trail and holds none.");
+    internal static readonly SentenceForm SlotNotHeld = new(
+        "slot-not-held",
+        "Slot {0} of {1} is not held by correction {2:0} in the store, which is {3:state} and holds it by the audit "
+        + "trail.");
+    internal static readonly SentenceForm SlotDiffers = new(
+        "slot-differs",
+        "The row of slot {0} of {1} is not the one that entry {2:0} of the audit trail left: something in it was "
+        + "changed, or it was removed.");
+    internal static readonly SentenceForm UserUnrecorded = new(
+        "user-unrecorded",
+        "The user {0} is in the store, and no entry of the audit trail says who added it.");
+    internal static readonly SentenceForm RoleDiffers = new(
+        "role-differs",
+        "The user {0} is {1} in the store; by entry {2:0} of the audit trail it is {3:word}.");
+    internal static readonly SentenceForm DisabledDiffers = new(
+        "disabled-differs",
+        "The user {0} is {1:word} in the store; entry {2:0} of the audit trail says otherwise.");
+    internal static readonly SentenceForm UserDiffers = new(
+        "user-differs",
+        "The row of the user {0} is not the one that entry {1:0} of the audit trail left: its password, name or times "
+        + "were changed.");
+    internal static readonly SentenceForm UserMissing = new(
+        "user-missing",
+        "The user {0} is not in the store any more; entry {1:0} of the audit trail is about it.");
+    internal static readonly SentenceForm RowMissing = new(
+        "row-missing",
+        "The row of {0} is not in the store any more; entry {1:0} of the audit trail left it.");
+    internal static readonly SentenceForm RowUnreadable = new(
+        "row-unreadable",
+        "The row of {0} {1} cannot be read: something in it is of a kind that the cell does not write.");
+    internal static readonly SentenceForm StepDiffers = new(
+        "step-differs",
+        "Step {0:0} of the store is not what entry {1:0} of the audit trail says: correction {2:0}, {3:state}.");
+    internal static readonly SentenceForm StepUnrecorded = new("step-unrecorded", "The store has {0:0} steps; the audit trail has {1:0}.");
+    internal static readonly SentenceForm FormDiffers = new("form-differs", "The database is not as the cell made it: {0:form}.");
+    internal static readonly SentenceForm FormUnknown = new("form-unknown", "it has the {0} {1}, which the cell did not make");
+    internal static readonly SentenceForm FormLacks = new("form-lacks", "it lacks the {0} {1}");
+    internal static readonly SentenceForm FormOther = new("form-other", "its {0} {1} is another one");
+    internal static readonly SentenceForm TrailBroken = new(
+        "trail-broken",
+        "The audit trail is not what was written, at entry {0:0}. Nothing is sent. See errormatch audit verify; then "
+        + "restore a backup.");
+
     /// <summary>A backup was brought back: its file.</summary>
     public static SentenceForm BackupBroughtBack { get; } = new("backup-brought-back", "A backup was brought back: {0}.");
 
@@ -159,6 +268,11 @@ public static class Recorded
         PartOfNumberUnmeasured, NamedBoth, NamedSerial, NamedOrder, PartUnmeasured, NotReleasedReverted, NotReleased, BaseReverted, NotFeedback,
         NotFeedbackSurface, JobChanged, OriginalChanged, OverLimit, OverSumLimit, AndMore, Defect, FirstAdministrator, SignedIn, AsRole, ToRole, UntilUtc,
         WrongPassword, WrongDisabled, NoSuchName, NoSuchNames, ByHand, Idle, StoreMade, FromBackup, KeptAside, SetBack, JobInPlace, Program, File,
+        RowsCoded, CorrectionTampered, SlotTampered, UserTampered, UserOfNoRole, NotSent, NoCorrection, NeverArrived, StepNotAllowed,
+        ApprovalNotAllowed, NotByPolicy, WasNobody, WasDisabled, WasOfRole, OtherProgram, UserNotAllowed, UserUnknown,
+        CorrectionUnrecorded, StateDiffers, ProgramDiffers, FileDiffers, CorrectionDiffers, CorrectionMissing, SlotHeldByOther,
+        SlotNotHeld, SlotDiffers, UserUnrecorded, RoleDiffers, DisabledDiffers, UserDiffers, UserMissing, RowMissing, RowUnreadable,
+        StepDiffers, StepUnrecorded, FormDiffers, FormUnknown, FormLacks, FormOther, TrailBroken,
         Correction, Slot, BackupBroughtBack, Started, PoliciesOfCell, PoliciesOfJob, Stopped,
     ];
 }

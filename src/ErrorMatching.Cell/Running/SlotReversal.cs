@@ -35,6 +35,8 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
             throw new DecisionException(DecisionException.WrongState, FormattableString.Invariant($"Slot {correction.Slot} of {correction.Machine} is not in {settings.File} any more: bring it back there first."));
         }
 
+        // What is brought back is named by its row.
+        store.DemandRecorded(correction);
         using var slotLock = await LockAsync(machine.Name, slot.Name, cancellation)
             ?? throw new DecisionException(DecisionException.SlotTaken, FormattableString.Invariant($"A program is being sent to slot {slot.Name} of {machine.Name} just now: try again in a moment."));
         if (store.Slot(machine.Name, slot.Name).Correction is { } holder && holder != id)

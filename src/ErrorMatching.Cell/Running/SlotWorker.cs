@@ -55,6 +55,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         }
 
         stop.ThrowIfCancellationRequested();
+        flow.DemandRecorded(correction);
         using var activity = CellTelemetry.Start("upload", correction);
         if (correction.State == CorrectionState.Uploading)
         {
@@ -175,6 +176,9 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         {
             throw new StoreException(StoreError.Away, $"The right to send to slot {slot.Name} of {machine.Name} was lost with the connection to the store.");
         }
+
+        // Once more, for what somebody did to the store since the slot was taken.
+        flow.DemandRecorded(uploading);
 
         // From here on a cut may leave anything.
         _isInOrder = false;

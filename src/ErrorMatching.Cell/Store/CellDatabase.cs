@@ -42,6 +42,9 @@ internal abstract class CellDatabase : IDisposable
     /// <summary>Looks whether the database is whole; what is not is a <see cref="StoreException"/>.</summary>
     public abstract void Inspect();
 
+    /// <summary>What is in the form of the database that the migrations did not make, or is not there; null if nothing.</summary>
+    public abstract AuditFault? FormFault(DbConnection connection, DbTransaction transaction);
+
     /// <summary>True if the database has a table of a name.</summary>
     public abstract bool HasTable(DbConnection connection, string name);
 

@@ -18,6 +18,7 @@ public sealed partial class CellStore : IDisposable
         Database = database;
         _clock = clock;
         _auditKey = auditKey;
+        _ledger = new(auditKey);
     }
 
     /// <summary>The database, for tables of other parts of the cell.</summary>
@@ -36,7 +37,35 @@ public sealed partial class CellStore : IDisposable
         {
             if (inspect) opened.Inspect();
             Migrations.Apply(opened, clock, auditKey);
+            if (auditKey is not null) RowCodes.Give(opened, clock, auditKey);
         });
+        return new CellStore(database, clock, auditKey);
+    }
+
+    /// <summary>Opens a store that is there, to look at it: also one that cannot be written, as on a disk that the system has mounted read-only. Where it can be written, one of an earlier version is taken to the present form.</summary>
+    /// <param name="settings">Where it is.</param>
+    /// <param name="clock">Says the time of each change.</param>
+    /// <param name="auditKey">The key that seals the audit trail; null if it is not there.</param>
+    /// <exception cref="StoreException">It cannot be read, or has an earlier form and cannot be written.</exception>
+    public static CellStore OpenToRead(StoreSettings settings, TimeProvider clock, byte[]? auditKey)
+    {
+        ArgumentNullException.ThrowIfNull(settings);
+        ArgumentNullException.ThrowIfNull(clock);
+        var database = Connect(
+            settings,
+            opened =>
+            {
+                Migrations.Apply(opened, clock, auditKey);
+                try
+                {
+                    if (auditKey is not null) RowCodes.Give(opened, clock, auditKey);
+                }
+                catch (StoreException e) when (e.Error == StoreError.ReadOnly)
+                {
+                    // It is looked at as it is.
+                }
+            },
+            toRead: true);
         return new CellStore(database, clock, auditKey);
     }
 
@@ -145,7 +174,8 @@ public sealed partial class CellStore : IDisposable
                 throw new DuplicateCorrectionException(existing);
             }
 
-            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(after, from.State)) != 1) throw Conflict(transaction, from, to);
+            DemandKept(transaction, from, after);
+            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(after, from.State, transaction.CodeOf(CorrectionRow.Coded(after)))) != 1) throw Conflict(transaction, from, to);
             SlotRow.Follow(transaction, from.State, after);
             Note(transaction, after, from.State, by, basis);
             return after;
@@ -159,8 +189,14 @@ public sealed partial class CellStore : IDisposable
     /// <summary>Frees a slot of the correction that has it, as after a revert. One that another has, or nobody, stays as it is.</summary>
     public void FreeSlot(string machine, string slot, long correction, string by, string basis) => Write(transaction =>
     {
+        SlotRow.Demand(transaction, machine, slot);
         var freed = transaction.Execute("UPDATE slot SET correction = NULL WHERE machine = @machine AND slot = @slot AND correction = @correction", new { machine, slot, correction });
-        if (freed == 1) transaction.Audit(by, "freed", Recorded.Slot.With(slot, machine), basis);
+        if (freed == 1)
+        {
+            SlotRow.Code(transaction, machine, slot);
+            transaction.Audit(by, "freed", Recorded.Slot.With(slot, machine), basis);
+        }
+
         return freed;
     });
 
@@ -225,9 +261,10 @@ public sealed partial class CellStore : IDisposable
     /// <summary>Opens the database of a store.</summary>
     /// <param name="settings">Where it is.</param>
     /// <param name="prepare">Looks whether it is whole and takes it to the form that is wanted.</param>
-    internal static CellDatabase Connect(StoreSettings settings, Action<CellDatabase> prepare) => settings switch
+    /// <param name="toRead">True if it need not be one that can be written.</param>
+    internal static CellDatabase Connect(StoreSettings settings, Action<CellDatabase> prepare, bool toRead = false) => settings switch
     {
-        SqliteSettings sqlite => SqliteDatabase.Open(sqlite.File, prepare),
+        SqliteSettings sqlite => SqliteDatabase.Open(sqlite.File, prepare, toRead),
         PostgresSettings postgres => PostgresDatabase.Open(postgres, prepare),
         _ => throw new ArgumentOutOfRangeException(nameof(settings), settings, "No such kind of store."),
     };
@@ -285,6 +322,7 @@ public sealed partial class CellStore : IDisposable
             arrived.MeasuredAs,
         });
         arrived = arrived with { Id = id };
+        if (transaction.CodeOf(CorrectionRow.Coded(arrived)) is { } code) transaction.Execute("UPDATE correction SET row_code = @code WHERE id = @id", new { code, id });
         Note(transaction, arrived, null, by, basis ?? arrived.Reason ?? Recorded.Arrived.With(arrived.Gauge, arrived.FileName));
         return arrived;
     }

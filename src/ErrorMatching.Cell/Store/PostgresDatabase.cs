@@ -42,11 +42,20 @@ internal sealed class PostgresDatabase : CellDatabase
         "blob" => "BYTEA",
         "identity" => "BIGINT GENERATED ALWAYS AS IDENTITY PRIMARY KEY",
         "append_only" => $"""
-            CREATE FUNCTION {argument}_is_append_only() RETURNS trigger LANGUAGE plpgsql AS 'BEGIN RAISE EXCEPTION ''{argument} is append-only''; END';
-            CREATE TRIGGER {argument}_change BEFORE UPDATE OR DELETE OR TRUNCATE ON {argument} FOR EACH STATEMENT EXECUTE FUNCTION {argument}_is_append_only();
+            CREATE FUNCTION {Keeper(argument)}() RETURNS trigger LANGUAGE plpgsql AS '{KeeperBody(argument).Replace("'", "''", StringComparison.Ordinal)}';
+            CREATE TRIGGER {argument}_change BEFORE UPDATE OR DELETE OR TRUNCATE ON {argument} FOR EACH STATEMENT EXECUTE FUNCTION {Keeper(argument)}();
             """,
         _ => throw new ArgumentOutOfRangeException(nameof(token), token, "No such token of migrations."),
     };
+
+    /// <summary>Name of the function that keeps a table append-only.</summary>
+    internal static string Keeper(string table) => table + "_is_append_only";
+
+    /// <summary>What that function does.</summary>
+    internal static string KeeperBody(string table) => $"BEGIN RAISE EXCEPTION '{table} is append-only'; END";
+
+    /// <inheritdoc/>
+    public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) => DatabaseForm.FaultOnServer(connection, transaction);
 
     /// <inheritdoc/>
     public override void Inspect() => Read(connection =>

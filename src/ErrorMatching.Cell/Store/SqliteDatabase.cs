@@ -21,6 +21,7 @@ internal sealed class SqliteDatabase : CellDatabase
     private SqliteConnection? _writer;
     private bool _disposed;
     private int _losses;
+    private StoreException? _readOnly;
 
     static SqliteDatabase() => SQLitePCL.Batteries_V2.Init();
 
@@ -35,19 +36,26 @@ internal sealed class SqliteDatabase : CellDatabase
     /// <summary>Opens a store, or makes one where there is none: under another name, so that there is a whole one or none.</summary>
     /// <param name="file">Its file.</param>
     /// <param name="prepare">Looks whether it is whole and takes it to the present form.</param>
-    public static SqliteDatabase Open(string file, Action<CellDatabase> prepare)
+    /// <param name="toRead">True if it need not be one that can be written.</param>
+    public static SqliteDatabase Open(string file, Action<CellDatabase> prepare, bool toRead = false)
     {
         var database = new SqliteDatabase(file);
         if (!File.Exists(file)) database.Make(prepare);
         return Prepared(database, d =>
         {
-            d.Prove();
+            d.Prove(toRead);
             prepare(d);
         });
     }
 
     /// <inheritdoc/>
-    public override string Word(string token, string argument) => token switch
+    public override string Word(string token, string argument) => WordOf(token, argument);
+
+    /// <inheritdoc/>
+    public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) => DatabaseForm.FaultOfFile(connection, transaction);
+
+    /// <summary>SQLite's words for the tokens of a migration.</summary>
+    internal static string WordOf(string token, string argument) => token switch
     {
         "blob" => "BLOB",
         "identity" => "INTEGER PRIMARY KEY AUTOINCREMENT",
@@ -153,6 +161,7 @@ internal sealed class SqliteDatabase : CellDatabase
         lock (_writing)
         {
             ObjectDisposedException.ThrowIf(_disposed, this);
+            if (_readOnly is not null) throw new StoreException(StoreError.ReadOnly, _readOnly.Message, _readOnly);
             DemandFile();
             var writer = _writer ??= Connect();
             try
@@ -226,12 +235,20 @@ internal sealed class SqliteDatabase : CellDatabase
         throw new StoreException(StoreError.Away, $"The store {_file} is gone. Nothing was changed. Bring its disk back, or restore the latest backup; whoever has it open goes on by themselves.");
     }
 
-    private SqliteConnection Connect() => Prepared(new SqliteConnection(ConnectionString(_file)), connection =>
+    private SqliteConnection Connect() => _readOnly is not null ? ConnectToRead() : Prepared(new SqliteConnection(ConnectionString(_file)), connection =>
     {
         connection.Open();
         connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA busy_timeout = {(long)Patience.TotalMilliseconds}"));
         connection.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     });
+
+    // In a folder that nobody can write SQLite finds no room for its index of the log. Where there is no log and no index, nobody writes, and the file is all there is. Source: sqlite.org/wal.html, read-only databases.
+    private SqliteConnection ConnectToRead()
+    {
+        var isAlone = !File.Exists(_file + "-shm") && (new FileInfo(_file + "-wal") is { Exists: false } or { Length: 0 });
+        var source = isAlone ? new Uri(Path.GetFullPath(_file)).AbsoluteUri + "?immutable=1" : _file;
+        return Prepared(new SqliteConnection(new SqliteConnectionStringBuilder { DataSource = source, Mode = SqliteOpenMode.ReadOnly, Pooling = false }.ConnectionString), connection => connection.Open());
+    }
 
     // A store has hashes of passwords: whoever else may read it is its owner's decision, not the umask's. Its log follows it.
     internal static void MakeForOwner(string file)
@@ -284,7 +301,7 @@ internal sealed class SqliteDatabase : CellDatabase
 
     // What SQLite itself would take for a new and empty database, or would only find when it first writes. The file itself must never be opened here: where locks belong to processes, as on Linux,
     // closing it would take away those that SQLite has on it, and another process would take itself for the last one and delete the log.
-    private void Prove()
+    private void Prove(bool toRead)
     {
         if (new FileInfo(_file).Length == 0) throw new StoreException(StoreError.Damaged, $"The store {_file} is empty. Restore the latest backup.");
         try
@@ -293,13 +310,15 @@ internal sealed class SqliteDatabase : CellDatabase
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            throw new StoreException(StoreError.ReadOnly, $"The folder of the store {_file} cannot be written: {failure.Message} Make the disk and the folder writable for the user that runs the cell.", failure);
+            _readOnly = new StoreException(StoreError.ReadOnly, $"The folder of the store {_file} cannot be written: {failure.Message} Make the disk and the folder writable for the user that runs the cell.", failure);
         }
 
-        if (Read(connection => SQLitePCL.raw.sqlite3_db_readonly(((SqliteConnection)connection).Handle, "main")) == 1)
+        if (_readOnly is null && Read(connection => SQLitePCL.raw.sqlite3_db_readonly(((SqliteConnection)connection).Handle, "main")) == 1)
         {
-            throw new StoreException(StoreError.ReadOnly, $"The store {_file} cannot be written. Make the file writable for the user that runs the cell.");
+            _readOnly = new StoreException(StoreError.ReadOnly, $"The store {_file} cannot be written. Make the file writable for the user that runs the cell.");
         }
+
+        if (_readOnly is not null && !toRead) throw _readOnly;
 
         var id = Read(connection => connection.QuerySingle<int>("PRAGMA application_id"));
         if (id != ApplicationId) throw new StoreException(StoreError.Foreign, $"{_file} is a database, but not of a cell. Name another file as the store.");

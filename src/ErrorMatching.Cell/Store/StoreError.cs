@@ -12,6 +12,9 @@ public enum StoreError
     /// <summary>What was read is not what was written: a page, a file or a content is damaged.</summary>
     Damaged,
 
+    /// <summary>Somebody else wrote to it: a row, the audit trail or the form of the database is not what the cell left.</summary>
+    Tampered,
+
     /// <summary>The database is another program's.</summary>
     Foreign,
 

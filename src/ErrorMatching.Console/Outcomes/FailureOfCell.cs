@@ -40,6 +40,8 @@ internal static class FailureOfCell
         PeopleError.SignInRefused => "sign-in-refused",
         PeopleError.LockedOut => "locked-out",
         PeopleError.UserDisabled => "user-disabled",
+        PeopleError.UnknownRole => "unknown-role",
+        PeopleError.Tampered => "user-tampered",
         PeopleError.NotAllowed => "not-allowed",
         PeopleError.NotSigned => "not-signed",
         PeopleError.BadUserName => "bad-user-name",
@@ -59,6 +61,7 @@ internal static class FailureOfCell
         StoreError.Conflict => "store-conflict",
         StoreError.Missing => "store-missing",
         StoreError.Damaged => "store-damaged",
+        StoreError.Tampered => "store-tampered",
         StoreError.Foreign => "store-foreign",
         StoreError.TooNew => "store-too-new",
         StoreError.Locked => "store-locked",
@@ -79,6 +82,9 @@ internal static class FailureOfCell
         AuditFaultKind.Removed => "audit-removed",
         AuditFaultKind.Inserted => "audit-inserted",
         AuditFaultKind.Reordered => "audit-reordered",
+        AuditFaultKind.NotAllowed => "audit-not-allowed",
+        AuditFaultKind.RowDiffers => "audit-row-differs",
+        AuditFaultKind.FormDiffers => "audit-form-differs",
         AuditFaultKind.Unsealed => "audit-unsealed",
         _ => throw new ArgumentOutOfRangeException(nameof(error), error, "A broken audit trail without a code."),
     };
@@ -86,14 +92,14 @@ internal static class FailureOfCell
     // What was typed can be typed better; what is refused stays refused until somebody else does something.
     private static ExitCode ExitOf(PeopleError error) => error switch
     {
-        PeopleError.LockedOut or PeopleError.UserDisabled or PeopleError.NotAllowed or PeopleError.NotSigned or PeopleError.LastAdministrator or PeopleError.SecretUnreadable => ExitCode.Refused,
+        PeopleError.LockedOut or PeopleError.UserDisabled or PeopleError.UnknownRole or PeopleError.Tampered or PeopleError.NotAllowed or PeopleError.NotSigned or PeopleError.LastAdministrator or PeopleError.SecretUnreadable => ExitCode.Refused,
         PeopleError.KeysUnusable => ExitCode.Outside,
         _ => ExitCode.WrongInput,
     };
 
     private static ExitCode ExitOf(StoreError error) => error switch
     {
-        StoreError.Conflict => ExitCode.Refused,
+        StoreError.Conflict or StoreError.Tampered => ExitCode.Refused,
         StoreError.Missing or StoreError.Foreign or StoreError.TooNew or StoreError.NotSupported => ExitCode.WrongInput,
         _ => ExitCode.Outside,
     };

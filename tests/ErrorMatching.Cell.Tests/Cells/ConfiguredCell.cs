@@ -59,8 +59,9 @@ internal sealed class ConfiguredCell : IAsyncDisposable
     /// <summary>Another view of the store, as another process has it.</summary>
     public CellStore Open()
     {
-        var store = CellStore.Open(new SqliteSettings(PathOf("cell.db")), TimeProvider.System);
+        var store = CellStore.Open(new SqliteSettings(PathOf("cell.db")), TimeProvider.System, RunningCell.Key);
         _stores.Add(store);
+        if (_stores.Count == 1) new UserBook(store, TimeProvider.System, new PasswordHashes(10)).AddFirst("sam", "correct horse battery");
         return store;
     }
 

@@ -46,6 +46,9 @@ internal sealed class RunningCell : IAsyncDisposable
         }
     }
 
+    /// <summary>Seals the audit trail and codes rows.</summary>
+    public static byte[] Key { get; } = [.. Enumerable.Range(1, 32).Select(i => (byte)i)];
+
     public string Folder { get; } = Directory.CreateTempSubdirectory("errormatch-run-").FullName;
 
     public string Policy { get; set; }
@@ -91,8 +94,9 @@ internal sealed class RunningCell : IAsyncDisposable
     /// <summary>Another view of the store, as another process has it.</summary>
     public CellStore Open()
     {
-        var store = CellStore.Open(new SqliteSettings(PathOf("cell.db")), TimeProvider.System);
+        var store = CellStore.Open(new SqliteSettings(PathOf("cell.db")), TimeProvider.System, Key);
         _stores.Add(store);
+        if (_stores.Count == 1) new UserBook(store, TimeProvider.System, new PasswordHashes(10)).AddFirst("sam", "correct horse battery");
         return store;
     }
 

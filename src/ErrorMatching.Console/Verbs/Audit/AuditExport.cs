@@ -19,7 +19,7 @@ internal sealed class AuditExport : CellVerb
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         DemandStore(settings);
-        using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder), inspect: false);
+        using var store = CellStore.OpenToRead(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder));
         using var csv = new StringWriter(CultureInfo.InvariantCulture);
         long entries;
         using (var progress = new ProgressLine(ProgressTo))

@@ -49,6 +49,19 @@ internal abstract class CellVerb : Verb
     protected static Outcome WithStore(CellSettings settings, Func<CellStore, Outcome> work)
     {
         using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Open(settings.KeysFolder), inspect: false);
+        return Remembered(settings, store, work);
+    }
+
+    /// <summary>Looks at the cell's store, which must be there and may be on a disk that cannot be written.</summary>
+    protected static Outcome WithStoreToRead(CellSettings settings, Func<CellStore, Outcome> work)
+    {
+        DemandStore(settings);
+        using var store = CellStore.OpenToRead(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder));
+        return Remembered(settings, store, work);
+    }
+
+    private static Outcome Remembered(CellSettings settings, CellStore store, Func<CellStore, Outcome> work)
+    {
         var outcome = work(store);
         try
         {
