@@ -23,18 +23,30 @@ public sealed class AuditVerbTests
     public void A_broken_trail_is_exit_2_and_names_the_first_entry(string tampering, string code, int entry)
     {
         using var cell = CellFolder.WithPeople();
-        using (var store = Microsoft.Data.Sqlite.SqliteFactory.Instance.CreateConnection())
-        {
-            store.ConnectionString = $"Data Source={cell["cell.db"]};Pooling=False";
-            store.Open();
-            using var command = store.CreateCommand();
-            command.CommandText = "DROP TRIGGER audit_update; DROP TRIGGER audit_delete; " + tampering;
-            command.ExecuteNonQuery();
-        }
-
+        Execute(cell, "DROP TRIGGER audit_update; DROP TRIGGER audit_delete; " + tampering);
         var error = Shell.Error(2, "audit", "verify", cell.Config);
         Assert.Equal(code, error.Text("code"));
         Assert.Contains($" {entry}", error.Text("message"), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("UPDATE person SET role = 'Administrator' WHERE name = 'Ben'", "audit-row-differs", "user-tampered")]
+    [InlineData("UPDATE person SET role = 'wizard' WHERE name = 'Ben'", "audit-row-differs", "unknown-role")]
+    [InlineData("UPDATE person SET password = (SELECT password FROM person WHERE name = 'Anna') WHERE name = 'Ben'", "audit-row-differs", "user-tampered")]
+    [InlineData("CREATE TRIGGER eve AFTER INSERT ON audit BEGIN SELECT 1; END", "audit-form-differs", null)]
+    public void A_store_that_somebody_else_wrote_to_is_exit_2_the_status_says_so_and_its_users_may_do_nothing(string tampering, string code, string? user)
+    {
+        using var cell = CellFolder.WithPeople();
+        Execute(cell, tampering);
+        Assert.Equal(code, Shell.Error(2, "audit", "verify", cell.Config).Text("code"));
+        Assert.Contains("the cell", Shell.Run("cell", "status", cell.Config).Output, StringComparison.Ordinal);
+        var errors = Shell.Run("cell", "status", cell.Config, "--json").Error;
+        Assert.Contains("\"store-tampered\"", errors, StringComparison.Ordinal);
+        if (user is null) return;
+        Assert.Equal(user, Shell.Error(2, "user", "list", cell.Config).Text("code"));
+        var (exit, _, error) = cell.Piped([CellFolder.Annas], "cell", "reject", cell.Config, "1", "--user", "ben", "--reason", "x", "--json");
+        Assert.Equal(2, exit);
+        Assert.Contains(user, error, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -82,5 +94,15 @@ public sealed class AuditVerbTests
             .Concat(Enum.GetValues<StoreError>().Select(FailureOfCell.CodeOf))
             .Concat(Enum.GetValues<AuditFaultKind>().Select(FailureOfCell.CodeOf));
         Assert.All(codes.Concat(["no-password", "unknown-machine"]), c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
+    }
+
+    private static void Execute(CellFolder cell, string sql)
+    {
+        using var store = Microsoft.Data.Sqlite.SqliteFactory.Instance.CreateConnection();
+        store.ConnectionString = $"Data Source={cell["cell.db"]};Pooling=False";
+        store.Open();
+        using var command = store.CreateCommand();
+        command.CommandText = sql;
+        command.ExecuteNonQuery();
     }
 }

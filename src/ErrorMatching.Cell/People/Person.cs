@@ -25,8 +25,8 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
 
     /// <summary>Why the user may do nothing, whatever the role: the row is not the cell's, or the role is none. Null if that is not so.</summary>
     public PeopleException? Problem =>
-        !IsAsLeft ? new(PeopleError.Tampered, Recorded.UserTampered.With(Name))
-        : Role is null ? new(PeopleError.UnknownRole, Recorded.UserOfNoRole.With(Name, RoleWord))
+        Role is null ? new(PeopleError.UnknownRole, Recorded.UserOfNoRole.With(Name, RoleWord))
+        : !IsAsLeft ? new(PeopleError.Tampered, Recorded.UserTampered.With(Name))
         : null;
 
     /// <summary>The user of a name, however its letters are written; null if there is none.</summary>
@@ -81,7 +81,8 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
         Code = transaction.CodeOf(Coded(this)),
     };
 
-    private static Person Looked(KeptRow<Person> row, byte[]? key) => row.Value with { IsAsLeft = row.Holds(key) };
+    /// <summary>The user, and whether somebody else wrote the row.</summary>
+    public static Person Looked(KeptRow<Person> row, byte[]? key) => row.Value with { IsAsLeft = row.Holds(key) };
 
     private static Person Read(DbDataReader row) => new(
         row.GetString(0), Enum.GetValues<Role>().Where(r => r.ToString() == row.GetString(1)).Select(r => (Role?)r).FirstOrDefault(), row.GetString(2), row.GetInt32(3) != 0,

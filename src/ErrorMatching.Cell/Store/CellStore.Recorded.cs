@@ -25,8 +25,7 @@ public sealed partial class CellStore
         foreach (var (person, fault) in Look(Person.SelectKept + " ORDER BY name_key", Person.ReadKept, "user"))
         {
             if (fault is not null) found.Add(fault.Message);
-            else if (!person!.Holds(_auditKey)) found.Add(Recorded.UserTampered.With(person.Value.Name));
-            else if (person.Value.Problem is { } problem) found.Add(problem.Message);
+            else if (Person.Looked(person!, _auditKey).Problem is { } problem) found.Add(problem.Message);
         }
 
         foreach (var (slot, fault) in Look(SlotRow.SelectKept + " ORDER BY machine, slot", SlotRow.ReadKept, "slot"))

@@ -159,9 +159,18 @@ internal sealed class StoreWriter : IDisposable
     private static void ReadOnly(SqliteSettings settings)
     {
         var folder = Path.GetDirectoryName(settings.File)!;
-        CellStore.Open(settings, TimeProvider.System).Dispose();
+        var left = Path.Combine(Directory.CreateDirectory(Path.Combine(folder, "left")).FullName, "cell.db");
+        using (var store = CellStore.Open(settings, TimeProvider.System))
+        {
+            // What a process leaves that ends at once: its log and the index of that.
+            store.Audit("anna", "signed-in", "password");
+            foreach (var end in new[] { "", "-wal", "-shm" }) System.IO.File.Copy(settings.File + end, left + end);
+        }
+
         Mount("ro");
         Try();
+        Look(settings.File);
+        Look(left);
         Mount("rw");
         Try();
 
@@ -169,6 +178,15 @@ internal sealed class StoreWriter : IDisposable
         {
             using var mount = Process.Start("mount", ["-o", $"remount,{how}", folder]);
             mount.WaitForExit();
+        }
+
+        void Look(string file)
+        {
+            using var store = CellStore.OpenToRead(new SqliteSettings(file), TimeProvider.System, null);
+            using var csv = new StringWriter();
+            var (finding, written) = (new AuditTrail(store, Path.Combine(folder, "keys")).Verify(), new AuditTrail(store, folder).Export(csv));
+            var refused = Assert.Throws<StoreException>(() => store.Audit("anna", "signed-in", "password")).Error;
+            Console.Out.WriteLine(FormattableString.Invariant($"read {finding.Entries}, whole: {finding.Holds}, exported {written}, changes: {refused}"));
         }
 
         void Try()
