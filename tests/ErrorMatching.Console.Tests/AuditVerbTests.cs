@@ -39,11 +39,13 @@ public sealed class AuditVerbTests
         using var cell = CellFolder.WithPeople();
         Execute(cell, tampering);
         Assert.Equal(code, Shell.Error(2, "audit", "verify", cell.Config).Text("code"));
-        Assert.Contains("the cell", Shell.Run("cell", "status", cell.Config).Output, StringComparison.Ordinal);
-        var errors = Shell.Run("cell", "status", cell.Config, "--json").Error;
-        Assert.Contains("\"store-tampered\"", errors, StringComparison.Ordinal);
+        Assert.Contains("store-tampered", Shell.Json(3, "errormatch/cell-status/1", "cell", "status", cell.Config).GetProperty("problems").EnumerateArray().Select(p => p.Text("code")));
+        var text = Shell.Run("cell", "status", cell.Config);
+        Assert.Contains(user is null ? "the trigger eve, which the cell did not make" : "The user Ben", text.Output, StringComparison.Ordinal);
+        Assert.Contains(user is null ? "the trigger eve, which the cell did not make" : "The user Ben", text.Error, StringComparison.Ordinal);
         if (user is null) return;
-        Assert.Equal(user, Shell.Error(2, "user", "list", cell.Config).Text("code"));
+        Assert.Equal([null, user], Shell.Json(2, "errormatch/user-list/1", "user", "list", cell.Config).GetProperty("users").EnumerateArray()
+            .Select(u => u.GetProperty("problem") is { ValueKind: System.Text.Json.JsonValueKind.Object } p ? p.Text("code") : null));
         var (exit, _, error) = cell.Piped([CellFolder.Annas], "cell", "reject", cell.Config, "1", "--user", "ben", "--reason", "x", "--json");
         Assert.Equal(2, exit);
         Assert.Contains(user, error, StringComparison.Ordinal);
@@ -66,7 +68,7 @@ public sealed class AuditVerbTests
         using var cell = CellFolder.WithPeople();
         var (exit, csv, error) = Shell.Run("audit", "export", cell.Config);
         Assert.Equal((0, ""), (exit, error));
-        Assert.StartsWith("\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\"\r\n\"1\",\"2", csv, StringComparison.Ordinal);
+        Assert.StartsWith("\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\",\"rows\"\r\n\"1\",\"2", csv, StringComparison.Ordinal);
         Assert.Equal(6, csv.Split("\r\n").Length);
         Assert.Contains("\"Anna\",\"user-added\",\"Ben\",\"as operator\"", csv, StringComparison.Ordinal);
 

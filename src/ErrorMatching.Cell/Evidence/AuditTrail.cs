@@ -9,7 +9,7 @@ namespace ErrorMatching.Cell;
 /// <remarks>Failures of the store are a <see cref="StoreException"/>, those of the keys a <see cref="PeopleException"/>.</remarks>
 public sealed class AuditTrail(CellStore store, string keysFolder)
 {
-    private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash"];
+    private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash", "rows"];
 
     /// <summary>Looks at every entry, as the trail is at one moment. What was found whole is remembered beside the keys, if they are there.</summary>
     public AuditFinding Verify() => Verify(null, CancellationToken.None);
@@ -94,7 +94,7 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         foreach (var e in Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.Read, null, transaction), "writing entries", Count(connection, transaction), progress, cancellation))
         {
             SpreadsheetCsv.Write(
-                writer, e.Seq.ToString(CultureInfo.InvariantCulture), e.At.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss.ffffff'Z'", CultureInfo.InvariantCulture), e.Who, e.What, e.Subject ?? "", e.Basis, e.Previous, e.Hash);
+                writer, e.Seq.ToString(CultureInfo.InvariantCulture), e.At.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss.ffffff'Z'", CultureInfo.InvariantCulture), e.Who, e.What, e.Subject ?? "", e.Basis, e.Previous, e.Hash, e.RowCodes ?? "");
             count++;
         }
 

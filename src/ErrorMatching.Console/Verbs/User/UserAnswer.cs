@@ -33,6 +33,19 @@ internal sealed class UserAnswer(string schema, User user, string sentence) : Do
         {
             json.WriteNull("lockedUntil");
         }
+
+        json.WritePropertyName("problem");
+        if (user.Problem is var (error, message))
+        {
+            json.WriteStartObject();
+            json.WriteString("code", FailureOfCell.CodeOf(error));
+            json.WriteString("message", message);
+            json.WriteEndObject();
+        }
+        else
+        {
+            json.WriteNullValue();
+        }
     }
 
     /// <summary>A time in UTC by RFC 3339, to the second.</summary>

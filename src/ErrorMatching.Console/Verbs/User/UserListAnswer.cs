@@ -46,11 +46,6 @@ internal sealed class UserListAnswer(IReadOnlyList<User> users) : DocumentAnswer
                 u.Name, u.RoleWord, Day(u.AddedAt), Day(u.PasswordAt), u.Failures.ToString(CultureInfo.InvariantCulture),
                 u.Problem is not null ? "may do nothing" : u.IsDisabled ? "disabled" : u.LockedUntil is { } until ? "locked until " + UserAnswer.Time(until) : "",
             ]));
-        foreach (var (_, message) in users.Select(u => u.Problem).OfType<(PeopleError, string)>())
-        {
-            page.Line();
-            page.Line(message);
-        }
     }
 
     private static string Day(DateTimeOffset time) => time.UtcDateTime.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture);

@@ -114,6 +114,12 @@ public sealed partial class MessagesViewModel : ScreenViewModel
             yield return new(Severity.Alarm, $"{trouble.Where} · {Shown.Time(trouble.Since, Station.Clock)} · {CodeText.Of(trouble.Code, trouble.Message)}", texts["Message.Trouble.Next"], null);
         }
 
+        // A cell that runs tells of it as a trouble.
+        foreach (var tampered in status.IsRunning ? [] : status.Tampered)
+        {
+            yield return new(Severity.Alarm, RecordedText.Of(tampered), texts["Message.Trouble.Next"], null);
+        }
+
         foreach (var failed in status.Failed)
         {
             yield return new(
