@@ -32,21 +32,28 @@ public sealed class AuditVerbTests
     [Theory]
     [InlineData("UPDATE person SET role = 'Administrator' WHERE name = 'Ben'", "audit-row-differs", "user-tampered")]
     [InlineData("UPDATE person SET role = 'wizard' WHERE name = 'Ben'", "audit-row-differs", "unknown-role")]
-    [InlineData("UPDATE person SET password = (SELECT password FROM person WHERE name = 'Anna') WHERE name = 'Ben'", "audit-row-differs", "user-tampered")]
+    [InlineData("UPDATE person SET password = (SELECT password FROM person WHERE name = 'Anna') WHERE name = 'Ben'", "audit-row-differs",
+        "user-tampered")]
     [InlineData("CREATE TRIGGER eve AFTER INSERT ON audit BEGIN SELECT 1; END", "audit-form-differs", null)]
-    public void A_store_that_somebody_else_wrote_to_is_exit_2_the_status_says_so_and_its_users_may_do_nothing(string tampering, string code, string? user)
+    public void A_store_that_somebody_else_wrote_to_is_exit_2_the_status_says_so_and_its_users_may_do_nothing(string tampering,
+        string code, string? user)
     {
         using var cell = CellFolder.WithPeople();
         Execute(cell, tampering);
         Assert.Equal(code, Shell.Error(2, "audit", "verify", cell.Config).Text("code"));
-        Assert.Contains("store-tampered", Shell.Json(3, "errormatch/cell-status/1", "cell", "status", cell.Config).GetProperty("problems").EnumerateArray().Select(p => p.Text("code")));
+        Assert.Contains("store-tampered", Shell.Json(3, "errormatch/cell-status/1", "cell", "status", cell.Config).GetProperty("problems")
+            .EnumerateArray().Select(p => p.Text("code")));
         var text = Shell.Run("cell", "status", cell.Config);
-        Assert.Contains(user is null ? "the trigger eve, which the cell did not make" : "The user Ben", text.Output, StringComparison.Ordinal);
-        Assert.Contains(user is null ? "the trigger eve, which the cell did not make" : "The user Ben", text.Error, StringComparison.Ordinal);
+        Assert.Contains(user is null ? "the trigger eve, which the cell did not make" : "The user Ben", text.Output,
+            StringComparison.Ordinal);
+        Assert.Contains(user is null ? "the trigger eve, which the cell did not make" : "The user Ben", text.Error,
+            StringComparison.Ordinal);
         if (user is null) return;
-        Assert.Equal([null, user], Shell.Json(2, "errormatch/user-list/1", "user", "list", cell.Config).GetProperty("users").EnumerateArray()
+        Assert.Equal([null, user], Shell.Json(2, "errormatch/user-list/1", "user", "list", cell.Config).GetProperty("users")
+            .EnumerateArray()
             .Select(u => u.GetProperty("problem") is { ValueKind: System.Text.Json.JsonValueKind.Object } p ? p.Text("code") : null));
-        var (exit, _, error) = cell.Piped([CellFolder.Annas], "cell", "reject", cell.Config, "1", "--user", "ben", "--reason", "x", "--json");
+        var (exit, _, error) = cell.Piped([CellFolder.Annas], "cell", "reject", cell.Config, "1", "--user", "ben", "--reason", "x",
+            "--json");
         Assert.Equal(2, exit);
         Assert.Contains(user, error, StringComparison.Ordinal);
     }
@@ -68,7 +75,8 @@ public sealed class AuditVerbTests
         using var cell = CellFolder.WithPeople();
         var (exit, csv, error) = Shell.Run("audit", "export", cell.Config);
         Assert.Equal((0, ""), (exit, error));
-        Assert.StartsWith("\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\",\"rows\"\r\n\"1\",\"2", csv, StringComparison.Ordinal);
+        Assert.StartsWith("\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\",\"rows\"\r\n\"1\",\"2", csv,
+            StringComparison.Ordinal);
         Assert.Equal(6, csv.Split("\r\n").Length);
         Assert.Contains("\"Anna\",\"user-added\",\"Ben\",\"as operator\"", csv, StringComparison.Ordinal);
 

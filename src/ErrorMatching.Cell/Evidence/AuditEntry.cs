@@ -21,11 +21,13 @@ public sealed record AuditEntry(long Seq, DateTimeOffset At, string Who, string 
     private const string Form = "errormatch audit 1";
     private const string FormWithRows = "errormatch audit 2";
 
-    /// <summary>The rows of the store that it leaves, one a line: the row's code and its name. Null if it leaves none, and for entries of versions that gave rows no codes.</summary>
+    /// <summary>The rows of the store that it leaves, one a line: the row's code and its name. Null if it leaves none, and for entries of
+    /// versions that gave rows no codes.</summary>
     public string? RowCodes { get; init; }
 
     /// <summary>Makes the entry that follows one whose hash is given.</summary>
-    internal static AuditEntry After(string previous, long seq, DateTimeOffset at, string who, string what, string? subject, string basis, string? rowCodes = null)
+    internal static AuditEntry After(string previous, long seq, DateTimeOffset at, string who, string what, string? subject, string basis,
+        string? rowCodes = null)
     {
         var entry = new AuditEntry(seq, at, who, what, subject, basis, previous, "") { RowCodes = rowCodes };
         return entry with { Hash = entry.HashAs(seq) };
@@ -33,7 +35,8 @@ public sealed record AuditEntry(long Seq, DateTimeOffset At, string Who, string 
 
     /// <summary>
     /// The hash that this entry has to have if its number is <paramref name="seq"/>. What is hashed cannot be read in two ways: the form's name, number and time as 8 bytes each with the highest first,
-    /// then each text as the count of its bytes (4 bytes, the highest first; -1 for none) and these in UTF-8, in the order previous, who, what, subject, basis. An entry that leaves rows has another form's name, and their codes behind the basis.
+    /// then each text as the count of its bytes (4 bytes, the highest first; -1 for none) and these in UTF-8, in the order previous, who,
+    /// what, subject, basis. An entry that leaves rows has another form's name, and their codes behind the basis.
     /// </summary>
     internal string HashAs(long seq)
     {

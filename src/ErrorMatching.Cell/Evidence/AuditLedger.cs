@@ -30,7 +30,8 @@ internal sealed class AuditLedger(byte[]? key)
     private AuditFault? CatchUp(DbConnection connection, DbTransaction transaction)
     {
         var head = AuditRow.Head(connection, transaction, "");
-        foreach (var entry in Cell.Rows.Stream(connection, AuditRow.Select + " WHERE seq > @_seq ORDER BY seq", AuditRow.Read, new { _seq }, transaction))
+        foreach (var entry in Cell.Rows.Stream(connection, AuditRow.Select + " WHERE seq > @_seq ORDER BY seq", AuditRow.Read,
+            new { _seq }, transaction))
         {
             if (entry.Seq != _seq + 1 || entry.Previous != _hash || entry.Hash != entry.HashAs(entry.Seq)) return Broken();
             _replay.Add(entry);
@@ -52,15 +53,19 @@ internal sealed class AuditLedger(byte[]? key)
     {
         var rows = new RecordedRows(connection, transaction, _replay, key);
         var found = Cell.Rows.Query(
-            connection, CorrectionRow.SelectKept + " WHERE id = @Id", r => RecordedRows.Read(r, CorrectionRow.ReadKept, "correction"), new { correction.Id }, transaction);
-        if (found is not [({ } row, _)]) return found is [(_, { } unreadable)] ? unreadable : RecordedRows.Unreadable("correction", CodedRow.Number(correction.Id));
+            connection, CorrectionRow.SelectKept + " WHERE id = @Id", r =>
+                RecordedRows.Read(r, CorrectionRow.ReadKept, "correction"), new { correction.Id }, transaction);
+        if (found is not [({ } row, _)]) return found is [(_, { } unreadable)] ? unreadable
+            : RecordedRows.Unreadable("correction", CodedRow.Number(correction.Id));
         if (rows.OfCorrection(row) is { } fault) return fault;
 
         // What is sent is what is in memory: it was read before, and must be the row.
-        if (CorrectionRow.Coded(correction).Code(key) != row.Code) return new(AuditFaultKind.RowDiffers, 0, Recorded.CorrectionDiffers.With(correction.Id, _seq));
+        if (CorrectionRow.Coded(correction).Code(key) != row.Code) return new(AuditFaultKind.RowDiffers, 0,
+            Recorded.CorrectionDiffers.With(correction.Id, _seq));
         var (machine, name) = (correction.Machine ?? "", correction.Slot ?? "");
         var slot = Cell.Rows.Query(
-            connection, SlotRow.SelectKept + SlotRow.One, r => RecordedRows.Read(r, SlotRow.ReadKept, "slot"), new { Machine = machine, Slot = name }, transaction);
+            connection, SlotRow.SelectKept + SlotRow.One, r =>
+                RecordedRows.Read(r, SlotRow.ReadKept, "slot"), new { Machine = machine, Slot = name }, transaction);
         return slot is [var (held, fault2)] ? fault2 ?? rows.OfSlot(held!) : rows.OfNoSlot(machine, name);
     }
 }

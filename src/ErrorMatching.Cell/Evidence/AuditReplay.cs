@@ -3,8 +3,10 @@ using System.Globalization;
 namespace ErrorMatching.Cell;
 
 /// <summary>
-/// What the entries of an audit trail come to: of each correction how far it went and with which program, who may do what, and the codes of all rows. It finds what must not have happened: a step that is not in the table,
-/// an approval by nobody who may approve, a program that is another one than was computed. Entries are taken as they are; that they are what was written is <see cref="AuditChain"/>'s to prove.
+/// What the entries of an audit trail come to: of each correction how far it went and with which program, who may do what, and the codes of
+/// all rows. It finds what must not have happened: a step that is not in the table,
+/// an approval by nobody who may approve, a program that is another one than was computed. Entries are taken as they are; that they are
+/// what was written is <see cref="AuditChain"/>'s to prove.
 /// </summary>
 internal sealed class AuditReplay
 {
@@ -33,7 +35,8 @@ internal sealed class AuditReplay
     public static AuditReplay? Of(StoreTransaction change)
     {
         var replay = new AuditReplay();
-        return AuditChain.Verify(replay.Added(change.Query(AuditRow.Select + " ORDER BY seq", AuditRow.Read)), change.Head, change.Key) is null ? replay : null;
+        return AuditChain.Verify(replay.Added(change.Query(AuditRow.Select + " ORDER BY seq", AuditRow.Read)), change.Head,
+            change.Key) is null ? replay : null;
     }
 
     /// <summary>Adds entries while they are looked at by somebody else.</summary>
@@ -99,8 +102,7 @@ internal sealed class AuditReplay
         {
             Mark(known, Of(entry, Recorded.ApprovalNotAllowed.With(entry.Seq, id, entry.Who, problem)));
         }
-        else if (to is CorrectionState.Proposed or CorrectionState.Approved or CorrectionState.Uploading or CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted
-            && (program is null || program != known.Program))
+        else if (HasProgram(to) && (program is null || program != known.Program))
         {
             Mark(known, Of(entry, Recorded.OtherProgram.With(entry.Seq, id, program ?? "none", known.Program ?? "none")));
         }
@@ -114,6 +116,9 @@ internal sealed class AuditReplay
         (known.State, known.Seq) = (to, entry.Seq);
         Stepped?.Invoke(entry, id, from, to);
     }
+
+    private static bool HasProgram(CorrectionState state) => state is CorrectionState.Proposed or CorrectionState.Approved
+        or CorrectionState.Uploading or CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted;
 
     // Null if the approval is one: the policy's, a person's who might then, or one from before that goes on when a slot is given back.
     private string? ApprovalProblem(AuditEntry entry, CorrectionState? from)
@@ -142,7 +147,8 @@ internal sealed class AuditReplay
         {
             // Whoever can write the store and has its keys may begin with the people anew; that is told by the entry itself.
             _people.Clear();
-            foreach (var row in _codes.Keys.Where(r => r.StartsWith(Person.RowPrefix, StringComparison.Ordinal) && r != Person.NameOf(key)).ToArray())
+            foreach (var row in _codes.Keys.Where(r => r.StartsWith(Person.RowPrefix, StringComparison.Ordinal) && r != Person.NameOf(key))
+                .ToArray())
             {
                 _codes.Remove(row);
             }
@@ -192,5 +198,6 @@ internal sealed class AuditReplay
         : Recorded.Correction.Read(subject) is [var alone] && Number(alone) is { } other ? (other, null, null)
         : null;
 
-    private static long? Number(string digits) => long.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out var number) ? number : null;
+    private static long? Number(string digits) =>
+        long.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out var number) ? number : null;
 }

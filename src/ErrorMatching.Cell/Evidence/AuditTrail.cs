@@ -25,9 +25,12 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
             var head = AuditRow.Head(connection, transaction, "");
             var count = Count(connection, transaction);
             var meaning = new RecordedMeaning();
-            var fault = AuditChain.Verify(meaning.Replay.Added(Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), "looking at entries", count, progress, cancellation)), head, key);
+            var fault = AuditChain.Verify(meaning.Replay.Added(
+                Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), "looking at entries",
+                count, progress, cancellation)), head, key);
             var seen = Rows.Query(connection, AuditRow.Select + " WHERE seq = @Seq", ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
-            return new AuditFinding(count, head.Hash, fault ?? witness?.Fault(head, seen) ?? meaning.Fault(store.Database, connection, transaction, key), key is not null);
+            return new AuditFinding(count, head.Hash, fault ?? witness?.Fault(head, seen)
+                ?? meaning.Fault(store.Database, connection, transaction, key), key is not null);
         });
         if (finding.Holds && key is not null && finding.Entries > (witness?.Seq ?? 0))
         {
@@ -94,7 +97,16 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         foreach (var e in Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.Read, null, transaction), "writing entries", Count(connection, transaction), progress, cancellation))
         {
             SpreadsheetCsv.Write(
-                writer, e.Seq.ToString(CultureInfo.InvariantCulture), e.At.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss.ffffff'Z'", CultureInfo.InvariantCulture), e.Who, e.What, e.Subject ?? "", e.Basis, e.Previous, e.Hash, e.RowCodes ?? "");
+                writer,
+                e.Seq.ToString(CultureInfo.InvariantCulture),
+                e.At.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss.ffffff'Z'", CultureInfo.InvariantCulture),
+                e.Who,
+                e.What,
+                e.Subject ?? "",
+                e.Basis,
+                e.Previous,
+                e.Hash,
+                e.RowCodes ?? "");
             count++;
         }
 

@@ -23,7 +23,8 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
     /// <summary>False if somebody else wrote the row.</summary>
     public bool IsAsLeft { get; private init; } = true;
 
-    /// <summary>Why the user may do nothing, whatever the role: the row is not the cell's, or the role is none. Null if that is not so.</summary>
+    /// <summary>Why the user may do nothing, whatever the role: the row is not the cell's, or the role is none. Null if that is not
+    /// so.</summary>
     public PeopleException? Problem =>
         Role is null ? new(PeopleError.UnknownRole, Recorded.UserOfNoRole.With(Name, RoleWord))
         : !IsAsLeft ? new(PeopleError.Tampered, Recorded.UserTampered.With(Name))
@@ -31,11 +32,13 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
 
     /// <summary>The user of a name, however its letters are written; null if there is none.</summary>
     public static Person? Find(StoreTransaction transaction, string name) =>
-        transaction.Query(SelectKept + " WHERE name_key = @Key", ReadKept, new { Key = UserName.Key(name) }) is [var row] ? Looked(row, transaction.Key) : null;
+        transaction.Query(SelectKept + " WHERE name_key = @Key", ReadKept, new { Key = UserName.Key(name) }) is [var row]
+            ? Looked(row, transaction.Key) : null;
 
     /// <summary>All users, in the order of their names.</summary>
     public static IReadOnlyList<Person> All(StoreTransaction transaction) =>
-        [.. transaction.Query(SelectKept, ReadKept).Select(r => Looked(r, transaction.Key)).OrderBy(p => UserName.Key(p.Name), StringComparer.Ordinal)];
+        [.. transaction.Query(SelectKept, ReadKept).Select(r => Looked(r, transaction.Key))
+            .OrderBy(p => UserName.Key(p.Name), StringComparer.Ordinal)];
 
     /// <summary>The row with its code.</summary>
     public static KeptRow<Person> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(6));
@@ -43,30 +46,36 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
     /// <summary>The row as it is coded.</summary>
     public static CodedRow Coded(Person p) => new(
         NameOf(UserName.Key(p.Name)),
-        [p.Name, p.RoleWord, p.Password, p.IsDisabled ? "1" : "0", CodedRow.Number(StoredTime.Of(p.AddedAt)), CodedRow.Number(StoredTime.Of(p.PasswordAt))]);
+        [p.Name, p.RoleWord, p.Password, p.IsDisabled ? "1" : "0", CodedRow.Number(StoredTime.Of(p.AddedAt)),
+            CodedRow.Number(StoredTime.Of(p.PasswordAt))]);
 
     /// <summary>The row's name among coded rows.</summary>
     /// <param name="key">The name's key.</param>
     public static string NameOf(string key) => RowPrefix + key;
 
     /// <summary>The user in the role that a word of the audit trail or the store says; null if it says none.</summary>
-    public static Role? RoleOf(string word) => Enum.GetValues<Role>().Where(r => r.ToString().Equals(word, StringComparison.OrdinalIgnoreCase)).Select(r => (Role?)r).FirstOrDefault();
+    public static Role? RoleOf(string word) =>
+        Enum.GetValues<Role>().Where(r => r.ToString().Equals(word, StringComparison.OrdinalIgnoreCase)).Select(r => (Role?)r)
+        .FirstOrDefault();
 
     /// <summary>What the row is to be if somebody else wrote it: as the audit trail says, and with a password that is none.</summary>
     public Person Mended(RecordedPerson recorded, string nobodys) =>
-        this with { Name = recorded.Name, Role = recorded.Role, RoleWord = recorded.Role.ToString(), IsDisabled = recorded.IsDisabled, Password = nobodys, IsAsLeft = true };
+        this with { Name = recorded.Name, Role = recorded.Role, RoleWord = recorded.Role.ToString(), IsDisabled = recorded.IsDisabled,
+            Password = nobodys, IsAsLeft = true };
 
     /// <summary>The user with another role.</summary>
     public Person As(Role role) => this with { Role = role, RoleWord = role.ToString() };
 
     /// <summary>Keeps a new user. The audit entry that follows names the row's code.</summary>
     public void Insert(StoreTransaction transaction) => transaction.Execute(
-        "INSERT INTO person (name_key, name, role, password, is_disabled, added_at, password_at, row_code) VALUES (@Key, @Name, @Role, @Password, @IsDisabled, @AddedAt, @PasswordAt, @Code)",
+        "INSERT INTO person (name_key, name, role, password, is_disabled, added_at, password_at, row_code) VALUES (@Key, @Name, @Role, "
+            + "@Password, @IsDisabled, @AddedAt, @PasswordAt, @Code)",
         Columns(transaction));
 
     /// <summary>Keeps what changed of a user. The audit entry that follows names the row's code.</summary>
     public void Update(StoreTransaction transaction) => transaction.Execute(
-        "UPDATE person SET name = @Name, role = @Role, password = @Password, is_disabled = @IsDisabled, password_at = @PasswordAt, row_code = @Code WHERE name_key = @Key",
+        "UPDATE person SET name = @Name, role = @Role, password = @Password, is_disabled = @IsDisabled, password_at = @PasswordAt, "
+            + "row_code = @Code WHERE name_key = @Key",
         Columns(transaction));
 
     private object Columns(StoreTransaction transaction) => new
@@ -85,7 +94,8 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
     public static Person Looked(KeptRow<Person> row, byte[]? key) => row.Value with { IsAsLeft = row.Holds(key) };
 
     private static Person Read(DbDataReader row) => new(
-        row.GetString(0), Enum.GetValues<Role>().Where(r => r.ToString() == row.GetString(1)).Select(r => (Role?)r).FirstOrDefault(), row.GetString(2), row.GetInt32(3) != 0,
+        row.GetString(0), Enum.GetValues<Role>().Where(r => r.ToString() == row.GetString(1)).Select(r => (Role?)r).FirstOrDefault(),
+            row.GetString(2), row.GetInt32(3) != 0,
         StoredTime.From(row.GetInt64(4)), StoredTime.From(row.GetInt64(5)))
     {
         RoleWord = row.GetString(1),

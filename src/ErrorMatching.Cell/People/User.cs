@@ -11,7 +11,8 @@ public sealed record User(string Name, Role Role, bool IsDisabled, DateTimeOffse
     /// <summary>The role as the store has it.</summary>
     public string RoleWord { get; init; } = Role.ToString().ToLowerInvariant();
 
-    /// <summary>Why the user may do nothing, whatever the role says: somebody else wrote to the row, or there is no such role. Null if that is not so.</summary>
+    /// <summary>Why the user may do nothing, whatever the role says: somebody else wrote to the row, or there is no such role. Null if that
+    /// is not so.</summary>
     public (PeopleError Error, string Message)? Problem { get; init; }
 
     /// <summary>Failed sign-ins since the last one that succeeded.</summary>

@@ -66,7 +66,8 @@ public sealed class UserBook
 
     /// <summary>Gives a user another role.</summary>
     /// <exception cref="PeopleException">There is no such user, it is the last administrator, or <paramref name="by"/> may not do that.</exception>
-    public User SetRole(SignedIn by, string name, Role role) => Change(by, name, "role-set", Recorded.ToRole.With(Word(role)), p => p.As(role));
+    public User SetRole(SignedIn by, string name, Role role) =>
+        Change(by, name, "role-set", Recorded.ToRole.With(Word(role)), p => p.As(role));
 
     /// <summary>Sets a password: one's own, or as an administrator anybody's, who is unlocked with it.</summary>
     /// <exception cref="PeopleException">There is no such user, the password is too weak, or <paramref name="by"/> may not do that.</exception>
@@ -222,7 +223,8 @@ public sealed class UserBook
         if (person.Problem is { } problem) throw problem;
         if (person.Role is not { } role || !Rights.Allows(role, act))
         {
-            throw new PeopleException(PeopleError.NotAllowed, $"{person.Name} is {person.RoleWord.ToLowerInvariant()}, and this takes {Word(Rights.LeastFor(act))}.");
+            throw new PeopleException(PeopleError.NotAllowed, $"{person.Name} is {person.RoleWord.ToLowerInvariant()}, and this takes "
+                + $"{Word(Rights.LeastFor(act))}.");
         }
 
         if (Rights.IsSigned(act))
@@ -231,11 +233,14 @@ public sealed class UserBook
         }
     }
 
-    // Nothing of a row that somebody else wrote is taken over: what is not set now is as the audit trail says, and the password is to be set.
+    // Nothing of a row that somebody else wrote is taken over: what is not set now is as the audit trail says, and the password is to be
+    // set.
     private Person Mended(StoreTransaction t, Person person) =>
-        AuditReplay.Of(t)?.People.GetValueOrDefault(UserName.Key(person.Name)) is { } recorded ? person.Mended(recorded, Hashes.Nobodys) : throw new PeopleException(
+        AuditReplay.Of(t)?.People.GetValueOrDefault(UserName.Key(person.Name)) is { } recorded ? person.Mended(recorded, Hashes.Nobodys)
+            : throw new PeopleException(
             PeopleError.Tampered,
-            $"The audit trail is not whole, or does not say that {person.Name} was ever added: nobody knows who this user is. See errormatch audit verify; then restore a backup.");
+            $"The audit trail is not whole, or does not say that {person.Name} was ever added: nobody knows who this user is. See "
+                + "errormatch audit verify; then restore a backup.");
 
     private void DemandSigned(SignedIn who)
     {

@@ -74,7 +74,8 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
         return now;
     }
 
-    /// <summary>Makes sure that a correction may go to its machine by all that is recorded; what stands against it is put on record once.</summary>
+    /// <summary>Makes sure that a correction may go to its machine by all that is recorded; what stands against it is put on record
+    /// once.</summary>
     /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if it may not.</exception>
     public void DemandRecorded(Correction correction)
     {
@@ -130,7 +131,8 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
     }
 
     private void Fail(Correction correction, string code, string reason) =>
-        Step(correction, CorrectionState.Failed, reason, c => c with { Code = code, Reason = reason, Identity = null, ProgramSha256 = null });
+        Step(correction, CorrectionState.Failed, reason, c =>
+            c with { Code = code, Reason = reason, Identity = null, ProgramSha256 = null });
 
     /// <summary>Wakes whom a correction's state concerns.</summary>
     public void Tell(Correction correction)

@@ -44,7 +44,8 @@ internal sealed class ProposeWorker(CellFlow flow)
             }
             catch (StoreException e) when (e.Error == StoreError.Tampered)
             {
-                flow.Step(computed, CorrectionState.Refused, e.Message, c => c with { Code = CellCodes.Of(e.Error), Reason = e.Message, Identity = null });
+                flow.Step(computed, CorrectionState.Refused, e.Message, c =>
+                    c with { Code = CellCodes.Of(e.Error), Reason = e.Message, Identity = null });
             }
         }
 

@@ -124,5 +124,6 @@ internal sealed class RecognizeWorker(CellFlow flow)
     private static string AlreadyKnown(Correction other) => Recorded.AlreadyKnown.With(other.Id, other.FileName, other.State.ToString().ToLowerInvariant());
 
     private void Refuse(Correction archived, Correction known, string code, string reason) =>
-        flow.Step(archived, CorrectionState.Refused, reason, _ => known with { Code = code, Reason = reason, BaseSha256 = null, PartSha256 = null, SumsSha256 = null });
+        flow.Step(archived, CorrectionState.Refused, reason, _ =>
+            known with { Code = code, Reason = reason, BaseSha256 = null, PartSha256 = null, SumsSha256 = null });
 }

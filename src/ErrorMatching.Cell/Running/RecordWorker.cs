@@ -1,6 +1,7 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Looks every few seconds whether somebody else wrote to the store: to users, slots, corrections that are not at their end, or the form of the database.</summary>
+/// <summary>Looks every few seconds whether somebody else wrote to the store: to users, slots, corrections that are not at their end, or
+/// the form of the database.</summary>
 internal sealed class RecordWorker(CellFlow flow)
 {
     private const string Where = "record";
@@ -15,7 +16,8 @@ internal sealed class RecordWorker(CellFlow flow)
         {
             flow.Troubles.End(Where);
         }
-        else if (flow.Troubles.Begin(Where, CellCodes.Of(StoreError.Tampered), found.Count == 1 ? first : first + " " + Recorded.AndMore.With(found.Count - 1)))
+        else if (flow.Troubles.Begin(Where, CellCodes.Of(StoreError.Tampered), found.Count == 1 ? first : first + " "
+            + Recorded.AndMore.With(found.Count - 1)))
         {
             flow.Log.Error("{Where}: {Message}", Where, string.Join(" ", found));
             foreach (var message in found) flow.SayTampered(null, message);

@@ -53,7 +53,11 @@ public sealed partial class CellStore
             });
             DemandKept(transaction, correction, ended);
             var code = transaction.CodeOf(CorrectionRow.Coded(ended));
-            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(ended, correction.State, code)) != 1) throw Conflict(transaction, correction, CorrectionState.Superseded);
+            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(ended, correction.State, code)) != 1)
+            {
+                throw Conflict(transaction, correction, CorrectionState.Superseded);
+            }
+
             Note(transaction, ended, correction.State, by, reason is null ? basis : $"{basis} {reason}");
             return given;
         });

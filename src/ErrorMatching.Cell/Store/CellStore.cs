@@ -42,7 +42,8 @@ public sealed partial class CellStore : IDisposable
         return new CellStore(database, clock, auditKey);
     }
 
-    /// <summary>Opens a store that is there, to look at it: also one that cannot be written, as on a disk that the system has mounted read-only. Where it can be written, one of an earlier version is taken to the present form.</summary>
+    /// <summary>Opens a store that is there, to look at it: also one that cannot be written, as on a disk that the system has mounted
+    /// read-only. Where it can be written, one of an earlier version is taken to the present form.</summary>
     /// <param name="settings">Where it is.</param>
     /// <param name="clock">Says the time of each change.</param>
     /// <param name="auditKey">The key that seals the audit trail; null if it is not there.</param>
@@ -175,7 +176,12 @@ public sealed partial class CellStore : IDisposable
             }
 
             DemandKept(transaction, from, after);
-            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(after, from.State, transaction.CodeOf(CorrectionRow.Coded(after)))) != 1) throw Conflict(transaction, from, to);
+            var code = transaction.CodeOf(CorrectionRow.Coded(after));
+            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(after, from.State, code)) != 1)
+            {
+                throw Conflict(transaction, from, to);
+            }
+
             SlotRow.Follow(transaction, from.State, after);
             Note(transaction, after, from.State, by, basis);
             return after;
@@ -322,7 +328,8 @@ public sealed partial class CellStore : IDisposable
             arrived.MeasuredAs,
         });
         arrived = arrived with { Id = id };
-        if (transaction.CodeOf(CorrectionRow.Coded(arrived)) is { } code) transaction.Execute("UPDATE correction SET row_code = @code WHERE id = @id", new { code, id });
+        if (transaction.CodeOf(CorrectionRow.Coded(arrived)) is { } code) transaction.Execute(
+            "UPDATE correction SET row_code = @code WHERE id = @id", new { code, id });
         Note(transaction, arrived, null, by, basis ?? arrived.Reason ?? Recorded.Arrived.With(arrived.Gauge, arrived.FileName));
         return arrived;
     }

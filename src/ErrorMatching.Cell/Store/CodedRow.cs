@@ -5,7 +5,8 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A row that carries a code: HMAC-SHA-256 by the key of the audit trail over which row it is and everything in it. Who writes to the store without the key cannot make one.</summary>
+/// <summary>A row that carries a code: HMAC-SHA-256 by the key of the audit trail over which row it is and everything in it. Who writes to
+/// the store without the key cannot make one.</summary>
 /// <param name="Name">Which row, such as <c>correction 5</c>; no other row of the store has this name, which is one line.</param>
 /// <param name="Values">What is in it.</param>
 internal sealed record CodedRow(string Name, IReadOnlyList<string?> Values)
@@ -13,7 +14,8 @@ internal sealed record CodedRow(string Name, IReadOnlyList<string?> Values)
     private const string Form = "errormatch row 1";
     private const int CodeLength = 64;
 
-    /// <summary>The code, as 64 lower-case hexadecimal digits. What is hashed cannot be read in two ways: the form's name, then name and values, each as the count of its bytes (4 bytes, the highest first; -1 for none) and these in UTF-8.</summary>
+    /// <summary>The code, as 64 lower-case hexadecimal digits. What is hashed cannot be read in two ways: the form's name, then name and
+    /// values, each as the count of its bytes (4 bytes, the highest first; -1 for none) and these in UTF-8.</summary>
     public string Code(ReadOnlySpan<byte> key)
     {
         using var hash = IncrementalHash.CreateHMAC(HashAlgorithmName.SHA256, key);
@@ -44,5 +46,6 @@ internal sealed record CodedRow(string Name, IReadOnlyList<string?> Values)
 
     /// <summary>Reads what <see cref="Lines"/> wrote; a line that is none is left out.</summary>
     public static IEnumerable<(string Name, string Code)> Read(string lines) =>
-        lines.Split('\n').Where(l => l.Length > CodeLength + 1 && l[CodeLength] == ' ').Select(l => (l[(CodeLength + 1)..], l[..CodeLength]));
+        lines.Split('\n').Where(l => l.Length > CodeLength + 1 && l[CodeLength] == ' ')
+            .Select(l => (l[(CodeLength + 1)..], l[..CodeLength]));
 }

@@ -17,7 +17,9 @@ internal static class CorrectionRow
     public const string Update =
         "UPDATE correction SET state = @State, version = @Version, changed_at = @ChangedAt, job = @Job, piece = @Piece, serial = @Serial, work_order = @WorkOrder, identity = @Identity, "
         + "job_sha256 = @JobSha256, base_sha256 = @BaseSha256, machine = @Machine, slot = @Slot, program = @Program, program_sha256 = @ProgramSha256, report_sha256 = @ReportSha256, "
-        + "page_sha256 = @PageSha256, largest_mm = @LargestMm, sum_mm = @SumMm, previous_sha256 = @PreviousSha256, code = @Code, reason = @Reason, trace = @Trace, part_sha256 = @PartSha256, sums_sha256 = @SumsSha256, job_work_order = @JobWorkOrder, row_code = @RowCode "
+        + "page_sha256 = @PageSha256, largest_mm = @LargestMm, sum_mm = @SumMm, previous_sha256 = @PreviousSha256, code = @Code, "
+        + "reason = @Reason, trace = @Trace, part_sha256 = @PartSha256, sums_sha256 = @SumsSha256, job_work_order = @JobWorkOrder, "
+        + "row_code = @RowCode "
         + "WHERE id = @Id AND version = @Version - 1 AND state = @From";
 
     public const string Insert =
@@ -114,9 +116,12 @@ internal static class CorrectionRow
     /// <summary>The row as it is coded.</summary>
     public static CodedRow Coded(Correction c) => new(NameOf(c.Id),
     [
-        Word(c.State), CodedRow.Number(c.Version), c.Gauge, c.FileName, CodedRow.Number(StoredTime.Of(c.ArrivedAt)), CodedRow.Number(StoredTime.Of(c.ChangedAt)),
-        c.MeasurementSha256, CodedRow.Number(c.MeasurementBytes), c.Job, c.Piece, c.Serial, c.WorkOrder, c.Identity, c.JobSha256, c.BaseSha256, c.Machine, c.Slot, c.Program,
-        c.ProgramSha256, c.ReportSha256, c.PageSha256, CodedRow.Number(c.LargestMm), CodedRow.Number(c.SumMm), c.PreviousSha256, c.Code, c.Reason, c.Trace, c.PartSha256, c.SumsSha256,
+        Word(c.State), CodedRow.Number(c.Version), c.Gauge, c.FileName, CodedRow.Number(StoredTime.Of(c.ArrivedAt)),
+            CodedRow.Number(StoredTime.Of(c.ChangedAt)),
+        c.MeasurementSha256, CodedRow.Number(c.MeasurementBytes), c.Job, c.Piece, c.Serial, c.WorkOrder, c.Identity, c.JobSha256,
+            c.BaseSha256, c.Machine, c.Slot, c.Program,
+        c.ProgramSha256, c.ReportSha256, c.PageSha256, CodedRow.Number(c.LargestMm), CodedRow.Number(c.SumMm), c.PreviousSha256, c.Code,
+            c.Reason, c.Trace, c.PartSha256, c.SumsSha256,
         c.JobWorkOrder, CodedRow.Number(c.MeasuredAs),
     ]);
 

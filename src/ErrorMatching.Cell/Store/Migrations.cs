@@ -9,7 +9,8 @@ namespace ErrorMatching.Cell;
 /// <summary>The numbered steps from an empty database to the present one: the embedded files <c>NNNN_name.sql</c>. Each is one transaction with its number.</summary>
 internal static partial class Migrations
 {
-    private const string OwnTable = "CREATE TABLE IF NOT EXISTS migration (number BIGINT NOT NULL PRIMARY KEY, name TEXT NOT NULL, at BIGINT NOT NULL)";
+    private const string OwnTable = "CREATE TABLE IF NOT EXISTS migration (number BIGINT NOT NULL PRIMARY KEY, name TEXT NOT NULL, at "
+        + "BIGINT NOT NULL)";
 
     /// <summary>All of them, in order.</summary>
     public static IReadOnlyList<Migration> All { get; } = ReadAll();

@@ -42,8 +42,9 @@ internal sealed class PostgresDatabase : CellDatabase
         "blob" => "BYTEA",
         "identity" => "BIGINT GENERATED ALWAYS AS IDENTITY PRIMARY KEY",
         "append_only" => $"""
-            CREATE FUNCTION {Keeper(argument)}() RETURNS trigger LANGUAGE plpgsql AS '{KeeperBody(argument).Replace("'", "''", StringComparison.Ordinal)}';
-            CREATE TRIGGER {argument}_change BEFORE UPDATE OR DELETE OR TRUNCATE ON {argument} FOR EACH STATEMENT EXECUTE FUNCTION {Keeper(argument)}();
+            CREATE FUNCTION {Keeper(argument)}() RETURNS trigger LANGUAGE plpgsql AS $${KeeperBody(argument)}$$;
+            CREATE TRIGGER {argument}_change BEFORE UPDATE OR DELETE OR TRUNCATE ON {argument}
+                FOR EACH STATEMENT EXECUTE FUNCTION {Keeper(argument)}();
             """,
         _ => throw new ArgumentOutOfRangeException(nameof(token), token, "No such token of migrations."),
     };
@@ -55,7 +56,8 @@ internal sealed class PostgresDatabase : CellDatabase
     internal static string KeeperBody(string table) => $"BEGIN RAISE EXCEPTION '{table} is append-only'; END";
 
     /// <inheritdoc/>
-    public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) => DatabaseForm.FaultOnServer(connection, transaction);
+    public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) =>
+        DatabaseForm.FaultOnServer(connection, transaction);
 
     /// <inheritdoc/>
     public override void Inspect() => Read(connection =>

@@ -28,11 +28,13 @@ internal static class SlotRow
 
     /// <summary>The row as it is coded.</summary>
     public static CodedRow Coded(SlotHolding slot) => new(
-        NameOf(slot.Machine, slot.Slot), [slot.Machine, slot.Slot, CodedRow.Number(slot.Correction), slot.ProgramSha256, slot.PreviousSha256]);
+        NameOf(slot.Machine, slot.Slot), [slot.Machine, slot.Slot, CodedRow.Number(slot.Correction), slot.ProgramSha256,
+            slot.PreviousSha256]);
 
     /// <summary>The row's name among coded rows.</summary>
     public static string NameOf(string machine, string slot) =>
-        string.Create(CultureInfo.InvariantCulture, $"slot {machine.Length} {machine.ReplaceLineEndings(" ")} {slot.ReplaceLineEndings(" ")}");
+        string.Create(CultureInfo.InvariantCulture, $"slot {machine.Length} {machine.ReplaceLineEndings(" ")} "
+            + $"{slot.ReplaceLineEndings(" ")}");
 
     /// <summary>The row with its code.</summary>
     public static KeptRow<SlotHolding> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(5));
@@ -41,14 +43,16 @@ internal static class SlotRow
     public static void Code(StoreTransaction transaction, string machine, string slot)
     {
         var row = transaction.Key is null ? null : transaction.First(SelectKept + One, ReadKept, new { Machine = machine, Slot = slot });
-        transaction.Execute("UPDATE slot SET row_code = @Code" + One, new { Machine = machine, Slot = slot, Code = row is null ? null : transaction.CodeOf(row.Coded) });
+        transaction.Execute("UPDATE slot SET row_code = @Code" + One,
+            new { Machine = machine, Slot = slot, Code = row is null ? null : transaction.CodeOf(row.Coded) });
     }
 
     /// <summary>Makes sure that a slot's row is as it was written, before it is changed.</summary>
     /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/>.</exception>
     public static void Demand(StoreTransaction transaction, string machine, string slot)
     {
-        if (transaction.Key is not null && transaction.First(SelectKept + One, ReadKept, new { Machine = machine, Slot = slot }) is { } row && !row.Holds(transaction.Key))
+        if (transaction.Key is not null && transaction.First(SelectKept + One, ReadKept, new { Machine = machine, Slot = slot }) is { } row
+            && !row.Holds(transaction.Key))
         {
             throw Tampered(row);
         }

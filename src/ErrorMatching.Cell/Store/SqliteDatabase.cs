@@ -52,7 +52,8 @@ internal sealed class SqliteDatabase : CellDatabase
     public override string Word(string token, string argument) => WordOf(token, argument);
 
     /// <inheritdoc/>
-    public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) => DatabaseForm.FaultOfFile(connection, transaction);
+    public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) =>
+        DatabaseForm.FaultOfFile(connection, transaction);
 
     /// <summary>SQLite's words for the tokens of a migration.</summary>
     internal static string WordOf(string token, string argument) => token switch
@@ -235,19 +236,23 @@ internal sealed class SqliteDatabase : CellDatabase
         throw new StoreException(StoreError.Away, $"The store {_file} is gone. Nothing was changed. Bring its disk back, or restore the latest backup; whoever has it open goes on by themselves.");
     }
 
-    private SqliteConnection Connect() => _readOnly is not null ? ConnectToRead() : Prepared(new SqliteConnection(ConnectionString(_file)), connection =>
+    private SqliteConnection Connect() => _readOnly is not null ? ConnectToRead()
+        : Prepared(new SqliteConnection(ConnectionString(_file)), connection =>
     {
         connection.Open();
         connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA busy_timeout = {(long)Patience.TotalMilliseconds}"));
         connection.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     });
 
-    // In a folder that nobody can write SQLite finds no room for its index of the log. Where there is no log and no index, nobody writes, and the file is all there is. Source: sqlite.org/wal.html, read-only databases.
+    // In a folder that nobody can write SQLite finds no room for its index of the log. Where there is no log and no index, nobody writes,
+    // and the file is all there is. Source: sqlite.org/wal.html, read-only databases.
     private SqliteConnection ConnectToRead()
     {
         var isAlone = !File.Exists(_file + "-shm") && (new FileInfo(_file + "-wal") is { Exists: false } or { Length: 0 });
         var source = isAlone ? new Uri(Path.GetFullPath(_file)).AbsoluteUri + "?immutable=1" : _file;
-        return Prepared(new SqliteConnection(new SqliteConnectionStringBuilder { DataSource = source, Mode = SqliteOpenMode.ReadOnly, Pooling = false }.ConnectionString), connection => connection.Open());
+        return Prepared(new SqliteConnection(
+            new SqliteConnectionStringBuilder { DataSource = source, Mode = SqliteOpenMode.ReadOnly, Pooling = false }.ConnectionString),
+            connection => connection.Open());
     }
 
     // A store has hashes of passwords: whoever else may read it is its owner's decision, not the umask's. Its log follows it.
@@ -310,12 +315,14 @@ internal sealed class SqliteDatabase : CellDatabase
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            _readOnly = new StoreException(StoreError.ReadOnly, $"The folder of the store {_file} cannot be written: {failure.Message} Make the disk and the folder writable for the user that runs the cell.", failure);
+            _readOnly = new StoreException(StoreError.ReadOnly, $"The folder of the store {_file} cannot be written: {failure.Message} "
+                + $"Make the disk and the folder writable for the user that runs the cell.", failure);
         }
 
         if (_readOnly is null && Read(connection => SQLitePCL.raw.sqlite3_db_readonly(((SqliteConnection)connection).Handle, "main")) == 1)
         {
-            _readOnly = new StoreException(StoreError.ReadOnly, $"The store {_file} cannot be written. Make the file writable for the user that runs the cell.");
+            _readOnly = new StoreException(StoreError.ReadOnly, $"The store {_file} cannot be written. Make the file writable for the "
+                + $"user that runs the cell.");
         }
 
         if (_readOnly is not null && !toRead) throw _readOnly;

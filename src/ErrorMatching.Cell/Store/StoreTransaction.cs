@@ -95,8 +95,10 @@ internal sealed class StoreTransaction
         // The first entry of a store is written when its form knows no codes of rows yet.
         var (column, value) = entry.RowCodes is null ? ("", "") : (", row_codes", ", @RowCodes");
         Execute(
-            $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash{column}) VALUES (@Seq, @At, @Who, @What, @Subject, @Basis, @Previous, @Hash{value})",
-            new { entry.Seq, At = StoredTime.Of(Now), entry.Who, entry.What, entry.Subject, entry.Basis, entry.Previous, entry.Hash, entry.RowCodes });
+            $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash{column}) VALUES (@Seq, @At, @Who, @What, @Subject, "
+                + $"@Basis, @Previous, @Hash{value})",
+            new { entry.Seq, At = StoredTime.Of(Now), entry.Who, entry.What, entry.Subject, entry.Basis, entry.Previous, entry.Hash,
+                entry.RowCodes });
         _head = _head.With(entry, _auditKey, begins: what == "created" && _head.Seq == 0);
     }
 }

@@ -92,7 +92,8 @@ internal static class FailureOfCell
     // What was typed can be typed better; what is refused stays refused until somebody else does something.
     private static ExitCode ExitOf(PeopleError error) => error switch
     {
-        PeopleError.LockedOut or PeopleError.UserDisabled or PeopleError.UnknownRole or PeopleError.Tampered or PeopleError.NotAllowed or PeopleError.NotSigned or PeopleError.LastAdministrator or PeopleError.SecretUnreadable => ExitCode.Refused,
+        PeopleError.LockedOut or PeopleError.UserDisabled or PeopleError.UnknownRole or PeopleError.Tampered or PeopleError.NotAllowed
+            or PeopleError.NotSigned or PeopleError.LastAdministrator or PeopleError.SecretUnreadable => ExitCode.Refused,
         PeopleError.KeysUnusable => ExitCode.Outside,
         _ => ExitCode.WrongInput,
     };

@@ -258,7 +258,8 @@ public sealed class AuditTrailTests : PeopleTest
         var lines = csv.ToString().Split("\"\r\n\"");
         Assert.Equal("\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash", lines[0]);
         var second = Store.AuditEntries(1, 1)[0];
-        Assert.Equal($"2\",\"2026-03-01T06:00:01.000000Z\",\"anna\",\"noted\",\"correction 2\",\"looks right 2\",\"{second.Previous}\",\"{second.Hash}\",\"", lines[2]);
+        Assert.Equal($"2\",\"2026-03-01T06:00:01.000000Z\",\"anna\",\"noted\",\"correction 2\",\"looks right "
+            + $"2\",\"{second.Previous}\",\"{second.Hash}\",\"", lines[2]);
         Assert.Contains("\"'=cmd|' /C calc'!A0\",\"'@SUM(A1)\",\"'\t'=1\",\"'-1;'=1\r\n'+1 \"\"ok\"\"\"", csv.ToString(), StringComparison.Ordinal);
     }
 
@@ -292,7 +293,8 @@ public sealed class AuditTrailTests : PeopleTest
     }
 
     private AuditEntry Forged(long seq, string who) =>
-        AuditEntry.After(seq == 1 ? AuditEntry.NoHash : Store.AuditEntries(seq - 2, 1)[0].Hash, seq, Clock.Now, who, "noted", "correction 99", "forged");
+        AuditEntry.After(seq == 1 ? AuditEntry.NoHash : Store.AuditEntries(seq - 2, 1)[0].Hash, seq, Clock.Now, who, "noted",
+            "correction 99", "forged");
 
     private static string Rewritten(long from) => $"UPDATE audit SET who = 'eve' WHERE seq >= {from}";
 

@@ -5,7 +5,8 @@ using Dapper;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>What somebody can do to the rows of a store who can write its file and does not have the keys: none of it is sent, and all of it is found.</summary>
+/// <summary>What somebody can do to the rows of a store who can write its file and does not have the keys: none of it is sent, and all of
+/// it is found.</summary>
 public sealed class TamperedStoreTests : PeopleTest
 {
     private const string Own = "G0 Z-500";
@@ -23,7 +24,8 @@ public sealed class TamperedStoreTests : PeopleTest
         }
 
         Users.Disable(Anna(), "Max");
-        _atMachine = Step(Step(Step(Proposed("one"), CorrectionState.Approved, "Sam", "seen"), CorrectionState.Uploading), CorrectionState.Verified);
+        _atMachine = Step(Step(Step(Proposed("one"), CorrectionState.Approved, "Sam", "seen"), CorrectionState.Uploading),
+            CorrectionState.Verified);
         _proposed = Proposed("two");
         _approved = Step(Proposed("three"), CorrectionState.Approved, "cell", Recorded.PolicyWithin.With(0.05));
         _rejected = Step(Step(Proposed("four"), CorrectionState.Approved, "Sam", "seen"), CorrectionState.Rejected, "Ben", "dirty");
@@ -47,39 +49,61 @@ public sealed class TamperedStoreTests : PeopleTest
         Assert.Empty(Store.Tampered());
     }
 
-    // Each is one statement on the command line of SQLite. The number is of the correction that it is about; quick: a look at the status finds it, without going through the trail.
+    // Each is one statement on the command line of SQLite. The number is of the correction that it is about; quick: a look at the status
+    // finds it, without going through the trail.
     [Theory]
-    [InlineData("UPDATE correction SET state = 'approved', version = version + 1 WHERE id = 2", 2, AuditFaultKind.RowDiffers, "Correction 2 is approved in the store; entry 21 of the audit trail left it proposed.", true)]
-    [InlineData("UPDATE correction SET program_sha256 = @own WHERE id = 3", 3, AuditFaultKind.RowDiffers, "Correction 3 has the program @own in the store; by entry", true)]
-    [InlineData("UPDATE correction SET slot = '2', program = 'O9.nc' WHERE id = 3", 3, AuditFaultKind.RowDiffers, "The row of correction 3 is not the one that entry", true)]
-    [InlineData("UPDATE correction SET previous_sha256 = @own WHERE id = 1", 1, AuditFaultKind.RowDiffers, "The row of correction 1 is not the one that entry", true)]
-    [InlineData("UPDATE correction SET measurement_sha256 = @own WHERE id = 3", 3, AuditFaultKind.RowDiffers, "Correction 3 has the file @own", true)]
+    [InlineData("UPDATE correction SET state = 'approved', version = version + 1 WHERE id = 2", 2, AuditFaultKind.RowDiffers,
+        "Correction 2 is approved in the store; entry 21 of the audit trail left it proposed.", true)]
+    [InlineData("UPDATE correction SET program_sha256 = @own WHERE id = 3", 3, AuditFaultKind.RowDiffers,
+        "Correction 3 has the program @own in the store; by entry", true)]
+    [InlineData("UPDATE correction SET slot = '2', program = 'O9.nc' WHERE id = 3", 3, AuditFaultKind.RowDiffers,
+        "The row of correction 3 is not the one that entry", true)]
+    [InlineData("UPDATE correction SET previous_sha256 = @own WHERE id = 1", 1, AuditFaultKind.RowDiffers,
+        "The row of correction 1 is not the one that entry", true)]
+    [InlineData("UPDATE correction SET measurement_sha256 = @own WHERE id = 3", 3, AuditFaultKind.RowDiffers,
+        "Correction 3 has the file @own", true)]
     [InlineData("UPDATE correction SET row_code = NULL WHERE id = 3", 3, AuditFaultKind.RowDiffers, "The row of correction 3", true)]
-    [InlineData("UPDATE correction SET version = 'six' WHERE id = 3", 3, AuditFaultKind.RowDiffers, "The row of correction 3 is not the one that entry", true)]
-    [InlineData("UPDATE correction SET state = 'sent' WHERE id = 2", 2, AuditFaultKind.RowDiffers, "The row of correction 2 cannot be read", false)]
-    [InlineData("DELETE FROM step WHERE correction = 4; DELETE FROM correction WHERE id = 4", 4, AuditFaultKind.RowDiffers, "Correction 4 is not in the store any more", false)]
-    [InlineData("INSERT INTO correction (state, version, arrival, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes) "
-        + "VALUES ('approved', 1, 'x', 'g', 'f', 0, 0, @own, 8)", 5, AuditFaultKind.RowDiffers, "Correction 5 (approved) is in the store, and no entry", true)]
+    [InlineData("UPDATE correction SET version = 'six' WHERE id = 3", 3, AuditFaultKind.RowDiffers,
+        "The row of correction 3 is not the one that entry", true)]
+    [InlineData("UPDATE correction SET state = 'sent' WHERE id = 2", 2, AuditFaultKind.RowDiffers,
+        "The row of correction 2 cannot be read", false)]
+    [InlineData("DELETE FROM step WHERE correction = 4; DELETE FROM correction WHERE id = 4", 4, AuditFaultKind.RowDiffers,
+        "Correction 4 is not in the store any more", false)]
+    [InlineData("INSERT INTO correction (state, version, arrival, gauge, file_name, arrived_at, changed_at, measurement_sha256, "
+        + "measurement_bytes) "
+        + "VALUES ('approved', 1, 'x', 'g', 'f', 0, 0, @own, 8)", 5, AuditFaultKind.RowDiffers,
+            "Correction 5 (approved) is in the store, and no entry", true)]
     [InlineData("UPDATE slot SET correction = NULL", 3, AuditFaultKind.RowDiffers, "Slot 1 of mill is not held by correction 1", true)]
     [InlineData("UPDATE slot SET correction = 3", 3, AuditFaultKind.RowDiffers, "Slot 1 of mill is not held by correction 1", true)]
-    [InlineData("UPDATE slot SET previous_sha256 = @own", 3, AuditFaultKind.RowDiffers, "The row of slot 1 of mill is not the one that entry", true)]
+    [InlineData("UPDATE slot SET previous_sha256 = @own", 3, AuditFaultKind.RowDiffers,
+        "The row of slot 1 of mill is not the one that entry", true)]
     [InlineData("DELETE FROM slot", 3, AuditFaultKind.RowDiffers, "Slot 1 of mill is not held by correction 1", false)]
-    [InlineData("UPDATE person SET role = 'Administrator' WHERE name = 'Ben'", 0, AuditFaultKind.RowDiffers, "The user Ben is Administrator in the store; by entry 4 of the audit trail it is operator.", true)]
-    [InlineData("UPDATE person SET role = 'Wizard' WHERE name = 'Ben'", 0, AuditFaultKind.RowDiffers, "The user Ben is Wizard in the store", true)]
-    [InlineData("UPDATE person SET is_disabled = 0 WHERE name = 'Max'", 0, AuditFaultKind.RowDiffers, "The user Max is enabled in the store", true)]
-    [InlineData("UPDATE person SET password = (SELECT password FROM person WHERE name = 'Ben') WHERE name = 'Sam'", 0, AuditFaultKind.RowDiffers, "The row of the user Sam is not the one that entry", true)]
+    [InlineData("UPDATE person SET role = 'Administrator' WHERE name = 'Ben'", 0, AuditFaultKind.RowDiffers,
+        "The user Ben is Administrator in the store; by entry 4 of the audit trail it is operator.", true)]
+    [InlineData("UPDATE person SET role = 'Wizard' WHERE name = 'Ben'", 0, AuditFaultKind.RowDiffers,
+        "The user Ben is Wizard in the store", true)]
+    [InlineData("UPDATE person SET is_disabled = 0 WHERE name = 'Max'", 0, AuditFaultKind.RowDiffers,
+        "The user Max is enabled in the store", true)]
+    [InlineData("UPDATE person SET password = (SELECT password FROM person WHERE name = 'Ben') WHERE name = 'Sam'", 0,
+        AuditFaultKind.RowDiffers, "The row of the user Sam is not the one that entry", true)]
     [InlineData("DELETE FROM person WHERE name = 'Ben'", 0, AuditFaultKind.RowDiffers, "The user Ben is not in the store any more", false)]
-    [InlineData("INSERT INTO person SELECT 'EVE', 'Eve', role, password, 0, added_at, password_at, row_code FROM person WHERE name = 'Anna'", 0, AuditFaultKind.RowDiffers, "The user Eve is in the store, and no entry", true)]
-    [InlineData("CREATE TRIGGER eve AFTER UPDATE ON correction BEGIN UPDATE correction SET program_sha256 = 'x' WHERE id = new.id; END", 3, AuditFaultKind.FormDiffers, "it has the trigger eve, which the cell did not make", true)]
+    [InlineData(
+        "INSERT INTO person SELECT 'EVE', 'Eve', role, password, 0, added_at, password_at, row_code FROM person WHERE name = 'Anna'", 0,
+        AuditFaultKind.RowDiffers, "The user Eve is in the store, and no entry", true)]
+    [InlineData("CREATE TRIGGER eve AFTER UPDATE ON correction BEGIN UPDATE correction SET program_sha256 = 'x' WHERE id = new.id; END", 3,
+        AuditFaultKind.FormDiffers, "it has the trigger eve, which the cell did not make", true)]
     [InlineData("CREATE VIEW eve AS SELECT 1", 3, AuditFaultKind.FormDiffers, "it has the view eve", true)]
     [InlineData("CREATE TABLE eve (a)", 3, AuditFaultKind.FormDiffers, "it has the table eve", true)]
     [InlineData("CREATE INDEX eve ON person (name)", 3, AuditFaultKind.FormDiffers, "it has the index eve", true)]
     [InlineData("DROP INDEX step_who", 3, AuditFaultKind.FormDiffers, "it lacks the index step_who", true)]
     [InlineData("DROP TRIGGER audit_update", 3, AuditFaultKind.FormDiffers, "it lacks the trigger audit_update", true)]
     [InlineData("ALTER TABLE person ADD COLUMN eve TEXT", 3, AuditFaultKind.FormDiffers, "its table person is another one", true)]
-    [InlineData("UPDATE step SET who = 'Sam' WHERE correction = 3 AND to_state = 'approved'", 0, AuditFaultKind.RowDiffers, "Step 16 of the store is not what entry", false)]
-    [InlineData("INSERT INTO step (correction, from_state, to_state, at, who, basis) VALUES (2, 'proposed', 'approved', 0, 'Sam', 'seen')", 0, AuditFaultKind.RowDiffers, "The store has 23 steps; the audit trail has 22.", false)]
-    public void What_somebody_else_wrote_is_found_and_not_sent(string sql, long correction, AuditFaultKind kind, string message, bool isQuick)
+    [InlineData("UPDATE step SET who = 'Sam' WHERE correction = 3 AND to_state = 'approved'", 0, AuditFaultKind.RowDiffers,
+        "Step 16 of the store is not what entry", false)]
+    [InlineData("INSERT INTO step (correction, from_state, to_state, at, who, basis) VALUES (2, 'proposed', 'approved', 0, 'Sam', 'seen')",
+        0, AuditFaultKind.RowDiffers, "The store has 23 steps; the audit trail has 22.", false)]
+    public void What_somebody_else_wrote_is_found_and_not_sent(string sql, long correction, AuditFaultKind kind, string message,
+        bool isQuick)
     {
         Store.DemandRecorded(_approved);
         Tamper("INSERT INTO content (sha256, bytes) VALUES (@own, @bytes)", sql);
@@ -102,10 +126,12 @@ public sealed class TamperedStoreTests : PeopleTest
         var before = Step(Proposed("five"), CorrectionState.Approved, "Sam", "seen");
         Tamper("CREATE TEMP TABLE kept AS SELECT * FROM correction WHERE id = 5");
         Step(before, CorrectionState.Rejected, "Ben", "dirty");
-        Tamper("UPDATE correction SET (state, version, changed_at, code, reason, row_code) = (SELECT state, version, changed_at, code, reason, row_code FROM kept) WHERE id = 5");
+        Tamper("UPDATE correction SET (state, version, changed_at, code, reason, row_code) = (SELECT state, version, changed_at, code, "
+            + "reason, row_code FROM kept) WHERE id = 5");
         Assert.Equal(before, Store.Find(5));
         Assert.Empty(Store.Tampered());
-        Assert.Contains("is approved in the store", Assert.Throws<StoreException>(() => Store.DemandRecorded(before)).Message, StringComparison.Ordinal);
+        Assert.Contains("is approved in the store", Assert.Throws<StoreException>(() => Store.DemandRecorded(before)).Message,
+            StringComparison.Ordinal);
         Assert.Equal(AuditFaultKind.RowDiffers, Evidence.Verify().Fault?.Kind);
     }
 
@@ -141,12 +167,16 @@ public sealed class TamperedStoreTests : PeopleTest
     {
         // Eve hashes the chain anew as far as she can: the seal she cannot make.
         var (last, of) = (Store.AuditHead(), Store.AuditEntries(0, 100).Last(e => e.What == "approved" && e.Who == "Sam"));
-        var copied = AuditEntry.After(last.Hash, last.Seq + 1, of.At, of.Who, of.What, Recorded.Program.With(2, Hash("program two")), of.Basis);
+        var copied = AuditEntry.After(last.Hash, last.Seq + 1, of.At, of.Who, of.What, Recorded.Program.With(2, Hash("program two")),
+            of.Basis);
         Tamper(
-            string.Create(CultureInfo.InvariantCulture, $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash) VALUES ({copied.Seq}, {StoredTime.Of(copied.At)}, '{copied.Who}', 'approved', '{copied.Subject}', '{copied.Basis}', '{copied.Previous}', '{copied.Hash}')"),
+            string.Create(CultureInfo.InvariantCulture, $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash) VALUES "
+                + $"({copied.Seq}, {StoredTime.Of(copied.At)}, '{copied.Who}', 'approved', '{copied.Subject}', '{copied.Basis}', "
+                + $"'{copied.Previous}', '{copied.Hash}')"),
             string.Create(CultureInfo.InvariantCulture, $"UPDATE audit_head SET seq = {copied.Seq}, hash = '{copied.Hash}'"),
             "UPDATE correction SET state = 'approved', version = version + 1 WHERE id = 2");
-        Assert.Contains("audit trail is not what was written", Assert.Throws<StoreException>(() => Store.DemandRecorded(Store.Find(2)!)).Message, StringComparison.Ordinal);
+        Assert.Contains("audit trail is not what was written",
+            Assert.Throws<StoreException>(() => Store.DemandRecorded(Store.Find(2)!)).Message, StringComparison.Ordinal);
         Assert.Equal(AuditFaultKind.Unsealed, Evidence.Verify().Fault?.Kind);
     }
 
@@ -170,7 +200,8 @@ public sealed class TamperedStoreTests : PeopleTest
     {
         Tamper("INSERT INTO content (sha256, bytes) VALUES (@own, @bytes)", "UPDATE correction SET program_sha256 = @own WHERE id = 2");
         var tampered = Store.Find(2)!;
-        Assert.Equal(StoreError.Tampered, Assert.Throws<StoreException>(() => Step(tampered, CorrectionState.Approved, "Sam", "seen")).Error);
+        Assert.Equal(StoreError.Tampered, Assert.Throws<StoreException>(() => Step(tampered, CorrectionState.Approved, "Sam", "seen"))
+            .Error);
         Assert.Equal(tampered, Store.Find(2));
         Step(tampered, CorrectionState.Rejected, "Ben", "not ours");
         Assert.Contains("cell tampered correction 2 " + Recorded.CorrectionTampered.With(2), Trail);
@@ -216,7 +247,8 @@ public sealed class TamperedStoreTests : PeopleTest
             Assert.Contains("Ben is \"wizard\"", refused.Message, StringComparison.Ordinal);
         }
 
-        Assert.Equal([(null, "administrator"), (PeopleError.UnknownRole, "wizard")], users.List().Select(u => (u.Problem?.Error, u.RoleWord)));
+        Assert.Equal([(null, "administrator"), (PeopleError.UnknownRole, "wizard")],
+            users.List().Select(u => (u.Problem?.Error, u.RoleWord)));
         users.SetRole(users.SignIn("Anna", Right), "Ben", Role.Setter);
         Assert.Equal(Role.Setter, users.SignIn("Ben", Other).Role);
     }
@@ -264,12 +296,14 @@ public sealed class TamperedStoreTests : PeopleTest
     {
         Store.Backup(PathOf("earlier.db"));
         var database = CellStore.Connect(new SqliteSettings(PathOf("earlier.db")), _ => { });
-        Execute(database, "DROP TRIGGER audit_update", "DROP TRIGGER audit_delete", "UPDATE correction SET row_code = NULL", "UPDATE slot SET row_code = NULL", "UPDATE person SET row_code = NULL");
+        Execute(database, "DROP TRIGGER audit_update", "DROP TRIGGER audit_delete", "UPDATE correction SET row_code = NULL",
+            "UPDATE slot SET row_code = NULL", "UPDATE person SET row_code = NULL");
         var (previous, last) = (AuditEntry.NoHash, 0L);
         foreach (var e in Store.AuditEntries(0, 1000))
         {
             var plain = AuditEntry.After(previous, e.Seq, e.At, e.Who, e.What, e.Subject, e.Basis);
-            database.Change((connection, transaction) => connection.Execute("UPDATE audit SET row_codes = NULL, previous = @Previous, hash = @Hash WHERE seq = @Seq", new { plain.Previous, plain.Hash, plain.Seq }, transaction));
+            database.Change((connection, transaction) => connection.Execute("UPDATE audit SET row_codes = NULL, previous = @Previous, "
+                + "hash = @Hash WHERE seq = @Seq", new { plain.Previous, plain.Hash, plain.Seq }, transaction));
             (previous, last) = (plain.Hash, plain.Seq);
         }
 
@@ -277,7 +311,8 @@ public sealed class TamperedStoreTests : PeopleTest
         foreach (var trigger in new[] { "update", "delete" })
         {
             // Word for word as the migration makes it.
-            Execute(database, $"CREATE TRIGGER audit_{trigger} BEFORE {trigger.ToUpperInvariant()} ON audit BEGIN SELECT RAISE(ABORT, 'audit is append-only'); END");
+            Execute(database, $"CREATE TRIGGER audit_{trigger} BEFORE {trigger.ToUpperInvariant()} ON audit BEGIN SELECT RAISE(ABORT, "
+                + $"'audit is append-only'); END");
         }
 
         return database;
@@ -302,12 +337,15 @@ public sealed class TamperedStoreTests : PeopleTest
         var c = Step(
             Store.Archive(file).Correction,
             CorrectionState.Recognized,
-            with: c => c with { Job = "job", Piece = "part", Identity = "identity " + name, Machine = "mill", Slot = "1", Program = "O1.nc" });
-        c = Store.Step(c, CorrectionState.Computed, "cell", "computed", c => c with { ProgramSha256 = Hash("program " + name), LargestMm = 0.0125 }, [program]);
+            with: c => c with { Job = "job", Piece = "part", Identity = "identity " + name, Machine = "mill", Slot = "1",
+                Program = "O1.nc" });
+        c = Store.Step(c, CorrectionState.Computed, "cell", "computed", c =>
+            c with { ProgramSha256 = Hash("program " + name), LargestMm = 0.0125 }, [program]);
         return Step(c, CorrectionState.Proposed);
     }
 
-    private Correction Step(Correction from, CorrectionState to, string by = "cell", string basis = "as it goes", Func<Correction, Correction>? with = null) => Store.Step(from, to, by, basis, with);
+    private Correction Step(Correction from, CorrectionState to, string by = "cell", string basis = "as it goes", Func<Correction,
+        Correction>? with = null) => Store.Step(from, to, by, basis, with);
 
     private void Tamper(params string[] statements) => Execute(Store.Database, statements);
 
@@ -315,7 +353,8 @@ public sealed class TamperedStoreTests : PeopleTest
     {
         foreach (var statement in statements)
         {
-            database.Change((connection, transaction) => connection.Execute(statement, new { own = OwnSha256, bytes = Encoding.UTF8.GetBytes(Own) }, transaction));
+            database.Change((connection, transaction) =>
+                connection.Execute(statement, new { own = OwnSha256, bytes = Encoding.UTF8.GetBytes(Own) }, transaction));
         }
     }
 

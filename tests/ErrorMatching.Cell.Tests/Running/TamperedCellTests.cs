@@ -5,7 +5,8 @@ using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>A cell whose store somebody writes to on the command line of SQLite, while it runs: nothing of that reaches a machine.</summary>
+/// <summary>A cell whose store somebody writes to on the command line of SQLite, while it runs: nothing of that reaches a
+/// machine.</summary>
 public sealed class TamperedCellTests
 {
     private const string Own = "G0 Z-500";
@@ -13,7 +14,8 @@ public sealed class TamperedCellTests
     [Theory]
     [InlineData("UPDATE correction SET state = 'approved', version = version + 1 WHERE id = 1")]
     [InlineData("UPDATE correction SET state = 'approved', version = version + 1, program_sha256 = @own WHERE id = 1")]
-    [InlineData("CREATE TRIGGER eve AFTER UPDATE ON correction WHEN new.state = 'uploading' BEGIN UPDATE correction SET program_sha256 = (SELECT sha256 FROM content LIMIT 1) WHERE id = new.id; END;"
+    [InlineData("CREATE TRIGGER eve AFTER UPDATE ON correction WHEN new.state = 'uploading' BEGIN UPDATE correction SET program_sha256 "
+        + "= (SELECT sha256 FROM content LIMIT 1) WHERE id = new.id; END;"
         + "UPDATE correction SET state = 'approved', version = version + 1 WHERE id = 1")]
     public async Task A_correction_that_a_statement_approves_is_not_sent_and_the_cell_says_so(string sql)
     {
@@ -65,7 +67,8 @@ public sealed class TamperedCellTests
         await cell.StopAsync();
         Tamper(cell, "UPDATE correction SET previous_sha256 = @own WHERE id = 1");
         var reversal = new SlotReversal(cell.Settings, cell.Store, m => cell.Machine[m.Name], TimeProvider.System);
-        Assert.Equal(StoreError.Tampered, (await Assert.ThrowsAsync<StoreException>(() => reversal.RevertAsync(1, "sam", "chatter", TestContext.Current.CancellationToken))).Error);
+        Assert.Equal(StoreError.Tampered, (await Assert.ThrowsAsync<StoreException>(() =>
+            reversal.RevertAsync(1, "sam", "chatter", TestContext.Current.CancellationToken))).Error);
         Assert.NotEqual(Encoding.UTF8.GetBytes(Own), cell.Machine["m1"].Files[RunningCell.Program]);
         Tamper(cell, $"UPDATE correction SET previous_sha256 = '{cell.OriginalHash}' WHERE id = 1");
         await reversal.RevertAsync(1, "sam", "chatter", TestContext.Current.CancellationToken);
@@ -79,6 +82,7 @@ public sealed class TamperedCellTests
         var bytes = Encoding.UTF8.GetBytes(Own);
         using var connection = new SqliteConnection($"Data Source={cell.PathOf("cell.db")};Pooling=False");
         connection.Open();
-        connection.Execute("PRAGMA busy_timeout = 15000; INSERT OR IGNORE INTO content (sha256, bytes) VALUES (@own, @bytes); " + sql, new { own = Convert.ToHexStringLower(SHA256.HashData(bytes)), bytes });
+        connection.Execute("PRAGMA busy_timeout = 15000; INSERT OR IGNORE INTO content (sha256, bytes) VALUES (@own, @bytes); " + sql,
+            new { own = Convert.ToHexStringLower(SHA256.HashData(bytes)), bytes });
     }
 }

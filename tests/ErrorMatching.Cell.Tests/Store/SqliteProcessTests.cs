@@ -105,7 +105,8 @@ public sealed class SqliteProcessTests : IDisposable
 
     [Fact]
     public void A_disk_that_is_mounted_read_only_is_named_can_be_looked_at_and_nothing_is_lost() => Assert.Equal(
-        ["ReadOnly", "read 2, whole: True, exported 2, changes: ReadOnly", "read 2, whole: True, exported 2, changes: ReadOnly", "kept 3"], OnDiskOfItsOwn("read-only", "size=4000k"));
+        ["ReadOnly", "read 2, whole: True, exported 2, changes: ReadOnly", "read 2, whole: True, exported 2, changes: ReadOnly", "kept 3"],
+            OnDiskOfItsOwn("read-only", "size=4000k"));
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 

@@ -184,9 +184,11 @@ internal sealed class StoreWriter : IDisposable
         {
             using var store = CellStore.OpenToRead(new SqliteSettings(file), TimeProvider.System, null);
             using var csv = new StringWriter();
-            var (finding, written) = (new AuditTrail(store, Path.Combine(folder, "keys")).Verify(), new AuditTrail(store, folder).Export(csv));
+            var (finding, written) = (new AuditTrail(store, Path.Combine(folder, "keys")).Verify(),
+                new AuditTrail(store, folder).Export(csv));
             var refused = Assert.Throws<StoreException>(() => store.Audit("anna", "signed-in", "password")).Error;
-            Console.Out.WriteLine(FormattableString.Invariant($"read {finding.Entries}, whole: {finding.Holds}, exported {written}, changes: {refused}"));
+            Console.Out.WriteLine(FormattableString.Invariant($"read {finding.Entries}, whole: {finding.Holds}, exported {written}, "
+                + $"changes: {refused}"));
         }
 
         void Try()

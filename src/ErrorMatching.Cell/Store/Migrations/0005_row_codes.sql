@@ -1,4 +1,5 @@
--- Codes of rows by the key of the audit trail: what a program without the key writes into a row is found when the row is used. Each audit entry names the codes of the rows that it leaves.
+-- Codes of rows by the key of the audit trail: what a program without the key writes into a row is found when the row is used. Each audit
+-- entry names the codes of the rows that it leaves.
 
 ALTER TABLE correction ADD COLUMN row_code TEXT;
 ALTER TABLE slot ADD COLUMN row_code TEXT;

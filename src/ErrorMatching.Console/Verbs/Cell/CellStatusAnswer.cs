@@ -193,7 +193,8 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
             yield return $"Start the cell: errormatch cell run {settings.File}";
         }
 
-        foreach (var tampered in status.Tampered.Take(MostListed).Concat(Troubles(isTampered: true).Select(t => t.Message)).Distinct(StringComparer.Ordinal))
+        foreach (var tampered in status.Tampered.Take(MostListed).Concat(Troubles(isTampered: true).Select(t => t.Message))
+            .Distinct(StringComparer.Ordinal))
         {
             yield return tampered;
         }

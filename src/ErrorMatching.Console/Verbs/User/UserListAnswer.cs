@@ -13,7 +13,8 @@ internal sealed class UserListAnswer(IReadOnlyList<User> users) : DocumentAnswer
 
     /// <inheritdoc/>
     public override Failure? Failure => users.Any(u => u.Problem is not null)
-        ? new(ExitCode.Refused, [.. users.Select(u => u.Problem).OfType<(PeopleError Error, string Message)>().Select(p => new ErrorItem(FailureOfCell.CodeOf(p.Error), p.Message))])
+        ? new(ExitCode.Refused, [.. users.Select(u => u.Problem).OfType<(PeopleError Error, string Message)>()
+            .Select(p => new ErrorItem(FailureOfCell.CodeOf(p.Error), p.Message))])
         : null;
 
     /// <inheritdoc/>
@@ -44,7 +45,8 @@ internal sealed class UserListAnswer(IReadOnlyList<User> users) : DocumentAnswer
             users.Select(u => (IReadOnlyList<string>)
             [
                 u.Name, u.RoleWord, Day(u.AddedAt), Day(u.PasswordAt), u.Failures.ToString(CultureInfo.InvariantCulture),
-                u.Problem is not null ? "may do nothing" : u.IsDisabled ? "disabled" : u.LockedUntil is { } until ? "locked until " + UserAnswer.Time(until) : "",
+                u.Problem is not null ? "may do nothing" : u.IsDisabled ? "disabled" : u.LockedUntil is { } until ? "locked until "
+                    + UserAnswer.Time(until) : "",
             ]));
     }
 
