@@ -60,8 +60,15 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
 
     /// <summary>What the row is to be if somebody else wrote it: as the audit trail says, and with a password that is none.</summary>
     public Person Mended(RecordedPerson recorded, string nobodys) =>
-        this with { Name = recorded.Name, Role = recorded.Role, RoleWord = recorded.Role.ToString(), IsDisabled = recorded.IsDisabled,
-            Password = nobodys, IsAsLeft = true };
+        this with
+        {
+            Name = recorded.Name,
+            Role = recorded.Role,
+            RoleWord = recorded.Role.ToString(),
+            IsDisabled = recorded.IsDisabled,
+            Password = nobodys,
+            IsAsLeft = true,
+        };
 
     /// <summary>The user with another role.</summary>
     public Person As(Role role) => this with { Role = role, RoleWord = role.ToString() };

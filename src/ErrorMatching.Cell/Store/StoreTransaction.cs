@@ -97,8 +97,18 @@ internal sealed class StoreTransaction
         Execute(
             $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash{column}) VALUES (@Seq, @At, @Who, @What, @Subject, "
                 + $"@Basis, @Previous, @Hash{value})",
-            new { entry.Seq, At = StoredTime.Of(Now), entry.Who, entry.What, entry.Subject, entry.Basis, entry.Previous, entry.Hash,
-                entry.RowCodes });
+            new
+            {
+                entry.Seq,
+                At = StoredTime.Of(Now),
+                entry.Who,
+                entry.What,
+                entry.Subject,
+                entry.Basis,
+                entry.Previous,
+                entry.Hash,
+                entry.RowCodes,
+            });
         _head = _head.With(entry, _auditKey, begins: what == "created" && _head.Seq == 0);
     }
 }

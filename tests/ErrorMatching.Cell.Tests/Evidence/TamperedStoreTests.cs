@@ -337,8 +337,15 @@ public sealed class TamperedStoreTests : PeopleTest
         var c = Step(
             Store.Archive(file).Correction,
             CorrectionState.Recognized,
-            with: c => c with { Job = "job", Piece = "part", Identity = "identity " + name, Machine = "mill", Slot = "1",
-                Program = "O1.nc" });
+            with: c => c with
+            {
+                Job = "job",
+                Piece = "part",
+                Identity = "identity " + name,
+                Machine = "mill",
+                Slot = "1",
+                Program = "O1.nc",
+            });
         c = Store.Step(c, CorrectionState.Computed, "cell", "computed", c =>
             c with { ProgramSha256 = Hash("program " + name), LargestMm = 0.0125 }, [program]);
         return Step(c, CorrectionState.Proposed);
