@@ -88,6 +88,29 @@ public sealed class AuditVerbTests
     }
 
     [Fact]
+    public void A_long_trail_is_written_in_parts_and_is_never_in_memory_as_a_whole()
+    {
+        using var cell = CellFolder.WithPeople();
+        var settings = CellSettingsReader.Read(cell.Config);
+        using (var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Open(settings.KeysFolder), inspect: false))
+        {
+            // Characters of one to four bytes, so that parts end inside of them too.
+            for (var i = 0; i < 25; i++) store.Audit("Anna", "noted", string.Concat(Enumerable.Repeat("aé圖🔧\"", 1000)));
+        }
+
+        var (text, json) = (new Written(), new Written());
+        Assert.Equal(0, Application.Run(["audit", "export", cell.Config], new(text, TextWriter.Null, HasColor: false), TestContext.Current.CancellationToken));
+        Assert.Equal(0, Application.Run(["audit", "export", cell.Config, "--json"], new(json, TextWriter.Null, HasColor: false), TestContext.Current.CancellationToken));
+        Shell.Json(0, "errormatch/audit-export/1", "audit", "export", cell.Config, "--out", cell["audit.csv"]);
+
+        var csv = File.ReadAllText(cell["audit.csv"]);
+        using var document = System.Text.Json.JsonDocument.Parse(json.ToString());
+        Assert.Equal((csv, csv), (text.ToString(), document.RootElement.Text("csv")));
+        Assert.InRange(csv.Length, 150_000, int.MaxValue);
+        Assert.All([text, json], w => Assert.InRange(w.Longest, 1, 50_000));
+    }
+
+    [Fact]
     public void Looking_makes_no_store()
     {
         using var cell = new CellFolder();
@@ -114,5 +137,18 @@ public sealed class AuditVerbTests
         using var command = store.CreateCommand();
         command.CommandText = sql;
         command.ExecuteNonQuery();
+    }
+
+    private sealed class Written : StringWriter
+    {
+        public int Longest { get; private set; }
+
+        public override void Write(string? value) => Write(value.AsSpan());
+
+        public override void Write(ReadOnlySpan<char> buffer)
+        {
+            Longest = Math.Max(Longest, buffer.Length);
+            base.Write(buffer);
+        }
     }
 }
