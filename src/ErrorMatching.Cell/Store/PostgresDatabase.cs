@@ -119,7 +119,7 @@ internal sealed class PostgresDatabase : CellDatabase
         {
             PostgresException { SqlState: var state } => state switch
             {
-                "53100" => (StoreError.Full, "has no room on its disk. Nothing was changed. Make room; the cell goes on by itself."),
+                "53100" => (StoreError.Full, "has no room on its disk. Nothing was changed. Make room, then repeat what failed; a running cell repeats it by itself."),
                 "25006" => (StoreError.ReadOnly, "takes no changes: it is a standby or set read-only. Nothing was changed."),
                 "55P03" or "57014" or "40P01" => (StoreError.Locked, $"was held by another process for longer than {Patience.TotalSeconds} s. Nothing was changed."),
                 "28000" or "28P01" or "42501" => (StoreError.Denied, $"does not let the user {_settings.User} in: {failure.Message}"),

@@ -333,7 +333,8 @@ internal sealed class SqliteDatabase : CellDatabase
 
     private StoreException Damaged(string found, Exception? cause) => new(StoreError.Damaged, $"The store {_file} is damaged: {found.Trim()} Restore the latest backup.", cause);
 
-    private StoreException Full(Exception cause) => new(StoreError.Full, $"The disk of the store {_file} is full. Nothing was changed. Make room; the cell goes on by itself.", cause);
+    private StoreException Full(Exception cause) => new(
+        StoreError.Full, $"The disk of the store {_file} is full. Nothing was changed. Make room, then repeat what failed; a running cell repeats it by itself.", cause);
 
     private StoreException Named(SqliteException failure) => failure.SqliteErrorCode switch
     {

@@ -141,9 +141,12 @@ internal sealed class StoreWriter : IDisposable
                 catch (StoreException failure)
                 {
                     Console.Out.WriteLine($"{failure.Error} after some: {written.Count > 5}");
+                    Console.Out.WriteLine(failure.Message[failure.Message.IndexOf("Make room", StringComparison.Ordinal)..]);
                     break;
                 }
             }
+
+            Console.Out.WriteLine(KeysOn(settings.File + ".rest"));
 
             Console.Out.WriteLine($"all there: {store.InState(CorrectionState.Archived).SequenceEqual(written)}, chain: {store.VerifyAudit() is null}");
             System.IO.File.Delete(ballast);
@@ -153,6 +156,36 @@ internal sealed class StoreWriter : IDisposable
 
         using var again = CellStore.Open(settings, TimeProvider.System);
         Console.Out.WriteLine($"opened again, chain: {again.VerifyAudit() is null}");
+    }
+
+    // What is said of keys that the disk has no room for.
+    private static string KeysOn(string rest)
+    {
+        try
+        {
+            using (var last = new FileStream(rest, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 0))
+            {
+                for (var part = new byte[1024]; ;) last.Write(part);
+            }
+        }
+        catch (IOException)
+        {
+            // Now there is no room at all.
+        }
+
+        try
+        {
+            AuditKey.Open(Path.Combine(Path.GetDirectoryName(rest)!, "keys"));
+            return "there was room";
+        }
+        catch (PeopleException e)
+        {
+            return e.Message[e.Message.IndexOf("Make room", StringComparison.Ordinal)..];
+        }
+        finally
+        {
+            System.IO.File.Delete(rest);
+        }
     }
 
     // On a disk that is mounted read-only while no cell runs.

@@ -4,6 +4,7 @@ using System.Security.Cryptography;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using Serilog;
+using Serilog.Core;
 
 namespace ErrorMatching.Console;
 
@@ -17,7 +18,32 @@ internal sealed class CellRun() : CellVerb(
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
-        using var log = CellLog.Open(settings.LogFolder);
+        var log = CellLog.Open(settings.LogFolder);
+        try
+        {
+            return Run(settings, log, cancellation);
+        }
+        finally
+        {
+            Close(log, settings);
+        }
+    }
+
+    // What the run came to is not lost with the last lines of its log.
+    private static void Close(Logger log, CellSettings settings)
+    {
+        try
+        {
+            log.Dispose();
+        }
+        catch (IOException e)
+        {
+            System.Console.Error.Write($"errormatch: the last lines of the log in {settings.LogFolder} cannot be written: {e.Message}\n");
+        }
+    }
+
+    private static Outcome Run(CellSettings settings, Logger log, CancellationToken cancellation)
+    {
         foreach (var warning in settings.Warnings)
         {
             log.Warning("{File}: {Path}: {Warning}", settings.File, warning.Path, warning.Message);
