@@ -59,14 +59,56 @@ public sealed class AuditVerbTests
     }
 
     [Fact]
-    public void Without_the_keys_is_said_what_cannot_be_said()
+    public void Without_the_keys_nothing_is_proved_nothing_starts_and_no_new_ones_are_made()
     {
         using var cell = CellFolder.WithPeople();
         Directory.Move(cell["keys"], cell["elsewhere"]);
-        var document = Shell.Json(0, "errormatch/audit-verify/1", "audit", "verify", cell.Config);
-        Assert.False(document.GetProperty("isSealChecked").GetBoolean());
-        Assert.Contains("keys are not here", document.Text("message"), StringComparison.Ordinal);
+        foreach (var verb in new[] { "audit verify", "cell run", "user list" })
+        {
+            var error = Shell.Error(2, [.. verb.Split(' '), cell.Config]);
+            Assert.Equal("keys-missing", error.Text("code"));
+            Assert.Contains(cell["keys"], error.Text("message"), StringComparison.Ordinal);
+        }
+
         Assert.False(Directory.Exists(cell["keys"]));
+    }
+
+    [Fact]
+    public void Without_what_says_how_far_the_trail_went_nothing_starts_until_somebody_takes_it_over_on_record()
+    {
+        using var cell = CellFolder.WithPeople();
+        File.Delete(cell["keys/audit.seen"]);
+        foreach (var verb in new[] { "audit verify", "cell run", "user list" })
+        {
+            Assert.Equal("audit-seen-missing", Shell.Error(2, [.. verb.Split(' '), cell.Config]).Text("code"));
+        }
+
+        Assert.False(File.Exists(cell["keys/audit.seen"]));
+        Assert.True(Shell.Json(0, "errormatch/audit-take-over/1", "audit", "take-over", cell.Config, "--reason", "the disk was replaced").GetProperty("takenOver").GetBoolean());
+        Assert.Equal(5, Shell.Json(0, "errormatch/audit-verify/1", "audit", "verify", cell.Config).GetProperty("entries").GetInt32());
+        Assert.Contains("\"trail-set-back\"", Shell.Run("audit", "export", cell.Config).Output, StringComparison.Ordinal);
+        Assert.False(Shell.Json(0, "errormatch/audit-take-over/1", "audit", "take-over", cell.Config, "--reason", "again").GetProperty("takenOver").GetBoolean());
+    }
+
+    [Fact]
+    public void A_store_that_was_set_back_is_found_when_the_cell_starts()
+    {
+        using var cell = CellFolder.WithPeople();
+        File.Copy(cell["cell.db"], cell["older.db"]);
+        var settings = CellSettingsReader.Read(cell.Config);
+        using (var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.OpenFor(settings), inspect: false))
+        {
+            store.Audit("Anna", "noted", "later");
+            new AuditTrail(store, settings.KeysFolder).Remember();
+        }
+
+        File.Move(cell["older.db"], cell["cell.db"], overwrite: true);
+        foreach (var verb in new[] { "cell run", "user list", "audit verify" })
+        {
+            var error = Shell.Error(2, [.. verb.Split(' '), cell.Config]);
+            Assert.Equal("audit-removed", error.Text("code"));
+            Assert.Contains("5", error.Text("message"), StringComparison.Ordinal);
+        }
     }
 
     [Fact]

@@ -26,4 +26,10 @@ public enum AuditFaultKind
 
     /// <summary>The end of the trail was written without the key that seals it.</summary>
     Unsealed,
+
+    /// <summary>The key that seals the trail is not there: whether its end was cut off, or all of it written again, cannot be said.</summary>
+    KeysMissing,
+
+    /// <summary>What says how far the trail went is not there: whether the store was set back cannot be said.</summary>
+    WitnessMissing,
 }

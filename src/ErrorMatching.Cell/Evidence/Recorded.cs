@@ -127,6 +127,7 @@ public static class Recorded
     internal static readonly SentenceForm FromBackup = new("from-backup", "from the backup {0}");
     internal static readonly SentenceForm KeptAside = new("kept-aside", "what was there before is {0}");
     internal static readonly SentenceForm SetBack = new("set-back", "{0:any} It had gone to entry {1:0} with the hash {2}.");
+    internal static readonly SentenceForm WitnessBegun = new("witness-begun", "How far the trail goes is remembered again from here: {0:any}");
     internal static readonly SentenceForm JobInPlace = new("job-in-place", "{0}, in place of the job {1}");
     internal static readonly SentenceForm Program = new("program", "correction {0:0} program {1}");
     internal static readonly SentenceForm File = new("file", "correction {0:0} file {1}");
@@ -267,7 +268,7 @@ public static class Recorded
         AmbiguousPiece, ContradictoryPiece, SaysNoName, SaysTwo, UnusableJob, UnreadableInside, SlowPattern, TooLarge, AlreadyKnown, SumsUnknown,
         PartOfNumberUnmeasured, NamedBoth, NamedSerial, NamedOrder, PartUnmeasured, NotReleasedReverted, NotReleased, BaseReverted, NotFeedback,
         NotFeedbackSurface, JobChanged, OriginalChanged, OverLimit, OverSumLimit, AndMore, Defect, FirstAdministrator, SignedIn, AsRole, ToRole, UntilUtc,
-        WrongPassword, WrongDisabled, NoSuchName, NoSuchNames, ByHand, Idle, StoreMade, FromBackup, KeptAside, SetBack, JobInPlace, Program, File,
+        WrongPassword, WrongDisabled, NoSuchName, NoSuchNames, ByHand, Idle, StoreMade, FromBackup, KeptAside, SetBack, WitnessBegun, JobInPlace, Program, File,
         RowsCoded, CorrectionTampered, SlotTampered, UserTampered, UserOfNoRole, NotSent, NoCorrection, NeverArrived, StepNotAllowed,
         ApprovalNotAllowed, NotByPolicy, WasNobody, WasDisabled, WasOfRole, OtherProgram, UserNotAllowed, UserUnknown,
         CorrectionUnrecorded, StateDiffers, ProgramDiffers, FileDiffers, CorrectionDiffers, CorrectionMissing, SlotHeldByOther,

@@ -50,4 +50,7 @@ public enum PeopleError
 
     /// <summary>The folder of the keys cannot be used, or others than its owner can read it.</summary>
     KeysUnusable,
+
+    /// <summary>The store was sealed by a key, and the folder of the keys has none.</summary>
+    KeysMissing,
 }

@@ -23,7 +23,12 @@ public sealed partial class CellStore
         Read(AuditRow.Select + " WHERE seq > @after ORDER BY seq LIMIT @most", AuditRow.Read, new { after, most });
 
     /// <summary>Where the audit trail ends.</summary>
-    public AuditHead AuditHead() => Database.Read(connection => AuditRow.Head(connection, null, ""));
+    public AuditHead AuditHead()
+    {
+        var head = Database.Read(connection => AuditRow.Head(connection, null, ""));
+        Database.Saw(head);
+        return head;
+    }
 
     /// <summary>Proves the audit trail as it is at one moment, by the key that the store was opened with.</summary>
     /// <returns>The first fault; null if every entry is what was written, where it was written, and none is missing.</returns>

@@ -39,7 +39,7 @@ public sealed partial class CellStore : IDisposable
             Migrations.Apply(opened, clock, auditKey);
             if (auditKey is not null) RowCodes.Give(opened, clock, auditKey);
         });
-        return new CellStore(database, clock, auditKey);
+        return Opened(database, clock, auditKey);
     }
 
     /// <summary>Opens a store that is there, to look at it: also one that cannot be written, as on a disk that the system has mounted
@@ -67,7 +67,31 @@ public sealed partial class CellStore : IDisposable
                 }
             },
             toRead: true);
-        return new CellStore(database, clock, auditKey);
+        return Opened(database, clock, auditKey);
+    }
+
+    // What is there now is what must be there from now on.
+    private static CellStore Opened(CellDatabase database, TimeProvider clock, byte[]? auditKey)
+    {
+        var store = new CellStore(database, clock, auditKey);
+        try
+        {
+            store.AuditHead();
+            return store;
+        }
+        catch
+        {
+            store.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>True if there is a store whose audit trail was sealed by a key.</summary>
+    internal static bool IsSealed(StoreSettings settings)
+    {
+        if (settings is SqliteSettings { File: var file } && !File.Exists(file)) return false;
+        using var database = Connect(settings, _ => { }, toRead: true);
+        return database.Read(connection => database.HasTable(connection, "audit_head") && AuditRow.Head(connection, null, "").Seal is not null);
     }
 
     /// <summary>Keeps a file that arrived as a correction of its own.</summary>

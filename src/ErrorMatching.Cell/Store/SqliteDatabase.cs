@@ -21,6 +21,8 @@ internal sealed class SqliteDatabase : CellDatabase
     private SqliteConnection? _writer;
     private bool _disposed;
     private int _losses;
+    private volatile FileIdentity? _identity;
+    private (FileIdentity Identity, StoreException Reason)? _refused;
     private StoreException? _readOnly;
 
     static SqliteDatabase() => SQLitePCL.Batteries_V2.Init();
@@ -170,6 +172,13 @@ internal sealed class SqliteDatabase : CellDatabase
                 using var transaction = writer.BeginTransaction(deferred: false);
                 var result = change(writer, transaction);
                 transaction.Commit();
+
+                // What was kept in a file that lost its name meanwhile is lost: whoever asked for it must not take it for kept.
+                if (FileIdentity.Of(_file) != _identity)
+                {
+                    throw new StoreException(StoreError.Away, $"The store {_file} was taken away while a change was kept. Look again whether it was.");
+                }
+
                 return result;
             }
             catch (SqliteException)
@@ -221,25 +230,83 @@ internal sealed class SqliteDatabase : CellDatabase
         DefaultTimeout = (int)Patience.TotalSeconds,
     }.ConnectionString;
 
-    // A file that was taken away goes on for whoever has it open, and what is written into it is lost with the last of them. What comes back in its place is opened anew.
+    // A file that was taken away stays usable for a process that has it open, and what is written into it is lost when the last one closes it.
+    // So the identity of the file is checked before each use and after each change. Another file in its place is used only if it has all that was seen here.
     private void DemandFile()
     {
-        if (File.Exists(_file)) return;
-        Interlocked.Increment(ref _losses);
-        while (_readers.TryTake(out var reader)) reader.Dispose();
+        var now = FileIdentity.Of(_file);
+        if (now is not null && now == _identity) return;
         lock (_writing)
         {
-            _writer?.Dispose();
-            _writer = null;
-        }
+            if (now is null)
+            {
+                Close();
+                throw new StoreException(
+                    StoreError.Away, $"The store {_file} is gone. Nothing was changed. Bring its disk back; programs that have it open then continue by themselves.");
+            }
 
-        throw new StoreException(StoreError.Away, $"The store {_file} is gone. Nothing was changed. Bring its disk back, or restore the latest backup; whoever has it open goes on by themselves.");
+            if (now == _identity) return;
+            if (_identity is not null)
+            {
+                if (_refused is not { } refused || refused.Identity != now)
+                {
+                    Close();
+                    _refused = WhyNotTheSame() is { } reason ? (now, reason) : null;
+                }
+
+                if (_refused is { } still) throw new StoreException(still.Reason.Error, still.Reason.Message, still.Reason);
+            }
+
+            _identity = now;
+        }
     }
+
+    private void Close()
+    {
+        Interlocked.Increment(ref _losses);
+        while (_readers.TryTake(out var reader)) reader.Dispose();
+        _writer?.Dispose();
+        _writer = null;
+    }
+
+    // Why the file that has the store's name now is not the store as it was last seen here; null if it is. It is only read, never changed.
+    private StoreException? WhyNotTheSame()
+    {
+        // The log of the file before would be read into this one.
+        if (new FileInfo(_file + "-wal") is { Exists: true, Length: > 0 }) return Replaced("the log beside it belongs to the file before");
+        if (Seen is not { } seen) return null;
+        try
+        {
+            var how = new SqliteConnectionStringBuilder { DataSource = _file, Mode = SqliteOpenMode.ReadOnly, Pooling = false };
+            using var connection = new SqliteConnection(how.ConnectionString);
+            connection.Open();
+            if (connection.QuerySingle<int>("PRAGMA application_id") != ApplicationId) return Replaced("it is no store of a cell");
+            var head = AuditRow.Head(connection, null, "");
+            var hash = connection.QueryFirstOrDefault<string>("SELECT hash FROM audit WHERE seq = @Seq", new { seen.Seq });
+            return head.Seq < seen.Seq ? Replaced(FormattableString.Invariant($"it lacks entries {head.Seq + 1} to {seen.Seq} of the audit trail"))
+                : hash != seen.Hash ? Replaced(FormattableString.Invariant($"entry {seen.Seq} of its audit trail is another one"))
+                : null;
+        }
+        catch (SqliteException e)
+        {
+            return Replaced($"it cannot be read: {e.Message}");
+        }
+    }
+
+    private StoreException Replaced(string why) => new(
+        StoreError.Replaced,
+        $"Another file replaced the store {_file} while it was open: {why}. Nothing is written into it. Stop the cell and its stations, "
+        + "bring the right file back or restore the latest backup (errormatch cell restore), then start them again.");
 
     private SqliteConnection Connect() => _readOnly is not null ? ConnectToRead()
         : Prepared(new SqliteConnection(ConnectionString(_file)), connection =>
     {
         connection.Open();
+        if (FileIdentity.Of(_file) != _identity)
+        {
+            throw new StoreException(StoreError.Away, $"The store {_file} was taken away while it was opened. Nothing was changed.");
+        }
+
         connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA busy_timeout = {(long)Patience.TotalMilliseconds}"));
         connection.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     });

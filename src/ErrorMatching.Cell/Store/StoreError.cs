@@ -36,6 +36,9 @@ public enum StoreError
     /// <summary>The disk reported an error.</summary>
     Disk,
 
+    /// <summary>Another file took the store's place while it was open, and lacks what was kept.</summary>
+    Replaced,
+
     /// <summary>The server does not answer, or the connection broke. If it broke while a change was being kept, read again whether it was.</summary>
     Away,
 

@@ -78,14 +78,19 @@ internal sealed class StoreTransaction
     }
 
     /// <summary>Keeps where the audit trail ends now.</summary>
+    /// <returns>Where it ends.</returns>
     /// <exception cref="InvalidOperationException">A row was coded, and no entry of the trail named its code.</exception>
-    public void Finish()
+    public AuditHead Finish()
     {
         if (_rowCodes.Count > 0) throw new InvalidOperationException($"No audit entry names the code of {_rowCodes.First().Key}.");
-        if (_head == _before) return;
-        Execute(
-            "UPDATE audit_head SET seq = @Seq, at = @At, hash = @Hash, seal = @Seal WHERE only_row = 1",
-            new { _head.Seq, At = StoredTime.Of(_head.At), _head.Hash, _head.Seal });
+        if (_head != _before)
+        {
+            Execute(
+                "UPDATE audit_head SET seq = @Seq, at = @At, hash = @Hash, seal = @Seal WHERE only_row = 1",
+                new { _head.Seq, At = StoredTime.Of(_head.At), _head.Hash, _head.Seal });
+        }
+
+        return _head;
     }
 
     private void Append(string who, string what, string? subject, string basis, string? rowCodes = null)

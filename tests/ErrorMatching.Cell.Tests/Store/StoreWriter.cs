@@ -193,7 +193,8 @@ internal sealed class StoreWriter : IDisposable
     {
         var folder = Path.GetDirectoryName(settings.File)!;
         var left = Path.Combine(Directory.CreateDirectory(Path.Combine(folder, "left")).FullName, "cell.db");
-        using (var store = CellStore.Open(settings, TimeProvider.System))
+        var key = AuditKey.Open(Path.Combine(folder, "keys"));
+        using (var store = CellStore.Open(settings, TimeProvider.System, key))
         {
             // What a process leaves that ends at once: its log and the index of that.
             store.Audit("anna", "signed-in", "password");
@@ -215,7 +216,7 @@ internal sealed class StoreWriter : IDisposable
 
         void Look(string file)
         {
-            using var store = CellStore.OpenToRead(new SqliteSettings(file), TimeProvider.System, null);
+            using var store = CellStore.OpenToRead(new SqliteSettings(file), TimeProvider.System, key);
             using var csv = new StringWriter();
             var (finding, written) = (new AuditTrail(store, Path.Combine(folder, "keys")).Verify(),
                 new AuditTrail(store, folder).Export(csv));
@@ -228,7 +229,7 @@ internal sealed class StoreWriter : IDisposable
         {
             try
             {
-                using var store = CellStore.Open(settings, TimeProvider.System);
+                using var store = CellStore.Open(settings, TimeProvider.System, key);
                 store.Audit("anna", "signed-in", "password");
                 Console.Out.WriteLine($"kept {store.ChangeCount().ToString(CultureInfo.InvariantCulture)}");
             }

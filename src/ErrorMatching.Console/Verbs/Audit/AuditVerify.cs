@@ -13,6 +13,6 @@ internal sealed class AuditVerify() : CellVerb("verify", "Looks whether any entr
         using var store = CellStore.OpenToRead(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder));
         using var progress = new ProgressLine(ProgressTo);
         var finding = new AuditTrail(store, settings.KeysFolder).Verify(progress, cancellation);
-        return finding.Holds ? new AuditVerifyAnswer(finding) : FailureOfCell.Audit(finding);
+        return finding.Fault is { } fault ? FailureOfCell.Audit(fault) : new AuditVerifyAnswer(finding);
     }
 }

@@ -72,6 +72,13 @@ internal sealed class CellRun() : CellVerb(
             return new Failure(ExitCode.Outside, new ErrorItem("cell-runs-already", $"{settings.Name} runs already: another process has it. See errormatch cell status {settings.File}."));
         }
 
+        // A store that was set back knows nothing of what was sent since: it would send it again.
+        if (new AuditTrail(store, settings.KeysFolder).EndFault() is { } fault)
+        {
+            log.Fatal("{Cell} does not start: {Message}", settings.Name, fault.Message);
+            return FailureOfCell.Audit(fault);
+        }
+
         using var telemetry = TelemetryExport.Start(settings.Name, Environment.GetEnvironmentVariable);
         var notice = new SystemdNotice(Environment.GetEnvironmentVariable("NOTIFY_SOCKET"));
         var secrets = new MachineSecrets(store, settings.KeysFolder);
@@ -103,12 +110,11 @@ internal sealed class CellRun() : CellVerb(
     // A server that starts after the cell is waited for; what waiting does not mend ends the run.
     private static async Task<CellStore> OpenAsync(CellSettings settings, ILogger log, TimeProvider clock, CancellationToken cancellation)
     {
-        var key = AuditKey.Open(settings.KeysFolder);
         while (true)
         {
             try
             {
-                return CellStore.Open(settings.Store, clock, key);
+                return CellStore.Open(settings.Store, clock, AuditKey.OpenFor(settings));
             }
             catch (StoreException e) when (e.IsWorthAnotherTry)
             {
