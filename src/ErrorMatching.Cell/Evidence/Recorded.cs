@@ -58,6 +58,17 @@ public static class Recorded
     internal static readonly SentenceForm ChangedMeanwhile = new(
         "changed-meanwhile", "{0} at {1} changed while it was being replaced: it is neither the program before nor the one to send. It is kept as {2}. Look at it, then approve again to replace it, or reject.");
 
+    internal static readonly SentenceForm ChangedTwice = new(
+        "changed-twice",
+        "{0} at {1} was changed in the very moment in which it was replaced, and what was there before is beside it as {2}: "
+        + "the cell knows neither of them. Look at both, remove the second, then approve again to replace the first, or reject.");
+    internal static readonly SentenceForm ChangedWhileHeld = new(
+        "changed-while-held",
+        "{0} at {1} is not the program of correction {2:0} any more, which was verified there, but {3}: somebody changed it. "
+        + "It is not released by itself. Look at it; then release with a reason, or put the program back.");
+    internal static readonly SentenceForm HeldAgain = new("held-again", "{0} at {1} is the program of correction {2:0} again.");
+    internal static readonly SentenceForm AnswersAgain = new("answers-again", "{0} answers again.");
+
     // Why a measurement is refused, or nothing is sent.
     internal static readonly SentenceForm UnknownPiece = new("unknown-piece", "No job takes \"{0}\" from \"{1}\": {2:asked}.");
     internal static readonly SentenceForm AskedNobody = new("asked-nobody", "no job listens to this gauge");
@@ -264,7 +275,8 @@ public static class Recorded
         Arrived, OfCutAndPart, OfCut, OfPart, Of, DisplacedAt, DisplacedNothing, DisplacedInSum, Displaced, Computed, AtPointOf, AtPointAndBeside,
         AtPoint, AtBlock, PolicyWithin, Policy, NewerMeasurement, NewerOfSamePiece, GivenAgain, ComputedAnew, FirstArticle, NotCompared, NotComparable, PartRecorded, Approved,
         PieceCut, SlotUsable, LookedAtBase, TriedToRead, SlotEmpty, SlotHeld, CellStopped, HeldAfterCut, ReadBack, GivenBack, MachineWrote,
-        EitherProgram, ChangedBefore, ChangedMeanwhile, UnknownPiece, AskedNobody, AskedWants, LikeAll, LikeName, LikeField, LikeColumn,
+        EitherProgram, ChangedBefore, ChangedMeanwhile, ChangedTwice, ChangedWhileHeld, HeldAgain, AnswersAgain,
+        UnknownPiece, AskedNobody, AskedWants, LikeAll, LikeName, LikeField, LikeColumn,
         AmbiguousPiece, ContradictoryPiece, SaysNoName, SaysTwo, UnusableJob, UnreadableInside, SlowPattern, TooLarge, AlreadyKnown, SumsUnknown,
         PartOfNumberUnmeasured, NamedBoth, NamedSerial, NamedOrder, PartUnmeasured, NotReleasedReverted, NotReleased, BaseReverted, NotFeedback,
         NotFeedbackSurface, JobChanged, OriginalChanged, OverLimit, OverSumLimit, AndMore, Defect, FirstAdministrator, SignedIn, AsRole, ToRole, UntilUtc,

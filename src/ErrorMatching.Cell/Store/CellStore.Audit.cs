@@ -10,8 +10,12 @@ public sealed partial class CellStore
     /// <param name="what">What was done, in one word.</param>
     /// <param name="basis">On what basis, in words.</param>
     /// <param name="subject">What it was done to; null if it was to nothing in particular.</param>
-    public void Audit(string who, string what, string basis, string? subject = null) => Write(transaction =>
+    public void Audit(string who, string what, string basis, string? subject = null) => Audit(who, what, basis, subject, null);
+
+    /// <summary>The same, and keeps what it tells of by its hash.</summary>
+    internal void Audit(string who, string what, string basis, string? subject, byte[]? content) => Write(transaction =>
     {
+        if (content is not null) Keep(transaction, Sha256(content), content);
         transaction.Audit(who, what, subject, basis);
         return true;
     });

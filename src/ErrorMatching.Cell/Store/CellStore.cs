@@ -135,6 +135,10 @@ public sealed partial class CellStore : IDisposable
         return bytes;
     }
 
+    /// <summary>True if something is kept under a hash.</summary>
+    internal bool Keeps(string sha256) =>
+        First("SELECT sha256 FROM content WHERE sha256 = @sha256", r => r.GetString(0), new { sha256 }) is not null;
+
     /// <summary>A correction by its number; null if there is none.</summary>
     public Correction? Find(long id) => First(CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, new { id });
 
