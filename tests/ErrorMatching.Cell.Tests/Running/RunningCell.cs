@@ -62,6 +62,9 @@ internal sealed class RunningCell : IAsyncDisposable
         Idle = TimeSpan.FromMilliseconds(200),
         Store = TimeSpan.FromMilliseconds(20),
         Ready = TimeSpan.FromMilliseconds(20),
+
+        // Tests count listings; those of who asks whether a machine answers would be among them.
+        Answer = TimeSpan.FromDays(1),
         Locked = TimeSpan.FromMilliseconds(10),
         Pause = TimeSpan.FromMilliseconds(30),
         LongestPause = TimeSpan.FromMilliseconds(60),
