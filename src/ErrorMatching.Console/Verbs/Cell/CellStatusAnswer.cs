@@ -201,7 +201,10 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
 
         foreach (var trouble in Troubles(isTampered: false))
         {
-            yield return $"{trouble.Where}: put right what it says ({trouble.Code}); the cell goes on by itself.";
+            yield return trouble.Code == CellCodes.ChangedAtMachine
+                ? $"{trouble.Where}: look at it at the machine. Then release the correction with --reason "
+                    + $"(errormatch cell release {settings.File} NUMBER), or put its program back."
+                : $"{trouble.Where}: put right what it says ({trouble.Code}); the cell goes on by itself.";
         }
 
         foreach (var failed in status.Failed.Take(MostListed))

@@ -27,7 +27,12 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _pause = new(Station.Clock, SayDecisions);
         Approve = Decision(Act.Approve, needsReason: false, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Approve(id, by, reason)));
         Reject = Decision(Act.Reject, needsReason: true, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Reject(id, by, reason!)));
-        Release = Decision(Act.Release, needsReason: false, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Release(id, by, reason)));
+        Release = Decision(
+            Act.Release,
+            needsReason: false,
+            (id, by, reason, cancellation) => Task.Run(
+                () => new SlotRelease(Station.Settings, Station.Store, Station.Open).ReleaseAsync(id, by, reason, cancellation),
+                    cancellation));
         ComputeAnew = new(_ => ComputeAnewAsync(), () => IsDecidable && IsOutdated);
         LookAtFirst = new(() =>
         {

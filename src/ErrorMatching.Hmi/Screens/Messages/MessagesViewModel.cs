@@ -101,6 +101,9 @@ public sealed partial class MessagesViewModel : ScreenViewModel
         }
     }
 
+    private static string NextOf(CellTrouble trouble) => trouble.Code == CellCodes.ChangedAtMachine ? "Message.Changed.Next"
+        : "Message.Trouble.Next";
+
     private IEnumerable<MessageRow> Of(CellStatus status)
     {
         var texts = Texts.Current;
@@ -111,7 +114,9 @@ public sealed partial class MessagesViewModel : ScreenViewModel
 
         foreach (var trouble in status.IsRunning ? status.Heartbeat!.Troubles : [])
         {
-            yield return new(Severity.Alarm, $"{trouble.Where} · {Shown.Time(trouble.Since, Station.Clock)} · {CodeText.Of(trouble.Code, trouble.Message)}", texts["Message.Trouble.Next"], null);
+            yield return new(Severity.Alarm,
+                $"{trouble.Where} · {Shown.Time(trouble.Since, Station.Clock)} · {CodeText.Of(trouble.Code, trouble.Message)}",
+                    texts[NextOf(trouble)], null);
         }
 
         // A cell that runs tells of it as a trouble.

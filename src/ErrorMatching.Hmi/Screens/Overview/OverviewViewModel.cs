@@ -87,7 +87,7 @@ public sealed class OverviewViewModel : ScreenViewModel
     {
         var texts = Texts.Current;
         var name = $"{slot.Machine.Name}/{slot.Slot.Name}";
-        var trouble = Troubles(status).FirstOrDefault(t => t.Where == CellTrouble.OfSlot(slot.Machine.Name, slot.Slot.Name));
+        var trouble = Troubles(status).FirstOrDefault(t => t.Concerns(slot.Machine.Name, slot.Slot.Name));
 
         // What nobody has approved yet goes nowhere: it stands in no line.
         var proposed = status.Proposed.Count(c => c.Machine == slot.Machine.Name && c.Slot == slot.Slot.Name);
@@ -115,7 +115,8 @@ public sealed class OverviewViewModel : ScreenViewModel
     {
         var texts = Texts.Current;
         var source = gauge.Machine is { } machine ? texts.With("Overview.AtMachine", machine) : Path.GetFileName(Path.TrimEndingDirectorySeparator(gauge.Incoming ?? ""));
-        var trouble = Troubles(status).FirstOrDefault(t => t.Where == CellTrouble.OfGauge(gauge.Name));
+        var trouble = Troubles(status).FirstOrDefault(t => t.Where == CellTrouble.OfGauge(gauge.Name)
+            || t.Where == CellTrouble.OfFolder(gauge.Name));
         return trouble is null
             ? new(gauge.Name, source, texts[status.IsRunning ? "Overview.GaugeWatched" : "Overview.GaugeNotWatched"], Severity.Quiet)
             : new(gauge.Name, source, CodeText.Of(trouble.Code, trouble.Message), Severity.Alarm);
