@@ -131,9 +131,16 @@ public sealed partial class Prover
     private void CheckNeighbor(int motion, in NcMotion was, in NcMotion now, bool startMoved, bool endMoved)
     {
         var moved = endMoved ? now.PlaneEnd - was.PlaneEnd : now.PlaneStart - was.PlaneStart;
+        if (was.Has(MotionFlags.MachineMove))
+        {
+            CheckMachineMove(was, now);
+            return;
+        }
+
         if (!was.MovesInPlane || !was.IsCut)
         {
-            if (!was.MovesInPlane && !Same(default(Point3) + (now.Start - was.Start), default(Point3) + (now.End - was.End)))
+            var keepsItsWay = Same(default(Point3) + (now.Start - was.Start), default(Point3) + (now.End - was.End));
+            if (!was.MovesInPlane && !keepsItsWay && (HeightMoved(was, now) || !LeadsAcross(motion)))
             {
                 Fail(was.Block, "a move along the tool axis now moves in the plane or ends at another height.");
             }
@@ -180,6 +187,23 @@ public sealed partial class Prover
             Fail(was.Block, "it turned round.");
         }
     }
+
+    private static bool HeightMoved(in NcMotion was, in NcMotion now) =>
+        Math.Abs(was.Plane.Height(now.Start) - was.Plane.Height(was.Start)) > SamePlace || Math.Abs(was.Plane.Height(now.End) - was.Plane.Height(was.End)) > SamePlace;
+
+    // It ends in each axis where it did: at the place of the machine, or as much elsewhere as it began, where it says nothing of the axis.
+    private void CheckMachineMove(in NcMotion was, in NcMotion now)
+    {
+        var (start, end) = (now.Start - was.Start, now.End - was.End);
+        if (!StaysOrGoesAlong(start.X, end.X) || !StaysOrGoesAlong(start.Y, end.Y) || !StaysOrGoesAlong(start.Z, end.Z))
+        {
+            Fail(was.Block, "a move to a place of the machine ends neither there nor where it comes from.");
+        }
+
+        Note(was, NeighborRole.Positioning, was.Plane.Project(default(Point3) + (end == Vector3.Zero ? start : end)) - Point2.Origin);
+    }
+
+    private static bool StaysOrGoesAlong(double start, double end) => Math.Abs(end) <= SamePlace || Math.Abs(end - start) <= SamePlace;
 
     // An arc whose ends moved alike moved as a whole; another runs through its old middle moved by half of what its ends moved.
     private void CheckFollowingArc(in NcMotion was, in NcMotion now)

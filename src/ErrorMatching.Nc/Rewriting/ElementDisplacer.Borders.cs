@@ -81,7 +81,21 @@ internal sealed partial class ElementDisplacer
     private void Place(int joint, CoordinatePlane plane, Vector2 move)
     {
         _change.Move(joint, plane, move);
-        _change.CarryPositioning(joint);
+        _borders.Add(joint);
+    }
+
+    // Not before all joints of named motions are set: what lies between two of them goes from the place of one to that of the other.
+    private NcRefusal? CarryPositioning()
+    {
+        foreach (var joint in _borders)
+        {
+            if ((Positioning.CarryAhead(_change, joint, _named.Contains) ?? Positioning.CarryBack(_change, joint)) is { } refusal)
+            {
+                return refusal;
+            }
+        }
+
+        return null;
     }
 
     /// <summary>Where a displaced element meets its neighbor's own carrier, and which element that is after short ones were cut off; null if the neighbor cannot slide.</summary>

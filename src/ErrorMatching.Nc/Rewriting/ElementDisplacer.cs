@@ -36,6 +36,9 @@ internal sealed partial class ElementDisplacer
     private readonly HashSet<int> _shrunk = [];
     private readonly BitArray _smoothJoints;
 
+    // The joints at the ends of runs, in the order in which they were decided.
+    private readonly List<int> _borders = [];
+
     private ElementDisplacer(NcPath path, IReadOnlyList<ElementWish> wishes)
     {
         _path = path;
@@ -85,7 +88,7 @@ internal sealed partial class ElementDisplacer
             }
         }
 
-        return FollowWithArcs() ?? CheckSense();
+        return CarryPositioning() ?? FollowWithArcs() ?? CheckSense();
     }
 
     private NcRefusal? Add(ElementWish element)
