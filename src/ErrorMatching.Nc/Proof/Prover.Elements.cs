@@ -47,6 +47,13 @@ public sealed partial class Prover
         {
             CheckFillet(element.Motion, was, now);
         }
+        else if (now.Arc.Length < was.Arc.Length / 2 && CircleThrough(start, middle, end) is { } wished)
+        {
+            // Between two short ends a circle shows by less than an increment where it ran before; where it cuts now is what counts.
+            Measure(was.Block, Math.Abs(wished.SignedDistance(now.PlaneStart)), ArcTolerance + Mismatch(was));
+            Measure(was.Block, Math.Abs(wished.SignedDistance(now.Arc.Middle)), ArcTolerance + Mismatch(was));
+            Measure(was.Block, Math.Abs(wished.SignedDistance(now.PlaneEnd)), ArcTolerance + Mismatch(was));
+        }
         else
         {
             var circle = now.Arc.Circle;
@@ -116,7 +123,7 @@ public sealed partial class Prover
             return;
         }
 
-        var allowed = Math.Max(Mismatch(was), 1.5 * _increment);
+        var allowed = Math.Max(Mismatch(was) + (0.75 * _increment), 1.5 * _increment);
         if (Mismatch(now) > allowed + 1e-9)
         {
             Fail(was.Block, "the radii at its start and end differ by more than a control accepts.");
@@ -173,7 +180,7 @@ public sealed partial class Prover
         }
         else
         {
-            if (was.IsArc && moved.Length > 5 * _increment && EndsOnCircle(was, now))
+            if (was.IsArc && moved.Length > 5 * _increment && EndsOnCircle(was, now) && !TookWish(motion, moved, endMoved))
             {
                 Fail(was.Block, "its ends slid along its circle, but its center moved.");
             }
@@ -186,6 +193,19 @@ public sealed partial class Prover
         {
             Fail(was.Block, "it turned round.");
         }
+    }
+
+    // An end that was asked to go a way that happens to lie along a circle is not one that slid: a step in depth or the like is between the named element and the arc.
+    private bool TookWish(int motion, Vector2 moved, bool atEnd)
+    {
+        var beside = atEnd ? motion + 1 : motion - 1;
+        while (beside >= 0 && beside < _before.Motions.Length && !_before.Motions.MovesInPlane(beside))
+        {
+            beside += atEnd ? 1 : -1;
+        }
+
+        return Math.Abs(beside - motion) > 1 && _elements.IndexOf(beside) is >= 0 and var index
+            && (moved - (atEnd ? _wish.Elements[index].Start : _wish.Elements[index].End)).Length <= _increment + 1e-6;
     }
 
     private static bool HeightMoved(in NcMotion was, in NcMotion now) =>
@@ -235,14 +255,19 @@ public sealed partial class Prover
             return true;
         }
 
+        return CircleThrough(now.PlaneStart, middle, now.PlaneEnd) is { } circle && Math.Abs(now.Arc.Radius - circle.Radius) <= (1.5 * _increment) + 1e-6;
+    }
+
+    // Null for points on one line: no circle is right.
+    private static Circle2? CircleThrough(Point2 start, Point2 middle, Point2 end)
+    {
         try
         {
-            return Math.Abs(now.Arc.Radius - Circle2.Through(now.PlaneStart, middle, now.PlaneEnd).Radius) <= (1.5 * _increment) + 1e-6;
+            return Circle2.Through(start, middle, end);
         }
         catch (GeometryException)
         {
-            // On one line: no radius is right.
-            return false;
+            return null;
         }
     }
 

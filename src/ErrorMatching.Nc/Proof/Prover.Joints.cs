@@ -64,7 +64,7 @@ public sealed partial class Prover
     {
         var motions = _before.Motions;
         var isLifted = false;
-        for (var i = joint - 1; IsCutInPlane(joint) && i >= 0 && !motions.MovesInPlane(i) && !isLifted; i--)
+        for (var i = joint - 1; IsCutInPlane(joint) && !_endPoints.Contains(joint) && i >= 0 && !motions.MovesInPlane(i) && !isLifted; i--)
         {
             isLifted = motions[i].Kind != MotionKind.Line;
         }

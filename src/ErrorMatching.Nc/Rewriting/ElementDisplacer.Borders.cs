@@ -20,21 +20,19 @@ internal sealed partial class ElementDisplacer
         // A later cut of the same contour that ends where the run begins, or an earlier one that begins where the run ends: the contour closes there.
         var closing = contours.FirstEndingAt(start, last + 1, first);
         var opening = closing >= 0 ? -1 : contours.LastStartingAt(end, first - 1, first);
-        Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1);
-        Border(last, opening >= 0 ? opening : last + 1, last + 1, atStart: false, opening);
-        return null;
+        return Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1)
+            ?? Border(last, opening >= 0 ? opening : last + 1, last + 1, atStart: false, opening);
     }
 
     // The whole contour is displaced: its first and last element meet each other.
     private NcRefusal? CloseRun(int first, int last)
     {
         var motion = _path.Motions[first];
-        var place = motion.PlaneStart;
         var amount = Math.Max(WishOf(last).End.Length, WishOf(first).Start.Length);
-        var move = Smooth(last, first) ?? (Meet(last, first, first, amount) is { } point ? point - place : null);
+        var move = Smooth(last, first) ?? (Meet(last, first, first, amount) is { } point ? point - motion.PlaneStart : null);
         if (move is not { } both)
         {
-            return At(motion, NcRefusalCodes.NoIntersection, $"displaced as asked, the contour no longer closes with {_path.Program.NameOf(_path.Program[_path.Motions[last].Block])}.");
+            return DoesNotClose(first, last);
         }
 
         Place(first, motion.Plane, both);
@@ -42,17 +40,44 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
+    // Where both motions at a closing joint are named, it is decided for both at once, as their corner. A joint that is decided already must suit.
+    private NcRefusal? CloseNamed(int element, int neighbor, int joint, bool atStart, int otherJoint)
+    {
+        if (!_change.IsSet(otherJoint))
+        {
+            return atStart ? CloseRun(element, neighbor) : CloseRun(neighbor, element);
+        }
+
+        var plane = _path.Motions[element].Plane;
+        var move = _change.PlaneMoveOf(otherJoint, plane);
+        if (!IsOnCarrier(element, atStart ? 0 : 1, move))
+        {
+            return DoesNotClose(element, neighbor);
+        }
+
+        Place(joint, plane, move);
+        return null;
+    }
+
+    private NcRefusal DoesNotClose(int element, int neighbor) =>
+        At(_path.Motions[element], NcRefusalCodes.NoIntersection, $"displaced as asked, the contour no longer closes with {_path.Program.NameOf(_path.Program[_path.Motions[neighbor].Block])}.");
+
     /// <summary>Decides one border joint.</summary>
     /// <param name="element">The displaced element.</param>
     /// <param name="neighbor">The motion that it meets there.</param>
     /// <param name="joint">The joint of the element.</param>
     /// <param name="atStart">True if the joint is the element's start.</param>
     /// <param name="otherJoint">The joint of the neighbor where a closed contour makes that another one, else -1.</param>
-    private void Border(int element, int neighbor, int joint, bool atStart, int otherJoint)
+    private NcRefusal? Border(int element, int neighbor, int joint, bool atStart, int otherJoint)
     {
         if (_change.IsSet(joint))
         {
-            return;
+            return null;
+        }
+
+        if (otherJoint >= 0 && (_named.Contains(neighbor) || _change.IsSet(otherJoint)))
+        {
+            return CloseNamed(element, neighbor, joint, atStart, otherJoint);
         }
 
         var motion = _path.Motions[element];
@@ -60,22 +85,31 @@ internal sealed partial class ElementDisplacer
         var slide = (uint)neighbor < (uint)_path.Motions.Length ? Slide(element, neighbor, atStart) : null;
         if (slide is { } meeting)
         {
-            var place = atStart ? motion.PlaneStart : motion.PlaneEnd;
             Shrink(atStart ? joint : meeting.Element + 1, atStart ? meeting.Element : joint, meeting.Point);
-            Place(joint, motion.Plane, meeting.Point - place);
-            if (otherJoint >= 0 && !_change.IsSet(otherJoint))
-            {
-                Place(otherJoint, motion.Plane, meeting.Point - place);
-            }
-
-            return;
         }
 
-        Place(joint, motion.Plane, wished);
-        if (otherJoint >= 0 && !_change.IsSet(otherJoint))
+        var move = slide is { } met ? met.Point - (atStart ? motion.PlaneStart : motion.PlaneEnd) : wished;
+        Place(joint, motion.Plane, move);
+        if (otherJoint < 0)
         {
-            Place(otherJoint, motion.Plane, wished);
+            return null;
         }
+
+        // A third element that is named may begin or end there as well.
+        var third = atStart ? otherJoint : otherJoint - 1;
+        if ((uint)third < (uint)_path.Motions.Length && _named.Contains(third) && !IsOnCarrier(third, atStart ? 0 : 1, move))
+        {
+            return DoesNotClose(element, third);
+        }
+
+        Place(otherJoint, motion.Plane, move);
+        return null;
+    }
+
+    private bool IsOnCarrier(int element, int fraction, Vector2 move)
+    {
+        var motion = _path.Motions[element];
+        return CarrierOf(element).Distance((fraction == 0 ? motion.PlaneStart : motion.PlaneEnd) + move) <= SamePlace;
     }
 
     private void Place(int joint, CoordinatePlane plane, Vector2 move)

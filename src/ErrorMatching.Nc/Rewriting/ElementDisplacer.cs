@@ -82,7 +82,16 @@ internal sealed partial class ElementDisplacer
         for (var run = 0; run < _named.Count; run++)
         {
             var (first, last) = _named[run];
-            if ((Joints(first, last) ?? Borders(first, last, contours)) is { } refusal)
+            if (Joints(first, last) is { } refusal)
+            {
+                return refusal;
+            }
+        }
+
+        for (var run = 0; run < _named.Count; run++)
+        {
+            var (first, last) = _named[run];
+            if (Borders(first, last, contours) is { } refusal)
             {
                 return refusal;
             }

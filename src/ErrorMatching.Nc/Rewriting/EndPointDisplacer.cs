@@ -18,6 +18,11 @@ internal static class EndPointDisplacer
                 return refusal;
             }
 
+            if (Positioning.Only(path.Motions[wish.EndPoints[i]].UnknownEnd, wish.ByOf(i)) != Vector3.Zero)
+            {
+                return Obstacles.UnknownPlace(path, wish.EndPoints[i]);
+            }
+
             change.Move(wish.EndPoints[i] + 1, wish.ByOf(i));
         }
 

@@ -95,6 +95,11 @@ internal sealed class PathChange
     {
         var arc = Path.Motions[motion];
         var (start, end) = (PlaneMoveOf(motion, arc.Plane), PlaneMoveOf(motion + 1, arc.Plane));
+        if (!arc.IsKnownInPlane && (start != default || end != default))
+        {
+            return Obstacles.Of(Path, motion) ?? Obstacles.UnknownPlace(Path, motion);
+        }
+
         if ((start - end).Length < 1e-12)
         {
             SetCenter(motion, arc.Center + start);
@@ -104,11 +109,6 @@ internal sealed class PathChange
         if (Obstacles.Of(Path, motion) is { } obstacle)
         {
             return obstacle;
-        }
-
-        if (!arc.IsKnownInPlane)
-        {
-            return Obstacles.UnknownPlace(Path, motion);
         }
 
         if (arc.PlaneStart.DistanceTo(arc.PlaneEnd) > 1e-9 && Carrier.Displaced(arc, new(motion, start, (start + end) / 2, end))?.Circle is { } circle)

@@ -25,7 +25,8 @@ internal sealed class RandomProgram
 
     public RandomProgram(int seed)
     {
-        _state = (ulong)seed * 0x9E3779B97F4A7C15UL;
+        _state = (ulong)seed * 0xD1B54A32D192ED03UL;
+        _state ^= _state >> 32;
         Dialect = NcDialects.All[Below(NcDialects.All.Count)];
         _syntax = Dialect.Syntax;
         _plane = Chance(0.1) ? "G18" : Chance(0.05) ? "G19" : "G17";

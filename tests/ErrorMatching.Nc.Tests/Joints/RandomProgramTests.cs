@@ -22,7 +22,7 @@ public sealed class RandomProgramTests
             codes[code] = codes.GetValueOrDefault(code) + 1;
         }
 
-        Assert.True(failures.Count == 0, $"{failures.Count} of {Programs} ({string.Join(", ", codes.Select(c => $"{c.Key} {c.Value}"))}):\n{string.Join("\n\n", failures.Take(5))}");
+        Assert.True(failures.Count == 0, $"{failures.Count} of {Programs} ({string.Join(", ", codes.Select(c => $"{c.Key} {c.Value}"))}):\n{string.Join("\n\n", failures.Take(40))}");
         Assert.InRange(codes.GetValueOrDefault("proved"), Programs / 2, Programs);
     }
 
