@@ -59,31 +59,44 @@ public sealed partial class Prover
         return allowed;
     }
 
-    // The cut that begins at a joint was reached along the tool axis, and not by feeds alone.
+    // The cut that begins at a joint, and was not named, was reached along the tool axis and not by feeds of one tool alone.
     private bool IsLiftedBefore(int joint)
     {
         var motions = _before.Motions;
-        var isLifted = false;
-        for (var i = joint - 1; IsCutInPlane(joint) && !_endPoints.Contains(joint) && i >= 0 && !motions.MovesInPlane(i) && !isLifted; i--)
+        if (!IsCutInPlane(joint) || _endPoints.Contains(joint))
         {
-            isLifted = motions[i].Kind != MotionKind.Line;
+            return false;
+        }
+
+        var isLifted = _before.ChangesTool(joint, joint);
+        for (var i = joint - 1; i >= 0 && !motions.MovesInPlane(i) && !isLifted; i--)
+        {
+            isLifted = motions[i].Kind != MotionKind.Line || _before.ChangesTool(i, i);
         }
 
         return isLifted;
     }
 
-    // The cut that ends at a joint was left along the tool axis, and not by feeds alone.
+    // The cut that ends at a joint was left along the tool axis and not by feeds of one tool alone.
     private bool IsLiftedBehind(int joint)
     {
         var motions = _before.Motions;
-        var isLifted = false;
-        for (var i = joint; IsCutInPlane(joint - 1) && i < motions.Length && !motions.MovesInPlane(i) && !isLifted; i++)
+        if (!IsCutInPlane(joint - 1))
         {
-            isLifted = motions[i].Kind != MotionKind.Line;
+            return false;
+        }
+
+        var isLifted = _before.ChangesTool(joint, joint);
+        for (var i = joint; i < motions.Length && !motions.MovesInPlane(i) && !isLifted; i++)
+        {
+            isLifted = motions[i].Kind != MotionKind.Line || _before.ChangesTool(i + 1, i + 1);
         }
 
         return isLifted;
     }
+
+    // The joint of a cut that nobody named, at which the tool was changed.
+    private bool IsOtherTools(int motion, int joint) => _before.ChangesTool(joint, joint) && IsCutInPlane(motion) && !_elements.Contains(motion) && !_endPoints.Contains(motion);
 
     private bool IsCutInPlane(int motion) => motion >= 0 && motion < _before.Motions.Length && _before.Motions[motion] is { IsCut: true, MovesInPlane: true };
 
@@ -107,7 +120,7 @@ public sealed partial class Prover
         var comesFrom = first > 0 ? _before.Motions[first - 1] : default;
         var isHeldBefore = first > 0 && (IsCutInPlane(first - 1) || comesFrom.Has(MotionFlags.MachineMove) || _endPoints.Contains(first - 1));
         var was = _before.Motions[rapid];
-        return was.Kind == MotionKind.Rapid && !was.Has(MotionFlags.MachineMove) && isHeldBefore && IsCutInPlane(last + 1) && !_before.Motions[rapid - 1].IsCut
+        return was.Kind == MotionKind.Rapid && !was.Has(MotionFlags.MachineMove) && isHeldBefore && IsCutInPlane(last + 1) && (!_before.Motions[rapid - 1].IsCut || _before.ChangesTool(rapid, rapid))
             && Enumerable.Range(first, last - first + 1).All(i => i == rapid || Same(_after.Motions[i].PlaneStart, _after.Motions[i].PlaneEnd));
     }
 

@@ -123,7 +123,7 @@ internal sealed partial class ElementDisplacer
     {
         foreach (var joint in _borders)
         {
-            if ((Positioning.CarryAhead(_change, joint, _named.Contains) ?? Positioning.CarryBack(_change, joint)) is { } refusal)
+            if ((Positioning.CarryAhead(_change, joint, _named.Contains) ?? Positioning.CarryBack(_change, joint, _named.Contains)) is { } refusal)
             {
                 return refusal;
             }
@@ -137,7 +137,7 @@ internal sealed partial class ElementDisplacer
     {
         var (e, n) = (_path.Motions[element], _path.Motions[neighbor]);
         if (n is not { IsCut: true, MovesInPlane: true } || n.Plane != e.Plane || n.Frame != e.Frame || n.Has(MotionFlags.CompensationSwitches)
-            || !n.IsKnownInPlane || Obstacles.Of(_path, neighbor) is not null)
+            || !n.IsKnownInPlane || Obstacles.Of(_path, neighbor) is not null || _path.ChangesTool(atStart ? element : element + 1, atStart ? element : element + 1))
         {
             return null;
         }

@@ -45,7 +45,11 @@ internal sealed class PathWithoutPoints
         }
 
         var dependents = path.PlaceDependents.Select(d => (d.Block, kept.BinarySearch(d.Joint) is var at && at < 0 ? ~at : at)).ToArray();
-        return new(path, new(path.Program, path.Dialect, motions, path.Problems, dependents, path.Frames, path.Notes, path.Refusal, path.Library), [.. kept]);
+        var reduced = new NcPath(path.Program, path.Dialect, motions, path.Problems, dependents, path.Frames, path.Notes, path.Refusal, path.Library)
+        {
+            ToolChanges = [.. path.ToolChanges.Select(c => kept.BinarySearch(c) is var at && at < 0 ? ~at : at)],
+        };
+        return new(path, reduced, [.. kept]);
     }
 
     /// <summary>Displaces elements. A wish for a point is a wish for nothing and is left out.</summary>

@@ -11,7 +11,7 @@ internal static class Positioning
     /// <summary>Takes along what follows a moved joint, up to the first motion in the plane.</summary>
     /// <param name="change">The change; the joints of named motions are set.</param>
     /// <param name="joint">The joint.</param>
-    /// <param name="isNamed">Whether a motion is named, and may begin elsewhere.</param>
+    /// <param name="isNamed">Whether a motion is named, and may begin or end elsewhere.</param>
     /// <returns>The reason why it cannot be, or null.</returns>
     public static NcRefusal? CarryAhead(PathChange change, int joint, Func<int, bool> isNamed)
     {
@@ -29,7 +29,7 @@ internal static class Positioning
                 return Join(change, joint, end + 1, moved: joint);
             }
 
-            if (end < motions.Length && end > joint && IsCut(motions[end]) && !isNamed(end) && IsLifted(motions, joint, end))
+            if (end < motions.Length && IsCut(motions[end]) && !isNamed(end) && IsLifted(change.Path, joint, end))
             {
                 return Join(change, joint, end, moved: joint);
             }
@@ -58,7 +58,7 @@ internal static class Positioning
 
     /// <summary>Takes along what leads to a moved joint, back to the last motion in the plane.</summary>
     /// <returns>The reason why it cannot be, or null.</returns>
-    public static NcRefusal? CarryBack(PathChange change, int joint)
+    public static NcRefusal? CarryBack(PathChange change, int joint, Func<int, bool> isNamed)
     {
         var motions = change.Path.Motions;
         var first = joint;
@@ -72,7 +72,8 @@ internal static class Positioning
             return Join(change, first - 1, joint, moved: joint);
         }
 
-        if (first > 0 && first < joint && (motions[first - 1].Has(MotionFlags.MachineMove) || (IsCut(motions[first - 1]) && IsLifted(motions, first, joint))))
+        var isHeld = first > 0 && !isNamed(first - 1) && (motions[first - 1].Has(MotionFlags.MachineMove) ? first < joint : IsCut(motions[first - 1]) && IsLifted(change.Path, first, joint));
+        if (isHeld)
         {
             return Join(change, first, joint, moved: joint);
         }
@@ -85,7 +86,7 @@ internal static class Positioning
     private static NcRefusal? Join(PathChange change, int first, int last, int moved)
     {
         var (from, to) = (LevelMove(change, first), LevelMove(change, last));
-        if (from == to)
+        if (from == to && (first < last || from == Vector3.Zero))
         {
             Move(change, first + 1, last - 1, from);
             return null;
@@ -94,7 +95,7 @@ internal static class Positioning
         var motions = change.Path.Motions;
         for (var rapid = last - 1; rapid >= first; rapid--)
         {
-            if (motions[rapid].Kind == MotionKind.Rapid && !(rapid > 0 && motions[rapid - 1].IsCut) && Obstacles.Of(change.Path, rapid) is null && StatesPlace(change.Path, rapid))
+            if (motions[rapid].Kind == MotionKind.Rapid && !LeavesCut(change.Path, rapid) && Obstacles.Of(change.Path, rapid) is null && StatesPlace(change.Path, rapid))
             {
                 Move(change, first + 1, rapid, from);
                 Move(change, rapid + 1, last - 1, to);
@@ -106,7 +107,7 @@ internal static class Positioning
         var name = change.Path.Program.NameOf(change.Path.Program[motions.BlockOf(other)]);
         return Refuse(
             change.Path, cut, NcRefusalCodes.NoPositioning,
-            $"it shares a place with {name}, which moves away from it, and was cut separately: the tool was lifted between. No rapid above the piece between them has coordinates of its own to lead from one place to the other. Insert one (G0 X Y) behind the retract, or displace both alike.");
+            $"it shares a place with {name} and was cut separately: the tool was lifted or changed between them. They no longer share it, and no rapid between them, above the piece, has coordinates of its own to lead from one to the other. Insert one (G0 X Y) behind the retract, or displace both alike.");
     }
 
     private static void Move(PathChange change, int first, int last, Vector3 by)
@@ -134,16 +135,19 @@ internal static class Positioning
 
     private static bool IsCut(in NcMotion motion) => motion is { IsCut: true, MovesInPlane: true } && !motion.Has(MotionFlags.MachineMove);
 
-    private static bool IsLifted(NcMotions motions, int from, int behind)
+    // A way from cut to cut on which the tool did not go on cutting.
+    private static bool IsLifted(NcPath path, int from, int behind)
     {
-        var isLifted = false;
+        var isLifted = path.ChangesTool(from, behind);
         for (var i = from; i < behind; i++)
         {
-            isLifted |= motions[i].Kind != MotionKind.Line;
+            isLifted |= path.Motions[i].Kind != MotionKind.Line;
         }
 
         return isLifted;
     }
+
+    private static bool LeavesCut(NcPath path, int motion) => motion > 0 && path.Motions[motion - 1].IsCut && !path.ChangesTool(motion, motion);
 
     private static bool StatesPlace(NcPath path, int motion)
     {

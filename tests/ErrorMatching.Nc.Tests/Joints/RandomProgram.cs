@@ -213,7 +213,12 @@ internal sealed class RandomProgram
     {
         if (Chance(0.1))
         {
-            // On to the next contour without lifting the tool.
+            // On to the next contour without lifting the tool; whoever changes it may do so.
+            if (Chance(0.4))
+            {
+                Line("T4 M6");
+            }
+
             return;
         }
 
