@@ -52,7 +52,8 @@ public static class NcRefusalCodes
     public const string NoIntersection = "no-intersection";
 
     /// <summary>
-    /// Two cuts that are not connected share a place, only one of them moves away from it, and no rapid between them has coordinates of its own that could lead from one to the other.
+    /// Two cuts that are not connected share a place, they do not move alike, and no rapid between them has coordinates of its own
+    /// that could lead from one to the other.
     /// </summary>
     public const string NoPositioning = "no-positioning";
 

@@ -14,6 +14,9 @@ public sealed partial class Prover
     /// <summary>A fillet's ends are rounded, and so is the center whose feet they are.</summary>
     private double FootTolerance => (5 * _increment) + 1e-6;
 
+    /// <summary>How far the radii at both ends of an arc may differ on every control, mm.</summary>
+    private const double AcceptedMismatch = 0.001;
+
     private static double Mismatch(in NcMotion motion) => ArcCenter.Mismatch(motion.PlaneStart, motion.PlaneEnd, motion.Center);
 
     private void Measure(int block, double deviation, double tolerance)
@@ -123,7 +126,7 @@ public sealed partial class Prover
             return;
         }
 
-        var allowed = Math.Max(Mismatch(was) + (0.75 * _increment), 1.5 * _increment);
+        var allowed = Math.Max(Math.Max(Mismatch(was), AcceptedMismatch), 1.5 * _increment);
         if (Mismatch(now) > allowed + 1e-9)
         {
             Fail(was.Block, "the radii at its start and end differ by more than a control accepts.");
@@ -146,8 +149,7 @@ public sealed partial class Prover
 
         if (!was.MovesInPlane || !was.IsCut)
         {
-            var keepsItsWay = Same(default(Point3) + (now.Start - was.Start), default(Point3) + (now.End - was.End));
-            if (!was.MovesInPlane && !keepsItsWay && (HeightMoved(was, now) || !LeadsAcross(motion)))
+            if (!was.MovesInPlane && !KeepsItsWay(was, now) && (HeightMoved(was, now) || !LeadsAcross(motion)))
             {
                 Fail(was.Block, "a move along the tool axis now moves in the plane or ends at another height.");
             }
@@ -195,36 +197,6 @@ public sealed partial class Prover
         }
     }
 
-    // An end that was asked to go a way that happens to lie along a circle is not one that slid: a step in depth or the like is between the named element and the arc.
-    private bool TookWish(int motion, Vector2 moved, bool atEnd)
-    {
-        var beside = atEnd ? motion + 1 : motion - 1;
-        while (beside >= 0 && beside < _before.Motions.Length && !_before.Motions.MovesInPlane(beside))
-        {
-            beside += atEnd ? 1 : -1;
-        }
-
-        return Math.Abs(beside - motion) > 1 && _elements.IndexOf(beside) is >= 0 and var index
-            && (moved - (atEnd ? _wish.Elements[index].Start : _wish.Elements[index].End)).Length <= _increment + 1e-6;
-    }
-
-    private static bool HeightMoved(in NcMotion was, in NcMotion now) =>
-        Math.Abs(was.Plane.Height(now.Start) - was.Plane.Height(was.Start)) > SamePlace || Math.Abs(was.Plane.Height(now.End) - was.Plane.Height(was.End)) > SamePlace;
-
-    // It ends in each axis where it did: at the place of the machine, or as much elsewhere as it began, where it says nothing of the axis.
-    private void CheckMachineMove(in NcMotion was, in NcMotion now)
-    {
-        var (start, end) = (now.Start - was.Start, now.End - was.End);
-        if (!StaysOrGoesAlong(start.X, end.X) || !StaysOrGoesAlong(start.Y, end.Y) || !StaysOrGoesAlong(start.Z, end.Z))
-        {
-            Fail(was.Block, "a move to a place of the machine ends neither there nor where it comes from.");
-        }
-
-        Note(was, NeighborRole.Positioning, was.Plane.Project(default(Point3) + (end == Vector3.Zero ? start : end)) - Point2.Origin);
-    }
-
-    private static bool StaysOrGoesAlong(double start, double end) => Math.Abs(end) <= SamePlace || Math.Abs(end - start) <= SamePlace;
-
     // An arc whose ends moved alike moved as a whole; another runs through its old middle moved by half of what its ends moved.
     private void CheckFollowingArc(in NcMotion was, in NcMotion now)
     {
@@ -255,7 +227,8 @@ public sealed partial class Prover
             return true;
         }
 
-        return CircleThrough(now.PlaneStart, middle, now.PlaneEnd) is { } circle && Math.Abs(now.Arc.Radius - circle.Radius) <= (1.5 * _increment) + 1e-6;
+        return CircleThrough(now.PlaneStart, middle, now.PlaneEnd) is { } circle
+            && Math.Abs(now.Arc.Radius - circle.Radius) <= (1.5 * _increment) + 1e-6;
     }
 
     // Null for points on one line: no circle is right.

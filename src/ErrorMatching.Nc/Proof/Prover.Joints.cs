@@ -45,92 +45,15 @@ public sealed partial class Prover
             allowed[joint] = true;
         }
 
-        // Joints that positioning shares: what one reaches, the next would reach as well, so each way is gone once. A cut at the end of the way shares its joint only where the tool was not lifted on it.
-        for (var joint = Array.IndexOf(allowed, true); joint >= 0 && joint < _before.Motions.Length; joint = Array.IndexOf(allowed, true, joint + 1))
-        {
-            allowed[joint + 1] |= _before.Motions[joint].Has(MotionFlags.MachineMove) || (!_before.Motions.MovesInPlane(joint) && !IsLiftedBefore(joint + 1));
-        }
-
-        for (var joint = _elements.Count > 0 ? Array.LastIndexOf(allowed, true) : 0; joint > 0; joint = Array.LastIndexOf(allowed, true, joint - 1))
-        {
-            allowed[joint - 1] |= !_before.Motions.MovesInPlane(joint - 1) && !IsLiftedBehind(joint - 1);
-        }
-
+        AllowPositioning(allowed);
         return allowed;
     }
-
-    // The cut that begins at a joint, and was not named, was reached along the tool axis and not by feeds of one tool alone.
-    private bool IsLiftedBefore(int joint)
-    {
-        var motions = _before.Motions;
-        if (!IsCutInPlane(joint) || _endPoints.Contains(joint))
-        {
-            return false;
-        }
-
-        var isLifted = _before.ChangesTool(joint, joint);
-        for (var i = joint - 1; i >= 0 && !motions.MovesInPlane(i) && !isLifted; i--)
-        {
-            isLifted = motions[i].Kind != MotionKind.Line || _before.ChangesTool(i, i);
-        }
-
-        return isLifted;
-    }
-
-    // The cut that ends at a joint was left along the tool axis and not by feeds of one tool alone.
-    private bool IsLiftedBehind(int joint)
-    {
-        var motions = _before.Motions;
-        if (!IsCutInPlane(joint - 1))
-        {
-            return false;
-        }
-
-        var isLifted = _before.ChangesTool(joint, joint);
-        for (var i = joint; i < motions.Length && !motions.MovesInPlane(i) && !isLifted; i++)
-        {
-            isLifted = motions[i].Kind != MotionKind.Line || _before.ChangesTool(i + 1, i + 1);
-        }
-
-        return isLifted;
-    }
-
-    // The joint of a cut that nobody named, at which the tool was changed.
-    private bool IsOtherTools(int motion, int joint) => _before.ChangesTool(joint, joint) && IsCutInPlane(motion) && !_elements.Contains(motion) && !_endPoints.Contains(motion);
-
-    private bool IsCutInPlane(int motion) => motion >= 0 && motion < _before.Motions.Length && _before.Motions[motion] is { IsCut: true, MovesInPlane: true };
-
-    /// <summary>
-    /// True for the rapid that leads from the place of one cut to that of another which was the same and no longer is: the tool was lifted before it, and nothing else on the way
-    /// from the one to the other goes anywhere in the plane.
-    /// </summary>
-    private bool LeadsAcross(int rapid)
-    {
-        var (first, last) = (rapid, rapid);
-        while (first > 0 && IsPassedAlongAxis(first - 1))
-        {
-            first--;
-        }
-
-        while (last + 1 < _before.Motions.Length && IsPassedAlongAxis(last + 1))
-        {
-            last++;
-        }
-
-        var comesFrom = first > 0 ? _before.Motions[first - 1] : default;
-        var isHeldBefore = first > 0 && (IsCutInPlane(first - 1) || comesFrom.Has(MotionFlags.MachineMove) || _endPoints.Contains(first - 1));
-        var was = _before.Motions[rapid];
-        return was.Kind == MotionKind.Rapid && !was.Has(MotionFlags.MachineMove) && isHeldBefore && IsCutInPlane(last + 1) && (!_before.Motions[rapid - 1].IsCut || _before.ChangesTool(rapid, rapid))
-            && Enumerable.Range(first, last - first + 1).All(i => i == rapid || Same(_after.Motions[i].PlaneStart, _after.Motions[i].PlaneEnd));
-    }
-
-    private bool IsPassedAlongAxis(int motion) => !_before.Motions.MovesInPlane(motion) && !_endPoints.Contains(motion);
 
     // Both ends of a contour that closes on itself are one corner of the piece: a later cut ends where a run begins, or an earlier one begins where a run ends.
     private void FindClosures()
     {
         var motions = _before.Motions;
-        var contours = new ContourSearch(motions, SamePlace, _elements.Count, i => PathWithoutPoints.IsPoint(motions[i]) || IsStep(i));
+        var contours = new ContourSearch(motions, SamePlace, _elements.Count, IsPassed);
         for (var run = 0; run < _elements.Count; run++)
         {
             var (first, last) = _elements[run];
@@ -225,27 +148,6 @@ public sealed partial class Prover
             yield return (ahead, false);
         }
     }
-
-    private bool IsPassed(int motion) => PathWithoutPoints.IsPoint(_before.Motions[motion]) || IsStep(motion);
-
-    // A feed along the tool axis from one named element to the next: a step in depth at their corner.
-    private bool IsStep(int motion)
-    {
-        var (before, behind) = (motion, motion);
-        while (before >= 0 && IsFeedAlongAxis(before))
-        {
-            before--;
-        }
-
-        while (behind < _before.Motions.Length && IsFeedAlongAxis(behind))
-        {
-            behind++;
-        }
-
-        return before < motion && motion < behind && _elements.Contains(before) && _elements.Contains(behind) && _before.Motions.IsComparable(before, behind);
-    }
-
-    private bool IsFeedAlongAxis(int motion) => !_before.Motions.MovesInPlane(motion) && _before.Motions[motion] is { Kind: MotionKind.Line } m && !m.Has(MotionFlags.MachineMove);
 
     /// <summary>True for a named line that was cut off by the displacement of a corner and shrank to it: what it was measured by are the elements on both sides.</summary>
     private bool IsShrunk(int motion, in NcMotion was) => !_after.Motions.MovesInPlane(motion) && _elements.Contains(motion) && was is { Kind: MotionKind.Line, MovesInPlane: true } && was.PlaneLength <= _reach;

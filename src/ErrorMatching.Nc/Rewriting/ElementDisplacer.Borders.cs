@@ -40,7 +40,8 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    // Where both motions at a closing joint are named, it is decided for both at once, as their corner. A joint that is decided already must suit.
+    // Where both motions at a closing joint are named, it is decided for both at once, as their corner.
+    // A joint that is decided already must suit.
     private NcRefusal? CloseNamed(int element, int neighbor, int joint, bool atStart, int otherJoint)
     {
         if (!_change.IsSet(otherJoint))
@@ -59,8 +60,9 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    private NcRefusal DoesNotClose(int element, int neighbor) =>
-        At(_path.Motions[element], NcRefusalCodes.NoIntersection, $"displaced as asked, the contour no longer closes with {_path.Program.NameOf(_path.Program[_path.Motions[neighbor].Block])}.");
+    private NcRefusal DoesNotClose(int element, int neighbor) => At(
+        _path.Motions[element], NcRefusalCodes.NoIntersection,
+        $"displaced as asked, the contour no longer closes with {_path.Program.NameOf(_path.Program[_path.Motions[neighbor].Block])}.");
 
     /// <summary>Decides one border joint.</summary>
     /// <param name="element">The displaced element.</param>
@@ -106,6 +108,8 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
+    private bool ChangesTool(int joint) => _path.ChangesTool(joint, joint);
+
     private bool IsOnCarrier(int element, int fraction, Vector2 move)
     {
         var motion = _path.Motions[element];
@@ -123,7 +127,8 @@ internal sealed partial class ElementDisplacer
     {
         foreach (var joint in _borders)
         {
-            if ((Positioning.CarryAhead(_change, joint, _named.Contains) ?? Positioning.CarryBack(_change, joint, _named.Contains)) is { } refusal)
+            var refusal = Positioning.CarryAhead(_change, joint, _named.Contains) ?? Positioning.CarryBack(_change, joint, _named.Contains);
+            if (refusal is not null)
             {
                 return refusal;
             }
@@ -137,7 +142,7 @@ internal sealed partial class ElementDisplacer
     {
         var (e, n) = (_path.Motions[element], _path.Motions[neighbor]);
         if (n is not { IsCut: true, MovesInPlane: true } || n.Plane != e.Plane || n.Frame != e.Frame || n.Has(MotionFlags.CompensationSwitches)
-            || !n.IsKnownInPlane || Obstacles.Of(_path, neighbor) is not null || _path.ChangesTool(atStart ? element : element + 1, atStart ? element : element + 1))
+            || !n.IsKnownInPlane || Obstacles.Of(_path, neighbor) is not null || ChangesTool(atStart ? element : element + 1))
         {
             return null;
         }

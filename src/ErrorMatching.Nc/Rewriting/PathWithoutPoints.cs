@@ -1,8 +1,9 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// A path without its straight cuts of no length, which a corner that cut off a short piece leaves behind, and without feeds along the tool axis from one displaced element to the next, a step
-/// in depth at a corner. Elements on both sides are neighbors all the same, so they are displaced on this path and the result is taken back to the program's own.
+/// A path without its straight cuts of no length, which a corner that cut off a short piece leaves behind, and without feeds along the
+/// tool axis from one displaced element to the next, a step in depth at a corner. Elements on both sides are neighbors all the same, so
+/// they are displaced on this path and the result is taken back to the program's own.
 /// </summary>
 internal sealed class PathWithoutPoints
 {
@@ -45,7 +46,8 @@ internal sealed class PathWithoutPoints
         }
 
         var dependents = path.PlaceDependents.Select(d => (d.Block, kept.BinarySearch(d.Joint) is var at && at < 0 ? ~at : at)).ToArray();
-        var reduced = new NcPath(path.Program, path.Dialect, motions, path.Problems, dependents, path.Frames, path.Notes, path.Refusal, path.Library)
+        var reduced = new NcPath(
+            path.Program, path.Dialect, motions, path.Problems, dependents, path.Frames, path.Notes, path.Refusal, path.Library)
         {
             ToolChanges = [.. path.ToolChanges.Select(c => kept.BinarySearch(c) is var at && at < 0 ? ~at : at)],
         };
@@ -101,7 +103,8 @@ internal sealed class PathWithoutPoints
         return steps;
     }
 
-    private static bool IsStep(in NcMotion motion) => motion is { Kind: MotionKind.Line, MovesInPlane: false } && !motion.Has(MotionFlags.MachineMove);
+    private static bool IsStep(in NcMotion motion) =>
+        motion is { Kind: MotionKind.Line, MovesInPlane: false } && !motion.Has(MotionFlags.MachineMove);
 
     private PathChange Restore(PathChange reduced)
     {

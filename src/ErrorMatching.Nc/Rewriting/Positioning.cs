@@ -3,8 +3,9 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Positioning that only goes along the tool axis stays over the joint that moved: plunges before a contour, retracts behind it. A cut at its other end shares the joint
-/// only where the tool went on cutting. Where it was lifted between, the cut stays, and a rapid with coordinates of its own leads from one place to the other.
+/// Positioning that only goes along the tool axis stays over the joint that moved: plunges before a contour, retracts behind it. A cut at
+/// its other end shares the joint only where the tool went on cutting. Where it was lifted or changed between, the cut stays, and a rapid
+/// with coordinates of its own leads from one place to the other.
 /// </summary>
 internal static class Positioning
 {
@@ -35,14 +36,17 @@ internal static class Positioning
             }
 
             Move(change, joint + 1, end, LevelMove(change, joint));
-            if (end == motions.Length || !motions[end].Has(MotionFlags.MachineMove) || change.IsSet(end + 1) || change.MoveOf(end) == Vector3.Zero)
+            if (end == motions.Length || !motions[end].Has(MotionFlags.MachineMove) || change.IsSet(end + 1)
+                || change.MoveOf(end) == Vector3.Zero)
             {
                 return null;
             }
 
             if (motions[end].Has(MotionFlags.Transformed))
             {
-                return Refuse(change.Path, end, NcRefusalCodes.ActiveTransform, "it goes from a place that moves to one of the machine while coordinates are turned. Move the tool away from the contour before it.");
+                return Refuse(
+                    change.Path, end, NcRefusalCodes.ActiveTransform,
+                    "it goes from a place that moves to one of the machine while coordinates are turned. Move the tool off the contour before it.");
             }
 
             var carried = Only(motions[end].CarriedAxes & ~motions[end].UnknownEnd, change.MoveOf(end));
@@ -72,7 +76,9 @@ internal static class Positioning
             return Join(change, first - 1, joint, moved: joint);
         }
 
-        var isHeld = first > 0 && !isNamed(first - 1) && (motions[first - 1].Has(MotionFlags.MachineMove) ? first < joint : IsCut(motions[first - 1]) && IsLifted(change.Path, first, joint));
+        var isHeld = first > 0 && !isNamed(first - 1) && (motions[first - 1].Has(MotionFlags.MachineMove)
+            ? first < joint
+            : IsCut(motions[first - 1]) && IsLifted(change.Path, first, joint));
         if (isHeld)
         {
             return Join(change, first, joint, moved: joint);
@@ -95,7 +101,8 @@ internal static class Positioning
         var motions = change.Path.Motions;
         for (var rapid = last - 1; rapid >= first; rapid--)
         {
-            if (motions[rapid].Kind == MotionKind.Rapid && !LeavesCut(change.Path, rapid) && Obstacles.Of(change.Path, rapid) is null && StatesPlace(change.Path, rapid))
+            if (motions[rapid].Kind == MotionKind.Rapid && !LeavesCut(change.Path, rapid) && Obstacles.Of(change.Path, rapid) is null
+                && StatesPlace(change.Path, rapid))
             {
                 Move(change, first + 1, rapid, from);
                 Move(change, rapid + 1, last - 1, to);
@@ -107,7 +114,9 @@ internal static class Positioning
         var name = change.Path.Program.NameOf(change.Path.Program[motions.BlockOf(other)]);
         return Refuse(
             change.Path, cut, NcRefusalCodes.NoPositioning,
-            $"it shares a place with {name} and was cut separately: the tool was lifted or changed between them. They no longer share it, and no rapid between them, above the piece, has coordinates of its own to lead from one to the other. Insert one (G0 X Y) behind the retract, or displace both alike.");
+            $"it shares a place with {name} and was cut separately: the tool was lifted or changed between them. "
+            + "They no longer share it, and no rapid between them has coordinates of its own to lead from one to the other. "
+            + "Insert one (G0 X Y) behind the retract, or displace both alike.");
     }
 
     private static void Move(PathChange change, int first, int last, Vector3 by)
@@ -130,7 +139,8 @@ internal static class Positioning
     }
 
     // A return of the tool axis to a place of the machine leaves the other axes where they are.
-    private static bool IsAlongAxis(in NcMotion motion) => motion is { MovesInPlane: false, Kind: MotionKind.Rapid or MotionKind.Line or MotionKind.Reference }
+    private static bool IsAlongAxis(in NcMotion motion) =>
+        motion is { MovesInPlane: false, Kind: MotionKind.Rapid or MotionKind.Line or MotionKind.Reference }
         && (!motion.Has(MotionFlags.MachineMove) || (motion.CarriedAxes & motion.Plane.Axes()) == motion.Plane.Axes());
 
     private static bool IsCut(in NcMotion motion) => motion is { IsCut: true, MovesInPlane: true } && !motion.Has(MotionFlags.MachineMove);
@@ -147,14 +157,16 @@ internal static class Positioning
         return isLifted;
     }
 
-    private static bool LeavesCut(NcPath path, int motion) => motion > 0 && path.Motions[motion - 1].IsCut && !path.ChangesTool(motion, motion);
+    private static bool LeavesCut(NcPath path, int motion) =>
+        motion > 0 && path.Motions[motion - 1].IsCut && !path.ChangesTool(motion, motion);
 
     private static bool StatesPlace(NcPath path, int motion)
     {
         var axes = path.Motions[motion].Plane.Axes();
         foreach (ref readonly var token in path.Program.Tokens(path.Program[path.Motions.BlockOf(motion)]))
         {
-            if (token.Kind == NcTokenKind.Word && token.Letter is >= (byte)'X' and <= (byte)'Z' && (axes & (AxisSet)(1 << (token.Letter - 'X'))) != AxisSet.None)
+            if (token is { Kind: NcTokenKind.Word, Letter: >= (byte)'X' and <= (byte)'Z' }
+                && (axes & (AxisSet)(1 << (token.Letter - 'X'))) != AxisSet.None)
             {
                 return true;
             }
@@ -164,8 +176,11 @@ internal static class Positioning
     }
 
     /// <summary>A vector along some axes only.</summary>
-    public static Vector3 Only(AxisSet axes, Vector3 by) =>
-        new((axes & AxisSet.X) == AxisSet.None ? 0 : by.X, (axes & AxisSet.Y) == AxisSet.None ? 0 : by.Y, (axes & AxisSet.Z) == AxisSet.None ? 0 : by.Z);
+    public static Vector3 Only(AxisSet axes, Vector3 by) => new(
+        (axes & AxisSet.X) == AxisSet.None ? 0 : by.X,
+        (axes & AxisSet.Y) == AxisSet.None ? 0 : by.Y,
+        (axes & AxisSet.Z) == AxisSet.None ? 0 : by.Z);
 
-    private static NcRefusal Refuse(NcPath path, int motion, string code, string message) => NcRefusal.At(path.Program, path.Motions.BlockOf(motion), code, message);
+    private static NcRefusal Refuse(NcPath path, int motion, string code, string message) =>
+        NcRefusal.At(path.Program, path.Motions.BlockOf(motion), code, message);
 }

@@ -185,7 +185,8 @@ internal sealed partial class WordEditor
         {
             // It ends at a place of the machine, wherever it begins, or in other axes where it begins.
             var known = ~motion.UnknownEnd;
-            return Positioning.Only(known, _change.MoveOf(index + 1)) == Positioning.Only(known & motion.CarriedAxes, _change.MoveOf(index)) ? null : Obstacles.Of(_path, motion);
+            var carried = Positioning.Only(known & motion.CarriedAxes, _change.MoveOf(index));
+            return Positioning.Only(known, _change.MoveOf(index + 1)) == carried ? null : Obstacles.Of(_path, motion);
         }
 
         if (SetCoordinates(index, motion) is { } unknown)

@@ -3,7 +3,9 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Nc.Tests;
 
-/// <summary>Which motions share a joint with the named ones: those that are connected in the cut, and positioning. Expected words are worked out by hand.</summary>
+/// <summary>
+/// Which motions share a joint with the named ones: those that are connected in the cut, and positioning. Expected words are worked out by hand.
+/// </summary>
 public sealed class JointTests
 {
     [Theory]
@@ -19,7 +21,7 @@ public sealed class JointTests
     [InlineData("g53-home")]
     [InlineData("g28-home")]
     public void Way_to_a_place_of_the_machine_begins_where_the_retract_now_ends(string program) =>
-        Assert.Equal(["N2 X10.1 Y10.2"], ChangedLines(Program(program), p => DisplacementWish.EndsBy(p, Bench.Blocks(p, "N2"), new(0.1, 0.2, 0))));
+        Assert.Equal(["N2 X10.1 Y10.2"], ChangedLines(Program(program), SecondEnd));
 
     [Theory]
     [InlineData("G53 Y0.\nG0 Y5. Z2.", "G0 X10. Y5. Z2.")]
@@ -33,7 +35,7 @@ public sealed class JointTests
     public void First_motion_behind_the_way_home_ends_where_it_did(string home, params string[] changed)
     {
         var text = $"G21 G90 G54\nG0 X0. Y0. Z5.\nG1 Z-1. F50.\nN1 X10. F100.\nN2 Y10.\nG0 Z5.\n{home}\nM30\n";
-        Assert.Equal(["N2 X10.1 Y10.2", .. changed], ChangedLines(text, p => DisplacementWish.EndsBy(p, Bench.Blocks(p, "N2"), new(0.1, 0.2, 0))));
+        Assert.Equal(["N2 X10.1 Y10.2", .. changed], ChangedLines(text, SecondEnd));
     }
 
     [Theory]
@@ -44,7 +46,7 @@ public sealed class JointTests
     [InlineData("G0 Z5.\nG0 X10. Y0. Z2.\nG0 Z1.\nG1 Z-1.", "N3", "G0 X10. Y0.1 Z2.", "N3 G1 X20. Y10.05")]
     [InlineData("G0 Z5.\nG0 X10.\nG0 Y0.\nG1 Z-1.", "N3", "G0 Y0.1", "N3 G1 X20. Y10.05")]
     [InlineData("G1 Z-2.", "N3", "N2 X10. Y0.1", "N3 G1 X20. Y10.05")]
-    public void Rapid_with_coordinates_of_its_own_leads_from_a_cut_that_stays_to_one_that_moves(string between, string named, params string[] changed) =>
+    public void Rapid_with_coordinates_of_its_own_leads_across(string between, string named, params string[] changed) =>
         Assert.Equal(changed, ChangedLines(TwoCuts(between), p => Moved(p, named)));
 
     [Theory]
@@ -80,7 +82,7 @@ public sealed class JointTests
         {
             "other-tool" => DisplacementWish.Normal(path, Bench.Blocks(path, "N4", "N5"), 0.1),
             "z-step-at-corner" => DisplacementWish.Normal(path, Bench.Blocks(path, "N3", "N5"), 0.1),
-            _ => DisplacementWish.EndsBy(path, Bench.Blocks(path, "N2"), new(0.1, 0.2, 0)),
+            _ => SecondEnd(path),
         });
         var good = Bench.Text(Bench.Rewritten(path, wish).Program);
         var bad = good.Replace(line + "\n", tampered + "\n", StringComparison.Ordinal);
@@ -88,16 +90,22 @@ public sealed class JointTests
         Assert.False(Prover.Check(path, NcProgram.Read(Encoding.ASCII.GetBytes(bad)), wish, 0.001).Holds);
     }
 
-    private static string Program(string name) => File.ReadAllText(Repository.PathTo("tests", "ErrorMatching.Nc.Tests", "Joints", name + ".nc"));
+    private static NcOutcome<DisplacementWish> SecondEnd(NcPath path) =>
+        DisplacementWish.EndsBy(path, Bench.Blocks(path, "N2"), new(0.1, 0.2, 0));
+
+    private static string Program(string name) =>
+        File.ReadAllText(Repository.PathTo("tests", "ErrorMatching.Nc.Tests", "Joints", name + ".nc"));
 
     // N3 begins where N2 ends, behind whatever is between.
-    private static string TwoCuts(string between) => $"G21 G90 G17 G54\nT1 M6\nG0 X0. Y0. Z5.\nG1 Z-1. F100\nN2 X10. Y0.\n{between}\nN3 G1 X20. Y10.\nG0 Z50.\nM30\n";
+    private static string TwoCuts(string between) =>
+        $"G21 G90 G17 G54\nT1 M6\nG0 X0. Y0. Z5.\nG1 Z-1. F100\nN2 X10. Y0.\n{between}\nN3 G1 X20. Y10.\nG0 Z50.\nM30\n";
 
-    // The line y = 0 by 0.1, or the line of N3 parallel to itself.
+    // The line of N2 by 0.1 to the left, or that of N3 by as much at its start and half of it at its end.
     private static NcOutcome<DisplacementWish> Moved(NcPath path, string named)
     {
         var motion = path.MotionOf(Bench.Blocks(path, named)[0]);
-        return named == "N2" ? DisplacementWish.OfElements([new(motion, new(0, 0.1), new(0, 0.1), new(0, 0.1))]) : DisplacementWish.OfElements([new(motion, new(0, 0.1), new(0, 0.075), new(0, 0.05))]);
+        var end = named == "N2" ? 0.1 : 0.05;
+        return DisplacementWish.OfElements([new(motion, new(0, 0.1), new(0, (0.1 + end) / 2), new(0, end))]);
     }
 
     private static IEnumerable<string> ChangedLines(string text, Func<NcPath, NcOutcome<DisplacementWish>> wished)

@@ -5,8 +5,9 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// A small random program with everything that is ordinary: contours of lines and arcs, on the grid of 0.001 mm, that often begin or end where another one did; plunges, retracts and rapids; steps in depth, ramps and repeated
-/// points; increments, subprograms, tool changes, work offsets, compensation; ways home in machine coordinates and to reference points. Blocks that cut have numbers N1, N2 and so on.
+/// A small random program with everything that is ordinary: contours of lines and arcs, on the grid of 0.001 mm, that often begin or end where
+/// another one did; plunges, retracts and rapids; steps in depth, ramps and repeated points; increments, subprograms, tool changes, work offsets,
+/// compensation; ways home in machine coordinates and to reference points. Blocks that cut have numbers N1, N2 and so on.
 /// </summary>
 internal sealed class RandomProgram
 {
@@ -83,7 +84,8 @@ internal sealed class RandomProgram
     private string Words(Point2 to, bool all = false)
     {
         var (x, y) = _incremental ? (Math.Round(to.X - _at.X, 3), Math.Round(to.Y - _at.Y, 3)) : (to.X, to.Y);
-        var text = (all || to.X != _at.X || Chance(0.2) ? $" {First}{Number(x)}" : "") + (all || to.Y != _at.Y || Chance(0.2) ? $" {Second}{Number(y)}" : "");
+        var text = (all || to.X != _at.X || Chance(0.2) ? $" {First}{Number(x)}" : "")
+            + (all || to.Y != _at.Y || Chance(0.2) ? $" {Second}{Number(y)}" : "");
         _at = to;
         return text;
     }
@@ -145,7 +147,7 @@ internal sealed class RandomProgram
         _places.Add(start);
         if (_compensates)
         {
-            Numbered((Chance(0.5) ? "G41" : "G42") + " D1 G1" + Words(Grid(_at + (Vector2.FromDirection(Angle.FromRadians(heading)) * 8)), all: true));
+            Numbered((Chance(0.5) ? "G41" : "G42") + " D1 G1" + Words(Away(heading), all: true));
         }
 
         var first = _at;
@@ -170,7 +172,7 @@ internal sealed class RandomProgram
 
         if (_compensates)
         {
-            Numbered("G40 G1" + Words(Grid(_at + (Vector2.FromDirection(Angle.FromRadians(heading + Uniform(-1, 1))) * 8)), all: true));
+            Numbered("G40 G1" + Words(Away(heading + Uniform(-1, 1)), all: true));
         }
 
         _places.Add(_at);
@@ -187,6 +189,8 @@ internal sealed class RandomProgram
         }
     }
 
+    private Point2 Away(double heading) => Grid(_at + (Vector2.FromDirection(Angle.FromRadians(heading)) * 8));
+
     private double Element(double heading)
     {
         heading += Chance(0.25) ? 0 : Uniform(20, 150) * Math.PI / 180 * (Chance(0.5) ? -1 : 1);
@@ -200,7 +204,8 @@ internal sealed class RandomProgram
 
         var isLeft = Chance(0.5);
         var center = Grid(start + (direction.Left * (Uniform(3, 12) * (isLeft ? 1 : -1))));
-        var arc = new Arc2(center, start.DistanceTo(center), (start - center).Direction, Angle.FromDegrees((Chance(0.9) ? Uniform(30, 160) : Uniform(200, 300)) * (isLeft ? 1 : -1)));
+        var sweep = (Chance(0.9) ? Uniform(30, 160) : Uniform(200, 300)) * (isLeft ? 1 : -1);
+        var arc = new Arc2(center, start.DistanceTo(center), (start - center).Direction, Angle.FromDegrees(sweep));
         var byRadius = Math.Abs(arc.Sweep.Degrees) < 170 && Chance(0.3);
         var radius = (_syntax == NcSyntax.Siemens ? " CR=" : " R") + Number(arc.Radius + 0.001);
         var (i, j) = _plane switch { "G18" => ('K', 'I'), "G19" => ('J', 'K'), _ => ('I', 'J') };

@@ -3,8 +3,8 @@ using System.Globalization;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// Random programs, displaced at random: the result is proved, or refused for a reason of the program's; a proof that fails is a defect. <c>ERRORMATCH_DISPLACED_PROGRAMS</c> sets how many
-/// (1500 if not set), <c>ERRORMATCH_DISPLACED_SEED</c> the first seed.
+/// Random programs, displaced at random: the result is proved, or refused for a reason of the program's; a proof that fails is a defect.
+/// <c>ERRORMATCH_DISPLACED_PROGRAMS</c> sets how many (1500 if not set), <c>ERRORMATCH_DISPLACED_SEED</c> the first seed.
 /// </summary>
 public sealed class RandomProgramTests
 {
@@ -22,7 +22,8 @@ public sealed class RandomProgramTests
             codes[code] = codes.GetValueOrDefault(code) + 1;
         }
 
-        Assert.True(failures.Count == 0, $"{failures.Count} of {Programs} ({string.Join(", ", codes.Select(c => $"{c.Key} {c.Value}"))}):\n{string.Join("\n\n", failures.Take(40))}");
+        var counts = string.Join(", ", codes.Select(c => $"{c.Key} {c.Value}"));
+        Assert.True(failures.Count == 0, $"{failures.Count} of {Programs} ({counts}):\n{string.Join("\n\n", failures.Take(10))}");
         Assert.InRange(codes.GetValueOrDefault("proved"), Programs / 2, Programs);
     }
 
@@ -33,7 +34,9 @@ public sealed class RandomProgramTests
         var named = Named(path, random);
         var d = Math.Round(random.Uniform(-0.3, 0.3), 3);
         var isNormal = random.Below(2) == 0;
-        var wish = isNormal ? DisplacementWish.Normal(path, named, d) : DisplacementWish.EndsBy(path, named, new(d, Math.Round(random.Uniform(-0.3, 0.3), 3), 0));
+        var wish = isNormal
+            ? DisplacementWish.Normal(path, named, d)
+            : DisplacementWish.EndsBy(path, named, new(d, Math.Round(random.Uniform(-0.3, 0.3), 3), 0));
         if (!wish.IsUsable)
         {
             return wish.Refusal.Code;
@@ -53,8 +56,9 @@ public sealed class RandomProgramTests
         }
 
         var blocks = string.Join(",", named.Select(b => path.Program.NameOf(path.Program[b])));
-        var how = isNormal ? "" : string.Create(CultureInfo.InvariantCulture, $" by {wish.Value.By}");
-        failures.Add($"seed {seed}, {random.Dialect.Name}, {blocks}{(isNormal ? " normal " + d.ToString(CultureInfo.InvariantCulture) : how)}:\n{string.Join("\n", wrong)}\n{SideBySide(random.Text, Bench.Text(rewrite.Value.Program))}");
+        var how = string.Create(CultureInfo.InvariantCulture, $"{(isNormal ? "--normal" : "--by")} {d},{wish.Value.By.Y}");
+        var sides = SideBySide(random.Text, Bench.Text(rewrite.Value.Program));
+        failures.Add($"seed {seed}, {random.Dialect.Name}, {blocks} {how}:\n{string.Join("\n", wrong)}\n{sides}");
         return "failed";
     }
 
@@ -72,9 +76,10 @@ public sealed class RandomProgramTests
             }
 
             var stretch = Enumerable.Range(first, behind - first).ToArray();
-            if (!stretch.Any(named.Contains) && stretch.Where(i => was[i].MovesInPlane).FirstOrDefault(i => was[i] != now[i], -1) is >= 0 and var moved)
+            var moved = stretch.FirstOrDefault(i => was[i].MovesInPlane && was[i] != now[i], -1);
+            if (moved >= 0 && !stretch.Any(named.Contains))
             {
-                yield return $"{path.Program.NameOf(path.Program[was[moved].Block])} moved, although no cut that is connected with it was named.";
+                yield return $"{path.Program.NameOf(path.Program[was[moved].Block])} moved, although nothing connected with it was named.";
             }
 
             first = behind;
@@ -100,5 +105,6 @@ public sealed class RandomProgramTests
         return string.Join("\n", a.Select((line, i) => i < b.Length && b[i] != line ? $"{line,-40} -> {b[i]}" : line));
     }
 
-    private static int Setting(string name, int otherwise) => Environment.GetEnvironmentVariable(name) is { } text ? int.Parse(text, CultureInfo.InvariantCulture) : otherwise;
+    private static int Setting(string name, int otherwise) =>
+        Environment.GetEnvironmentVariable(name) is { } text ? int.Parse(text, CultureInfo.InvariantCulture) : otherwise;
 }
