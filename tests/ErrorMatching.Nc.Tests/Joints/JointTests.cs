@@ -4,7 +4,8 @@ using ErrorMatching.Testing;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// Which motions share a joint with the named ones: those that are connected in the cut, and positioning. Expected words are worked out by hand.
+/// Which motions share a joint with the named ones: those that are connected in the cut, and positioning.
+/// Expected words are worked out by hand.
 /// </summary>
 public sealed class JointTests
 {

@@ -5,9 +5,9 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// A small random program with everything that is ordinary: contours of lines and arcs, on the grid of 0.001 mm, that often begin or end where
-/// another one did; plunges, retracts and rapids; steps in depth, ramps and repeated points; increments, subprograms, tool changes, work offsets,
-/// compensation; ways home in machine coordinates and to reference points. Blocks that cut have numbers N1, N2 and so on.
+/// A small random program with everything that is ordinary: contours of lines and arcs, on the grid of 0.001 mm, that often begin or end
+/// where another one did; plunges, retracts and rapids; steps in depth, ramps and repeated points; increments, subprograms, tool changes,
+/// work offsets, compensation; ways home in machine coordinates and to reference points. Blocks that cut have numbers N1, N2 and so on.
 /// </summary>
 internal sealed class RandomProgram
 {
