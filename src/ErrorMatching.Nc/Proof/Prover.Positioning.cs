@@ -3,22 +3,25 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <content>
-/// What is between one cut and the next: steps in depth at a corner, the ways along the tool axis on which the tool is lifted, and moves to places of
-/// the machine. What a moved joint takes along, and what must stay.
+/// What is between one cut and the next: steps in depth at a corner, the ways along the tool axis on which the tool is lifted, and moves to
+/// places of the machine. What a moved joint takes along, and what must stay.
 /// </content>
 public sealed partial class Prover
 {
-    // Joints that positioning shares with those that are allowed already: what one reaches, the next would reach as well, so each way is gone once.
-    // A cut at the end of the way shares its joint only where the tool was not lifted on it.
+    // Joints that positioning shares with those that are allowed already: what one reaches, the next would reach as well, so each way is
+    // gone once. A cut at the end of the way shares its joint only where the tool was not lifted on it.
     private void AllowPositioning(bool[] allowed)
     {
         var motions = _before.Motions;
-        for (var joint = Array.IndexOf(allowed, true); joint >= 0 && joint < motions.Length; joint = Array.IndexOf(allowed, true, joint + 1))
+        var joint = Array.IndexOf(allowed, true);
+        for (; joint >= 0 && joint < motions.Length; joint = Array.IndexOf(allowed, true, joint + 1))
         {
-            allowed[joint + 1] |= motions[joint].Has(MotionFlags.MachineMove) || (!motions.MovesInPlane(joint) && !IsLiftedBefore(joint + 1));
+            allowed[joint + 1] |= motions[joint].Has(MotionFlags.MachineMove)
+                || (!motions.MovesInPlane(joint) && !IsLiftedBefore(joint + 1));
         }
 
-        for (var joint = _elements.Count > 0 ? Array.LastIndexOf(allowed, true) : 0; joint > 0; joint = Array.LastIndexOf(allowed, true, joint - 1))
+        joint = _elements.Count > 0 ? Array.LastIndexOf(allowed, true) : 0;
+        for (; joint > 0; joint = Array.LastIndexOf(allowed, true, joint - 1))
         {
             allowed[joint - 1] |= !motions.MovesInPlane(joint - 1) && !IsLiftedBehind(joint - 1);
         }
@@ -68,8 +71,8 @@ public sealed partial class Prover
         motion >= 0 && motion < _before.Motions.Length && _before.Motions[motion] is { IsCut: true, MovesInPlane: true };
 
     /// <summary>
-    /// True for the rapid that leads from the place of one cut to that of another which was the same and no longer is: the tool was lifted or changed
-    /// before it, and nothing else on the way from the one to the other goes anywhere in the plane.
+    /// True for the rapid that leads from the place of one cut to that of another which was the same and no longer is: the tool was lifted
+    /// or changed before it, and nothing else on the way from the one to the other goes anywhere in the plane.
     /// </summary>
     private bool LeadsAcross(int rapid)
     {
@@ -91,7 +94,8 @@ public sealed partial class Prover
             last++;
         }
 
-        var isHeld = IsCutInPlane(first - 1) || (first > 0 && (_before.Motions[first - 1].Has(MotionFlags.MachineMove) || _endPoints.Contains(first - 1)));
+        var isHeld = IsCutInPlane(first - 1)
+            || (first > 0 && (_before.Motions[first - 1].Has(MotionFlags.MachineMove) || _endPoints.Contains(first - 1)));
         for (var i = first; i <= last; i++)
         {
             isHeld &= i == rapid || Same(_after.Motions[i].PlaneStart, _after.Motions[i].PlaneEnd);
@@ -105,7 +109,8 @@ public sealed partial class Prover
     private static bool KeepsItsWay(in NcMotion was, in NcMotion now) =>
         Same(default(Point3) + (now.Start - was.Start), default(Point3) + (now.End - was.End));
 
-    private static bool HeightMoved(in NcMotion was, in NcMotion now) => Math.Abs(was.Plane.Height(now.Start) - was.Plane.Height(was.Start)) > SamePlace
+    private static bool HeightMoved(in NcMotion was, in NcMotion now) =>
+        Math.Abs(was.Plane.Height(now.Start) - was.Plane.Height(was.Start)) > SamePlace
         || Math.Abs(was.Plane.Height(now.End) - was.Plane.Height(was.End)) > SamePlace;
 
     // It ends in each axis where it did: at the place of the machine, or as much elsewhere as it began, where it says nothing of the axis.
@@ -146,8 +151,8 @@ public sealed partial class Prover
     private bool IsFeedAlongAxis(int motion) =>
         !_before.Motions.MovesInPlane(motion) && _before.Motions[motion] is { Kind: MotionKind.Line } m && !m.Has(MotionFlags.MachineMove);
 
-    // An end that was asked to go a way that happens to lie along the circle of an arc is not one that slid: something along the tool axis is between
-    // the named element and the arc.
+    // An end that was asked to go a way that happens to lie along the circle of an arc is not one that slid: something along the tool axis
+    // is between the named element and the arc.
     private bool TookWish(int motion, Vector2 moved, bool atEnd)
     {
         var beside = atEnd ? motion + 1 : motion - 1;

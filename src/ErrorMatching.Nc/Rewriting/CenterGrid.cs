@@ -30,7 +30,7 @@ internal static class CenterGrid
         var best = Cheapest(free);
         if (MiddleError(origin + new Vector2(best.First * increment, best.Second * increment), start, end, wanted) > increment)
         {
-            // Beyond half a turn an arc's middle goes further than its center does: better radii that differ a little, as every control accepts.
+            // Beyond half a turn an arc's middle goes further than its center does: better radii that differ a little, as controls accept.
             free = WantedMismatchMm;
             best = Cheapest(free);
         }
@@ -70,6 +70,7 @@ internal static class CenterGrid
     private static double Cost(Point2 center, Point2 start, Point2 end, Arc2 wanted, double freeMismatch)
     {
         var mismatch = ArcCenter.Mismatch(start, end, center);
-        return MiddleError(center, start, end, wanted) + (0.1 * mismatch) + (0.3 * center.DistanceTo(wanted.Center)) + (10 * Math.Max(0, mismatch - freeMismatch));
+        return MiddleError(center, start, end, wanted) + (0.1 * mismatch) + (0.3 * center.DistanceTo(wanted.Center))
+            + (10 * Math.Max(0, mismatch - freeMismatch));
     }
 }

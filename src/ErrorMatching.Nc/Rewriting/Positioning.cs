@@ -46,7 +46,7 @@ internal static class Positioning
             {
                 return Refuse(
                     change.Path, end, NcRefusalCodes.ActiveTransform,
-                    "it goes from a moved place to one of the machine while coordinates are turned. Move the tool off the contour before it.");
+                    "it goes from a moved place to one of the machine while coordinates are turned. Leave the contour before it.");
             }
 
             var carried = Only(motions[end].CarriedAxes & ~motions[end].UnknownEnd, change.MoveOf(end));
