@@ -26,12 +26,13 @@ internal static class CenterGrid
     {
         var exact = wanted.Center - origin;
         var (first, second) = (NcNumber.Round(exact.X / increment, 0).Digits, NcNumber.Round(exact.Y / increment, 0).Digits);
+        var free = FreeMismatch(start, end, wanted, increment);
         var (best, bestCost) = ((first, second), double.PositiveInfinity);
         for (var i = first - Reach; i <= first + Reach; i++)
         {
             for (var j = second - Reach; j <= second + Reach; j++)
             {
-                var cost = Cost(origin + new Vector2(i * increment, j * increment), start, end, wanted);
+                var cost = Cost(origin + new Vector2(i * increment, j * increment), start, end, wanted, free);
                 if (cost < bestCost)
                 {
                     (best, bestCost) = ((i, j), cost);
@@ -39,7 +40,7 @@ internal static class CenterGrid
             }
         }
 
-        if (was is { } old && (old - exact).Length < 1.5 * increment && Cost(origin + old, start, end, wanted) is var kept
+        if (was is { } old && (old - exact).Length < 1.5 * increment && Cost(origin + old, start, end, wanted, free) is var kept
             && kept <= bestCost + (increment / 4) && ArcCenter.Mismatch(start, end, origin + old) <= WantedMismatchMm)
         {
             return (null, null);
@@ -48,12 +49,16 @@ internal static class CenterGrid
         return best;
     }
 
+    // Radii may differ by half an increment, or by what the arc brings along beyond its rounding: a fine grid can do no more about that.
+    private static double FreeMismatch(Point2 start, Point2 end, Arc2 wanted, double increment) =>
+        Math.Min(WantedMismatchMm / 2, Math.Max(increment / 2, ArcCenter.Mismatch(start, end, wanted.Center) - (1.5 * increment)));
+
     // The middle counts most; then radii that agree; then the exact center, which an offset must keep.
-    private static double Cost(Point2 center, Point2 start, Point2 end, Arc2 wanted)
+    private static double Cost(Point2 center, Point2 start, Point2 end, Arc2 wanted, double freeMismatch)
     {
         var radius = (start.DistanceTo(center) + end.DistanceTo(center)) / 2;
         var mismatch = ArcCenter.Mismatch(start, end, center);
         var middle = Math.Abs(wanted.Middle.DistanceTo(center) - radius);
-        return middle + (0.1 * mismatch) + (0.3 * center.DistanceTo(wanted.Center)) + (10 * Math.Max(0, mismatch - (WantedMismatchMm / 2)));
+        return middle + (0.1 * mismatch) + (0.3 * center.DistanceTo(wanted.Center)) + (10 * Math.Max(0, mismatch - freeMismatch));
     }
 }

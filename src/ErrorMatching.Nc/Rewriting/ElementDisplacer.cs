@@ -12,6 +12,9 @@ internal sealed partial class ElementDisplacer
     /// <summary>Sine of the angle below which two elements are taken to run into each other tangentially: 5.7 degrees.</summary>
     private const double TangentSine = 0.1;
 
+    /// <summary>Sine of the angle below which it makes no difference to a joint that its elements are round.</summary>
+    private const double RoundSine = 0.001;
+
     /// <summary>How different the displacements of two elements may be where they meet tangentially, mm: less than half a least increment.</summary>
     private const double TangentStep = 0.0004;
 
@@ -245,9 +248,26 @@ internal sealed partial class ElementDisplacer
 
         var (tangentA, tangentB) = (_path.Motions[before].TangentAt(1), _path.Motions[behind].TangentAt(0));
         var (left, right) = (moveA.Dot(tangentA.Left), moveB.Dot(tangentB.Left));
-        return IsTangent(tangentA, tangentB) && Math.Abs(left - right) <= TangentStep
-            ? (tangentA.Left + tangentB.Left) * ((left + right) / 2 / (1 + tangentA.Dot(tangentB)))
-            : null;
+        if (!IsTangent(tangentA, tangentB) || Math.Abs(left - right) > TangentStep)
+        {
+            return null;
+        }
+
+        var offset = (left + right) / 2;
+        var move = (tangentA.Left + tangentB.Left) * (offset / (1 + tangentA.Dot(tangentB)));
+        var (a, b) = (_path.Motions[before], _path.Motions[behind]);
+        return Math.Abs(tangentA.Cross(tangentB)) > RoundSine && (a.IsArc || b.IsArc)
+            ? RoundMove(before, behind, tangentA.Left * offset, tangentB.Left * offset, move)
+            : move;
+    }
+
+    // Where one of them is round, the tangents at the old joint meet beside it: what meets are the displaced circles through the displaced
+    // joint, whatever their own radius, for the ends of an arc with rounded words miss its circle.
+    private Vector2 RoundMove(int before, int behind, Vector2 moveA, Vector2 moveB, Vector2 guess)
+    {
+        var place = _path.Motions[before].PlaneEnd;
+        var (a, b) = (CarrierOf(before).Through(place + moveA), CarrierOf(behind).Through(place + moveB));
+        return a.Meet(b, place + guess) is { } point && (point - place - guess).Length < TangentSine * guess.Length ? point - place : guess;
     }
 
     /// <summary>
