@@ -9,37 +9,13 @@ namespace ErrorMatching.Nc;
 /// </content>
 internal sealed partial class ElementDisplacer
 {
-    private NcRefusal? Borders(int first, int last, ContourSearch contours)
-    {
-        var (start, end) = (_path.Motions.StartOf(first), _path.Motions.EndOf(last));
-        if (first < last && (start - end).Length < SamePlace)
-        {
-            return CloseRun(first, last);
-        }
+    // Where a named motion closes the contour, both ends are set already.
+    private int Unnamed(int motion) => motion >= 0 && _named.Contains(motion) ? -1 : motion;
 
-        // A later cut of the same contour that ends where the run begins, or an earlier one that begins where the run ends: the contour closes there.
-        var closing = contours.FirstEndingAt(start, last + 1, first);
-        var opening = closing >= 0 ? -1 : contours.LastStartingAt(end, first - 1, first);
+    private void Borders(int first, int last, int closing, int opening)
+    {
         Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1);
         Border(last, opening >= 0 ? opening : last + 1, last + 1, atStart: false, opening);
-        return null;
-    }
-
-    // The whole contour is displaced: its first and last element meet each other.
-    private NcRefusal? CloseRun(int first, int last)
-    {
-        var motion = _path.Motions[first];
-        var place = motion.PlaneStart;
-        var amount = Math.Max(WishOf(last).End.Length, WishOf(first).Start.Length);
-        var move = Smooth(last, first) ?? (Meet(last, first, first, amount) is { } point ? point - place : null);
-        if (move is not { } both)
-        {
-            return At(motion, NcRefusalCodes.NoIntersection, $"displaced as asked, the contour no longer closes with {_path.Program.NameOf(_path.Program[_path.Motions[last].Block])}.");
-        }
-
-        Place(first, motion.Plane, both);
-        Place(last + 1, motion.Plane, both);
-        return null;
     }
 
     /// <summary>Decides one border joint.</summary>

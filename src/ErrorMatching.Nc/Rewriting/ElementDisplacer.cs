@@ -82,10 +82,13 @@ internal sealed partial class ElementDisplacer
         for (var run = 0; run < _named.Count; run++)
         {
             var (first, last) = _named[run];
-            if ((Joints(first, last) ?? Borders(first, last, contours)) is { } refusal)
+            var (closing, opening) = Closures(first, last, contours);
+            if ((SmoothJoints(first, last) ?? CloseRings(first, last, closing, opening) ?? Corners(first, last)) is { } refusal)
             {
                 return refusal;
             }
+
+            Borders(first, last, Unnamed(closing), Unnamed(closing) >= 0 ? -1 : Unnamed(opening));
         }
 
         return FollowWithArcs() ?? CheckSense();
@@ -125,66 +128,9 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    // A fillet that the wish leaves out although both its flanks are displaced must stay tangent to both, or the tool would leave a mark.
-    private IEnumerable<ElementWish> WithNeighborFillets(IReadOnlyList<ElementWish> elements)
-    {
-        for (var i = 0; i < elements.Count; i++)
-        {
-            _asked.Add(elements[i].Motion);
-            yield return elements[i];
-            var first = elements[i].Motion + 1;
-            var behind = i + 1 < elements.Count ? elements[i + 1].Motion : first;
-            if (behind == first || Fillet.Around(_path, first) is not { } around || around != (first, behind - 1))
-            {
-                continue;
-            }
-
-            var (from, to) = (elements[i].End, elements[i + 1].Start);
-            for (var motion = first; motion < behind; motion++)
-            {
-                var fillet = new ElementWish(motion, from, (from + to) / 2, to, IsFillet: true);
-                _otherWishes.Add(motion, fillet);
-                yield return fillet;
-            }
-        }
-    }
-
     private static bool IsTangent(Vector2 before, Vector2 behind) => Math.Abs(before.Cross(behind)) < TangentSine && before.Dot(behind) > 0;
 
-    // Both flanks offset by the new radius meet in the new center; its feet on them are the new tangent points. Joints between arcs of the fillet keep their direction from the center.
-    private NcRefusal? Round(ElementWish element)
-    {
-        if (_rounded.ContainsKey(element.Motion) || Fillet.Around(_path, element.Motion) is not { } fillet
-            || !_named.Contains(fillet.First - 1) || !_named.Contains(fillet.Last + 1)
-            || CarrierOf(fillet.First - 1).Line is not { } first || CarrierOf(fillet.Last + 1).Line is not { } second)
-        {
-            return null;
-        }
-
-        var motion = _path.Motions[fillet.First];
-        var arc = motion.Arc;
-        var left = (WishOf(fillet.First - 1).End.Dot(first.Normal) + WishOf(fillet.Last + 1).Start.Dot(second.Normal)) / 2;
-        var towardCenter = arc.IsCounterClockwise ? 1 : -1;
-        var radius = arc.Radius - (towardCenter * left);
-        var center = radius > 0 ? Intersect.Lines(first.Offset(towardCenter * radius), second.Offset(towardCenter * radius)).Nearest(arc.Center) : null;
-        if (center is not { } c)
-        {
-            return At(motion, NcRefusalCodes.ElementFlips, "the fillet is smaller than the displacement of its flanks.");
-        }
-
-        _change.Move(fillet.First, motion.Plane, first.Foot(c) - _path.Motions[fillet.First].PlaneStart);
-        for (var i = fillet.First; i <= fillet.Last; i++)
-        {
-            var end = _path.Motions[i].PlaneEnd;
-            _rounded.Add(i, new(null, new(c, radius)));
-            _change.SetCenter(i, c);
-            _change.Move(i + 1, motion.Plane, (i == fillet.Last ? second.Foot(c) : c + ((end - arc.Center).Normalize() * radius)) - end);
-        }
-
-        return null;
-    }
-
-    private NcRefusal? Joints(int first, int last)
+    private NcRefusal? SmoothJoints(int first, int last)
     {
         // Not a number where a joint is not smooth.
         var moves = new Vector2[last - first];
@@ -203,6 +149,11 @@ internal sealed partial class ElementDisplacer
             }
         }
 
+        return null;
+    }
+
+    private NcRefusal? Corners(int first, int last)
+    {
         for (var joint = first + 1; joint <= last; joint++)
         {
             if (!_change.IsSet(joint) && Corner(joint, first, last) is { } refusal)
