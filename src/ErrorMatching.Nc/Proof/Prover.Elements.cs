@@ -35,12 +35,11 @@ public sealed partial class Prover
             return;
         }
 
-        var (start, middle, end) = (was.PlaneStart + element.Start, was.PlaneAt(0.5) + element.Middle, was.PlaneEnd + element.End);
         if (!was.IsArc)
         {
-            var wanted = Line2.Through(start, end);
-            Measure(was.Block, Math.Abs(wanted.SignedDistance(now.PlaneStart)), LineTolerance);
-            Measure(was.Block, Math.Abs(wanted.SignedDistance(now.PlaneEnd)), LineTolerance);
+            var line = Line2.Through(was.PlaneStart + element.Start, was.PlaneEnd + element.End);
+            Measure(was.Block, Math.Abs(line.SignedDistance(now.PlaneStart)), LineTolerance);
+            Measure(was.Block, Math.Abs(line.SignedDistance(now.PlaneEnd)), LineTolerance);
             if ((now.PlaneEnd - now.PlaneStart).Dot(was.PlaneEnd - was.PlaneStart) <= 0)
             {
                 Fail(was.Block, "it turned round.");
@@ -50,19 +49,18 @@ public sealed partial class Prover
         {
             CheckFillet(element.Motion, was, now);
         }
-        else if (now.Arc.Length < was.Arc.Length / 2 && CircleThrough(start, middle, end) is { } wished)
+        else if (WantedCircle(was, element) is { } wanted)
         {
-            // Between two short ends a circle shows by less than an increment where it ran before; where it cuts now is what counts.
-            Measure(was.Block, Math.Abs(wished.SignedDistance(now.PlaneStart)), ArcTolerance + Mismatch(was));
-            Measure(was.Block, Math.Abs(wished.SignedDistance(now.Arc.Middle)), ArcTolerance + Mismatch(was));
-            Measure(was.Block, Math.Abs(wished.SignedDistance(now.PlaneEnd)), ArcTolerance + Mismatch(was));
+            // Where it cuts, and at quarters of its first turn: the center of a full circle that went aside shows only there.
+            for (var quarter = 0; quarter <= 4; quarter++)
+            {
+                var place = now.PlaneAt(quarter / (4.0 * (now.Turns + 1)));
+                Measure(was.Block, Math.Abs(wanted.SignedDistance(place)), ArcTolerance + Mismatch(was));
+            }
         }
         else
         {
-            var circle = now.Arc.Circle;
-            Measure(was.Block, Math.Abs(circle.SignedDistance(start)), ArcTolerance + Mismatch(was));
-            Measure(was.Block, Math.Abs(circle.SignedDistance(middle)), ArcTolerance + Mismatch(was));
-            Measure(was.Block, Math.Abs(circle.SignedDistance(end)), ArcTolerance + Mismatch(was));
+            Fail(was.Block, "no circle runs where it was wanted.");
         }
 
         CheckArc(was, now);
@@ -70,6 +68,30 @@ public sealed partial class Prover
         CheckReach(was, now.PlaneEnd - was.PlaneEnd);
         CheckJoint(was, element.Motion, element.Motion, element.Start);
         CheckJoint(was, element.Motion, element.Motion + 1, element.End);
+    }
+
+    // An arc that is offset alike keeps its center; another runs through its displaced start, middle and end. A full circle has its
+    // displaced start and middle as a diameter.
+    private static Circle2? WantedCircle(in NcMotion was, ElementWish wish)
+    {
+        if (was.PlaneStart == was.Center || was.PlaneEnd == was.Center)
+        {
+            return null;
+        }
+
+        var arc = was.Arc;
+        var (start, middle, end) = (was.PlaneStart + wish.Start, arc.Middle + wish.Middle, was.PlaneEnd + wish.End);
+        var outward = (arc.Middle - arc.Center).Normalize().Dot(wish.Middle);
+        var isOffset = IsOutward(was.PlaneStart, wish.Start) && IsOutward(was.PlaneEnd, wish.End);
+        if (isOffset || Math.Abs(arc.Sweep.Degrees) > 359.9)
+        {
+            var radius = isOffset ? arc.Radius + outward : start.DistanceTo(middle) / 2;
+            return radius > 0 ? new(isOffset ? arc.Center : start.Lerp(middle, 0.5), radius) : null;
+        }
+
+        return CircleThrough(start, middle, end);
+
+        bool IsOutward(Point2 at, Vector2 by) => Math.Abs((at - arc.Center).Normalize().Dot(by) - outward) < SamePlace;
     }
 
     // A vertex may run along its element to meet the neighbor, but not away.

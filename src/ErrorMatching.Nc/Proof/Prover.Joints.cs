@@ -62,12 +62,19 @@ public sealed partial class Prover
             if (closing >= 0)
             {
                 _closures[first] = closing + 1;
+                _closures.TryAdd(closing + 1, first);
             }
 
             var opening = Same(motions.StartOf(last), end) ? last : contours.LastStartingAt(end, last - 1, last);
             if (opening >= 0)
             {
                 _closures[last + 1] = opening;
+                _closures.TryAdd(opening, last + 1);
+            }
+
+            foreach (var (begin, close) in Rings.Inside(motions, first, last))
+            {
+                (_closures[begin], _closures[close]) = (close, begin);
             }
         }
     }

@@ -9,46 +9,16 @@ namespace ErrorMatching.Nc;
 /// </content>
 internal sealed partial class ElementDisplacer
 {
-    private NcRefusal? Borders(int first, int last, ContourSearch contours)
-    {
-        var (start, end) = (_path.Motions.StartOf(first), _path.Motions.EndOf(last));
-        if (first < last && (start - end).Length < SamePlace)
-        {
-            return CloseRun(first, last);
-        }
+    // Where a named motion closes the contour, both ends are set already.
+    private int Unnamed(int motion) => motion >= 0 && _named.Contains(motion) ? -1 : motion;
 
-        // A later cut of the same contour that ends where the run begins, or an earlier one that begins where the run ends: the contour closes there.
-        var closing = contours.FirstEndingAt(start, last + 1, first);
-        var opening = closing >= 0 ? -1 : contours.LastStartingAt(end, first - 1, first);
-        return Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1)
+    private NcRefusal? Borders(int first, int last, int closing, int opening) =>
+        Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1)
             ?? Border(last, opening >= 0 ? opening : last + 1, last + 1, atStart: false, opening);
-    }
 
-    // The whole contour is displaced: its first and last element meet each other.
-    private NcRefusal? CloseRun(int first, int last)
+    // The contour closes at a joint that was decided for another element already: it must suit this one as well.
+    private NcRefusal? Suit(int element, int neighbor, int joint, bool atStart, int otherJoint)
     {
-        var motion = _path.Motions[first];
-        var amount = Math.Max(WishOf(last).End.Length, WishOf(first).Start.Length);
-        var move = Smooth(last, first) ?? (Meet(last, first, first, amount) is { } point ? point - motion.PlaneStart : null);
-        if (move is not { } both)
-        {
-            return DoesNotClose(first, last);
-        }
-
-        Place(first, motion.Plane, both);
-        Place(last + 1, motion.Plane, both);
-        return null;
-    }
-
-    // Where both motions at a closing joint are named, it is decided for both at once, as their corner.
-    // A joint that is decided already must suit.
-    private NcRefusal? CloseNamed(int element, int neighbor, int joint, bool atStart, int otherJoint)
-    {
-        if (!_change.IsSet(otherJoint))
-        {
-            return atStart ? CloseRun(element, neighbor) : CloseRun(neighbor, element);
-        }
-
         var plane = _path.Motions[element].Plane;
         var move = _change.PlaneMoveOf(otherJoint, plane);
         if (!IsOnCarrier(element, atStart ? 0 : 1, move))
@@ -61,8 +31,7 @@ internal sealed partial class ElementDisplacer
     }
 
     private NcRefusal DoesNotClose(int element, int neighbor) => At(
-        _path.Motions[element], NcRefusalCodes.NoIntersection,
-        $"displaced as asked, the contour no longer closes with {_path.Program.NameOf(_path.Program[_path.Motions[neighbor].Block])}.");
+        _path.Motions[element], NcRefusalCodes.NoIntersection, $"displaced as asked, the contour no longer closes with {NameOf(neighbor)}.");
 
     /// <summary>Decides one border joint.</summary>
     /// <param name="element">The displaced element.</param>
@@ -77,9 +46,9 @@ internal sealed partial class ElementDisplacer
             return null;
         }
 
-        if (otherJoint >= 0 && (_named.Contains(neighbor) || _change.IsSet(otherJoint)))
+        if (otherJoint >= 0 && _change.IsSet(otherJoint))
         {
-            return CloseNamed(element, neighbor, joint, atStart, otherJoint);
+            return Suit(element, neighbor, joint, atStart, otherJoint);
         }
 
         var motion = _path.Motions[element];
