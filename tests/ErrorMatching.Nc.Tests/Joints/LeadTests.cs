@@ -71,7 +71,7 @@ public sealed class LeadTests
     [Theory]
     [InlineData("J0.", "J0.1")]
     [InlineData("J0.", "J-0.02")]
-    [InlineData("J0.", "J0.004")]
+    [InlineData("J0.", "J0.002")]
     [InlineData("I-9.98", "I-9.984")]
     public void A_full_circle_about_another_center_is_not_proved(string was, string now)
     {
