@@ -22,7 +22,11 @@ internal static class LinuxCalls
     private const int NotThroughLinks = 0x100;
     private const int OfHandle = 0x1000;
     private const int TypeWanted = 1;
+    private const int NumberWanted = 0x100;
+    private const int StatusLength = 256;
     private const int PlaceOfMode = 28;
+    private const int PlaceOfNumber = 32;
+    private const int PlaceOfDevice = 136;
     private const int MayWriteAndSearch = 2 | 1;
     private const uint OnlyIfFree = 1;
     private const uint InExchange = 2;
@@ -50,6 +54,14 @@ internal static class LinuxCalls
 
     /// <summary>What kind of file something is; null where nothing can be said.</summary>
     public static int? KindOf(string path) => Kind(CurrentFolder, Bytes(path), NotThroughLinks);
+
+    /// <summary>Which file a path leads to; null if it leads to none.</summary>
+    public static FileIdentity? IdentityOf(string path)
+    {
+        var status = new byte[StatusLength];
+        return StatX(CurrentFolder, Bytes(path), 0, NumberWanted, status) != 0 ? null : new(
+            BitConverter.ToUInt32(status, PlaceOfDevice), BitConverter.ToUInt32(status, PlaceOfDevice + 4), BitConverter.ToUInt64(status, PlaceOfNumber));
+    }
 
     /// <summary>Lets two names change what they name, in one step.</summary>
     /// <returns>False if one of them is not there, null if the file system cannot.</returns>
@@ -103,7 +115,7 @@ internal static class LinuxCalls
 
     private static int? Kind(int folder, byte[] path, int flags)
     {
-        var status = new byte[256];
+        var status = new byte[StatusLength];
         return StatX(folder, path, flags, TypeWanted, status) == 0 ? BitConverter.ToUInt16(status, PlaceOfMode) & KindMask : null;
     }
 

@@ -221,8 +221,8 @@ internal sealed class StoreWriter : IDisposable
             var (finding, written) = (new AuditTrail(store, Path.Combine(folder, "keys")).Verify(),
                 new AuditTrail(store, folder).Export(csv));
             var refused = Assert.Throws<StoreException>(() => store.Audit("anna", "signed-in", "password")).Error;
-            Console.Out.WriteLine(FormattableString.Invariant($"read {finding.Entries}, whole: {finding.Holds}, exported {written}, "
-                + $"changes: {refused}"));
+            Console.Out.WriteLine(string.Create(
+                CultureInfo.InvariantCulture, $"read {finding.Entries}, whole: {finding.Holds}, exported {written}, changes: {refused}"));
         }
 
         void Try()
