@@ -17,7 +17,7 @@ public sealed class AuditVerbTests
     [Theory]
     [InlineData("UPDATE audit SET who = 'eve' WHERE seq = 3", "audit-changed", 3)]
     [InlineData("DELETE FROM audit WHERE seq = 2", "audit-removed", 2)]
-    [InlineData("INSERT INTO audit SELECT 5, at, who, what, subject, basis, previous, hash FROM audit WHERE seq = 4", "audit-inserted", 5)]
+    [InlineData("INSERT INTO audit SELECT 5, at, who, what, subject, basis, previous, hash, row_codes FROM audit WHERE seq = 4", "audit-inserted", 5)]
     [InlineData("UPDATE audit SET seq = -2 WHERE seq = 2; UPDATE audit SET seq = 2 WHERE seq = 3; UPDATE audit SET seq = 3 WHERE seq = -2", "audit-reordered", 2)]
     [InlineData("UPDATE audit_head SET seal = NULL", "audit-unsealed", 4)]
     public void A_broken_trail_is_exit_2_and_names_the_first_entry(string tampering, string code, int entry)
@@ -44,18 +44,18 @@ public sealed class AuditVerbTests
         Assert.Contains("store-tampered", Shell.Json(3, "errormatch/cell-status/1", "cell", "status", cell.Config).GetProperty("problems")
             .EnumerateArray().Select(p => p.Text("code")));
         var text = Shell.Run("cell", "status", cell.Config);
-        Assert.Contains(user is null ? "the trigger eve, which the cell did not make" : "The user Ben", text.Output,
+        Assert.Contains(user is null ? "the trigger eve, which the cell did not make" : "user Ben", text.Output,
             StringComparison.Ordinal);
-        Assert.Contains(user is null ? "the trigger eve, which the cell did not make" : "The user Ben", text.Error,
+        Assert.Contains(user is null ? "the trigger eve, which the cell did not make" : "user Ben", text.Error,
             StringComparison.Ordinal);
         if (user is null) return;
         Assert.Equal([null, user], Shell.Json(2, "errormatch/user-list/1", "user", "list", cell.Config).GetProperty("users")
             .EnumerateArray()
             .Select(u => u.GetProperty("problem") is { ValueKind: System.Text.Json.JsonValueKind.Object } p ? p.Text("code") : null));
-        var (exit, _, error) = cell.Piped([CellFolder.Annas], "cell", "reject", cell.Config, "1", "--user", "ben", "--reason", "x",
+        var (exit, output, _) = cell.Piped([CellFolder.Annas], "cell", "reject", cell.Config, "1", "--user", "ben", "--reason", "x",
             "--json");
         Assert.Equal(2, exit);
-        Assert.Contains(user, error, StringComparison.Ordinal);
+        Assert.Contains(user, output, StringComparison.Ordinal);
     }
 
     [Fact]
