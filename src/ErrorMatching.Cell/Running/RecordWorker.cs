@@ -11,7 +11,7 @@ internal sealed class RecordWorker(CellFlow flow)
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
         stop.ThrowIfCancellationRequested();
-        IReadOnlyList<string> found = [.. EndFault(), .. flow.Store.Tampered()];
+        var found = flow.Store.Tampered();
         if (found is not [var first, ..])
         {
             flow.Troubles.End(Where);
@@ -24,17 +24,5 @@ internal sealed class RecordWorker(CellFlow flow)
         }
 
         return Task.FromResult(flow.Pace.Idle);
-    }
-
-    private IEnumerable<string> EndFault()
-    {
-        try
-        {
-            return new AuditTrail(flow.Store, flow.Settings.KeysFolder).EndFault() is { } fault ? [fault.Message] : [];
-        }
-        catch (PeopleException e)
-        {
-            return [e.Message];
-        }
     }
 }
