@@ -126,7 +126,8 @@ internal sealed class FreeformJobReader(JsonItem root)
         var (number, name) = (item.Find("number"), item.Find("name"));
         if (number is null == name is null)
         {
-            Refuse(item, number is null ? "tool-missing" : "tool-twice", number is null ? "a tool without number and name" : "a tool by number and by name", "\"number\", or on a control that knows names \"name\"");
+            var (code, found) = number is null ? ("tool-missing", "a tool without number and name") : ("tool-twice", "a tool by number and by name");
+            Refuse(item, code, found, "\"number\", or on a control that knows names \"name\"");
         }
         else if (name is not null && !ToolCall.IsName(name.Text))
         {

@@ -4,7 +4,8 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>The text of a program, or of what stands around its moves, with places for values: how a control, a probe or a shop wants it.</summary>
 /// <remarks>
-/// A line that begins with <c>@</c> steers: <c>@about</c> says what the template is for; sections begin with their names; <c>@if</c> to <c>@endif</c>, with <c>@else</c> between, is for where a condition holds.
+/// A line that begins with <c>@</c> steers: <c>@about</c> says what the template is for; sections begin with their names; <c>@if</c> to
+/// <c>@endif</c>, with <c>@else</c> between, is for where a condition holds.
 /// Every other line is written with its places filled: a place is a name in braces, <c>{{</c> is a brace.
 /// </remarks>
 public abstract class ProgramTemplate
@@ -34,7 +35,11 @@ public abstract class ProgramTemplate
     {
         if (tool is not null && !AsksForTool)
         {
-            throw new FreeformException("bad-template", File, $"it has no @if {TemplateGrammar.Tool}, but the job names a tool ({key}), which would be left out. Write the call of the tool with {{tool.number}} and {{tool.offset}} behind @if {TemplateGrammar.Tool}, or take {key} out of the job.");
+            throw new FreeformException(
+                "bad-template",
+                File,
+                $"it has no @if {TemplateGrammar.Tool}, but the job names a tool ({key}), which would be left out. Write the call of the tool with "
+                + $"{{tool.number}} and {{tool.offset}} behind @if {TemplateGrammar.Tool}, or take {key} out of the job.");
         }
     }
 
@@ -46,10 +51,15 @@ public abstract class ProgramTemplate
 
     internal static TemplateContent BuiltIn(string name, TemplateGrammar grammar) => grammar.BuiltIn.Contains(name, StringComparer.Ordinal)
         ? new TemplateReader(name, grammar).Read(Resource(name, grammar)) with { IsBuiltIn = true }
-        : throw new FreeformException("unknown-template", name, $"no {grammar.Extension} template is built in for it; there are {string.Join(", ", grammar.BuiltIn)}. Name one of them, or a file of your own, as \"template\" under \"{grammar.Under}\".");
+        : throw new FreeformException(
+            "unknown-template",
+            name,
+            $"no {grammar.Extension} template is built in for it; there are {string.Join(", ", grammar.BuiltIn)}. Name one of them, or a file of your "
+            + $"own, as \"template\" under \"{grammar.Under}\".");
 
     internal static TemplateContent Read(ReadOnlySpan<byte> bytes, string file, TemplateGrammar grammar) => bytes.Length > MaxBytes
-        ? throw new FreeformException("bad-template", file, FormattableString.Invariant($"{bytes.Length} bytes; a template has at most {MaxBytes}. Is this the right file?"))
+        ? throw new FreeformException(
+            "bad-template", file, FormattableString.Invariant($"{bytes.Length} bytes; a template has at most {MaxBytes}. Is this the right file?"))
         : new TemplateReader(file, grammar).Read(bytes);
 
     private static byte[] Resource(string name, TemplateGrammar grammar)
@@ -60,5 +70,6 @@ public abstract class ProgramTemplate
         return bytes.ToArray();
     }
 
-    private static bool Asks(IEnumerable<TemplateItem> items) => items.Any(i => (i.Kind == TemplateItemKind.If && i.Text is TemplateGrammar.Tool or TemplateGrammar.ToolByName) || Asks(i.Body) || Asks(i.Else));
+    private static bool Asks(IEnumerable<TemplateItem> items) => items.Any(i =>
+        (i.Kind == TemplateItemKind.If && i.Text is TemplateGrammar.Tool or TemplateGrammar.ToolByName) || Asks(i.Body) || Asks(i.Else));
 }

@@ -89,7 +89,9 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
             return IsInEach ? argument : throw Fail(line, "conditions of a point only within @each point");
         }
 
-        return grammar.Conditions.Contains(argument, StringComparer.Ordinal) ? argument : throw Fail(line, $"@if with one of {string.Join(", ", grammar.PointConditions.Concat(grammar.Conditions))}");
+        return grammar.Conditions.Contains(argument, StringComparer.Ordinal)
+            ? argument
+            : throw Fail(line, $"@if with one of {string.Join(", ", grammar.PointConditions.Concat(grammar.Conditions))}");
     }
 
     private void Begin(string word)
@@ -97,7 +99,8 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
         var name = word[1..];
         if (!grammar.Sections.Contains(name, StringComparer.Ordinal))
         {
-            throw Fail(word, $"@about, {string.Join(", ", grammar.Sections.Select(s => "@" + s))}, {(grammar.HasPoints ? "@each point, @next, " : "")}@if, @else or @endif");
+            var (sections, loop) = (string.Join(", ", grammar.Sections.Select(s => "@" + s)), grammar.HasPoints ? "@each point, @next, " : "");
+            throw Fail(word, $"@about, {sections}, {loop}@if, @else or @endif");
         }
 
         if (_open.TryPeek(out var open))
@@ -147,7 +150,8 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
         {
             throw Fail($"{{{place}}}", $"one of {string.Join(", ", grammar.Places.Concat(grammar.PointPlaces))}");
         }
-        else if (TemplateGrammar.ToolPlaces.Contains(place, StringComparer.Ordinal) && !_open.Any(o => o.Item.Kind == TemplateItemKind.If && o.Item.Text is TemplateGrammar.Tool && !o.InElse))
+        else if (TemplateGrammar.ToolPlaces.Contains(place, StringComparer.Ordinal)
+            && !_open.Any(o => o.Item.Kind == TemplateItemKind.If && o.Item.Text is TemplateGrammar.Tool && !o.InElse))
         {
             throw Fail($"{{{place}}}", $"it behind @if {TemplateGrammar.Tool} only: not every job names its tool");
         }

@@ -19,7 +19,12 @@ internal static class TemplateText
     /// <param name="holds">Whether a condition holds.</param>
     /// <param name="valueOf">The value of a place.</param>
     /// <param name="each">Writes the lines of a loop.</param>
-    public static void Write(StringBuilder text, IReadOnlyList<TemplateItem> items, Func<string, bool> holds, Func<string, string> valueOf, Action<IReadOnlyList<TemplateItem>> each)
+    public static void Write(
+        StringBuilder text,
+        IReadOnlyList<TemplateItem> items,
+        Func<string, bool> holds,
+        Func<string, string> valueOf,
+        Action<IReadOnlyList<TemplateItem>> each)
     {
         foreach (var item in items)
         {

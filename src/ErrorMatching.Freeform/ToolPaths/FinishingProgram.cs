@@ -88,7 +88,8 @@ public static class FinishingProgram
 
         if (run.Problems is [var problem, ..])
         {
-            throw Fail($"the dialect {dialect.Name} does not understand \"{program.TextOf(program[problem.Block])}\" of the program that comes of it: {problem.Message}");
+            var text = program.TextOf(program[problem.Block]);
+            throw Fail($"the dialect {dialect.Name} does not understand \"{text}\" of the program that comes of it: {problem.Message}");
         }
 
         var block = Enumerable.Range(0, program.BlockCount).Last(b => program[b].Start <= head.Length);
@@ -98,7 +99,8 @@ public static class FinishingProgram
         {
             throw Fail(string.Create(
                 CultureInfo.InvariantCulture,
-                $"behind @head the moves would not be rapid, absolute, in millimeters and at the height of travel, Z {end.Z:0.####}. End it with G0 Z{{travel}}, and write G90 and the code for millimeters before."));
+                $"behind @head the moves would not be rapid, absolute, in millimeters and at the height of travel, Z {end.Z:0.####}. ")
+                + "End it with G0 Z{travel}, and write G90 and the code for millimeters before.");
         }
 
         FreeformException Fail(string what) => new("bad-template", template.File, what);

@@ -59,7 +59,8 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
         return new(correction, store.StepsOf(correction.Id), report, lines)
         {
             Surface = surface,
-            LacksToolCall = surface is { CallsTool: var calls } && program is not null && !(calls ?? program.AsSpan(0, Math.Min(program.Length, Head)).IndexOf(ToolCallBelongsHere) < 0),
+            LacksToolCall = surface is { CallsTool: var calls } && program is not null
+                && !(calls ?? program.AsSpan(0, Math.Min(program.Length, Head)).IndexOf(ToolCallBelongsHere) < 0),
             Before = correction.PreviousSha256 is { } previous ? store.Search(new() { Program = previous, Most = Looked }).FirstOrDefault(c => c.ProgramSha256 == previous && c.Id < correction.Id) : null,
             IsInSlot = correction is { Machine: { } machine, Slot: { } slot, ProgramSha256: not null } && store.Slot(machine, slot) is var held && held.ProgramSha256 == correction.ProgramSha256 && (held.Correction is null || held.Correction == correction.Id),
         };

@@ -36,7 +36,8 @@ public static class SurfaceRun
         {
             var surface = files.Surface();
             var surfaceSha256 = files.Inputs.First(i => i.Role == FreeformFiles.SurfaceRole).Sha256;
-            if (Compensated(files, job, surface, request, dialect.Syntax, made, surfaceSha256, cancellation, out var refusals, out var cutBy) is not { } result)
+            if (Compensated(files, job, surface, request, dialect.Syntax, made, surfaceSha256, cancellation, out var refusals, out var cutBy)
+                is not { } result)
             {
                 return new(refusals);
             }
@@ -88,7 +89,9 @@ public static class SurfaceRun
         return Fitted<DisplacedSurface>(request, () =>
         {
             var programSha256 = Convert.ToHexStringLower(SHA256.HashData(bytes.Span));
-            if (Compensated(files, job, files.Surface(), request, dialect.Syntax, made, programSha256, cancellation, out var refusals, out var cutBy) is not { } compensation)
+            var surface = files.Surface();
+            if (Compensated(files, job, surface, request, dialect.Syntax, made, programSha256, cancellation, out var refusals, out var cutBy)
+                is not { } compensation)
             {
                 return new(refusals);
             }
@@ -98,7 +101,15 @@ public static class SurfaceRun
                 compensation = compensation with { Warnings = [.. compensation.Warnings, FollowsTheError] };
             }
 
-            var displaced = SurfaceDisplacer.Displace(compensation.Input.Surface, compensation.Compensated, job.Compensation.Gain, job.Tool, bytes, dialect, job.Toolpath.ProgramsTip, MeasurementSha256(compensation.Input.Measured));
+            var displaced = SurfaceDisplacer.Displace(
+                compensation.Input.Surface,
+                compensation.Compensated,
+                job.Compensation.Gain,
+                job.Tool,
+                bytes,
+                dialect,
+                job.Toolpath.ProgramsTip,
+                MeasurementSha256(compensation.Input.Measured));
             return displaced.IsUsable
                 ? new(new DisplacedSurface(files.Named, files.Inputs, program.File, displaced.Value, compensation, request.Folder) { CutBy = cutBy })
                 : new(ErrorItems.Of([displaced.Refusal], program.File));
