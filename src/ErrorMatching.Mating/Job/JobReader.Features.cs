@@ -1,8 +1,8 @@
 using System.Globalization;
-using System.Text.RegularExpressions;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
@@ -105,11 +105,12 @@ internal sealed partial class JobReader
         {
             try
             {
-                _ = new Regex(item.Text[1..^1], RegexOptions.NonBacktracking | RegexOptions.CultureInvariant, TimeSpan.FromSeconds(1));
+                _ = BlockSelector.Parse(item.Text);
             }
-            catch (Exception e) when (e is ArgumentException or NotSupportedException)
+            catch (NcException e)
             {
-                Refuse(item, "bad-pattern", $"the pattern {item.Text}", "a regular expression without look-around and back references: " + e.Message.TrimEnd('.'));
+                const string Expected = "a regular expression without look-around and back references";
+                Problems.Add(new("bad-pattern", item.Path, item.Place, $"the pattern {item.Text}", Expected, e.Message.TrimEnd('.')));
             }
         }
     }
