@@ -48,7 +48,7 @@ internal sealed partial class JobReader
     {
         if (item.Kind == JsonItemKind.List)
         {
-            return new(ReadBand(item), ToleranceSource.Stated);
+            return new(ReadBand(item), ToleranceSource.Stated) { Place = item.Place };
         }
 
         var source = item.Text == "chain:rss" ? ToleranceSource.RootSumOfSquares : ToleranceSource.WorstCase;
@@ -58,7 +58,8 @@ internal sealed partial class JobReader
             return new(default, source);
         }
 
-        return new((source == ToleranceSource.WorstCase ? chain.WorstCase() : chain.RootSumOfSquares()).Band, source);
+        var computed = source == ToleranceSource.WorstCase ? chain.WorstCase() : chain.RootSumOfSquares();
+        return new(computed.Band, source) { Place = item.Place };
     }
 
     private List<string> ReadPoints(JsonItem list, string feature, int least)
