@@ -11,10 +11,12 @@ internal static class UnitCheck
 {
     private const double MillimetersPerInch = 25.4;
 
-    // Two files of one piece differ by deviations, small even beside a boundary of a millimeter; two pieces that differ by just this factor are not mated.
+    // Two files of one piece differ by deviations, which are small even beside a boundary of a millimeter.
+    // No two pieces that differ by just this factor are mated.
     private const double Margin = 0.1;
 
-    /// <summary>The refusal of the first measurement whose points seem to be in inches while the theoretical ones are not, or the other way around; or null.</summary>
+    /// <summary>The refusal of the first measurement that seems to be in inches while the theoretical points are not, or the other way around.</summary>
+    /// <returns>The refusal; null where all have one unit.</returns>
     public static MatingRefusal? Refuse(MatingJob job, MeasurementFile theoretical, params ReadOnlySpan<MeasurementFile?> measurements)
     {
         foreach (var file in measurements)
@@ -30,7 +32,7 @@ internal static class UnitCheck
 
     private static bool IsInch(double ratio) => Math.Abs((ratio / MillimetersPerInch) - 1) < Margin;
 
-    // How many times as far apart the key points lie as they are designed. Null where that says nothing: fewer than two points, or all at one place.
+    // How many times as far apart the key points lie as they are designed; null for fewer than two points, or all at one place.
     private static double? Ratio(MatingJob job, MeasurementFile theoretical, MeasurementFile measured)
     {
         var (designed, found) = (new List<Point3>(), new List<Point3>());

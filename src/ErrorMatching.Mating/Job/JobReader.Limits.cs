@@ -30,8 +30,8 @@ internal sealed partial class JobReader
             var item = root["gauge"]["uncertaintyMm"];
             Problems.Add(new(
                 UncertaintyImplausible, item.Path, item.Place, Number(u), expected,
-                $"found a standard uncertainty of {Number(u)} mm; expected {expected} mm, or no deviation is significant up to the {Number(most)} mm "
-                + $"where the job stops (\"limitMm\"). um? {Number(u)} um are {Number(u / 1000)} mm"));
+                $"found a standard uncertainty of {Number(u)} mm; expected {expected} mm, or no deviation is significant up to the "
+                + $"{Number(most)} mm where the job stops (\"limitMm\"). um? {Number(u)} um are {Number(u / 1000)} mm"));
         }
     }
 

@@ -20,7 +20,7 @@ public static class BoundarySearch
     /// <summary>Cosine of 30 degrees: a boundary bends less from one block to the next where no key point is.</summary>
     public const double BendCosine = 0.866;
 
-    /// <summary>Code of the refusal of a straight boundary with a key point on a rounded corner; a match warns of such points by the same word.</summary>
+    /// <summary>Code of the refusal of a straight boundary with a key point on a rounded corner; a match warns of such by the same word.</summary>
     public const string PointOnCorner = "point-on-corner";
 
     // Sine of 5.7 degrees, up to which two lines are pieces of one and an arc is tangent, as in the rewriting of the program.
@@ -62,7 +62,7 @@ public static class BoundarySearch
         return [.. found.Select((f, b) => (refusals[b] ?? Shared(path, boundaries, found, b)) is { } refusal ? new FoundBoundary([], refusal) : new FoundBoundary([.. f.Select(c => c.Core)]))];
     }
 
-    /// <summary>Why a match would refuse blocks that were found for a feature: they are mapped as it maps them, with the points as designed.</summary>
+    /// <summary>Why a match would refuse blocks that were found for a feature, by its own mapping of the points as designed.</summary>
     /// <param name="job">The job; blocks that it names itself do not matter.</param>
     /// <param name="path">The program, interpreted.</param>
     /// <param name="theoretical">The key points as designed.</param>
@@ -262,5 +262,11 @@ public static class BoundarySearch
     /// it is to that, and the two outermost points at both ends.
     /// </summary>
     private sealed record Pass(
-        FoundPass Cut, FoundPass Core, bool IsAgainst, double WantedMm, double DistanceMm, IReadOnlyList<Point2> Begin, IReadOnlyList<Point2> End);
+        FoundPass Cut,
+        FoundPass Core,
+        bool IsAgainst,
+        double WantedMm,
+        double DistanceMm,
+        IReadOnlyList<Point2> Begin,
+        IReadOnlyList<Point2> End);
 }

@@ -32,7 +32,7 @@ public sealed class PasswordRuleTests
     public void What_is_tried_first_is_none(string password) => Weak("ben", password);
 
     [Theory]
-    [InlineData("Winter2026!!"), InlineData("!Summer-2026!"), InlineData("Herbst.2025.."), InlineData("W1nter2026!!"), InlineData("October2026??")]
+    [InlineData("Winter2026!!"), InlineData("!Summer-2026!"), InlineData("Herbst.2025.."), InlineData("W1nter2026!!")]
     [InlineData("Winter2026Ben"), InlineData("ben.Monday.2026"), InlineData("Summer25Winter26"), InlineData("2026-Password-Mai")]
     public void Nor_is_what_the_calendar_says(string password)
     {
