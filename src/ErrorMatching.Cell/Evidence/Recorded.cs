@@ -83,6 +83,7 @@ public static class Recorded
     internal static readonly SentenceForm SaysTwo = new("says-two", "the {0:word}s \"{1}\" and \"{2}\"");
     internal static readonly SentenceForm UnusableJob = new("unusable-job", "The job {0} cannot be used any more, so nobody can tell whose measurement \"{1}\" is: {2:any}");
     internal static readonly SentenceForm UnreadableInside = new("unreadable-inside", "The patterns of the jobs must look into \"{0}\", which cannot be read: {1:any}");
+    // No longer written: stores have it from when expressions had a limit by the clock.
     internal static readonly SentenceForm SlowPattern = new("slow-pattern", "A pattern takes too long on \"{0}\": {1}. Make it simpler.");
     internal static readonly SentenceForm TooLarge = new(
         "too-large", "The file has {0:0} bytes, and \"{1}\" takes at most {2:0}. It lies in {3} under its hash. Is it a measurement at all? If so, raise mostMB of the gauge and put it into {4} again.");

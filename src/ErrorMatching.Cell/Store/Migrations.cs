@@ -85,6 +85,6 @@ internal static partial class Migrations
         }
     }
 
-    [GeneratedRegex(@"\{(?<token>[a-z_]+)(:(?<argument>[a-z_]+))?\}", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(@"\{(?<token>[a-z_]+)(:(?<argument>[a-z_]+))?\}", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Token();
 }

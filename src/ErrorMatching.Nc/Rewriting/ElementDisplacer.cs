@@ -261,7 +261,18 @@ internal sealed partial class ElementDisplacer
 
         var (a, b) = (_path.Motions[joint - 1], _path.Motions[joint]);
         var (left, right) = (WishOf(joint - 1).End.Dot(a.TangentAt(1).Left), WishOf(joint).Start.Dot(b.TangentAt(0).Left));
-        return At(b, NcRefusalCodes.NoIntersection, FormattableString.Invariant($"displaced as asked, it no longer meets {_path.Program.NameOf(_path.Program[a.Block])} nearby: the two are displaced by different amounts ({left:0.000} and {right:0.000} mm). Put both into one feature, or displace less."));
+        var (name, other) = (_path.Program.NameOf(_path.Program[b.Block]), _path.Program.NameOf(_path.Program[a.Block]));
+
+        // What is not named between two lines that move stays tangent to both: an arc as a corner, not as a piece of one of them.
+        var advice = IsTangent(a.TangentAt(1), b.TangentAt(0)) && a.IsArc != b.IsArc
+            ? $"Where the arc {(a.IsArc ? other : name)} rounds a corner, do not name it: it then stays tangent to both of its neighbors. "
+                + "Else displace both alike."
+            : "Displace both alike, or displace less.";
+        var amounts = FormattableString.Invariant($"({left:0.000} and {right:0.000} mm)");
+        return At(
+            b,
+            NcRefusalCodes.NoIntersection,
+            $"displaced as asked, it no longer meets {other} nearby: the two are displaced by different amounts {amounts}. {advice}");
     }
 
     private Point2? Meet(int before, int behind, int joint, double amount)

@@ -207,6 +207,6 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     // Of a hash the first digits tell it from others; the whole one is in the export.
     private static string Short(string text) => Hash().Replace(text, m => m.Value[..Digits] + "…");
 
-    [GeneratedRegex("[0-9a-f]{64}", RegexOptions.None, 1000)]
+    [GeneratedRegex("[0-9a-f]{64}", RegexOptions.None, Timeout.Infinite)]
     private static partial Regex Hash();
 }
