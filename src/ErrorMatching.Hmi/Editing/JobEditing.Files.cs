@@ -38,7 +38,7 @@ public sealed partial class JobEditing
         }
         catch (InputException e)
         {
-            (isBroken, message) = (true, Texts.Current.With("Setup.KeptBroken", e.Message));
+            (isBroken, message) = (true, Texts.Current.With("Setup.KeptBroken", Failures.Of(e, _station.Clock)));
         }
 
         try
@@ -49,7 +49,7 @@ public sealed partial class JobEditing
         }
         catch (Exception e) when (e is InputException or JobException or MeasurementException or DraftException)
         {
-            return ("", null, false, null, isBroken, Texts.Current.With("Setup.NotOpened", e.Message));
+            return ("", null, false, null, isBroken, Texts.Current.With("Setup.NotOpened", Failures.Of(e, _station.Clock)));
         }
     }
 

@@ -293,7 +293,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         }
         catch (OutputException e)
         {
-            _screen.Post(_ => Message = Texts.Current.With("Setup.NotKept", e.Message), null);
+            _screen.Post(_ => Message = Texts.Current.With("Setup.NotKept", Failures.Of(e, _station.Clock)), null);
         }
     }
 
