@@ -16,7 +16,7 @@ public sealed class SetupHelpTests
         Assert.DoesNotContain("alarm", question.Classes);
         Assert.DoesNotContain("wrong", seat.Seat.See("edit-features[1].toleranceMm[1]").Classes);
         Assert.Equal("To consider: 3", seat.System.ProblemCount);
-        seat.Seat.Tap("setup-save");
+        seat.Seat.Save();
         seat.Seat.WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
         Assert.StartsWith("Saved", seat.TextOf("setup-notice"), StringComparison.Ordinal);
     });
