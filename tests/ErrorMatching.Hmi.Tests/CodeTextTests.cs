@@ -79,7 +79,7 @@ public sealed partial class CodeTextTests
                 .Select(f => (string)f.GetRawConstantValue()!)
                 .Where(c => Raw().IsMatch(c) || (t.Name.EndsWith("Codes", StringComparison.Ordinal) && c.Length > 0)))
             .Except(NoCodes)
-            .Except([JobEdits.Edited, JobEdits.EditFailed]),
+            .Except([JobEdits.Edited, JobEdits.EditFailed, JobEdits.Found]),
         .. Enum.GetValues<StoreError>().Select(CellCodes.Of),
         .. Enum.GetValues<TransportError>().Select(CellCodes.Of),
         .. Enum.GetValues<NcErrorCode>().Select(c => ErrorItems.Of(new NcException(c, "")).Code),

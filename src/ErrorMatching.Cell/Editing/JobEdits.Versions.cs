@@ -139,7 +139,7 @@ public sealed partial class JobEdits
 
     // Before and after in one transaction with what is said of them; what was saved here is kept already.
     private void Keep(
-        CellJobSettings job, SignedIn by, IReadOnlyList<(string Name, byte[] Bytes)> before, IReadOnlyList<(string Name, byte[] Bytes)> after)
+        CellJobSettings job, SignedIn by, List<(string Name, byte[] Bytes)> before, List<(string Name, byte[] Bytes)> after)
     {
         var found = Told(before);
         var isKnown = before.Count == 0 || Versions(job).Any(v => v.Files.SequenceEqual(before.Select(f => (f.Name, HashOf(f.Bytes)))));

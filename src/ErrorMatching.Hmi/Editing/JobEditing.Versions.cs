@@ -11,21 +11,8 @@ public sealed partial class JobEditing
     /// <summary>The saved versions of the job, the latest first; none before they are read.</summary>
     public RowList<VersionRow> Versions { get; } = [];
 
-    /// <summary>The version that is chosen; null if none is.</summary>
-    public VersionRow? Version
-    {
-        get;
-        set
-        {
-            if (Set(ref field, value))
-            {
-                Restore.Refresh();
-            }
-        }
-    }
-
-    /// <summary>Brings the chosen version back into the form. Nothing is saved by that.</summary>
-    public LongCommand Restore { get; }
+    /// <summary>Done when a version that was tapped is in the form.</summary>
+    internal Task Restoring { get; private set; } = Task.CompletedTask;
 
     // A store that is away leaves the list empty; the banner says so.
     private async Task ReadVersionsAsync(CellJobSettings job)
@@ -39,22 +26,23 @@ public sealed partial class JobEditing
 
     private JobEdits Edits => new(_station.Settings, _station.Store, _station.Users);
 
-    private void ShowVersions(IReadOnlyList<JobVersion> versions)
+    private void ShowVersions(IReadOnlyList<JobVersion> versions) => Versions.Show([.. versions.Select(Row)]);
+
+    private VersionRow Row(JobVersion version)
     {
-        Versions.Show([.. versions.Select(v => new VersionRow(v, Hmi.Shown.Time(v.At, _station.Clock)))]);
-        Version = Versions.FirstOrDefault(v => v.Version.Entry == Version?.Version.Entry);
+        var time = Hmi.Shown.Time(version.At, _station.Clock);
+        return new(version, time, new(() => Restoring = RestoreAsync(Job!, version, time).Watched(), () => CanEdit));
     }
 
-    private async Task RestoreAsync()
+    private async Task RestoreAsync(CellJobSettings job, JobVersion version, string time)
     {
-        var (job, row) = (Job!, Version!);
         MatingDraft? draft = null;
         string? refusal = null;
         var isRead = await TryAsync(() =>
         {
             try
             {
-                draft = Edits.Open(job, row.Version);
+                draft = Edits.Open(job, version);
             }
             catch (Exception e) when (e is JobException or MeasurementException or DraftException)
             {
@@ -73,6 +61,6 @@ public sealed partial class JobEditing
         }
 
         Change("", _ => draft!);
-        Note(() => Texts.Current.With("Setup.Restored", row.Time));
+        Note(() => Texts.Current.With("Setup.Restored", time));
     }
 }

@@ -42,7 +42,6 @@ public sealed partial class JobEditing : Observable, IDisposable
         DiscardKept = new(_ => ForgetKeptAsync(), () => (Kept is not null || IsKeptBroken) && MayEdit);
         Save = new(_ => SaveAsync(), () => CanEdit && IsChanged);
         ComputeAnew = new(_ => ComputeAnewAsync(), () => CanComputeAnew);
-        Restore = new(_ => RestoreAsync(), () => CanEdit && Version is not null);
 
         // While it is saved nothing can be edited.
         Save.PropertyChanged += (_, _) => Refresh();
@@ -219,7 +218,11 @@ public sealed partial class JobEditing : Observable, IDisposable
         }
 
         DiscardKept.Refresh();
-        Restore.Refresh();
+        foreach (var row in Versions)
+        {
+            row.Restore.Refresh();
+        }
+
         Save.Refresh();
         ComputeAnew.Refresh();
         Say();

@@ -118,9 +118,9 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
             Set(ref _mating, mating, nameof(Mating));
             Show(pieces!);
         }
-        else if (_shown.Length == 0)
+        else if (_shown.Length == 0 || _pieces.Count == 0)
         {
-            // The pieces of another mating are none of this one's, and nothing is known of these.
+            // The pieces of another mating are none of this one's, and that there is none of this one is not known any more.
             Show([], isKnown: false);
         }
     }
