@@ -18,7 +18,9 @@ public sealed partial class CodeTextTests
 
     // Written like codes, and shown to nobody as the reason of anything: names in files, on the wire and of dialects.
     private static readonly string[] NoCodes =
-        ["probing-log", "errormatch-machine", "errormatch-cell", "along-axis", "conditional-stop", "delta-nc300", "siemens-840d", "fanuc-p98xx"];
+    [
+        "probing-log", "errormatch-machine", "errormatch-cell", "along-axis", "conditional-stop", "delta-nc300", "siemens-840d", "fanuc-p98xx",
+    ];
 
     [Fact]
     public Task Every_code_has_words_in_both_languages_and_none_is_shown_itself() => Drawing.Needed().RunAsync(() =>
@@ -65,14 +67,16 @@ public sealed partial class CodeTextTests
     // A field of the set-up, a decision, a saved job and a person have texts of their own for theirs.
     private static bool HasWords(string code, Language language) =>
         new[] { "Problem.", "Decision.", "JobEdit." }.Any(p => Texts.Of(language).ContainsKey(p + code))
-        || (CodeText.Of(code, null) is var text && text != Texts.Current["Meaning.Other"] && !Raw().IsMatch(text) && (language == Language.English || IsChinese(text)));
+        || (CodeText.Of(code, null) is var text && text != Texts.Current["Meaning.Other"] && !Raw().IsMatch(text)
+            && (language == Language.English || IsChinese(text)));
 
     private static bool IsChinese(string text) => text.Any(c => c is >= '\u4e00' and <= '\u9fff');
 
     // What is declared: all string constants written like codes, and the enumerations of what can go wrong.
     private static IEnumerable<string> Declared() =>
     [
-        .. new[] { typeof(CellStore), typeof(OutputException), typeof(Matcher), typeof(Compensator), typeof(NcProgram), typeof(MeasurementError) }
+        .. new[] { typeof(CellStore), typeof(OutputException), typeof(Matcher), typeof(Compensator), typeof(NcProgram) }
+            .Append(typeof(MeasurementError))
             .SelectMany(t => t.Assembly.GetTypes())
             .SelectMany(t => t.GetFields(BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Static | BindingFlags.DeclaredOnly)
                 .Where(f => f.IsLiteral && f.FieldType == typeof(string))
@@ -88,7 +92,8 @@ public sealed partial class CodeTextTests
 
     // What has no constant stands in the page of refusals.
     private static IEnumerable<string> Documented() =>
-        File.ReadLines(Repository.PathTo("docs", "refusals.md")).Select(l => Row().Match(l)).Where(m => m.Success).Select(m => m.Groups["code"].Value);
+        File.ReadLines(Repository.PathTo("docs", "refusals.md"))
+            .Select(l => Row().Match(l)).Where(m => m.Success).Select(m => m.Groups["code"].Value);
 
     [GeneratedRegex("^[a-z]+(-[a-z0-9]+)+$", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, 1000)]
     private static partial Regex Raw();

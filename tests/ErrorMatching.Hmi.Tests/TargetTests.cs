@@ -4,6 +4,7 @@ using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
+using ErrorMatching.Hmi.Cairo;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -11,8 +12,23 @@ namespace ErrorMatching.Hmi.Tests;
 [Trait("Length", "Long")]
 public sealed class TargetTests
 {
-    [Fact]
-    public Task No_message_of_the_cell_moves_a_target_on_any_screen() => Seat.AtAsync(seat =>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    public async Task No_message_of_the_cell_moves_a_target_on_any_screen(double scaling)
+    {
+        await Drawing.Needed().RunAsync(() => OffScreenSession.Scaling = scaling);
+        try
+        {
+            await Seat.AtAsync(Around);
+        }
+        finally
+        {
+            await Drawing.Needed().RunAsync(() => OffScreenSession.Scaling = 1);
+        }
+    }
+
+    private static void Around(Seat seat)
     {
         var moved = new List<string>();
         new Tour(seat).Deliver();
@@ -31,7 +47,7 @@ public sealed class TargetTests
         }
 
         Assert.True(moved.Count == 0, string.Join('\n', moved.Distinct()));
-    });
+    }
 
     [Fact]
     public Task A_store_that_goes_moves_no_target_and_no_screen_says_that_there_is_nothing() => Seat.AtAsync(seat =>
@@ -55,7 +71,8 @@ public sealed class TargetTests
             found.AddRange(Said($"{item.Screen.Key}"));
 
             // Opened while it is away.
-            seat.Tap("nav-settings").Tap(item.Screen.AutomationId).WaitFor(() => seat.Shell.Chosen == item, "The screen does not open again.");
+            seat.Tap("nav-settings").Tap(item.Screen.AutomationId);
+            seat.WaitFor(() => seat.Shell.Chosen == item, "The screen does not open again.");
             seat.User.Settle();
             found.AddRange(Said($"{item.Screen.Key} opened"));
             LostConnectionTests.Move(seat, ".away", "");
@@ -72,7 +89,8 @@ public sealed class TargetTests
             {
                 Texts.Current.Language = language;
                 seat.User.Settle();
-                var shown = seat.Window.GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible).Select(t => t.Text).ToHashSet();
+                var texts = seat.Window.GetVisualDescendants().OfType<TextBlock>();
+                var shown = texts.Where(t => t.IsEffectivelyVisible).Select(t => t.Text).ToHashSet();
                 foreach (var key in nothing.Where(k => shown.Contains(Texts.Current[k])))
                 {
                     yield return $"{where} {language}: says {key}";
@@ -81,7 +99,7 @@ public sealed class TargetTests
         }
     });
 
-    // Each kind of message in both languages, with the smallest and the largest targets; where each target is with none is what it is compared with.
+    // Each kind of message in both languages, with the smallest and the largest targets, compared with where each target is with none.
     private static void Look(Seat seat, string screen, List<string> moved)
     {
         var calm = seat.Station.State;
@@ -115,14 +133,16 @@ public sealed class TargetTests
     private static IEnumerable<(string Name, StationState State, string? Notice)> Messages(StationState calm)
     {
         var (status, words) = (calm.Status!, string.Join(' ', Enumerable.Repeat("something is not as it should be", 12)));
-        var trouble = new CellTrouble(CellTrouble.OfSlot("vmc1", "A"), CellCodes.Of(TransportError.Denied), words, DateTimeOffset.UnixEpoch);
+        var slot = CellTrouble.OfSlot("vmc1", "A");
+        var trouble = new CellTrouble(slot, CellCodes.Of(TransportError.Denied), words, DateTimeOffset.UnixEpoch);
         yield return ("a store that is away", calm with { StoreTrouble = new StoreException(StoreError.Away, "away") }, null);
         yield return ("a cell that stands", calm with { Status = status with { IsRunning = false } }, null);
         yield return ("a trouble", With(trouble), null);
         yield return ("troubles", With(trouble, trouble with { Where = "store", Code = CellCodes.NotKept }), null);
         yield return ("a notice", calm, words);
 
-        StationState With(params CellTrouble[] troubles) => calm with { Status = status with { Heartbeat = status.Heartbeat! with { Troubles = troubles } } };
+        StationState With(params CellTrouble[] troubles) =>
+            calm with { Status = status with { Heartbeat = status.Heartbeat! with { Troubles = troubles } } };
     }
 
     private static void Show(Seat seat, StationState state, string? notice)
@@ -132,7 +152,8 @@ public sealed class TargetTests
         seat.User.Settle();
     }
 
-    // A tile of a list may go on where a tap at the place that it left does nothing else. A pixel or two nobody misses: a line of another script is higher.
+    // A tile of a list may go on where a tap at the place that it left does nothing else. Nobody misses by two pixels: a line of
+    // another script is as much higher.
     private static IEnumerable<string> Moved(Seat seat, Dictionary<string, Rect> before)
     {
         var now = Targets(seat);

@@ -10,7 +10,7 @@ namespace ErrorMatching.Cell;
 /// <content>The versions of a job: kept with each that is saved, and opened again as drafts.</content>
 public sealed partial class JobEdits
 {
-    /// <summary>The word of the audit trail for a job that stood there without having been saved here, and was kept when another took its place.</summary>
+    /// <summary>The word of the audit trail for a job that nobody saved here, and that was kept when another replaced it.</summary>
     public const string Found = "job-found";
 
     /// <summary>All versions of a job, the latest first.</summary>
@@ -22,11 +22,12 @@ public sealed partial class JobEdits
         var names = settings.Jobs.Where(j => CellPaths.AreSame(j.File, job.File)).Select(j => j.Name).Append(job.Name).ToHashSet();
         return
         [
-            .. store.Read(AuditRow.Select + " WHERE what = @Edited OR what = @Found ORDER BY seq DESC", AuditRow.Read, new { Edited, Found })
+            .. store
+                .Read(AuditRow.Select + " WHERE what = @Edited OR what = @Found ORDER BY seq DESC", AuditRow.Read, new { Edited, Found })
                 .Where(e => e.Subject is { } subject && names.Contains(subject))
                 .Select(Version)
                 .OfType<JobVersion>()
-                .Where(v => v.Files.All(f => store.Read("SELECT sha256 FROM content WHERE sha256 = @Sha256", _ => true, new { f.Sha256 }).Count > 0)),
+                .Where(v => v.Files.All(f => IsKept(f.Sha256))),
         ];
     }
 
@@ -49,10 +50,11 @@ public sealed partial class JobEdits
 
         byte[] Content(string name) => version.Files.FirstOrDefault(f => f.Name == name) is { Sha256: { } sha256 }
             ? store.Content(sha256)
-            : throw new JobEditException(JobEditException.Incomplete, $"{name} of {job.File} was not kept with this version. Bring it back by hand.");
+            : throw new JobEditException(
+                JobEditException.Incomplete, $"{name} of {job.File} was not kept with this version. Bring it back by hand.");
     }
 
-    /// <summary>A new job's draft with files of its own: where another file has the name already, the next free number follows it.</summary>
+    /// <summary>A new job's draft with files of its own: where another file has the name, the next free number follows it.</summary>
     /// <param name="job">The job in the cell, in whose folder they come.</param>
     /// <param name="draft">The new job.</param>
     public static MatingDraft WithOwnFiles(CellJobSettings job, MatingDraft draft)
@@ -84,12 +86,17 @@ public sealed partial class JobEdits
     private static bool IsTaken(CellJobSettings job, string name, ReadOnlyMemory<byte> bytes) =>
         PathOf(job, name) is var path && File.Exists(path) && !InputFile.Open(path, File.ReadAllBytes).AsSpan().SequenceEqual(bytes.Span);
 
-    private static string PathOf(CellJobSettings job, string name) => Path.GetFullPath(Path.Combine(Path.GetDirectoryName(job.File) ?? "", name));
+    private static string PathOf(CellJobSettings job, string name) =>
+        Path.GetFullPath(Path.Combine(Path.GetDirectoryName(job.File) ?? "", name));
+
+    // What was saved before versions were kept has its hashes in the trail only.
+    private bool IsKept(string sha256) => store.Read("SELECT 1 FROM content WHERE sha256 = @sha256", _ => true, new { sha256 }).Count > 0;
 
     private static JobVersion? Version(AuditEntry entry)
     {
         var list = Recorded.JobInPlace.Read(entry.Basis) is [var written, ..] ? written : entry.Basis;
-        (string Name, string Sha256)[] files = [.. FileAndHash().Matches(list).Select(m => (m.Groups["name"].Value, m.Groups["hash"].Value))];
+        var found = FileAndHash().Matches(list);
+        (string Name, string Sha256)[] files = [.. found.Select(m => (m.Groups["name"].Value, m.Groups["hash"].Value))];
         return files is [.., var job] ? new(entry.Seq, entry.At, entry.Who, job.Sha256, files) : null;
     }
 
@@ -135,7 +142,8 @@ public sealed partial class JobEdits
         return version;
     }
 
-    private static string Told(IEnumerable<(string Name, byte[] Bytes)> files) => string.Join(", ", files.Select(f => $"{f.Name} {HashOf(f.Bytes)}"));
+    private static string Told(IEnumerable<(string Name, byte[] Bytes)> files) =>
+        string.Join(", ", files.Select(f => $"{f.Name} {HashOf(f.Bytes)}"));
 
     // Before and after in one transaction with what is said of them; what was saved here is kept already.
     private void Keep(

@@ -116,7 +116,8 @@ public sealed partial class JobEditing
             var undecided = 0;
             if (await TryAsync(() => undecided = Undecided(job).Length))
             {
-                Asked?.Invoke(new(job, draft.Name.Trim(), _base.Name.Trim(), undecided, HasComments, draft.IsBegunAnew && _base.Features.Count > 0));
+                var isNew = draft.IsBegunAnew && _base.Features.Count > 0;
+                Asked?.Invoke(new(job, draft.Name.Trim(), _base.Name.Trim(), undecided, HasComments, isNew));
             }
 
             return;

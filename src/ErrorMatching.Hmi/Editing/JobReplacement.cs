@@ -12,7 +12,9 @@ namespace ErrorMatching.Hmi;
 public sealed record JobReplacement(CellJobSettings Place, string Name, string Before, int Undecided, bool HasComments, bool IsNew)
 {
     /// <summary>Whose place it takes, from when on and where, in words.</summary>
-    public string Told => !IsNew ? "" : Texts.Current.With(Name == Before ? "Setup.Replace.ToldSame" : "Setup.Replace.Told", Name, Before.Length > 0 ? Before : Place.Name, Place.Machine, Place.Slot);
+    public string Told => !IsNew ? "" : Texts.Current.With(
+        Name == Before ? "Setup.Replace.ToldSame" : "Setup.Replace.Told",
+        Name, Before.Length > 0 ? Before : Place.Name, Place.Machine, Place.Slot);
 
     /// <summary>What becomes of the corrections that still wait, and of what people wrote into the file; none where there is neither.</summary>
     public IReadOnlyList<Fact> Facts => [.. new[]

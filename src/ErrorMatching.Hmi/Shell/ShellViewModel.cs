@@ -143,7 +143,8 @@ public sealed class ShellViewModel : Observable, IDisposable
     {
         { StoreTrouble: { } trouble } => Texts.Current.With("Banner.Store", Texts.Current.Word(trouble.Error)),
         { Status: { IsRunning: false } } => Texts.Current["Banner.NotRunning"],
-        { Status.Heartbeat.Troubles: [var only] } => Texts.Current.With("Banner.Trouble", CodeText.Where(only.Where), CodeText.Of(only.Code, only.Message)),
+        { Status.Heartbeat.Troubles: [var only] } =>
+            Texts.Current.With("Banner.Trouble", CodeText.Where(only.Where), CodeText.Of(only.Code, only.Message)),
         { Status.Heartbeat.Troubles: [_, ..] and var troubles } => Texts.Current.With("Banner.Troubles", troubles.Count),
         _ => null,
     };
@@ -311,7 +312,8 @@ public sealed class ShellViewModel : Observable, IDisposable
         if (_who is { } who)
         {
             SignedIn? signed = null;
-            var signing = new SigningViewModel(Station, who, Act.EditJobs, replacement.Name, needsReason: false, (by, _, _) => Task.FromResult(signed = by))
+            var signing = new SigningViewModel(
+                Station, who, Act.EditJobs, replacement.Name, needsReason: false, (by, _, _) => Task.FromResult(signed = by))
             {
                 TitleKey = replacement.IsNew ? "Setup.Replace" : "Setup.Sign",
                 Told = () => replacement.Told,

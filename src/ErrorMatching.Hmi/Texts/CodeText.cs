@@ -4,8 +4,8 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>What a stable code of the cell or of a reader means, in the language of the screen.</summary>
 /// <remarks>
-/// A new code needs one text in each language: <c>Code.CODE</c> where that says all, <c>Meaning.CODE</c> where the sentence that comes with it says more
-/// (it names blocks, points, files and numbers).
+/// A new code needs one text in each language: <c>Code.CODE</c> where that says all, <c>Meaning.CODE</c> where the sentence that comes with it
+/// says more (it names blocks, points, files and numbers).
 /// </remarks>
 public static class CodeText
 {
@@ -18,8 +18,8 @@ public static class CodeText
     /// <summary>The text of a code: never the code itself.</summary>
     /// <param name="code">The code.</param>
     /// <param name="otherwise">
-    /// The sentence that came with it, said where the station has no text that says all. One that it cannot say in the language of the screen is
-    /// quoted after what the code means. Null for none.
+    /// The sentence that came with it, said where the station has no text that says all. One that it cannot say in the language of the screen
+    /// is quoted after what the code means. Null for none.
     /// </param>
     public static string Of(string code, string? otherwise) =>
         Whole(code) ?? (otherwise is null ? Meaning(code) : Sentence(code, otherwise));

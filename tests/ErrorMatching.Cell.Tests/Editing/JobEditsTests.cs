@@ -69,7 +69,8 @@ public sealed class JobEditsTests : PeopleTest
         // Restored it is a new saved version, signed like any other.
         var restored = edits.Open(job, versions[1]);
         Assert.True(first.IsSame(restored with { Program = null }));
-        Assert.Equal(PeopleError.NotSigned, Assert.Throws<PeopleException>(() => edits.Save(job, restored, JobEdits.Sha256Of(job), by)).Error);
+        var unsigned = Assert.Throws<PeopleException>(() => edits.Save(job, restored, JobEdits.Sha256Of(job), by));
+        Assert.Equal(PeopleError.NotSigned, unsigned.Error);
         edits.Save(job, restored, JobEdits.Sha256Of(job), Users.SignIn("Anna", Right));
         Assert.Equal(program, File.ReadAllBytes(PathOf(Path.Combine("one", "counterpart.nc"))));
         Assert.True(first.IsSame(MatingDraftFiles.Open(job.File)));
@@ -95,7 +96,8 @@ public sealed class JobEditsTests : PeopleTest
         edits.Save(job, JobEdits.WithOwnFiles(job, anew), JobEdits.Sha256Of(job), by);
         Assert.Equal(pointsWere, File.ReadAllBytes(points));
         Assert.Equal(programWas, File.ReadAllBytes(program));
-        Assert.Equal(("theoretical-2.csv", "counterpart-2.nc"), (InputFile.Job(job.File).Part.Theoretical, InputFile.Job(job.File).Counterpart.Program));
+        var saved = InputFile.Job(job.File);
+        Assert.Equal(("theoretical-2.csv", "counterpart-2.nc"), (saved.Part.Theoretical, saved.Counterpart.Program));
         Assert.Equal(["Bracket", first.Name], edits.Versions(job).Select(v => edits.Open(job, v).Name));
     }
 

@@ -46,12 +46,14 @@ public sealed class MarksAfterImportTests
     // Beside the text stands the name of each feature; what is drawn around the middle of its first move is returned.
     private static Color[] Marked(SetupSeat seat, string when)
     {
-        seat.Seat.WaitFor(() => seat.System.Opening.IsCompleted && seat.System.Picture is { Marks.Count: > 0 }, $"Nothing is marked {when}.");
+        seat.Seat.WaitFor(
+            () => seat.System.Opening.IsCompleted && seat.System.Picture is { Marks.Count: > 0 }, $"Nothing is marked {when}.");
         seat.Seat.User.Settle();
         var picture = seat.System.Picture!;
         var (text, path) = ((ProgramText)seat.Seat.See("program-text"), (PathPlot)seat.Seat.See("program-path"));
         Assert.Same(picture, path.Picture);
-        Assert.All(picture.Marks, m => Assert.True(((IDrawnWords)text).DrawnWords.Any(w => w.Words == m.Name), $"{m.Name} is not beside the text {when}."));
+        var names = ((IDrawnWords)text).DrawnWords.Select(w => w.Words).ToHashSet();
+        Assert.All(picture.Marks, m => Assert.True(names.Contains(m.Name), $"{m.Name} is not beside the text {when}."));
         return [.. picture.Marks.SelectMany(m => Around(m.Ranges[0].First))];
 
         IEnumerable<Color> Around(int block)
@@ -59,7 +61,8 @@ public sealed class MarksAfterImportTests
             var (program, motion) = (picture.Program, picture.Program.Path.MotionOf(block));
             var (from, to) = program.Moves.EndsOf(motion)!.Value;
             var place = path.TranslatePoint(path.View.At(program.Moves.NearestOn(motion, from.Lerp(to, 0.5))), seat.Seat.Window)!.Value;
-            return Enumerable.Range(-Reach, (2 * Reach) + 1).SelectMany(x => Enumerable.Range(-Reach, (2 * Reach) + 1).Select(y => seat.Seat.User.PixelAt(new PixelPoint((int)place.X + x, (int)place.Y + y))));
+            var offsets = Enumerable.Range(-Reach, (2 * Reach) + 1);
+            return offsets.SelectMany(x => offsets.Select(y => new PixelPoint((int)place.X + x, (int)place.Y + y))).Select(seat.Seat.User.PixelAt);
         }
     }
 }

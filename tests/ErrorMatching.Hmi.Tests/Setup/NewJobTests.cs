@@ -44,7 +44,10 @@ public sealed class NewJobTests
         SetUp(seat);
         here.Tap("setup-save").See("signing-subject");
         Assert.Equal("Bracket", here.TextOf("signing-subject"));
-        Assert.Equal("The old one is kept, with its files, and can be restored. From the next measurement on, vmc1, slot A uses Bracket instead of Complex mating.", here.TextOf("signing-consequence"));
+        Assert.Equal(
+            "The old one is kept, with its files, and can be restored. "
+            + "From the next measurement on, vmc1, slot A uses Bracket instead of Complex mating.",
+            here.TextOf("signing-consequence"));
         Assert.Equal(
             [new Fact("Corrections of the old job that wait: 1. Once saved, they can be computed anew.", Severity.Attention), new("Saving drops the comments in its file.", Severity.Attention)], here.Shell.Signing!.Facts);
 
@@ -98,7 +101,7 @@ public sealed class NewJobTests
     });
 
     [Fact]
-    public Task A_new_job_leaves_the_files_of_the_one_before_alone_and_that_one_is_restored_with_a_signature() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task A_new_job_leaves_the_files_of_the_one_before_alone_and_that_one_can_be_restored() => SetupSeat.AtAsync(Screens.System, seat =>
     {
         var (here, editing, folder) = (seat.Seat, seat.Shell.Editing, Path.GetDirectoryName(seat.JobFile)!);
         var before = MatingDraftFiles.Open(seat.JobFile);

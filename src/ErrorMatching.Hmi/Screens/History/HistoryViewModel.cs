@@ -113,7 +113,9 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     public RowList<HistoryRow> Rows { get; } = [];
 
     /// <summary>How much was found, in words; empty before it is known.</summary>
-    public string Found => !_isKnown ? "" : _found.Count >= Most ? Texts.Current.With("History.FoundMost", Shown.Count(Most)) : Texts.Current.With("History.Found", Shown.Count(_found.Count));
+    public string Found => !_isKnown ? ""
+        : _found.Count >= Most ? Texts.Current.With("History.FoundMost", Shown.Count(Most))
+        : Texts.Current.With("History.Found", Shown.Count(_found.Count));
 
     /// <summary>The one that is opened; null while the list is shown.</summary>
     public CorrectionDetail? Detail

@@ -6,7 +6,7 @@ namespace ErrorMatching.Hmi;
 /// <summary>What happened, and the record of it.</summary>
 public sealed partial class MessagesView : UserControl
 {
-    // What there is to know takes this of the height, however much it is: the record is read as well, and what is tapped above it does not move.
+    // What there is to know has this of the height, however much it is: the record is read as well, and no button above it moves.
     private const double ShareOfNow = 1.0 / 3;
 
     /// <summary>The view.</summary>

@@ -112,7 +112,8 @@ public sealed partial class MessagesViewModel : ScreenViewModel
 
         foreach (var trouble in status.IsRunning ? status.Heartbeat!.Troubles : [])
         {
-            yield return new(Severity.Alarm, $"{CodeText.Where(trouble.Where)} · {Shown.Time(trouble.Since, Station.Clock)} · {CodeText.Of(trouble.Code, trouble.Message)}", texts["Message.Trouble.Next"], null);
+            var (where, since, what) = (CodeText.Where(trouble.Where), Shown.Time(trouble.Since, Station.Clock), CodeText.Of(trouble.Code, trouble.Message));
+            yield return new(Severity.Alarm, $"{where} · {since} · {what}", texts["Message.Trouble.Next"], null);
         }
 
         foreach (var failed in status.Failed)

@@ -56,7 +56,9 @@ public sealed class OverviewViewModel : ScreenViewModel
     {
         if (Station.State.Status is not { } status)
         {
-            (Summary, Severity) = Station.State.StoreTrouble is null ? (Texts.Current["Overview.Looking"], Severity.Quiet) : (Texts.Current["Overview.StoreAway"], Severity.Alarm);
+            (Summary, Severity) = Station.State.StoreTrouble is null
+                ? (Texts.Current["Overview.Looking"], Severity.Quiet)
+                : (Texts.Current["Overview.StoreAway"], Severity.Alarm);
             Say();
             return;
         }
