@@ -319,7 +319,7 @@ public sealed partial class CellStore : IDisposable
 
     private static string Sha256(ReadOnlySpan<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
 
-    private static void Keep(StoreTransaction transaction, string sha256, ReadOnlyMemory<byte> bytes) =>
+    internal static void Keep(StoreTransaction transaction, string sha256, ReadOnlyMemory<byte> bytes) =>
         transaction.Execute("INSERT INTO content (sha256, bytes) VALUES (@sha256, @Bytes) ON CONFLICT (sha256) DO NOTHING", new { sha256, Bytes = bytes.ToArray() });
 
     private static Correction? Known(StoreTransaction transaction, string key) =>

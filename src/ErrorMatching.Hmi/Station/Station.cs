@@ -81,6 +81,14 @@ public sealed class Station : IDisposable
         return MachineFolders.Open(machine, () => new MachineSecrets(Store, Settings.KeysFolder).Get(machine.Name));
     }
 
+    /// <summary>Shows a state that a test makes, and nothing that is seen after it. On the screen's thread.</summary>
+    /// <param name="state">The state.</param>
+    internal void Pretend(StationState state)
+    {
+        State = state with { Version = long.MaxValue };
+        Changed?.Invoke();
+    }
+
     /// <summary>Ends watching, signs out and closes the store.</summary>
     public void Dispose()
     {

@@ -48,8 +48,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     /// <summary>What can be decided about, and what is on its way or at a machine.</summary>
     public RowList<CorrectionRow> Rows { get; } = [];
 
-    /// <summary>True if there is nothing in <see cref="Rows"/>.</summary>
-    public bool IsEmpty => Rows.Count == 0;
+    /// <summary>True if it is known that there is nothing in <see cref="Rows"/>.</summary>
+    public bool IsEmpty => Station.State is { Status: not null, StoreTrouble: null } && Rows.Count == 0;
 
     /// <summary>The correction that is looked at. Until a person chooses one or decides, it is the oldest that waits for them; while another one is shown, nothing takes its place by itself.</summary>
     public CorrectionRow? Chosen
@@ -251,6 +251,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     {
         if (Station.State.Status is not { } status)
         {
+            Say(nameof(IsEmpty));
             return;
         }
 

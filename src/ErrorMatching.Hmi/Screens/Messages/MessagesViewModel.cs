@@ -40,8 +40,8 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     /// <summary>What a person should know, the worst first.</summary>
     public RowList<MessageRow> Messages { get; } = [];
 
-    /// <summary>True if there is nothing to say.</summary>
-    public bool IsQuiet => Messages.Count == 0;
+    /// <summary>True if it is known that there is nothing to say.</summary>
+    public bool IsQuiet => Station.State is { Status: not null, StoreTrouble: null } && Messages.Count == 0;
 
     /// <summary>The audit trail, the latest first.</summary>
     public RowList<AuditRow> Entries { get; } = [];
@@ -92,8 +92,9 @@ public sealed partial class MessagesViewModel : ScreenViewModel
         if (Station.State.Status is { } status)
         {
             Messages.Show([.. Of(status)]);
-            Say(nameof(IsQuiet));
         }
+
+        Say(nameof(IsQuiet));
 
         if (!_isReading)
         {
@@ -114,9 +115,8 @@ public sealed partial class MessagesViewModel : ScreenViewModel
 
         foreach (var trouble in status.IsRunning ? status.Heartbeat!.Troubles : [])
         {
-            yield return new(Severity.Alarm,
-                $"{trouble.Where} · {Shown.Time(trouble.Since, Station.Clock)} · {CodeText.Of(trouble.Code, trouble.Message)}",
-                    texts[NextOf(trouble)], null);
+            var (where, since, what) = (CodeText.Where(trouble.Where), Shown.Time(trouble.Since, Station.Clock), CodeText.Of(trouble.Code, trouble.Message));
+            yield return new(Severity.Alarm, $"{where} · {since} · {what}", texts[NextOf(trouble)], null);
         }
 
         // A cell that runs tells of it as a trouble.

@@ -56,7 +56,9 @@ public sealed class OverviewViewModel : ScreenViewModel
     {
         if (Station.State.Status is not { } status)
         {
-            Summary = Texts.Current["Overview.Looking"];
+            (Summary, Severity) = Station.State.StoreTrouble is null
+                ? (Texts.Current["Overview.Looking"], Severity.Quiet)
+                : (Texts.Current["Overview.StoreAway"], Severity.Alarm);
             Say();
             return;
         }
@@ -69,7 +71,8 @@ public sealed class OverviewViewModel : ScreenViewModel
         string[] counts = [.. new[] { CountOf("Overview.Approvals", proposed), CountOf("Overview.PiecesOutside", Station.Outside.Count) }.OfType<string>()];
         Counts = counts.Length == 1 && failed == 0 && status.IsRunning ? "" : string.Join(" · ", counts);
         (Summary, Severity) =
-            !status.IsRunning ? (texts["Overview.NotRunning"], Severity.Alarm)
+            Station.State.StoreTrouble is not null ? (texts["Overview.StoreAway"], Severity.Alarm)
+            : !status.IsRunning ? (texts["Overview.NotRunning"], Severity.Alarm)
             : failed > 0 ? (texts.With("Overview.Failed", Shown.Count(failed)), Severity.Alarm)
             : Troubles(status) is { Count: > 0 } troubles ? (texts.With("Overview.Troubles", Shown.Count(troubles.Count)), Severity.Alarm)
             : Station.Outside is { Count: > 0 } outside ? (texts.With("Overview.Outside", Shown.Count(outside.Count)), Severity.Attention)
