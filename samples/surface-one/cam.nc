@@ -4,7 +4,9 @@
 ; measured on the numbers below: scallop 0.019104 mm, chordal error 0.004338 mm
 G17 G40 G90 G94 G710
 G54
-; put the tool call here, with the length to the center of the ball
+T3
+M6
+D1
 S10000 M3
 G0 Z43.000
 X0.000 Y0.000

@@ -15,6 +15,9 @@ public static class MeasurementError
     /// <summary>The file has more points than the format allows.</summary>
     public const string TooManyPoints = "too-many-points";
 
+    /// <summary>A line has more cells than a table may have columns, or the file has more lines or cells than any measurement.</summary>
+    public const string TooManyCells = "too-many-cells";
+
     /// <summary>The file holds NUL bytes or other control characters: it is not text.</summary>
     public const string BinaryFile = "binary-file";
 

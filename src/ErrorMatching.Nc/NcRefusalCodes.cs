@@ -51,6 +51,12 @@ public static class NcRefusalCodes
     /// <summary>Two displaced neighbors no longer meet.</summary>
     public const string NoIntersection = "no-intersection";
 
+    /// <summary>
+    /// Two cuts that are not connected share a place, they do not move alike, and no rapid between them has coordinates of its own
+    /// that could lead from one to the other.
+    /// </summary>
+    public const string NoPositioning = "no-positioning";
+
     /// <summary>Corner rounding or chamfer words (,R ,C) at a vertex that must move.</summary>
     public const string CornerWord = "corner-word";
 

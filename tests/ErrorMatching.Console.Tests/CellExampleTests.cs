@@ -54,7 +54,7 @@ public sealed class CellExampleTests : IDisposable
         }
 
         Example("cell restore");
-        foreach (var words in new[] { "cell check", "user list", "user disable", "user enable", "user role", "user password", "audit verify", "audit export" })
+        foreach (var words in new[] { "cell check", "user list", "user disable", "user enable", "user role", "user password", "audit verify", "audit export", "audit take-over" })
         {
             Example(words);
         }

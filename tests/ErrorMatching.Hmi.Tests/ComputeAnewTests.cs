@@ -121,7 +121,7 @@ public sealed class ComputeAnewTests
         seat.Tap("side-machine").Type("edit-compensation.gain", "0.5");
         here.Settle();
         var before = Top();
-        seat.Tap("setup-save").WaitFor(() => seat.Find("setup-notice") is not null, "It is not saved.");
+        seat.Save().WaitFor(() => seat.Find("setup-notice") is not null, "It is not saved.");
         seat.See("setup-compute-anew");
         Assert.Equal(before, Top());
         Assert.Contains("Computed with the job as it was, and waiting: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
@@ -138,7 +138,7 @@ public sealed class ComputeAnewTests
         seat.Type("edit-compensation.gain", "0.5");
         here.Shell.Editing.Change("", d => d with { Name = "Complex mating, halved" });
         here.Settle();
-        seat.Tap("setup-save").WaitFor(() => seat.Find("setup-notice") is not null, "It is not saved once more.").See("setup-compute-anew");
+        seat.Save().WaitFor(() => seat.Find("setup-notice") is not null, "It is not saved once more.").See("setup-compute-anew");
         seat.Window.Height = 720;
         foreach (var side in new[] { "side-coordinates", "side-blocks", "side-tolerances", "side-gauge", "side-machine" })
         {
@@ -181,7 +181,7 @@ public sealed class ComputeAnewTests
     {
         here.Seat.Tap("side-machine").Type("edit-compensation.gain", "0.5");
         here.Settle();
-        here.Seat.Tap("setup-save").WaitFor(() => here.Seat.Find("setup-notice") is not null, "It is not saved.");
+        here.Seat.Save().WaitFor(() => here.Seat.Find("setup-notice") is not null, "It is not saved.");
         Assert.Equal("Saved: the next part uses it.", here.TextOf("setup-notice"));
         Assert.Null(here.Seat.Find("setup-compute-anew"));
         Assert.Null(here.Seat.Find("setup-look"));

@@ -101,7 +101,7 @@ public sealed class FreeformTests
         var largest = Shown.Mm(seat.Station.Store.Find(1)!.LargestMm);
         Assert.Contains($"by at most {largest}\u00a0mm", ((CompensationViewModel)seat.Shell.Current!).Detail!.Surface!.How, StringComparison.Ordinal);
         Assert.StartsWith($"Largest displacement {largest}\u00a0mm at ", seat.TextOf("detail-largest"), StringComparison.Ordinal);
-        Assert.StartsWith("The program calls no tool", seat.TextOf("detail-missing"), StringComparison.Ordinal);
+        Assert.False(seat.Find("detail-missing") is { IsEffectivelyVisible: true });
         Texts.Current.Language = Language.TraditionalChinese;
         seat.WaitFor(() => seat.TextOf("detail-largest") is "最大位移 0.0248\u00a0mm，位於 點 9 及其附近", $"It says {seat.TextOf("detail-largest")}.");
         Texts.Current.Language = Language.English;
@@ -112,6 +112,31 @@ public sealed class FreeformTests
         seat.Tap("correction-2").See("points");
         Assert.Null(seat.Find("tab-surface"));
         Assert.False(seat.Find("detail-missing") is { IsEffectivelyVisible: true });
+    });
+
+    // The job of this cell names no tool: its program stops with an alarm, and wherever it is looked at that is said first, in both languages.
+    [Fact]
+    public Task A_program_without_a_tool_call_is_said_to_stop_before_anything_else() => Seat.AtAsync(seat =>
+    {
+        var job = Path.Combine(Path.GetDirectoryName(seat.Cell.Settings.File)!, "..", "surface-one", "job.json");
+        const string tool = ", \"tool\": { \"number\": 3, \"lengthOffset\": 1 } }";
+        Assert.Contains(tool, File.ReadAllText(job), StringComparison.Ordinal);
+        File.WriteAllText(job, File.ReadAllText(job).Replace(tool, " }", StringComparison.Ordinal));
+        seat.Cell.Run();
+        seat.Cell.DeliverSurface(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Setter).Tap("nav-freeform").See("surface-title");
+        Assert.StartsWith("The program calls no tool and stops with an alarm", seat.TextOf("surface-missing"), StringComparison.Ordinal);
+        Assert.True(Top("surface-missing") < Top("surface-summary"));
+        Assert.Empty(((FreeformViewModel)seat.Shell.Current!).Detail!.Figures.Warnings);
+        seat.Tap("nav-compensation").See("detail-surface-summary");
+        Assert.StartsWith("The program calls no tool and stops with an alarm", seat.TextOf("detail-missing"), StringComparison.Ordinal);
+        Assert.True(Top("detail-missing") < Top("detail-proof"));
+        Texts.Current.Language = Language.TraditionalChinese;
+        seat.WaitFor(() => seat.TextOf("detail-missing")!.StartsWith("程式沒有換刀指令，會以警報停止", StringComparison.Ordinal), $"It says {seat.TextOf("detail-missing")}.");
+        Texts.Current.Language = Language.English;
+
+        double Top(string id) => seat.See(id).TransformToVisual(seat.Window)!.Value.Transform(default).Y;
     });
 
     [Fact]

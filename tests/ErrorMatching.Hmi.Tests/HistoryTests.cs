@@ -160,7 +160,7 @@ public sealed class HistoryTests
             new SetupSeat(seat).Settle();
             seat.Shell.Editing.Change("", d => d with { Compensation = d.Compensation with { Gain = "0.5" } });
             new SetupSeat(seat).Settle();
-            seat.Tap("setup-save").WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
+            seat.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
             var (outside, incoming) = (Path.Combine(Path.GetDirectoryName(seat.Cell.Settings.File)!, "WO-4711_0002.csv"), seat.Cell.Settings.Gauges[0].Incoming!);
             File.WriteAllText(outside, DemoPart.Near(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating", "part.csv")), 2, 0.02));
             File.Move(outside, Path.Combine(incoming, Path.GetFileName(outside)));

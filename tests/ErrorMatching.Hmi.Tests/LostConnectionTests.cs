@@ -102,7 +102,7 @@ public sealed class LostConnectionTests
     }
 
     // The whole disk: the store and what SQLite has beside it.
-    private static void Move(Seat seat, string from, string to)
+    internal static void Move(Seat seat, string from, string to)
     {
         var file = ((SqliteSettings)seat.Cell.Settings.Store).File;
         foreach (var end in Ends.Where(e => File.Exists(file + e + from)))

@@ -62,16 +62,19 @@ public sealed class MessagesTests
     public void The_first_sentence_ends_with_its_stop(string text, string first) => Assert.Equal(first, Sentence.First(text));
 
     [Fact]
-    public Task What_there_is_to_know_is_as_high_as_it_needs_to_be_and_the_trail_has_the_rest() => Seat.AtAsync(seat =>
+    public Task What_there_is_to_know_has_the_same_room_however_much_it_is_and_the_trail_the_rest() => Seat.AtAsync(seat =>
     {
         seat.RunCell().SignIn(DemoCell.Setter).Tap("nav-messages").See("messages-quiet");
         var (now, trail) = (seat.Window.GetVisualDescendants().OfType<Border>().Single(b => b.Name == "Now"), seat.See("audit"));
-        seat.WaitFor(() => now.Bounds.Height < 100 && trail.Bounds.Height > seat.Window.Height / 2, $"Nothing takes {now.Bounds.Height}, and the trail {trail.Bounds.Height}.");
+        seat.WaitFor(() => now.Bounds.Height > 0 && trail.Bounds.Height > now.Bounds.Height, "The trail has no room.");
+        var (room, verify) = (now.Bounds.Height, Layout.In(seat.See("audit-verify"), seat.Window));
 
         // However much there is to know, the trail is read as well.
         seat.Cell.Deliver(1, 0);
         seat.Cell.Deliver(2, 0.02);
         seat.WaitFor(2, CorrectionState.Proposed);
+        seat.WaitFor(() => seat.Find("messages-quiet") is null, "Nothing is said.");
+        Assert.Equal((room, verify), (now.Bounds.Height, Layout.In(seat.See("audit-verify"), seat.Window)));
         (seat.Window.Width, seat.Window.Height) = (960, 540);
         seat.WaitFor(() => seat.Find("messages-quiet") is null && now.Bounds.Height > 0 && trail.Bounds.Height > now.Bounds.Height / 2, "The trail has no room.");
     });

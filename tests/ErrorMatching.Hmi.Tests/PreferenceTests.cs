@@ -80,7 +80,11 @@ public sealed class PreferenceTests
         var files = seat.Station.Preferences!;
         files.Keep(DemoCell.Setter, Dark);
         File.WriteAllText(files.Of(DemoCell.Setter), "{ \"theme\": 7 }");
-        seat.SignIn(DemoCell.Setter).See("notice");
+
+        // What the cell cannot do is said first, in the same place.
+        seat.SignIn(DemoCell.Setter).See("banner");
+        Assert.Null(seat.Find("notice"));
+        seat.RunCell().See("notice");
         Assert.StartsWith("Your preferences cannot be read, so the station stays as it is:", seat.TextOf("notice"), StringComparison.Ordinal);
         Assert.False(seat.Shell.IsDark);
         seat.Tap("notice-close");

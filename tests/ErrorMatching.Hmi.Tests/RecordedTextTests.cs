@@ -114,6 +114,8 @@ public sealed partial class RecordedTextTests
         "asked" => "\"X1\" wants a file name like X2; \"X2\" wants a column X1 like X3",
         "like" => "a field X1 like X2",
         "says" => "the serial numbers \"X1\" and \"X2\"",
+        "who" => "who was operator then, and this takes setter",
+        "form" => "it lacks the X1 X2",
         "wrong" => "wrong password, 3 in a row",
         "policies" => "policy a person, limit the job's, sum 0.3 mm, gain the job's; X1: automatic, limit 0.2 mm, sum none of its own, gain 0.8",
         ['0', ..] => 7,

@@ -96,7 +96,7 @@ public sealed class StoryTests
         here.Settle();
         Assert.Equal("", string.Join('\n', here.Shell.Editing.Problems));
         // It takes the place of the job that is there, which is asked once.
-        seat.Tap("setup-save").Tap("signing-confirm").WaitFor(() => here.Shell.Editing.Notice is not null, "It is not saved.");
+        seat.Save().WaitFor(() => here.Shell.Editing.Notice is not null, "It is not saved.");
         Assert.StartsWith(isChinese ? "已儲存" : "Saved", seat.TextOf("setup-notice"), StringComparison.Ordinal);
 
         void Fill(string id, string text)

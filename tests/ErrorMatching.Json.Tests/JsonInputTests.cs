@@ -35,11 +35,11 @@ public sealed class JsonInputTests
     [Fact(Timeout = 20_000)]
     public async Task A_long_line_is_counted_once_and_not_for_each_of_its_values()
     {
-        var text = "{ \"ß\": [" + string.Join(",", Enumerable.Repeat("\"é\"", 600_000)) + ",7] }";
+        var text = "{ \"ß\": [" + string.Join(",", Enumerable.Repeat("\"é\"", 400_000)) + ",7] }";
         var root = await Task.Run(() => Read(text), TestContext.Current.CancellationToken);
 
-        // Behind 8 characters come 600,000 texts, each with its quotation marks and a comma.
-        Assert.Equal(new JsonPlace(1, 9 + (4 * 600_000)), root["ß"].Items[^1].Place);
+        // Behind 8 characters come 400,000 texts, each with its quotation marks and a comma.
+        Assert.Equal(new JsonPlace(1, 9 + (4 * 400_000)), root["ß"].Items[^1].Place);
     }
 
     [Fact]
@@ -109,6 +109,27 @@ public sealed class JsonInputTests
         Assert.Equal("[[[]]]", JsonInput.Read("[[[]]]"u8, "x", limits).ToJson());
         var problem = Assert.Single(Refused("[[[{}]]]"u8, limits));
         Assert.Equal(("too-deep", "$[0][0][0]", 4), (problem.Code, problem.Path, problem.Column));
+    }
+
+    [Fact]
+    public void A_document_of_too_many_values_is_refused_at_the_first_one_too_many()
+    {
+        var limits = new JsonLimits(100, 3, 4);
+
+        Assert.Equal(3, JsonInput.Read("[1,2,3]"u8, "x", limits).Items.Count);
+        var problem = Assert.Single(Refused("[1,2,\n3,4]"u8, limits));
+        Assert.Equal(("too-many-values", "$", 2, 3), (problem.Code, problem.Path, problem.Line, problem.Column));
+    }
+
+    [Fact]
+    public void After_a_hundred_problems_a_last_one_says_that_there_are_more()
+    {
+        var keys = string.Join(',', Enumerable.Repeat("\"a\":1", 101));
+        Assert.Equal(100, Refused(Encoding.UTF8.GetBytes($"{{{keys}}}")).Count);
+        var problems = Refused(Encoding.UTF8.GetBytes($"{{{keys},\"a\":1,\"a\":1}}"));
+        Assert.Equal(101, problems.Count);
+        Assert.Equal(("too-many-problems", "$.a"), (problems[^1].Code, problems[^1].Path));
+        Assert.All(problems.SkipLast(1), p => Assert.Equal("duplicate-key", p.Code));
     }
 
     [Fact]

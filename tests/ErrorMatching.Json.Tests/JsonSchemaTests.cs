@@ -5,6 +5,19 @@ namespace ErrorMatching.Json.Tests;
 public sealed class JsonSchemaTests
 {
     [Theory]
+    [InlineData("""{ "items": { "type": "string" } }""", "[", "5,", "]", "wrong-type", "$[100]")]
+    [InlineData("""{ "properties": { "b": {} }, "additionalProperties": false }""", "{", "\"a#\": 1,", "}", "unknown-key", "$.a100")]
+    [InlineData("""{ "items": { "oneOf": [{ "type": "string" }, { "type": "boolean" }] } }""", "[", "5,", "]", "wrong-type", "$[100]")]
+    public void After_a_hundred_findings_a_last_one_says_that_there_are_more(string schema, string open, string part, string close, string code, string path)
+    {
+        var text = open + string.Concat(Enumerable.Range(0, 2000).Select(i => part.Replace("#", $"{i}", StringComparison.Ordinal))) + close;
+        var problems = JsonSchema.Parse(Encoding.UTF8.GetBytes(schema), "schema").Check(JsonInput.Read(Encoding.UTF8.GetBytes(text), "x"));
+        Assert.Equal(101, problems.Count);
+        Assert.All(problems.SkipLast(1), p => Assert.Equal(code, p.Code));
+        Assert.Equal(("too-many-problems", path), (problems[^1].Code, problems[^1].Path));
+    }
+
+    [Theory]
     [InlineData("""{ "type": "string" }""", "5", "wrong-type", "found the number 5; expected text")]
     [InlineData("""{ "type": ["string", "number"] }""", "true", "wrong-type", "found true; expected text or a number")]
     [InlineData("""{ "type": "integer" }""", "1.5", "wrong-type", "found the number 1.5; expected a whole number")]

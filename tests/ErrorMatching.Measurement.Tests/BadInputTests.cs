@@ -57,6 +57,28 @@ public class BadInputTests
     }
 
     [Fact]
+    public void A_line_of_too_many_cells_is_refused_where_the_first_one_too_many_is()
+    {
+        Assert.Equal(1, Text.Read(Header + "A,1,2" + new string(',', 997) + "\n")["A"].Position.X);
+        var error = Text.Refused(Header + "A,1,2" + new string(',', 998) + "\n");
+        Assert.Equal((MeasurementError.TooManyCells, 2, 1001), (error.Code, error.Line, error.Column));
+        Assert.Contains("1001 cells", error.Found, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(",", 1)]
+    [InlineData("a\n", 1_000_001)]
+    [InlineData(",,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,\n", 81_633)]
+    public void A_file_of_nothing_but_cells_costs_little_more_than_its_text(string part, int line)
+    {
+        var text = string.Concat(Enumerable.Repeat(part, 16 * 1024 * 1024 / part.Length));
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        var error = Text.Refused(text);
+        Assert.Equal((MeasurementError.TooManyCells, line), (error.Code, error.Line));
+        Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 100 * 1024 * 1024);
+    }
+
+    [Fact]
     public void A_kilometer_is_the_limit_of_a_coordinate() => Assert.Equal(1e6, Text.Read(Header + "A,1000000,2\n")["A"].Position.X);
 
     [Theory]

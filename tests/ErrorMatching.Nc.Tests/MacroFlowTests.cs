@@ -121,6 +121,22 @@ public sealed class MacroFlowTests
         Assert.Equal("program-alarm", Assert.Single(run.Flow.Notes).Code);
     }
 
+    // A lock: nothing decides about it, so whoever reads on sees what the program does once it is taken out.
+    [Theory]
+    [InlineData("O1\nM0\n#3000=1(NO TOOL CALL)\nN1 X1\nM30", "2 N1 5", 2)]
+    [InlineData("#3000=1\n#3000=2\nN1 X1\nM30", "N1 4", 0)]
+    [InlineData("IF[1EQ2]GOTO9\n#3000=1\nN1 X1\nN9 M30", "", 1)]
+    [InlineData("#100=1\n#3000=1\nN1 X1\nM30", "", 1)]
+    [InlineData("N1 X1\n#3000=1\nN2 X2\nM30", "N1", 1)]
+    [InlineData("GOTO5\nN5 #3000=1\nN1 X1\nM30", "", 1)]
+    [InlineData("M98 P2\nN1 X1\nM30\nO2\n#3000=1\nM99", "1", 4)]
+    public void An_alarm_that_nothing_leads_to_is_read_past(string text, string executed, int block)
+    {
+        var run = Runs(text, executed);
+        var note = run.Flow.Notes[0];
+        Assert.Equal(("program-alarm", block), (note.Code, note.Block));
+    }
+
     [Fact]
     public void Behind_an_alarm_that_the_machine_decides_on_the_program_goes_on()
     {

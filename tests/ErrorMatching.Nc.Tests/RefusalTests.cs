@@ -35,6 +35,8 @@ public sealed class RefusalTests
         { NcRefusalCodes.UnknownState, "G187 X5.\nG1 G90 G17 G40 X0. F100\nN10 G1 X10.\n", "N10", 5, "N10" },
         { NcRefusalCodes.UnknownWord, "N10 G187 G90 G17 G40 G1 X10. Y0. Z0. F100\n", "N10", 3, "N10" },
 
+        { NcRefusalCodes.NoPositioning, "N10 G1 X10. F100\nG0 Z5.\nG1 Z-1.\nN20 X20. Y10.\n", "N10", 6, "N20" },
+
         // From one unknown place to another: not to be left out in silence.
         { NcRefusalCodes.UnknownState, "G55\nG91\nN10 G1 X10. F100\nG90 G0 X0. Y0. Z0.\nN20 G1 X10.\n", "N10..N20", 5, "N10" },
         { NcRefusalCodes.Expression, "G55\nN10 G1 X#1000 Y#1001 F100\nG0 X0. Y0. Z0.\nN20 G1 X10.\n", "N10..N20", 4, "N10" },

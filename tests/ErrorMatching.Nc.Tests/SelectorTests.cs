@@ -1,7 +1,10 @@
+using System.Text.RegularExpressions;
+using ErrorMatching.Testing;
+
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>Blocks are found by number, range and expression, or refused with a reason.</summary>
-public sealed class SelectorTests
+public sealed partial class SelectorTests
 {
     private const string Program = "%\nN0010 G0 X0\n/N20 G1 X1\n(first) N30 X2\nN40 G02 X3 R5\nX9\nN40.5 X4\nN50 X5\nN50 X6\n";
 
@@ -16,7 +19,6 @@ public sealed class SelectorTests
     [InlineData("N20..N20", "2")]
     [InlineData("/^N[0-9]+ .*\\bG0?2\\b/", "4")]
     [InlineData("/X9/", "5")]
-    [InlineData("/^(?!N)X/", "5")]
     public void Blocks_are_found(string selector, string expected) => Assert.Equal(expected, string.Join(' ', Selected(selector).Value!));
 
     [Fact]
@@ -37,13 +39,31 @@ public sealed class SelectorTests
     }
 
     [Fact]
-    public void Catastrophic_expression_is_stopped()
+    public void An_expression_with_nested_repetition_takes_no_longer_than_any_other()
     {
-        // The look-ahead keeps it off the linear engine; the nested quantifier then takes exponential time.
-        var program = NcProgram.FromText("N10 " + new string('a', 60) + "!\n");
-        var refusal = BlockSelector.Select(program, [BlockSelector.Parse("/(?=N)N10 (a+)+$/")]).Refusal!;
-        Assert.Equal((NcRefusalCodes.BlockNotFound, "N10", 1), (refusal.Code, refusal.Block, refusal.Line));
-        Assert.Contains("250 ms", refusal.Message, StringComparison.Ordinal);
+        // With backtracking this block would take longer than anybody lives.
+        var program = NcProgram.FromText("N10 " + new string('a', 200) + "!\nN20 aaa\n");
+        Assert.Equal([1], BlockSelector.Select(program, [BlockSelector.Parse("/N[0-9]+ (a+)+$/")]).Value!);
+    }
+
+    [Theory]
+    [InlineData("/^(?!N)X/", "look-around")]
+    [InlineData("/(?=N)N10 (a+)+$/", "look-around")]
+    [InlineData("/(N)\\1/", "back references")]
+    [InlineData("/((a{90}){90}){90}/", "look-around")]
+    public void An_expression_that_must_backtrack_or_is_too_large_is_refused(string selector, string expected)
+    {
+        var error = Assert.Throws<NcException>(() => BlockSelector.Parse(selector));
+        Assert.Equal(NcErrorCode.BadSelector, error.Code);
+        Assert.Contains(expected, error.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void An_expression_has_at_most_a_thousand_characters()
+    {
+        Assert.Equal(1002, BlockSelector.Parse($"/{new string('X', BlockSelector.LongestPattern)}/").Text.Length);
+        var error = Assert.Throws<NcException>(() => BlockSelector.Parse($"/{new string('X', BlockSelector.LongestPattern + 1)}/"));
+        Assert.Contains("1001 characters", error.Message, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -60,6 +80,17 @@ public sealed class SelectorTests
     [InlineData("/(/")]
     public void What_is_no_selector_is_an_error(string selector) =>
         Assert.Equal(NcErrorCode.BadSelector, Assert.Throws<NcException>(() => BlockSelector.Parse(selector)).Code);
+
+    [Fact]
+    public void No_expression_of_the_system_has_a_limit_by_the_clock() => Assert.All(
+        Directory.EnumerateFiles(Repository.PathTo("src"), "*.cs", SearchOption.AllDirectories),
+        f => Assert.DoesNotMatch(LimitByTheClock(), File.ReadAllText(f)));
+
+    [GeneratedRegex(
+        @"GeneratedRegex\([^\n]*, *[0-9]+\)\]|\bRegex\b[^\n]*TimeSpan\.From|RegexOptions\.[^\n]*TimeSpan\.From|RegexMatchTimeoutException",
+        RegexOptions.None,
+        Timeout.Infinite)]
+    private static partial Regex LimitByTheClock();
 
     private static NcOutcome<int[]> Selected(string selector) => BlockSelector.Select(NcProgram.FromText(Program), [BlockSelector.Parse(selector)]);
 }

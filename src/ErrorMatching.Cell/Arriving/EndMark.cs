@@ -13,7 +13,7 @@ internal static class EndMark
     {
         try
         {
-            using var handle = File.OpenHandle(file.FullName, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+            using var handle = PlainFile.Open(file.FullName, FileShare.ReadWrite | FileShare.Delete);
             var tail = new byte[Tail];
             var length = RandomAccess.GetLength(handle);
             var read = RandomAccess.Read(handle, tail, Math.Max(0, length - Tail));

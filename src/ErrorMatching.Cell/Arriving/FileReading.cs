@@ -11,11 +11,12 @@ internal static class FileReading
     /// <summary>The whole file; null if it changed meanwhile or is still held by its writer.</summary>
     public static byte[]? Whole(FileInfo file)
     {
-        var (length, changed) = (file.Length, file.LastWriteTimeUtc);
         try
         {
+            var (length, changed) = (file.Length, file.LastWriteTimeUtc);
+
             // Who may still write is not shared with: on Windows this fails until the writer has closed it.
-            using var handle = File.OpenHandle(file.FullName, FileMode.Open, FileAccess.Read, FileShare.Read | FileShare.Delete);
+            using var handle = PlainFile.Open(file.FullName, FileShare.Read | FileShare.Delete);
             var bytes = GC.AllocateUninitializedArray<byte>((int)length + 1);
             var count = 0;
             for (int read; count < bytes.Length && (read = RandomAccess.Read(handle, bytes.AsSpan(count), count)) > 0;)
@@ -35,11 +36,11 @@ internal static class FileReading
     /// <exception cref="OperationCanceledException">Cancelled: a long file takes its time.</exception>
     public static string? Hash(FileInfo file, CancellationToken cancellation)
     {
-        var (length, changed) = (file.Length, file.LastWriteTimeUtc);
         var piece = ArrayPool<byte>.Shared.Rent(Piece);
         try
         {
-            using var handle = File.OpenHandle(file.FullName, FileMode.Open, FileAccess.Read, FileShare.Read | FileShare.Delete);
+            var (length, changed) = (file.Length, file.LastWriteTimeUtc);
+            using var handle = PlainFile.Open(file.FullName, FileShare.Read | FileShare.Delete);
             using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
             var count = 0L;
             for (int read; (read = RandomAccess.Read(handle, piece, count)) > 0; count += read)

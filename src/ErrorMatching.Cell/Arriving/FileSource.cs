@@ -42,6 +42,19 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
     {
         ArgumentNullException.ThrowIfNull(archive);
         ArgumentNullException.ThrowIfNull(archiveUnread);
+        Guarded(_claims.Begin);
+        try
+        {
+            return TakeHeld(archive, archiveUnread, cancellation);
+        }
+        finally
+        {
+            _claims.End();
+        }
+    }
+
+    private int TakeHeld(Action<Arrival> archive, Action<UnreadArrival> archiveUnread, CancellationToken cancellation)
+    {
         var taken = 0;
         _held.Clear();
         if (_mayHaveClaims)

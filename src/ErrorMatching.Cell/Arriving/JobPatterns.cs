@@ -21,7 +21,6 @@ internal sealed class JobPatterns
 
     /// <summary>What the patterns read; null if one of them does not match. The file is looked into only if its name matches.</summary>
     /// <exception cref="Measurement.MeasurementException">The file must be looked into and cannot be read.</exception>
-    /// <exception cref="RegexMatchTimeoutException">A pattern takes too long.</exception>
     public FoundWords? Match(LookInside file)
     {
         var found = new FoundWords();

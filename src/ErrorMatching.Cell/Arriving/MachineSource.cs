@@ -51,6 +51,10 @@ public sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, Ti
             {
                 left.Add(new(ShownName.Of(name), $"it is larger than the {gauge.MostBytes} bytes that \"{gauge.Name}\" takes. Delete it at the machine, or raise mostMB of the gauge."));
             }
+            catch (TransportException e) when (e.Error == TransportError.NotAFile)
+            {
+                left.Add(new(ShownName.Of(name), "it is a link, a pipe, a device or a folder at the machine, and only plain files are taken. Remove it there."));
+            }
         }
 
         foreach (var gone in _seen.Keys.Except(ours, StringComparer.Ordinal).ToArray())

@@ -1,4 +1,3 @@
-using System.Text.RegularExpressions;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
 
@@ -40,10 +39,6 @@ public sealed class Recognizer
         catch (MeasurementException e)
         {
             return Recognition.Refused(e.Code, Recorded.UnreadableInside.With(Shown(fileName), e.Message));
-        }
-        catch (RegexMatchTimeoutException e)
-        {
-            return Recognition.Refused(MeasurementError.BadPattern, Recorded.SlowPattern.With(Shown(fileName), e.Pattern));
         }
     }
 

@@ -38,18 +38,18 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
     }
 
     // Whether files can be taken out says no attribute for sure: rights of shares, quotas, a disk that is mounted to be read. So an empty folder is made and removed again, which no gauge and no cell takes for a measurement.
-    private static CheckProblem? Denied(GaugeSettings gauge, string folder)
+    internal static CheckProblem? Denied(GaugeSettings gauge, string folder)
     {
         var aside = Path.Combine(folder, ClaimFolder.Name);
         var tried = folder;
         try
         {
-            foreach (var place in Directory.Exists(aside) ? [folder, aside] : new[] { folder })
+            TryOut(folder);
+            tried = aside;
+            using var pinned = PinnedFolder.Open(aside);
+            if (pinned is not null)
             {
-                tried = place;
-                var made = Path.Combine(place, $"{ClaimFolder.Name}-check-{Guid.NewGuid():N}");
-                Directory.CreateDirectory(made);
-                Directory.Delete(made);
+                TryOut(pinned.Path);
             }
 
             return null;
@@ -59,6 +59,13 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
             return CheckProblem.Of(
                 CellCodes.GaugeDenied, $"Files cannot be taken out of the folder of the gauge \"{gauge.Name}\": in {tried} nothing can be made and removed again: {e.Message.TrimEnd('.')}. Give it to the user that the cell runs as.");
         }
+    }
+
+    private static void TryOut(string folder)
+    {
+        var made = Path.Combine(folder, $"{ClaimFolder.Name}-check-{Guid.NewGuid():N}");
+        Directory.CreateDirectory(made);
+        Directory.Delete(made);
     }
 
     private CheckedFile Of(GaugeSettings gauge, FileInfo file, CancellationToken cancellation)

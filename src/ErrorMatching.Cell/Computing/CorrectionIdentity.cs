@@ -46,7 +46,7 @@ public static class CorrectionIdentity
     internal static string OfJob(string jobSha256, IEnumerable<ReportInput> inputs)
     {
         var text = new StringBuilder("job ").Append(Hash(jobSha256)).Append('\n');
-        foreach (var input in inputs.Where(i => i.Role is not ("part" or "counterpart" or "measured" or "program")))
+        foreach (var input in inputs.Where(i => i.Role is not ("part" or "counterpart" or "measured" or "program" or "cut-by")))
         {
             text.Append(input.Role).Append(' ').Append(Hash(input.Sha256)).Append('\n');
         }

@@ -21,6 +21,9 @@ public sealed record CorrectionRequest
     /// <summary>Where the job accumulates: the sums of all corrections that led from the original program to <see cref="Base"/>.</summary>
     public CorrectionSums Sums { get; init; } = CorrectionSums.None;
 
+    /// <summary>Of a surface: the program that was sent last, which may have cut the measured piece; null while none was sent.</summary>
+    public KeptFile? LastSent { get; init; }
+
     /// <summary>The identity that the correction was recognized by; null if it has none yet. Another one at the end refuses it: the job's files were changed meanwhile.</summary>
     public string? Identity { get; init; }
 }

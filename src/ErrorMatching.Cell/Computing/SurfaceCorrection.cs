@@ -29,7 +29,12 @@ internal sealed class SurfaceCorrection
             return refusal;
         }
 
-        _ = _files.ToolpathDialect();
+        var dialect = _files.ToolpathDialect();
+        if (_request.Job.Program is null)
+        {
+            _ = _files.FinishingTemplate(dialect);
+        }
+
         _ = _files.SurfaceBytes();
         return new Identified(Basis(_request.Job.Program is { } program ? _files.Program(new(program)) : default(ReadOnlyMemory<byte>?)));
     }
@@ -42,7 +47,10 @@ internal sealed class SurfaceCorrection
             return refusal;
         }
 
-        var measured = new SurfaceRequest { Measured = [new(_request.Measurement.Name, _request.Measurement.Bytes)], Gain = _policy.Gain };
+        // A piece that still has stock was cut by no finishing program yet.
+        var job = _files.Job;
+        var cutBy = job.Stock.Of(job.Measuring.After) > 0 || _request.LastSent is not { } sent ? null : new GivenFile(sent.Name, sent.Bytes);
+        var measured = new SurfaceRequest { Measured = [new(_request.Measurement.Name, _request.Measurement.Bytes)], CutBy = cutBy, Gain = _policy.Gain };
         return _request.Job.Program is { } program ? Displace(measured, program, cancellation) : Compensate(measured, cancellation);
     }
 

@@ -25,7 +25,8 @@ internal sealed class RecognitionReader(JsonItem item, CellProblems problems)
     /// <summary>The expression of a pattern. Its time grows with the text's length, whatever the text is.</summary>
     /// <exception cref="ArgumentException">The pattern is no expression.</exception>
     /// <exception cref="NotSupportedException">It looks around or back.</exception>
-    public static Regex Expression(string pattern) => new(pattern, RegexOptions.NonBacktracking | RegexOptions.CultureInvariant, TimeSpan.FromSeconds(1));
+    public static Regex Expression(string pattern) =>
+        new(pattern, RegexOptions.NonBacktracking | RegexOptions.CultureInvariant, Regex.InfiniteMatchTimeout);
 
     private (string Name, string Pattern)? Named(string key) => item.Find(key) is { } named ? (named["name"].Text, Pattern(named["pattern"])) : null;
 

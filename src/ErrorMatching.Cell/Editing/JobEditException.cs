@@ -14,6 +14,9 @@ public sealed class JobEditException(string code, string message) : Exception(me
     /// <summary>Another job of the cell uses a file that would be replaced.</summary>
     public const string Shared = "shared";
 
+    /// <summary>A version was not kept whole: one of its files lies in another folder.</summary>
+    public const string Incomplete = "incomplete";
+
     /// <summary>Why.</summary>
     public string Code => code;
 }

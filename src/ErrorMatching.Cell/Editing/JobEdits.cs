@@ -6,11 +6,14 @@ using ErrorMatching.Mating;
 namespace ErrorMatching.Cell;
 
 /// <summary>Puts edited mating jobs in the place of those of a cell: all files of a job or none, with an entry in the audit trail before the first of them appears.</summary>
+/// <remarks>
+/// Every saved version is kept by content in the store, and so is what stood there before and was not saved here (<see cref="Versions"/>).
+/// </remarks>
 /// <remarks>A running cell reads a job's files at each computation, so the next measurement uses them. What it read when it started (whose files are the job's, machine and slot, dialect) an edit cannot change.</remarks>
 /// <param name="settings">The cell's configuration.</param>
 /// <param name="store">The store.</param>
 /// <param name="users">The users.</param>
-public sealed class JobEdits(CellSettings settings, CellStore store, UserBook users)
+public sealed partial class JobEdits(CellSettings settings, CellStore store, UserBook users)
 {
     /// <summary>The word of the audit trail for a job that was replaced.</summary>
     public const string Edited = "job-edited";
@@ -36,13 +39,13 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
         return File.Exists(job.File) ? HashOf(InputFile.Bytes(job.File, JsonLimits.Default.MaxBytes)) : "";
     }
 
-    /// <summary>Replaces a job's files.</summary>
+    /// <summary>Replaces a job's files, and keeps them and those that stood there before.</summary>
     /// <param name="job">The job in the cell.</param>
     /// <param name="draft">The edited job.</param>
     /// <param name="baseSha256">SHA-256 of the job's file that the edit started from (<see cref="Sha256Of"/>).</param>
-    /// <param name="by">Who does it.</param>
+    /// <param name="by">Who does it, with the password given for this act.</param>
     /// <returns>SHA-256 of the job's new file.</returns>
-    /// <exception cref="PeopleException">That user may not edit jobs.</exception>
+    /// <exception cref="PeopleException">That user may not edit jobs, or has not signed this.</exception>
     /// <exception cref="JobEditException">The edited job must not take that place.</exception>
     /// <exception cref="OutputException">The files cannot be written; those that were there stay.</exception>
     /// <exception cref="InputException">What stands there cannot be read.</exception>
@@ -52,7 +55,6 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(draft);
         ArgumentNullException.ThrowIfNull(by);
-        users.Demand(by, Act.EditJobs);
         if (Check(job, draft).Problems is [var wrong, ..])
         {
             throw new JobEditException(JobEditException.Wrong, wrong.Message);
@@ -64,10 +66,12 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
         }
 
         var files = FilesOf(job, draft);
-        DemandOwn(job, files);
+        DemandOwn(job, draft, files);
+        var (before, after) = (VersionFiles(job), VersionFiles(job, draft, files));
         var hash = HashOf(files[^1].Bytes);
-        var written = string.Join(", ", files.Select(f => $"{Path.GetFileName(f.Path)} {HashOf(f.Bytes)}"));
-        var basis = baseSha256.Length > 0 ? Recorded.JobInPlace.With(written, baseSha256) : written;
+
+        // A signature is good for one act: nothing is in the way of it any more.
+        users.Demand(by, Act.EditJobs);
         var isToldOf = false;
         try
         {
@@ -77,7 +81,7 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
                 [],
                 () =>
                 {
-                    store.Audit(by.Name, Edited, basis, job.Name);
+                    Keep(job, by, before, after);
                     return isToldOf = true;
                 },
                 CancellationToken.None);
@@ -119,8 +123,14 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
         }
     }
 
-    private void DemandOwn(CellJobSettings job, IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files)
+    private void DemandOwn(CellJobSettings job, MatingDraft draft, IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files)
     {
+        if (draft.IsBegunAnew && files.SkipLast(1).Select(f => f.Path).FirstOrDefault(File.Exists) is { } taken)
+        {
+            throw new JobEditException(
+                JobEditException.Shared, $"{taken} is there already and belongs to the job before. Give the new job files of its own.");
+        }
+
         foreach (var other in settings.Jobs.Where(j => !CellPaths.AreSame(j.File, job.File)))
         {
             IReadOnlyList<string> named;

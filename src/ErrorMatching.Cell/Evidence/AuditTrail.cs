@@ -9,7 +9,7 @@ namespace ErrorMatching.Cell;
 /// <remarks>Failures of the store are a <see cref="StoreException"/>, those of the keys a <see cref="PeopleException"/>.</remarks>
 public sealed class AuditTrail(CellStore store, string keysFolder)
 {
-    private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash"];
+    private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash", "rows"];
 
     /// <summary>Looks at every entry, as the trail is at one moment. What was found whole is remembered beside the keys, if they are there.</summary>
     public AuditFinding Verify() => Verify(null, CancellationToken.None);
@@ -24,44 +24,78 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         {
             var head = AuditRow.Head(connection, transaction, "");
             var count = Count(connection, transaction);
-            var fault = AuditChain.Verify(Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), "looking at entries", count, progress, cancellation), head, key);
+            var meaning = new RecordedMeaning();
+            var fault = AuditChain.Verify(meaning.Replay.Added(
+                Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), "looking at entries",
+                count, progress, cancellation)), head, key);
             var seen = Rows.Query(connection, AuditRow.Select + " WHERE seq = @Seq", ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
-            return new AuditFinding(count, head.Hash, fault ?? witness?.Fault(head, seen), key is not null);
+            fault ??= KeysFault(key, witness, head, seen) ?? meaning.Fault(store.Database, connection, transaction, key);
+            return new AuditFinding(count, head.Hash, fault, key is not null);
         });
-        if (finding.Holds && key is not null && finding.Entries > (witness?.Seq ?? 0))
+        if (finding.Holds && finding.Entries > (witness?.Seq ?? 0))
         {
-            new AuditWitness(finding.Entries, finding.Hash).Keep(keysFolder);
+            Keep(new AuditWitness(finding.Entries, finding.Hash));
         }
 
         return finding;
     }
 
-    /// <summary>Remembers beside the keys how far the trail goes, without looking at more than its end: the more often, the less can be cut off unseen. Nothing happens where the end is not the one that was sealed.</summary>
-    public void Remember()
+    /// <summary>What is wrong with keys and end of the trail, which is seen without looking at all of it: the keys are not there, or did not seal it, or the trail does not go on from what was seen last, as in a store that was set back.</summary>
+    /// <returns>The fault; null if there is none, or the store never had a key.</returns>
+    public AuditFault? EndFault()
     {
         var (key, witness, head) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder), store.AuditHead());
-        if (key is not null && head.IsSealedBy(key) && head.Seq > (witness?.Seq ?? 0) && (witness is null || store.AuditEntries(witness.Seq - 1, 1) is [var seen] && seen.Seq == witness.Seq && seen.Hash == witness.Hash))
+        return KeysFault(key, witness, head, witness is { Seq: > 0 } ? store.AuditEntries(witness.Seq - 1, 1) : [], mayBeUnsealed: true)
+            ?? (key is null || head.IsSealedBy(key) ? null : new(AuditFaultKind.Unsealed, head.Seq, string.Create(
+                CultureInfo.InvariantCulture, $"The end of the audit trail, entry {head.Seq}, is not sealed by the cell's key: the store was written to by something else, or the key is another one.")));
+    }
+
+    private AuditFault? KeysFault(byte[]? key, AuditWitness? witness, AuditHead head, IReadOnlyList<AuditEntry> seen, bool mayBeUnsealed = false) =>
+        key is null ? mayBeUnsealed && head.Seal is null ? null : new(AuditFaultKind.KeysMissing, head.Seq, AuditKey.Missing(keysFolder))
+        : witness is null ? new(AuditFaultKind.WitnessMissing, head.Seq, AuditWitness.Missing(keysFolder))
+        : witness.Fault(head, seen);
+
+    // What was found stands, though a disk that cannot be written keeps it from being remembered.
+    private void Keep(AuditWitness witness)
+    {
+        try
+        {
+            witness.Keep(keysFolder);
+        }
+        catch (PeopleException e) when (e.InnerException is IOException or UnauthorizedAccessException)
+        {
+        }
+    }
+
+    /// <summary>Remembers beside the keys how far the trail goes, without looking at more than its end: the more often, the less can be cut off unseen. Nothing happens where something is wrong with it.</summary>
+    public void Remember()
+    {
+        var head = store.AuditHead();
+        if (EndFault() is null && AuditWitness.Find(keysFolder) is { } witness && head.Seq > witness.Seq)
         {
             new AuditWitness(head.Seq, head.Hash).Keep(keysFolder);
         }
     }
 
     /// <summary>
-    /// Takes over the end of a store that was set back on purpose, as by a restored backup, and puts on record how far the trail had gone. Nothing happens where it goes on from what was seen last, or where its end is not the one that was sealed.
+    /// Takes over the end of a store that was set back on purpose, as by a restored backup, or of which nobody knows any more how far it went, and puts that on record. Nothing happens where it goes on from what was
+    /// seen last, or where its end is not the one that was sealed.
     /// </summary>
     /// <param name="by">Who did it.</param>
-    /// <param name="basis">What was done.</param>
-    public void TakeOver(string by, string basis)
+    /// <param name="basis">What was done, or why.</param>
+    /// <returns>True if it was taken over.</returns>
+    public bool TakeOver(string by, string basis)
     {
         var (key, witness, head) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder), store.AuditHead());
-        if (key is null || witness is null || !head.IsSealedBy(key) || witness.Fault(head, store.AuditEntries(witness.Seq - 1, 1)) is null)
+        if (key is null || !head.IsSealedBy(key) || EndFault() is null)
         {
-            return;
+            return false;
         }
 
-        store.Audit(by, "trail-set-back", Recorded.SetBack.With(basis, witness.Seq, witness.Hash));
+        store.Audit(by, "trail-set-back", witness is null ? Recorded.WitnessBegun.With(basis) : Recorded.SetBack.With(basis, witness.Seq, witness.Hash));
         head = store.AuditHead();
         new AuditWitness(head.Seq, head.Hash).Keep(keysFolder);
+        return true;
     }
 
     /// <summary>Writes all entries as CSV by RFC 4180 that no spreadsheet executes: times in UTC, texts as they are but for an apostrophe in front of what looks like a formula.</summary>
@@ -81,7 +115,16 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         foreach (var e in Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.Read, null, transaction), "writing entries", Count(connection, transaction), progress, cancellation))
         {
             SpreadsheetCsv.Write(
-                writer, e.Seq.ToString(CultureInfo.InvariantCulture), e.At.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss.ffffff'Z'", CultureInfo.InvariantCulture), e.Who, e.What, e.Subject ?? "", e.Basis, e.Previous, e.Hash);
+                writer,
+                e.Seq.ToString(CultureInfo.InvariantCulture),
+                e.At.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss.ffffff'Z'", CultureInfo.InvariantCulture),
+                e.Who,
+                e.What,
+                e.Subject ?? "",
+                e.Basis,
+                e.Previous,
+                e.Hash,
+                e.RowCodes ?? "");
             count++;
         }
 

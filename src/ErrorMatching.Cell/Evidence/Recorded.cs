@@ -58,6 +58,17 @@ public static class Recorded
     internal static readonly SentenceForm ChangedMeanwhile = new(
         "changed-meanwhile", "{0} at {1} changed while it was being replaced: it is neither the program before nor the one to send. It is kept as {2}. Look at it, then approve again to replace it, or reject.");
 
+    internal static readonly SentenceForm ChangedTwice = new(
+        "changed-twice",
+        "{0} at {1} was changed in the very moment in which it was replaced, and what was there before is beside it as {2}: "
+        + "the cell knows neither of them. Look at both, remove the second, then approve again to replace the first, or reject.");
+    internal static readonly SentenceForm ChangedWhileHeld = new(
+        "changed-while-held",
+        "{0} at {1} is not the program of correction {2:0} any more, which was verified there, but {3}: somebody changed it. "
+        + "It is not released by itself. Look at it; then release with a reason, or put the program back.");
+    internal static readonly SentenceForm HeldAgain = new("held-again", "{0} at {1} is the program of correction {2:0} again.");
+    internal static readonly SentenceForm AnswersAgain = new("answers-again", "{0} answers again.");
+
     // Why a measurement is refused, or nothing is sent.
     internal static readonly SentenceForm UnknownPiece = new("unknown-piece", "No job takes \"{0}\" from \"{1}\": {2:asked}.");
     internal static readonly SentenceForm AskedNobody = new("asked-nobody", "no job listens to this gauge");
@@ -72,6 +83,7 @@ public static class Recorded
     internal static readonly SentenceForm SaysTwo = new("says-two", "the {0:word}s \"{1}\" and \"{2}\"");
     internal static readonly SentenceForm UnusableJob = new("unusable-job", "The job {0} cannot be used any more, so nobody can tell whose measurement \"{1}\" is: {2:any}");
     internal static readonly SentenceForm UnreadableInside = new("unreadable-inside", "The patterns of the jobs must look into \"{0}\", which cannot be read: {1:any}");
+    // No longer written: stores have it from when expressions had a limit by the clock.
     internal static readonly SentenceForm SlowPattern = new("slow-pattern", "A pattern takes too long on \"{0}\": {1}. Make it simpler.");
     internal static readonly SentenceForm TooLarge = new(
         "too-large", "The file has {0:0} bytes, and \"{1}\" takes at most {2:0}. It lies in {3} under its hash. Is it a measurement at all? If so, raise mostMB of the gauge and put it into {4} again.");
@@ -127,11 +139,121 @@ public static class Recorded
     internal static readonly SentenceForm FromBackup = new("from-backup", "from the backup {0}");
     internal static readonly SentenceForm KeptAside = new("kept-aside", "what was there before is {0}");
     internal static readonly SentenceForm SetBack = new("set-back", "{0:any} It had gone to entry {1:0} with the hash {2}.");
+    internal static readonly SentenceForm WitnessBegun = new("witness-begun", "How far the trail goes is remembered again from here: {0:any}");
     internal static readonly SentenceForm JobInPlace = new("job-in-place", "{0}, in place of the job {1}");
     internal static readonly SentenceForm Program = new("program", "correction {0:0} program {1}");
     internal static readonly SentenceForm File = new("file", "correction {0:0} file {1}");
     internal static readonly SentenceForm Correction = new("correction", "correction {0:0}");
     internal static readonly SentenceForm Slot = new("slot", "slot {0} of {1}");
+
+    // What somebody else did to the store.
+    internal static readonly SentenceForm RowsCoded = new(
+        "rows-coded",
+        "{0:0} rows that had no codes are what the audit trail says of them; from here on they carry codes.");
+    internal static readonly SentenceForm CorrectionTampered = new(
+        "correction-tampered",
+        "Correction {0:0} is not as the cell left it: somebody else wrote to its row of the store. It is not sent. See "
+        + "errormatch audit verify; then reject it, or restore a backup.");
+    internal static readonly SentenceForm SlotTampered = new(
+        "slot-tampered",
+        "Slot {0} of {1} is not as the cell left it: somebody else wrote to its row of the store. Nothing is sent "
+        + "there. See errormatch audit verify; then restore a backup.");
+    internal static readonly SentenceForm UserTampered = new(
+        "user-tampered",
+        "The user {0} is not as the cell left it: somebody else wrote to its row of the store. This user may do nothing "
+        + "until another administrator sets the password anew (errormatch user password).");
+    internal static readonly SentenceForm UserOfNoRole = new(
+        "user-of-no-role",
+        "The store says that the user {0} is \"{1}\", and there is no such role: it is operator, setter or administrator. This user may "
+        + "do nothing until another administrator sets role and password anew (errormatch user role, errormatch user password).");
+    internal static readonly SentenceForm NotSent = new("not-sent", "It is not sent: {0:any}");
+    internal static readonly SentenceForm NoCorrection = new(
+        "no-correction",
+        "Entry {0:0} is \"{1}\" of \"{2}\", which is no correction.");
+    internal static readonly SentenceForm NeverArrived = new(
+        "never-arrived",
+        "Entry {0:0} makes correction {1:0} {2:state}, and no entry before it says that it arrived.");
+    internal static readonly SentenceForm StepNotAllowed = new(
+        "step-not-allowed",
+        "Entry {0:0} makes correction {1:0} {2:state}, and it was {3:state}: from there no step leads to it.");
+    internal static readonly SentenceForm ApprovalNotAllowed = new(
+        "approval-not-allowed",
+        "Entry {0:0} approves correction {1:0} by {2}, {3:who}. It takes the policy, or a setter or administrator.");
+    internal static readonly SentenceForm NotByPolicy = new("who-not-by-policy", "and names no policy");
+    internal static readonly SentenceForm WasNobody = new("who-was-nobody", "who was no user then");
+    internal static readonly SentenceForm WasDisabled = new("who-was-disabled", "who was disabled then");
+    internal static readonly SentenceForm WasOfRole = new("who-was-of-role", "who was {0:word} then, and this takes {1:word}");
+    internal static readonly SentenceForm OtherProgram = new(
+        "other-program",
+        "Entry {0:0} is about correction {1:0} with the program {2}; the one that was computed is {3}.");
+    internal static readonly SentenceForm UserNotAllowed = new("user-not-allowed", "Entry {0:0} ({1} of {2}) is by {3}, {4:who}.");
+    internal static readonly SentenceForm UserUnknown = new(
+        "user-unknown",
+        "Entry {0:0} ({1} of {2}) does not fit what is recorded of this user before.");
+    internal static readonly SentenceForm CorrectionUnrecorded = new(
+        "correction-unrecorded",
+        "Correction {0:0} ({1:state}) is in the store, and no entry of the audit trail says that it arrived.");
+    internal static readonly SentenceForm StateDiffers = new(
+        "state-differs",
+        "Correction {0:0} is {1:state} in the store; entry {2:0} of the audit trail left it {3:state}.");
+    internal static readonly SentenceForm ProgramDiffers = new(
+        "program-differs",
+        "Correction {0:0} has the program {1} in the store; by entry {2:0} of the audit trail it has {3}.");
+    internal static readonly SentenceForm FileDiffers = new(
+        "file-differs",
+        "Correction {0:0} has the file {1} in the store; by the audit trail it came in with {2}.");
+    internal static readonly SentenceForm CorrectionDiffers = new(
+        "correction-differs",
+        "The row of correction {0:0} is not the one that entry {1:0} of the audit trail left: something in it was "
+        + "changed.");
+    internal static readonly SentenceForm CorrectionMissing = new(
+        "correction-missing",
+        "Correction {0:0} is not in the store any more; entry {1:0} of the audit trail is about it.");
+    internal static readonly SentenceForm SlotHeldByOther = new(
+        "slot-held-by-other",
+        "Slot {0} of {1} is held by correction {2:0} in the store, which is {3:state} by the audit trail and holds none.");
+    internal static readonly SentenceForm SlotNotHeld = new(
+        "slot-not-held",
+        "Slot {0} of {1} is not held by correction {2:0} in the store, which is {3:state} and holds it by the audit "
+        + "trail.");
+    internal static readonly SentenceForm SlotDiffers = new(
+        "slot-differs",
+        "The row of slot {0} of {1} is not the one that entry {2:0} of the audit trail left: something in it was "
+        + "changed, or it was removed.");
+    internal static readonly SentenceForm UserUnrecorded = new(
+        "user-unrecorded",
+        "The user {0} is in the store, and no entry of the audit trail says who added it.");
+    internal static readonly SentenceForm RoleDiffers = new(
+        "role-differs",
+        "The user {0} is {1} in the store; by entry {2:0} of the audit trail it is {3:word}.");
+    internal static readonly SentenceForm DisabledDiffers = new(
+        "disabled-differs",
+        "The user {0} is {1:word} in the store; entry {2:0} of the audit trail says otherwise.");
+    internal static readonly SentenceForm UserDiffers = new(
+        "user-differs",
+        "The row of the user {0} is not the one that entry {1:0} of the audit trail left: its password, name or times "
+        + "were changed.");
+    internal static readonly SentenceForm UserMissing = new(
+        "user-missing",
+        "The user {0} is not in the store any more; entry {1:0} of the audit trail is about it.");
+    internal static readonly SentenceForm RowMissing = new(
+        "row-missing",
+        "The row of {0} is not in the store any more; entry {1:0} of the audit trail left it.");
+    internal static readonly SentenceForm RowUnreadable = new(
+        "row-unreadable",
+        "The row of {0} {1} cannot be read: something in it is of a kind that the cell does not write.");
+    internal static readonly SentenceForm StepDiffers = new(
+        "step-differs",
+        "Step {0:0} of the store is not what entry {1:0} of the audit trail says: correction {2:0}, {3:state}.");
+    internal static readonly SentenceForm StepUnrecorded = new("step-unrecorded", "The store has {0:0} steps; the audit trail has {1:0}.");
+    internal static readonly SentenceForm FormDiffers = new("form-differs", "The database is not as the cell made it: {0:form}.");
+    internal static readonly SentenceForm FormUnknown = new("form-unknown", "it has the {0} {1}, which the cell did not make");
+    internal static readonly SentenceForm FormLacks = new("form-lacks", "it lacks the {0} {1}");
+    internal static readonly SentenceForm FormOther = new("form-other", "its {0} {1} is another one");
+    internal static readonly SentenceForm TrailBroken = new(
+        "trail-broken",
+        "The audit trail is not what was written, at entry {0:0}. Nothing is sent. See errormatch audit verify; then "
+        + "restore a backup.");
 
     /// <summary>A backup was brought back: its file.</summary>
     public static SentenceForm BackupBroughtBack { get; } = new("backup-brought-back", "A backup was brought back: {0}.");
@@ -154,11 +276,17 @@ public static class Recorded
         Arrived, OfCutAndPart, OfCut, OfPart, Of, DisplacedAt, DisplacedNothing, DisplacedInSum, Displaced, Computed, AtPointOf, AtPointAndBeside,
         AtPoint, AtBlock, PolicyWithin, Policy, NewerMeasurement, NewerOfSamePiece, GivenAgain, ComputedAnew, FirstArticle, NotCompared, NotComparable, PartRecorded, Approved,
         PieceCut, SlotUsable, LookedAtBase, TriedToRead, SlotEmpty, SlotHeld, CellStopped, HeldAfterCut, ReadBack, GivenBack, MachineWrote,
-        EitherProgram, ChangedBefore, ChangedMeanwhile, UnknownPiece, AskedNobody, AskedWants, LikeAll, LikeName, LikeField, LikeColumn,
+        EitherProgram, ChangedBefore, ChangedMeanwhile, ChangedTwice, ChangedWhileHeld, HeldAgain, AnswersAgain,
+        UnknownPiece, AskedNobody, AskedWants, LikeAll, LikeName, LikeField, LikeColumn,
         AmbiguousPiece, ContradictoryPiece, SaysNoName, SaysTwo, UnusableJob, UnreadableInside, SlowPattern, TooLarge, AlreadyKnown, SumsUnknown,
         PartOfNumberUnmeasured, NamedBoth, NamedSerial, NamedOrder, PartUnmeasured, NotReleasedReverted, NotReleased, BaseReverted, NotFeedback,
         NotFeedbackSurface, JobChanged, OriginalChanged, OverLimit, OverSumLimit, AndMore, Defect, FirstAdministrator, SignedIn, AsRole, ToRole, UntilUtc,
-        WrongPassword, WrongDisabled, NoSuchName, NoSuchNames, ByHand, Idle, StoreMade, FromBackup, KeptAside, SetBack, JobInPlace, Program, File,
+        WrongPassword, WrongDisabled, NoSuchName, NoSuchNames, ByHand, Idle, StoreMade, FromBackup, KeptAside, SetBack, WitnessBegun, JobInPlace, Program, File,
+        RowsCoded, CorrectionTampered, SlotTampered, UserTampered, UserOfNoRole, NotSent, NoCorrection, NeverArrived, StepNotAllowed,
+        ApprovalNotAllowed, NotByPolicy, WasNobody, WasDisabled, WasOfRole, OtherProgram, UserNotAllowed, UserUnknown,
+        CorrectionUnrecorded, StateDiffers, ProgramDiffers, FileDiffers, CorrectionDiffers, CorrectionMissing, SlotHeldByOther,
+        SlotNotHeld, SlotDiffers, UserUnrecorded, RoleDiffers, DisabledDiffers, UserDiffers, UserMissing, RowMissing, RowUnreadable,
+        StepDiffers, StepUnrecorded, FormDiffers, FormUnknown, FormLacks, FormOther, TrailBroken,
         Correction, Slot, BackupBroughtBack, Started, PoliciesOfCell, PoliciesOfJob, Stopped,
     ];
 }

@@ -9,6 +9,11 @@ internal sealed class KeyFolder : IXmlRepository
 {
     private const UnixFileMode Others = UnixFileMode.GroupRead | UnixFileMode.GroupWrite | UnixFileMode.GroupExecute | UnixFileMode.OtherRead | UnixFileMode.OtherWrite | UnixFileMode.OtherExecute;
 
+    // ENOSPC of Linux; ERROR_DISK_FULL and ERROR_HANDLE_DISK_FULL of Windows.
+    private const int NoSpace = 28;
+    private const int WindowsDiskFull = unchecked((int)0x80070070);
+    private const int WindowsHandleDiskFull = unchecked((int)0x80070027);
+
     private readonly string _folder;
 
     /// <summary>A folder of keys, which is made if it is missing.</summary>
@@ -110,10 +115,14 @@ internal sealed class KeyFolder : IXmlRepository
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or XmlException)
         {
-            throw new PeopleException(
-                PeopleError.KeysUnusable,
-                $"{path} cannot be {done}: {e.Message} The keys belong to the account that the cell runs under; use that account, or bring them back from a backup.",
-                e);
+            throw new PeopleException(PeopleError.KeysUnusable, $"{path} cannot be {done}: {e.Message.TrimEnd('.')}. {WhatToDo(e)}", e);
         }
     }
+
+    private static string WhatToDo(Exception e) => e switch
+    {
+        IOException { HResult: NoSpace or WindowsDiskFull or WindowsHandleDiskFull } => "Make room on its disk, then repeat what failed.",
+        XmlException => "Bring the keys back from a backup.",
+        _ => "The keys belong to the account that the cell runs under; use that account, or bring them back from a backup.",
+    };
 }

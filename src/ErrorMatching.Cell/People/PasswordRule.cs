@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text;
 
 namespace ErrorMatching.Cell;
 
@@ -22,6 +23,18 @@ internal static class PasswordRule
         "qwertyuiopasdf", "qwertzuiopasdf", "asdf", "asdfgh", "asdfghjkl", "zxcvbnm", "yxcvbnm", "qazwsx", "qazwsxedc", "qweasdzxc", "azerty", "azertyuiop", "admin", "administrator", "root", "user", "guest", "test", "testing",
         "login", "service", "operator", "setter", "machine", "maschine", "fanuc", "siemens", "heidenhain", "sinumerik", "haas", "mazak", "error", "matching", "errormatching", "errormatch",
     ];
+
+    // What is changed with the calendar: a word of it, a year and a sign are guessed first where passwords must change.
+    private static readonly HashSet<string> Calendar =
+    [
+        "spring", "summer", "autumn", "fall", "winter", "january", "february", "march", "april", "may", "june", "july", "august", "september",
+        "october", "november", "december", "monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday", "fruehling",
+        "frühling", "sommer", "herbst", "januar", "februar", "märz", "maerz", "mai", "juni", "juli", "oktober", "dezember", "montag",
+        "dienstag", "mittwoch", "donnerstag", "freitag", "samstag", "sonntag", "christmas", "weihnachten",
+    ];
+
+    // Two such words are still guessed by machine, three that have nothing to do with each other are many more.
+    private const int FewWords = 2;
 
     /// <summary>Refuses a password that is too short, too long, the name, or common.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.WeakPassword"/>.</exception>
@@ -61,7 +74,34 @@ internal static class PasswordRule
             return "is the name, or the name with digits and signs around it";
         }
 
+        if (Calendar.Contains(letters) || IsPattern(name, password))
+        {
+            return "is made of a season, a month, a day, the name or a common word, with a year or signs beside it";
+        }
+
         return Common.Contains(letters) || Common.Contains(letters[..Period(letters)]) ? "is one of those that are tried first, or one of them with digits and signs around it" : null;
+    }
+
+    // True if all words of it, whatever digits and signs are between and around them, are the name or in a list, and few.
+    private static bool IsPattern(string name, string password)
+    {
+        var words = new HashSet<string>(StringComparer.Ordinal);
+        var word = new StringBuilder();
+        foreach (var c in password.ToLowerInvariant().Append(' '))
+        {
+            if (char.IsLetter(c))
+            {
+                word.Append(c);
+            }
+            else if (word.Length > 0)
+            {
+                words.Add(word.ToString());
+                word.Clear();
+            }
+        }
+
+        var own = Letters(name);
+        return words.Count <= FewWords && words.All(w => w == own || Calendar.Contains(w) || Common.Contains(w)) && words.Count > 0;
     }
 
     // The length of the shortest piece that the text repeats, the last one perhaps cut off.

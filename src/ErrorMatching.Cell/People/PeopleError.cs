@@ -15,6 +15,12 @@ public enum PeopleError
     /// <summary>The user is disabled.</summary>
     UserDisabled,
 
+    /// <summary>The store has a role for the user that is none.</summary>
+    UnknownRole,
+
+    /// <summary>Somebody else wrote to the user's row in the store.</summary>
+    Tampered,
+
     /// <summary>The user's role does not allow it.</summary>
     NotAllowed,
 
@@ -44,4 +50,7 @@ public enum PeopleError
 
     /// <summary>The folder of the keys cannot be used, or others than its owner can read it.</summary>
     KeysUnusable,
+
+    /// <summary>The store was sealed by a key, and the folder of the keys has none.</summary>
+    KeysMissing,
 }

@@ -3,37 +3,108 @@ using System.Data.Common;
 namespace ErrorMatching.Cell;
 
 /// <summary>A user's row in the store.</summary>
-internal sealed record Person(string Name, Role Role, string Password, bool IsDisabled, DateTimeOffset AddedAt, DateTimeOffset PasswordAt)
+/// <param name="Name">The name.</param>
+/// <param name="Role">What the user may do; null if the store has a word that is no role: then nothing.</param>
+/// <param name="Password">Hash of the password.</param>
+/// <param name="IsDisabled">True if the user may not sign in.</param>
+/// <param name="AddedAt">When.</param>
+/// <param name="PasswordAt">When the password was last set.</param>
+internal sealed record Person(string Name, Role? Role, string Password, bool IsDisabled, DateTimeOffset AddedAt, DateTimeOffset PasswordAt)
 {
-    private const string Select = "SELECT name, role, password, is_disabled, added_at, password_at FROM person";
+    /// <summary>What the names of users' rows begin with among coded rows.</summary>
+    public const string RowPrefix = "person ";
+
+    /// <summary>Rows with their codes, for <see cref="ReadKept"/>.</summary>
+    public const string SelectKept = "SELECT name, role, password, is_disabled, added_at, password_at, row_code FROM person";
+
+    /// <summary>The role as the store has it.</summary>
+    public string RoleWord { get; private init; } = Role.ToString() ?? "";
+
+    /// <summary>False if somebody else wrote the row.</summary>
+    public bool IsAsLeft { get; private init; } = true;
+
+    /// <summary>Why the user may do nothing, whatever the role: the row is not the cell's, or the role is none. Null if that is not
+    /// so.</summary>
+    public PeopleException? Problem =>
+        Role is null ? new(PeopleError.UnknownRole, Recorded.UserOfNoRole.With(Name, RoleWord))
+        : !IsAsLeft ? new(PeopleError.Tampered, Recorded.UserTampered.With(Name))
+        : null;
 
     /// <summary>The user of a name, however its letters are written; null if there is none.</summary>
     public static Person? Find(StoreTransaction transaction, string name) =>
-        transaction.Query(Select + " WHERE name_key = @Key", Read, new { Key = UserName.Key(name) }) is [var person] ? person : null;
+        transaction.Query(SelectKept + " WHERE name_key = @Key", ReadKept, new { Key = UserName.Key(name) }) is [var row]
+            ? Looked(row, transaction.Key) : null;
 
     /// <summary>All users, in the order of their names.</summary>
     public static IReadOnlyList<Person> All(StoreTransaction transaction) =>
-        [.. transaction.Query(Select, Read).OrderBy(p => UserName.Key(p.Name), StringComparer.Ordinal)];
+        [.. transaction.Query(SelectKept, ReadKept).Select(r => Looked(r, transaction.Key))
+            .OrderBy(p => UserName.Key(p.Name), StringComparer.Ordinal)];
 
-    /// <summary>Keeps a new user.</summary>
+    /// <summary>The row with its code.</summary>
+    public static KeptRow<Person> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(6));
+
+    /// <summary>The row as it is coded.</summary>
+    public static CodedRow Coded(Person p) => new(
+        NameOf(UserName.Key(p.Name)),
+        [p.Name, p.RoleWord, p.Password, p.IsDisabled ? "1" : "0", CodedRow.Number(StoredTime.Of(p.AddedAt)),
+            CodedRow.Number(StoredTime.Of(p.PasswordAt))]);
+
+    /// <summary>The row's name among coded rows.</summary>
+    /// <param name="key">The name's key.</param>
+    public static string NameOf(string key) => RowPrefix + key;
+
+    /// <summary>The user in the role that a word of the audit trail or the store says; null if it says none.</summary>
+    public static Role? RoleOf(string word) =>
+        Enum.GetValues<Role>().Where(r => r.ToString().Equals(word, StringComparison.OrdinalIgnoreCase)).Select(r => (Role?)r)
+        .FirstOrDefault();
+
+    /// <summary>What the row is to be if somebody else wrote it: as the audit trail says, and with a password that is none.</summary>
+    public Person Mended(RecordedPerson recorded, string nobodys) =>
+        this with
+        {
+            Name = recorded.Name,
+            Role = recorded.Role,
+            RoleWord = recorded.Role.ToString(),
+            IsDisabled = recorded.IsDisabled,
+            Password = nobodys,
+            IsAsLeft = true,
+        };
+
+    /// <summary>The user with another role.</summary>
+    public Person As(Role role) => this with { Role = role, RoleWord = role.ToString() };
+
+    /// <summary>Keeps a new user. The audit entry that follows names the row's code.</summary>
     public void Insert(StoreTransaction transaction) => transaction.Execute(
-        "INSERT INTO person (name_key, name, role, password, is_disabled, added_at, password_at) VALUES (@Key, @Name, @Role, @Password, @IsDisabled, @AddedAt, @PasswordAt)", Columns);
+        "INSERT INTO person (name_key, name, role, password, is_disabled, added_at, password_at, row_code) VALUES (@Key, @Name, @Role, "
+            + "@Password, @IsDisabled, @AddedAt, @PasswordAt, @Code)",
+        Columns(transaction));
 
-    /// <summary>Keeps what changed of a user.</summary>
+    /// <summary>Keeps what changed of a user. The audit entry that follows names the row's code.</summary>
     public void Update(StoreTransaction transaction) => transaction.Execute(
-        "UPDATE person SET role = @Role, password = @Password, is_disabled = @IsDisabled, password_at = @PasswordAt WHERE name_key = @Key", Columns);
+        "UPDATE person SET name = @Name, role = @Role, password = @Password, is_disabled = @IsDisabled, password_at = @PasswordAt, "
+            + "row_code = @Code WHERE name_key = @Key",
+        Columns(transaction));
 
-    private object Columns => new
+    private object Columns(StoreTransaction transaction) => new
     {
         Key = UserName.Key(Name),
         Name,
-        Role = Role.ToString(),
+        Role = RoleWord,
         Password,
         IsDisabled = IsDisabled ? 1 : 0,
         AddedAt = StoredTime.Of(AddedAt),
         PasswordAt = StoredTime.Of(PasswordAt),
+        Code = transaction.CodeOf(Coded(this)),
     };
 
+    /// <summary>The user, and whether somebody else wrote the row.</summary>
+    public static Person Looked(KeptRow<Person> row, byte[]? key) => row.Value with { IsAsLeft = row.Holds(key) };
+
     private static Person Read(DbDataReader row) => new(
-        row.GetString(0), Enum.Parse<Role>(row.GetString(1)), row.GetString(2), row.GetInt32(3) != 0, StoredTime.From(row.GetInt64(4)), StoredTime.From(row.GetInt64(5)));
+        row.GetString(0), Enum.GetValues<Role>().Where(r => r.ToString() == row.GetString(1)).Select(r => (Role?)r).FirstOrDefault(),
+            row.GetString(2), row.GetInt32(3) != 0,
+        StoredTime.From(row.GetInt64(4)), StoredTime.From(row.GetInt64(5)))
+    {
+        RoleWord = row.GetString(1),
+    };
 }

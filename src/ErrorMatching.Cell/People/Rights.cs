@@ -10,7 +10,7 @@ public static class Rights
         [Act.Reject] = (Role.Operator, false),
         [Act.Approve] = (Role.Setter, true),
         [Act.Revert] = (Role.Setter, true),
-        [Act.EditJobs] = (Role.Setter, false),
+        [Act.EditJobs] = (Role.Setter, true),
         [Act.ManageUsers] = (Role.Administrator, true),
         [Act.ManageMachines] = (Role.Administrator, true),
         [Act.ManagePolicy] = (Role.Administrator, true),

@@ -66,7 +66,8 @@ public sealed class UserBook
 
     /// <summary>Gives a user another role.</summary>
     /// <exception cref="PeopleException">There is no such user, it is the last administrator, or <paramref name="by"/> may not do that.</exception>
-    public User SetRole(SignedIn by, string name, Role role) => Change(by, name, "role-set", Recorded.ToRole.With(Word(role)), p => p with { Role = role });
+    public User SetRole(SignedIn by, string name, Role role) =>
+        Change(by, name, "role-set", Recorded.ToRole.With(Word(role)), p => p.As(role));
 
     /// <summary>Sets a password: one's own, or as an administrator anybody's, who is unlocked with it.</summary>
     /// <exception cref="PeopleException">There is no such user, the password is too weak, or <paramref name="by"/> may not do that.</exception>
@@ -88,6 +89,17 @@ public sealed class UserBook
         }
 
         var (isRight, isStale) = Hashes.Compare(person?.Password, password);
+        if (person?.Problem is { } problem)
+        {
+            // Whatever the password is: it is somebody else's, or good for nothing.
+            _store.Write(t =>
+            {
+                t.Audit(person.Name, "sign-in-failed", null, problem.Message);
+                return true;
+            });
+            throw problem;
+        }
+
         if (person is not null && isRight && !person.IsDisabled)
         {
             var fresh = isStale ? Hashes.Of(password) : null;
@@ -138,7 +150,7 @@ public sealed class UserBook
     private SignedIn EndTry(StoreTransaction t, Person tried, string? freshHash)
     {
         var person = Person.Find(t, tried.Name);
-        if (person is null || person.Password != tried.Password || person.IsDisabled)
+        if (person is null || person.Password != tried.Password || person.IsDisabled || person.Problem is not null)
         {
             throw Refusal(PeopleError.SignInRefused, "The user was changed at this moment.", null);
         }
@@ -149,7 +161,7 @@ public sealed class UserBook
             (person with { Password = freshHash }).Update(t);
         }
 
-        t.Audit(person.Name, "signed-in", null, Recorded.SignedIn.With(Word(person.Role)));
+        t.Audit(person.Name, "signed-in", null, Recorded.SignedIn.With(Word(person.Role!.Value)));
         return new SignedIn(Known(t, person), _clock);
     }
 
@@ -174,6 +186,7 @@ public sealed class UserBook
     {
         if (isOwnAllowed && UserName.Key(by.Name) == UserName.Key(name))
         {
+            if (Person.Find(t, name)?.Problem is { } problem) throw problem;
             DemandSigned(by);
         }
         else
@@ -182,6 +195,7 @@ public sealed class UserBook
         }
 
         var before = Person.Find(t, name) ?? throw new PeopleException(PeopleError.UnknownUser, $"There is no user {name}. errormatch user list CONFIG names them.");
+        before = before.IsAsLeft ? before : Mended(t, before);
         var after = change(before);
         if (IsManaging(before) && !IsManaging(after) && Person.All(t).Count(IsManaging) == 1)
         {
@@ -206,9 +220,11 @@ public sealed class UserBook
             throw new PeopleException(PeopleError.UserDisabled, $"The user {who.Name} was disabled meanwhile.");
         }
 
-        if (!Rights.Allows(person.Role, act))
+        if (person.Problem is { } problem) throw problem;
+        if (person.Role is not { } role || !Rights.Allows(role, act))
         {
-            throw new PeopleException(PeopleError.NotAllowed, $"{person.Name} is {Word(person.Role)}, and this takes {Word(Rights.LeastFor(act))}.");
+            throw new PeopleException(PeopleError.NotAllowed, $"{person.Name} is {person.RoleWord.ToLowerInvariant()}, and this takes "
+                + $"{Word(Rights.LeastFor(act))}.");
         }
 
         if (Rights.IsSigned(act))
@@ -216,6 +232,15 @@ public sealed class UserBook
             DemandSigned(who);
         }
     }
+
+    // Nothing of a row that somebody else wrote is taken over: what is not set now is as the audit trail says, and the password is to be
+    // set.
+    private Person Mended(StoreTransaction t, Person person) =>
+        AuditReplay.Of(t)?.People.GetValueOrDefault(UserName.Key(person.Name)) is { } recorded ? person.Mended(recorded, Hashes.Nobodys)
+            : throw new PeopleException(
+            PeopleError.Tampered,
+            $"The audit trail is not whole, or does not say that {person.Name} was ever added: nobody knows who this user is. See "
+                + "errormatch audit verify; then restore a backup.");
 
     private void DemandSigned(SignedIn who)
     {
@@ -246,14 +271,16 @@ public sealed class UserBook
     private static User Known(StoreTransaction t, Person person)
     {
         var failures = SignInFailures.Of(t, person.Name);
-        return new(person.Name, person.Role, person.IsDisabled, person.AddedAt, person.PasswordAt)
+        return new(person.Name, person.Role ?? Role.Operator, person.IsDisabled, person.AddedAt, person.PasswordAt)
         {
+            RoleWord = person.RoleWord.ToLowerInvariant(),
+            Problem = person.Problem is { } problem ? (problem.Error, problem.Message) : null,
             Failures = failures.Failures,
             LockedUntil = LockOut.Until(failures.Failures, failures.Last > t.Now ? t.Now : failures.Last, t.Now),
         };
     }
 
-    private static bool IsManaging(Person person) => person is { Role: Role.Administrator, IsDisabled: false };
+    private static bool IsManaging(Person person) => person is { Role: Role.Administrator, IsDisabled: false, IsAsLeft: true };
 
     private static PeopleException Refusal(PeopleError error, string problem, DateTimeOffset? until)
     {

@@ -42,6 +42,15 @@ public static class CellCodes
     /// <summary>The slot's file is none that the cell knows.</summary>
     public const string ChangedAtMachine = "changed-at-machine";
 
+    /// <summary>In the audit trail: the slot's file, which was changed, is the verified one again.</summary>
+    public const string HeldAgain = "held-again";
+
+    /// <summary>In the audit trail: a machine or a gauge does not answer, or not as it must.</summary>
+    public const string NoAnswer = "no-answer";
+
+    /// <summary>In the audit trail: a machine or a gauge that did not answer answers again.</summary>
+    public const string AnswersAgain = "answers-again";
+
     /// <summary>What the store could not do.</summary>
     public static string Of(StoreError error) => "store-" + Words(error.ToString());
 

@@ -11,6 +11,8 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
     private readonly Dictionary<(string Machine, string Slot), Wake> _slots = settings.Machines
         .SelectMany(m => m.Slots.Select(s => (m.Name, s.Name))).ToDictionary(k => k, _ => new Wake());
 
+    private readonly System.Collections.Concurrent.ConcurrentDictionary<string, bool> _saidTampered = new(StringComparer.Ordinal);
+
     /// <summary>Names of this cell's gauges; another cell of the same store has others.</summary>
     public IReadOnlyList<string> Gauges { get; } = [.. settings.Gauges.Select(g => g.Name)];
 
@@ -72,6 +74,28 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
         return now;
     }
 
+    /// <summary>Makes sure that a correction may go to its machine by all that is recorded; what stands against it is put on record
+    /// once.</summary>
+    /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if it may not.</exception>
+    public void DemandRecorded(Correction correction)
+    {
+        try
+        {
+            store.DemandRecorded(correction);
+        }
+        catch (StoreException e) when (e.Error == StoreError.Tampered)
+        {
+            SayTampered(Recorded.Correction.With(correction.Id), e.Message);
+            throw;
+        }
+    }
+
+    /// <summary>Puts on record, once while the cell runs, what somebody else did to the store.</summary>
+    public void SayTampered(string? subject, string message)
+    {
+        if (_saidTampered.TryAdd(message, true)) store.Audit(ByCell, AuditLedger.Tampered, message, subject);
+    }
+
     /// <summary>Keeps an arrival, and tells whom it concerns if it is new.</summary>
     /// <exception cref="StoreException">It was not kept.</exception>
     public void Arrive(Func<(Correction Correction, bool IsNew)> archive)
@@ -95,7 +119,7 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
         {
             work();
         }
-        catch (StoreException e) when (e.Error is StoreError.Damaged or StoreError.Missing)
+        catch (StoreException e) when (e.Error is StoreError.Damaged or StoreError.Missing or StoreError.Tampered)
         {
             Fail(correction, CellCodes.Of(e.Error), e.Message);
         }
@@ -107,7 +131,8 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
     }
 
     private void Fail(Correction correction, string code, string reason) =>
-        Step(correction, CorrectionState.Failed, reason, c => c with { Code = code, Reason = reason, Identity = null });
+        Step(correction, CorrectionState.Failed, reason, c =>
+            c with { Code = code, Reason = reason, Identity = null, ProgramSha256 = null });
 
     /// <summary>Wakes whom a correction's state concerns.</summary>
     public void Tell(Correction correction)

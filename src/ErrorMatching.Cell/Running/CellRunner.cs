@@ -78,6 +78,11 @@ public sealed class CellRunner
             yield return new Worker(flow, CellTrouble.OfGauge(gauge), new(), source.WorkAsync).RunAsync;
         }
 
+        foreach (var gauge in _settings.Gauges.Where(g => g.Incoming is not null))
+        {
+            yield return new Worker(flow, $"watch of gauge {gauge.Name}", new(), AnswerWatch.OfGauge(flow, gauge).WorkAsync).RunAsync;
+        }
+
         yield return new Worker(flow, "recognition", flow.Archived, new RecognizeWorker(flow).WorkAsync).RunAsync;
         var computing = new ComputeWorker(flow);
         for (var i = 0; i < Computers; i++)
@@ -90,22 +95,31 @@ public sealed class CellRunner
         {
             var folder = _open(machine);
             var listing = new MachineListing(folder, _clock, Pace.Ready);
+            var sender = new ProgramSender(folder, _store.Keeps, TransferTries.For(machine, _clock, SayTry));
+            yield return new Worker(flow, $"watch of {machine.Name}", new(),
+                AnswerWatch.OfMachine(flow, machine, folder).WorkAsync).RunAsync;
             foreach (var slot in machine.Slots)
             {
-                yield return new Worker(flow, CellTrouble.OfSlot(machine.Name, slot.Name), flow.OfSlot(machine.Name, slot.Name), new SlotWorker(flow, machine, slot, folder, listing, originals).WorkAsync).RunAsync;
+                yield return new Worker(flow, CellTrouble.OfSlot(machine.Name, slot.Name), flow.OfSlot(machine.Name, slot.Name),
+                    new SlotWorker(flow, machine, slot, folder, sender, listing, originals).WorkAsync).RunAsync;
             }
         }
 
         yield return new Worker(flow, "unserved", new(), new UnservedWorker(flow).WorkAsync).RunAsync;
+        yield return new Worker(flow, "looking at the record", new(), new RecordWorker(flow).WorkAsync).RunAsync;
         yield return new Worker(flow, "store", new(), new StoreWatch(flow).WorkAsync).RunAsync;
         yield return new Worker(flow, "heartbeat", new(), new HeartbeatWorker(flow, Alive).WorkAsync).RunAsync;
     }
+
+    private void SayTry(TransferTry t) =>
+        _log.Debug("{Machine}: try {Try} failed, next in {Wait}: {Message}", t.Machine, t.Number, t.Wait, t.Failure.Message);
 
     // A step waits for the disk on the thread that takes it. With as many threads as cores, which is what the pool begins with, transfers of other slots would wait as well, and the pool grows by two a second.
     private void AllowForWaiting()
     {
         ThreadPool.GetMinThreads(out var threads, out var ports);
-        ThreadPool.SetMinThreads(Math.Max(threads, (2 * (_settings.Gauges.Count + _settings.Machines.Sum(m => m.Slots.Count))) + 16), ports);
+        ThreadPool.SetMinThreads(Math.Max(threads, (2 * (_settings.Gauges.Count + _settings.Machines.Sum(m => m.Slots.Count + 1))) + 16),
+            ports);
     }
 
     private static IEnumerable<(string Machine, string Slot, long Waiting)> Lines(CellFlow flow) =>

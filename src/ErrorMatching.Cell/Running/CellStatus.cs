@@ -20,11 +20,14 @@ public sealed record CellStatus(
     // More of a kind than a person looks through at once are counted.
     internal const int Most = 100;
 
+    /// <summary>What somebody else wrote to the store, in sentences: see <see cref="CellStore.Tampered"/>.</summary>
+    public IReadOnlyList<string> Tampered { get; init; } = [];
+
     /// <summary>How many corrections are in a state.</summary>
     public long CountOf(CorrectionState state) => Counts.GetValueOrDefault(state);
 
     /// <summary>True if nothing stands in the way but a person's approval or an operator's release, which is the ordinary course.</summary>
-    public bool IsHealthy => IsRunning && Failed.Count == 0 && Heartbeat!.Troubles.Count == 0;
+    public bool IsHealthy => IsRunning && Failed.Count == 0 && Heartbeat!.Troubles.Count == 0 && Tampered.Count == 0;
 
     /// <summary>Looks.</summary>
     /// <param name="settings">The configuration.</param>
@@ -43,6 +46,9 @@ public sealed record CellStatus(
             [.. store.First(CorrectionState.Proposed, Most).OrderBy(c => c.Turn).ThenBy(c => c.Id)],
             store.First(CorrectionState.Failed, Most),
             [.. store.First(CorrectionState.Archived, Most), .. store.First(CorrectionState.Recognized, Most)],
-            store.Counts());
+            store.Counts())
+        {
+            Tampered = store.Tampered(),
+        };
     }
 }

@@ -84,7 +84,8 @@ internal sealed class ComputeWorker(CellFlow flow)
 
     private void Keep(Correction recognized, CellJobSettings job, Computed computed)
     {
-        ReadOnlyMemory<byte>? sums = job.Accumulates ? computed.Sums.ToJson() : null;
+        // Null alone would become an empty content: byte arrays turn into memory, and no array into memory of nothing.
+        var sums = job.Accumulates ? computed.Sums.ToJson() : default(ReadOnlyMemory<byte>?);
         var basis = computed.LargestMm > 0 ? Recorded.DisplacedAt.With(computed.LargestMm, computed.LargestAt) : Recorded.DisplacedNothing.With();
         flow.Step(
             recognized,

@@ -1,3 +1,5 @@
+using ErrorMatching.Jobs;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>What corrections are computed from, as the store keeps it.</summary>
@@ -16,8 +18,16 @@ internal static class CorrectionRequests
         Part = correction.PartSha256 is { } part ? new(flow.Store.OfMeasurement(part)[0].FileName, flow.Store.Content(part)) : null,
         Base = job.Accumulates && correction.SumsSha256 is not null ? flow.Store.Content(correction.BaseSha256!) : default(ReadOnlyMemory<byte>?),
         Sums = job.Accumulates && correction.SumsSha256 is { } sums ? CorrectionSums.FromJson(flow.Store.Content(sums)) : CorrectionSums.None,
+        LastSent = job.IsFreeform ? LastSent(flow.Store, correction) : null,
         Identity = correction.Identity,
     };
+
+    // While nobody has said whether the piece was cut before or behind the last program, it may have been cut by that.
+    private static KeptFile? LastSent(CellStore store, Correction correction)
+    {
+        var cut = CutProgram.Of(store, correction);
+        return (cut.By ?? cut.Undecided) is { ProgramSha256: { } program } sent ? new(sent.Program ?? FinishedSurface.Name, store.Content(program)) : null;
+    }
 
     /// <summary>The request of a correction that was computed, to tell whether another one would be made of its measurement now.</summary>
     /// <param name="store">The store.</param>

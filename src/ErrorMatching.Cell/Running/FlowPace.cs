@@ -12,6 +12,12 @@ internal sealed record FlowPace
     /// <summary>How often a machine is asked for its ready file.</summary>
     public TimeSpan Ready { get; init; } = TimeSpan.FromSeconds(1);
 
+    /// <summary>How often machines and gauges are asked whether they answer.</summary>
+    public TimeSpan Answer { get; init; } = TimeSpan.FromSeconds(30);
+
+    /// <summary>How often the program of a taken slot is read again. Programs may be long, and controls slow.</summary>
+    public TimeSpan Held { get; init; } = TimeSpan.FromMinutes(5);
+
     /// <summary>How often a slot that another cell sends to is looked at.</summary>
     public TimeSpan Locked { get; init; } = TimeSpan.FromMilliseconds(200);
 

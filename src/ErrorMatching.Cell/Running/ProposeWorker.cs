@@ -16,7 +16,14 @@ internal sealed class ProposeWorker(CellFlow flow)
             // What the policy approves was left over if the cell ended between the two steps, or if the policy changed.
             foreach (var proposed in flow.Store.First(CorrectionState.Proposed, int.MaxValue, jobs: flow.Jobs))
             {
-                ApproveByPolicy(proposed);
+                try
+                {
+                    ApproveByPolicy(proposed);
+                }
+                catch (StoreException e) when (e.Error == StoreError.Tampered)
+                {
+                    flow.SayTampered(Recorded.Correction.With(proposed.Id), e.Message);
+                }
             }
 
             _hasLookedBack = true;
@@ -31,7 +38,15 @@ internal sealed class ProposeWorker(CellFlow flow)
             }
 
             using var activity = CellTelemetry.Start("propose", computed);
-            Propose(computed);
+            try
+            {
+                Propose(computed);
+            }
+            catch (StoreException e) when (e.Error == StoreError.Tampered)
+            {
+                flow.Step(computed, CorrectionState.Refused, e.Message, c =>
+                    c with { Code = CellCodes.Of(e.Error), Reason = e.Message, Identity = null });
+            }
         }
 
         return Task.FromResult(next.Count < Most ? flow.Pace.Idle : TimeSpan.Zero);

@@ -32,7 +32,7 @@ internal sealed class RecognizeWorker(CellFlow flow)
         var found = _recognizer.Recognize(archived.Gauge, archived.FileName, bytes);
         if (found.Job is not { } job)
         {
-            Refuse(archived, found.Code!, found.Reason!);
+            Refuse(archived, archived, found.Code!, found.Reason!);
             return;
         }
 
@@ -45,19 +45,19 @@ internal sealed class RecognizeWorker(CellFlow flow)
         known = known with { BaseSha256 = cutBy?.ProgramSha256, SumsSha256 = cutBy?.SumsSha256, PartSha256 = part?.MeasurementSha256 };
         if (Earlier(known, job) is { } earlier)
         {
-            Refuse(known, CellCodes.AlreadyKnown, AlreadyKnown(earlier));
+            Refuse(archived, known, CellCodes.AlreadyKnown, AlreadyKnown(earlier));
             return;
         }
 
         if (cut.Undecided is not null)
         {
-            Refuse(known, CellCodes.NotReleased, cut.Reason);
+            Refuse(archived, known, CellCodes.NotReleased, cut.Reason);
             return;
         }
 
         if (cutBy is { SumsSha256: null })
         {
-            Refuse(known, CellCodes.SumsUnknown, Recorded.SumsUnknown.With(cutBy.Id, job.Name));
+            Refuse(archived, known, CellCodes.SumsUnknown, Recorded.SumsUnknown.With(cutBy.Id, job.Name));
             return;
         }
 
@@ -67,10 +67,10 @@ internal sealed class RecognizeWorker(CellFlow flow)
                 Begin(archived, known, basis, cutBy, part);
                 break;
             case RefusedComputation { Code: CorrectionCodes.PartUnmeasured } when Named(known) is { } piece:
-                Refuse(known, CorrectionCodes.PartUnmeasured, Recorded.PartOfNumberUnmeasured.With(piece, piece, known.FileName));
+                Refuse(archived, known, CorrectionCodes.PartUnmeasured, Recorded.PartOfNumberUnmeasured.With(piece, piece, known.FileName));
                 break;
             case RefusedComputation refused:
-                Refuse(known, refused.Code, refused.Reason);
+                Refuse(archived, known, refused.Code, refused.Reason);
                 break;
             case var other:
                 throw new InvalidOperationException($"A measurement that is not computed yet came to {other.GetType().Name}.");
@@ -97,7 +97,7 @@ internal sealed class RecognizeWorker(CellFlow flow)
         }
         catch (DuplicateCorrectionException e)
         {
-            Refuse(known, CellCodes.AlreadyKnown, AlreadyKnown(flow.Store.Find(e.Existing)!));
+            Refuse(archived, known, CellCodes.AlreadyKnown, AlreadyKnown(flow.Store.Find(e.Existing)!));
         }
     }
 
@@ -123,6 +123,7 @@ internal sealed class RecognizeWorker(CellFlow flow)
 
     private static string AlreadyKnown(Correction other) => Recorded.AlreadyKnown.With(other.Id, other.FileName, other.State.ToString().ToLowerInvariant());
 
-    private void Refuse(Correction known, string code, string reason) =>
-        flow.Step(known, CorrectionState.Refused, reason, c => c with { Code = code, Reason = reason, BaseSha256 = null, PartSha256 = null, SumsSha256 = null });
+    private void Refuse(Correction archived, Correction known, string code, string reason) =>
+        flow.Step(archived, CorrectionState.Refused, reason, _ =>
+            known with { Code = code, Reason = reason, BaseSha256 = null, PartSha256 = null, SumsSha256 = null });
 }

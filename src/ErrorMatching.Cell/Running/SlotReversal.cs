@@ -35,6 +35,8 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
             throw new DecisionException(DecisionException.WrongState, FormattableString.Invariant($"Slot {correction.Slot} of {correction.Machine} is not in {settings.File} any more: bring it back there first."));
         }
 
+        // What is brought back is named by its row.
+        store.DemandRecorded(correction);
         using var slotLock = await LockAsync(machine.Name, slot.Name, cancellation)
             ?? throw new DecisionException(DecisionException.SlotTaken, FormattableString.Invariant($"A program is being sent to slot {slot.Name} of {machine.Name} just now: try again in a moment."));
         if (store.Slot(machine.Name, slot.Name).Correction is { } holder && holder != id)
@@ -47,13 +49,21 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
             throw new DecisionException(DecisionException.WrongState, FormattableString.Invariant($"Slot {slot.Name} of {machine.Name} holds a later program than that of correction {id}: revert that one."));
         }
 
-        await BringBackAsync(open(machine), machine, slot, correction, previous, by, reason, cancellation);
+        try
+        {
+            await BringBackAsync(open(machine), machine, slot, correction, previous, by, reason, cancellation);
+        }
+        catch (ChangedAtMachineException e)
+        {
+            throw new DecisionException(DecisionException.ChangedAtMachine, e.Message);
+        }
+
         return decisions.Step(correction, CorrectionState.Reverted, by, reason, c => c with { Code = "reverted", Reason = reason });
     }
 
     private async Task BringBackAsync(IMachineFolder folder, MachineSettings machine, SlotSettings slot, Correction correction, string previous, string by, string reason, CancellationToken cancellation)
     {
-        var sender = new ProgramSender(folder, TransferTries.For(machine, clock));
+        var sender = new ProgramSender(folder, store.Keeps, TransferTries.For(machine, clock));
         await sender.RecoverAsync(slot.Program, cancellation);
         var found = await sender.CurrentAsync(slot.Program, cancellation) is { } bytes ? Convert.ToHexStringLower(SHA256.HashData(bytes)) : null;
         if (found != correction.ProgramSha256 && found != previous)
@@ -77,7 +87,8 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
 
         // Before anything changes at the machine: should this be cut, the trail names who began it.
         store.Audit(by, "reverting", reason, Recorded.Correction.With(correction.Id));
-        await sender.SendAsync(slot.Program, store.Content(previous), FormattableString.Invariant($"revert{correction.Id}"), cancellation);
+        await sender.SendAsync(slot.Program, found, store.Content(previous), FormattableString.Invariant($"revert{correction.Id}"),
+            cancellation);
     }
 
 

@@ -8,11 +8,14 @@ namespace ErrorMatching.Cell;
 /// <param name="machine">The machine.</param>
 /// <param name="slot">The slot.</param>
 /// <param name="folder">The machine's programs.</param>
+/// <param name="sender">Brings programs into the folder, and reads them.</param>
 /// <param name="listing">What lies there, for ready files.</param>
 /// <param name="originals">The original programs of the slot's jobs.</param>
-internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSettings slot, IMachineFolder folder, MachineListing listing, OriginalPrograms originals)
+internal sealed class SlotWorker(
+    CellFlow flow, MachineSettings machine, SlotSettings slot, IMachineFolder folder, ProgramSender sender, MachineListing listing,
+    OriginalPrograms originals)
 {
-    private readonly ProgramSender _sender = new(folder, TransferTries.For(machine, flow.Clock, t => flow.Log.Debug("{Machine}: try {Try} failed, next in {Wait}: {Message}", t.Machine, t.Number, t.Wait, t.Failure.Message)));
+    private readonly HeldProgram _held = new(flow, machine, slot, sender);
     private (long Id, CorrectionState State) _seen;
     private long _seenAt;
     private long _nextReady;
@@ -26,8 +29,10 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         if (holding.Correction is { } id)
         {
             var held = flow.Store.Find(id)!;
-            return held.State == CorrectionState.Uploading ? await UploadLockedAsync(held, stop) : await LookForReadyAsync(held, stop);
+            return held.State == CorrectionState.Uploading ? await UploadLockedAsync(held, stop) : await WatchAsync(held, holding, stop);
         }
+
+        _held.End();
 
         var first = SlotLine.First(flow.Store.Line(machine.Name, slot.Name), IsInOrderOfSerial);
         return first is { State: CorrectionState.Approved } ? await UploadLockedAsync(first, stop) : flow.Pace.Idle;
@@ -55,6 +60,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         }
 
         stop.ThrowIfCancellationRequested();
+        flow.DemandRecorded(correction);
         using var activity = CellTelemetry.Start("upload", correction);
         if (correction.State == CorrectionState.Uploading)
         {
@@ -82,6 +88,12 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         try
         {
             found = await LookAsync(flow.Finish);
+        }
+        catch (ChangedAtMachineException e)
+        {
+            Fail(flow.Step(approved, CorrectionState.Uploading, Recorded.TriedToRead.With()), CellCodes.ChangedAtMachine, e.Message,
+                e.Found);
+            return null;
         }
         catch (TransportException e) when (!e.IsWorthAnotherTry)
         {
@@ -119,11 +131,11 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
     {
         if (!_isInOrder)
         {
-            await _sender.RecoverAsync(slot.Program, cancellation);
+            await sender.RecoverAsync(slot.Program, cancellation);
             _isInOrder = true;
         }
 
-        return await _sender.CurrentAsync(slot.Program, cancellation);
+        return await sender.CurrentAsync(slot.Program, cancellation);
     }
 
     // The slot is taken; the machine may hold the old program, the new one, or what a cut left of both.
@@ -176,6 +188,9 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
             throw new StoreException(StoreError.Away, $"The right to send to slot {slot.Name} of {machine.Name} was lost with the connection to the store.");
         }
 
+        // Once more, for what somebody did to the store since the slot was taken.
+        flow.DemandRecorded(uploading);
+
         // From here on a cut may leave anything.
         _isInOrder = false;
         if (slot.ReadyFile is { } ready)
@@ -185,7 +200,8 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         }
 
         var program = flow.Store.Content(uploading.ProgramSha256!);
-        await _sender.SendAsync(slot.Program, program, string.Create(CultureInfo.InvariantCulture, $"{uploading.Id}"), flow.Finish);
+        await sender.SendAsync(slot.Program, uploading.PreviousSha256, program,
+            string.Create(CultureInfo.InvariantCulture, $"{uploading.Id}"), flow.Finish);
         _isInOrder = true;
         return Recorded.ReadBack.With();
     }
@@ -194,6 +210,7 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
     {
         var verified = flow.Step(uploading, CorrectionState.Verified, basis);
         CellTelemetry.Arrived(verified, flow.Clock.GetUtcNow());
+        _held.IsAsVerified(verified.Id, verified.ProgramSha256);
         _nextReady = 0;
     }
 
@@ -201,10 +218,15 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
     private async Task GiveBackAsync(Correction uploading, TransportException? cause, string basis, CancellationToken cancellation)
     {
         _isInOrder = false;
-        string? hash;
+        byte[]? found;
         try
         {
-            hash = HashOf(await LookAsync(cancellation));
+            found = await LookAsync(cancellation);
+        }
+        catch (ChangedAtMachineException e)
+        {
+            Fail(uploading, CellCodes.ChangedAtMachine, e.Message, e.Found);
+            return;
         }
         catch (TransportException) when (cause is { IsWorthAnotherTry: false })
         {
@@ -217,11 +239,17 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
             return;
         }
 
+        var hash = HashOf(found);
         if (hash == uploading.ProgramSha256 && hash != uploading.PreviousSha256)
         {
             Verify(uploading, Recorded.HeldAfterCut.With());
         }
-        else if (hash == uploading.PreviousSha256 && cause is null or { Error: TransportError.Away or TransportError.Slow })
+        else if (hash != uploading.PreviousSha256 && cause is not { Error: TransportError.Differs })
+        {
+            Fail(uploading, CellCodes.ChangedAtMachine, Recorded.ChangedMeanwhile.With(slot.Program, machine.Name, hash ?? "missing"),
+                found);
+        }
+        else if (cause is null or { Error: TransportError.Away or TransportError.Slow })
         {
             flow.Step(uploading, CorrectionState.Approved, Recorded.GivenBack.With(basis));
         }
@@ -239,8 +267,36 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
             c => c with { Code = code, Reason = reason, PreviousSha256 = found is null ? c.PreviousSha256 : HashOf(found) },
             found is null ? null : [found]);
 
+    // What is cut with a program that somebody changed is no piece of the correction's, whatever the machine says of its end.
+    private async Task<TimeSpan> WatchAsync(Correction held, SlotHolding holding, CancellationToken stop)
+    {
+        var program = held.State == CorrectionState.Verified ? held.ProgramSha256 : holding.ProgramSha256;
+        var wait = _held.Wait(held.Id, program);
+        if (wait == TimeSpan.Zero)
+        {
+            // With the right to the slot: who is just taking the program back changes it, and is nobody's stranger.
+            using var slotLock = flow.Store.TryLockSlot(machine.Name, slot.Name);
+            if (slotLock is null)
+            {
+                return flow.Pace.Locked;
+            }
+
+            if (flow.Store.Find(held.Id)!.Version != held.Version)
+            {
+                return TimeSpan.Zero;
+            }
+
+            await _held.ReadAsync(held, program, stop);
+            wait = flow.Pace.Held;
+        }
+
+        return Shorter(wait, _held.IsChanged ? flow.Pace.Idle : await LookForReadyAsync(held, program, stop));
+    }
+
+    private static TimeSpan Shorter(TimeSpan one, TimeSpan other) => one < other ? one : other;
+
     // The step comes first: a ready file that outlives it is stale, and removed before the next program is sent.
-    private async Task<TimeSpan> LookForReadyAsync(Correction held, CancellationToken stop)
+    private async Task<TimeSpan> LookForReadyAsync(Correction held, string? program, CancellationToken stop)
     {
         if (slot.ReadyFile is not { } ready)
         {
@@ -274,6 +330,11 @@ internal sealed class SlotWorker(CellFlow flow, MachineSettings machine, SlotSet
         }
 
         if (flow.Store.Slot(machine.Name, slot.Name).Correction != held.Id || flow.Store.Find(held.Id)!.Version != held.Version)
+        {
+            return TimeSpan.Zero;
+        }
+
+        if (!await _held.ReadAsync(held, program, stop))
         {
             return TimeSpan.Zero;
         }

@@ -5,10 +5,14 @@ namespace ErrorMatching.Cell;
 /// <summary>Rows of the audit trail.</summary>
 internal static class AuditRow
 {
-    public const string Select = "SELECT seq, at, who, what, subject, basis, previous, hash FROM audit";
+    public const string Select = "SELECT seq, at, who, what, subject, basis, previous, hash, row_codes FROM audit";
 
     public static AuditEntry Read(DbDataReader row) => new(
-        row.GetInt64(0), StoredTime.From(row.GetInt64(1)), row.GetString(2), row.GetString(3), row.TextOrNull(4), row.GetString(5), row.GetString(6), row.GetString(7));
+        row.GetInt64(0), StoredTime.From(row.GetInt64(1)), row.GetString(2), row.GetString(3), row.TextOrNull(4), row.GetString(5),
+            row.GetString(6), row.GetString(7))
+    {
+        RowCodes = row.TextOrNull(8),
+    };
 
     public static AuditHead Head(DbConnection connection, DbTransaction? transaction, string forUpdate)
     {

@@ -8,6 +8,9 @@ internal abstract class CellDatabase : IDisposable
     /// <summary>How long one waits for another process to finish its change.</summary>
     public static readonly TimeSpan Patience = TimeSpan.FromSeconds(15);
 
+    private readonly Lock _seeing = new();
+    private volatile AuditHead? _seen;
+
     /// <summary>The database in a sentence, such as a file's name or a server's.</summary>
     public abstract string Place { get; }
 
@@ -31,16 +34,35 @@ internal abstract class CellDatabase : IDisposable
     });
 
     /// <summary>Runs a change that audit entries are part of.</summary>
-    public T Write<T>(TimeProvider clock, byte[]? auditKey, Func<StoreTransaction, T> write) => Change((connection, transaction) =>
+    public T Write<T>(TimeProvider clock, byte[]? auditKey, Func<StoreTransaction, T> write)
     {
-        var open = StoreTransaction.Begin(connection, transaction, ForUpdate, clock, auditKey);
-        var result = write(open);
-        open.Finish();
+        var (result, head) = Change((connection, transaction) =>
+        {
+            var open = StoreTransaction.Begin(connection, transaction, ForUpdate, clock, auditKey);
+            var written = write(open);
+            return (written, open.Finish());
+        });
+        Saw(head);
         return result;
-    });
+    }
+
+    /// <summary>Where the audit trail ended when this process last saw it; null if it did not.</summary>
+    protected AuditHead? Seen => _seen;
+
+    /// <summary>Remembers how far the audit trail goes: a store that lacks this is another one.</summary>
+    public void Saw(AuditHead head)
+    {
+        lock (_seeing)
+        {
+            _seen = _seen is { } before && before.Seq >= head.Seq ? before : head;
+        }
+    }
 
     /// <summary>Looks whether the database is whole; what is not is a <see cref="StoreException"/>.</summary>
     public abstract void Inspect();
+
+    /// <summary>What is in the form of the database that the migrations did not make, or is not there; null if nothing.</summary>
+    public abstract AuditFault? FormFault(DbConnection connection, DbTransaction transaction);
 
     /// <summary>True if the database has a table of a name.</summary>
     public abstract bool HasTable(DbConnection connection, string name);

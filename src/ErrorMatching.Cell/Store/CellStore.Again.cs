@@ -51,7 +51,13 @@ public sealed partial class CellStore
                 Code = CellCodes.ComputedAnew,
                 Reason = basis,
             });
-            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(ended, correction.State)) != 1) throw Conflict(transaction, correction, CorrectionState.Superseded);
+            DemandKept(transaction, correction, ended);
+            var code = transaction.CodeOf(CorrectionRow.Coded(ended));
+            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(ended, correction.State, code)) != 1)
+            {
+                throw Conflict(transaction, correction, CorrectionState.Superseded);
+            }
+
             Note(transaction, ended, correction.State, by, reason is null ? basis : $"{basis} {reason}");
             return given;
         });

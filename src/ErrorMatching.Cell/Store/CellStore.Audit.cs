@@ -10,8 +10,12 @@ public sealed partial class CellStore
     /// <param name="what">What was done, in one word.</param>
     /// <param name="basis">On what basis, in words.</param>
     /// <param name="subject">What it was done to; null if it was to nothing in particular.</param>
-    public void Audit(string who, string what, string basis, string? subject = null) => Write(transaction =>
+    public void Audit(string who, string what, string basis, string? subject = null) => Audit(who, what, basis, subject, null);
+
+    /// <summary>The same, and keeps what it tells of by its hash.</summary>
+    internal void Audit(string who, string what, string basis, string? subject, byte[]? content) => Write(transaction =>
     {
+        if (content is not null) Keep(transaction, Sha256(content), content);
         transaction.Audit(who, what, subject, basis);
         return true;
     });
@@ -23,7 +27,12 @@ public sealed partial class CellStore
         Read(AuditRow.Select + " WHERE seq > @after ORDER BY seq LIMIT @most", AuditRow.Read, new { after, most });
 
     /// <summary>Where the audit trail ends.</summary>
-    public AuditHead AuditHead() => Database.Read(connection => AuditRow.Head(connection, null, ""));
+    public AuditHead AuditHead()
+    {
+        var head = Database.Read(connection => AuditRow.Head(connection, null, ""));
+        Database.Saw(head);
+        return head;
+    }
 
     /// <summary>Proves the audit trail as it is at one moment, by the key that the store was opened with.</summary>
     /// <returns>The first fault; null if every entry is what was written, where it was written, and none is missing.</returns>

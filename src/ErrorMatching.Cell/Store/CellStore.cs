@@ -18,6 +18,7 @@ public sealed partial class CellStore : IDisposable
         Database = database;
         _clock = clock;
         _auditKey = auditKey;
+        _ledger = new(auditKey);
     }
 
     /// <summary>The database, for tables of other parts of the cell.</summary>
@@ -36,8 +37,61 @@ public sealed partial class CellStore : IDisposable
         {
             if (inspect) opened.Inspect();
             Migrations.Apply(opened, clock, auditKey);
+            if (auditKey is not null) RowCodes.Give(opened, clock, auditKey);
         });
-        return new CellStore(database, clock, auditKey);
+        return Opened(database, clock, auditKey);
+    }
+
+    /// <summary>Opens a store that is there, to look at it: also one that cannot be written, as on a disk that the system has mounted
+    /// read-only. Where it can be written, one of an earlier version is taken to the present form.</summary>
+    /// <param name="settings">Where it is.</param>
+    /// <param name="clock">Says the time of each change.</param>
+    /// <param name="auditKey">The key that seals the audit trail; null if it is not there.</param>
+    /// <exception cref="StoreException">It cannot be read, or has an earlier form and cannot be written.</exception>
+    public static CellStore OpenToRead(StoreSettings settings, TimeProvider clock, byte[]? auditKey)
+    {
+        ArgumentNullException.ThrowIfNull(settings);
+        ArgumentNullException.ThrowIfNull(clock);
+        var database = Connect(
+            settings,
+            opened =>
+            {
+                Migrations.Apply(opened, clock, auditKey);
+                try
+                {
+                    if (auditKey is not null) RowCodes.Give(opened, clock, auditKey);
+                }
+                catch (StoreException e) when (e.Error == StoreError.ReadOnly)
+                {
+                    // It is looked at as it is.
+                }
+            },
+            toRead: true);
+        return Opened(database, clock, auditKey);
+    }
+
+    // What is there now is what must be there from now on.
+    private static CellStore Opened(CellDatabase database, TimeProvider clock, byte[]? auditKey)
+    {
+        var store = new CellStore(database, clock, auditKey);
+        try
+        {
+            store.AuditHead();
+            return store;
+        }
+        catch
+        {
+            store.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>True if there is a store whose audit trail was sealed by a key.</summary>
+    internal static bool IsSealed(StoreSettings settings)
+    {
+        if (settings is SqliteSettings { File: var file } && !File.Exists(file)) return false;
+        using var database = Connect(settings, _ => { }, toRead: true);
+        return database.Read(connection => database.HasTable(connection, "audit_head") && AuditRow.Head(connection, null, "").Seal is not null);
     }
 
     /// <summary>Keeps a file that arrived as a correction of its own.</summary>
@@ -80,6 +134,10 @@ public sealed partial class CellStore : IDisposable
 
         return bytes;
     }
+
+    /// <summary>True if something is kept under a hash.</summary>
+    internal bool Keeps(string sha256) =>
+        First("SELECT sha256 FROM content WHERE sha256 = @sha256", r => r.GetString(0), new { sha256 }) is not null;
 
     /// <summary>A correction by its number; null if there is none.</summary>
     public Correction? Find(long id) => First(CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, new { id });
@@ -145,7 +203,13 @@ public sealed partial class CellStore : IDisposable
                 throw new DuplicateCorrectionException(existing);
             }
 
-            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(after, from.State)) != 1) throw Conflict(transaction, from, to);
+            DemandKept(transaction, from, after);
+            var code = transaction.CodeOf(CorrectionRow.Coded(after));
+            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(after, from.State, code)) != 1)
+            {
+                throw Conflict(transaction, from, to);
+            }
+
             SlotRow.Follow(transaction, from.State, after);
             Note(transaction, after, from.State, by, basis);
             return after;
@@ -159,8 +223,14 @@ public sealed partial class CellStore : IDisposable
     /// <summary>Frees a slot of the correction that has it, as after a revert. One that another has, or nobody, stays as it is.</summary>
     public void FreeSlot(string machine, string slot, long correction, string by, string basis) => Write(transaction =>
     {
+        SlotRow.Demand(transaction, machine, slot);
         var freed = transaction.Execute("UPDATE slot SET correction = NULL WHERE machine = @machine AND slot = @slot AND correction = @correction", new { machine, slot, correction });
-        if (freed == 1) transaction.Audit(by, "freed", Recorded.Slot.With(slot, machine), basis);
+        if (freed == 1)
+        {
+            SlotRow.Code(transaction, machine, slot);
+            transaction.Audit(by, "freed", Recorded.Slot.With(slot, machine), basis);
+        }
+
         return freed;
     });
 
@@ -225,9 +295,10 @@ public sealed partial class CellStore : IDisposable
     /// <summary>Opens the database of a store.</summary>
     /// <param name="settings">Where it is.</param>
     /// <param name="prepare">Looks whether it is whole and takes it to the form that is wanted.</param>
-    internal static CellDatabase Connect(StoreSettings settings, Action<CellDatabase> prepare) => settings switch
+    /// <param name="toRead">True if it need not be one that can be written.</param>
+    internal static CellDatabase Connect(StoreSettings settings, Action<CellDatabase> prepare, bool toRead = false) => settings switch
     {
-        SqliteSettings sqlite => SqliteDatabase.Open(sqlite.File, prepare),
+        SqliteSettings sqlite => SqliteDatabase.Open(sqlite.File, prepare, toRead),
         PostgresSettings postgres => PostgresDatabase.Open(postgres, prepare),
         _ => throw new ArgumentOutOfRangeException(nameof(settings), settings, "No such kind of store."),
     };
@@ -248,7 +319,7 @@ public sealed partial class CellStore : IDisposable
 
     private static string Sha256(ReadOnlySpan<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
 
-    private static void Keep(StoreTransaction transaction, string sha256, ReadOnlyMemory<byte> bytes) =>
+    internal static void Keep(StoreTransaction transaction, string sha256, ReadOnlyMemory<byte> bytes) =>
         transaction.Execute("INSERT INTO content (sha256, bytes) VALUES (@sha256, @Bytes) ON CONFLICT (sha256) DO NOTHING", new { sha256, Bytes = bytes.ToArray() });
 
     private static Correction? Known(StoreTransaction transaction, string key) =>
@@ -285,6 +356,8 @@ public sealed partial class CellStore : IDisposable
             arrived.MeasuredAs,
         });
         arrived = arrived with { Id = id };
+        if (transaction.CodeOf(CorrectionRow.Coded(arrived)) is { } code) transaction.Execute(
+            "UPDATE correction SET row_code = @code WHERE id = @id", new { code, id });
         Note(transaction, arrived, null, by, basis ?? arrived.Reason ?? Recorded.Arrived.With(arrived.Gauge, arrived.FileName));
         return arrived;
     }

@@ -11,10 +11,15 @@ internal static class CorrectionRow
 
     public const string Select = "SELECT " + Columns + " FROM correction";
 
+    /// <summary>Rows with their codes, for <see cref="ReadKept"/>.</summary>
+    public const string SelectKept = "SELECT " + Columns + ", row_code FROM correction";
+
     public const string Update =
         "UPDATE correction SET state = @State, version = @Version, changed_at = @ChangedAt, job = @Job, piece = @Piece, serial = @Serial, work_order = @WorkOrder, identity = @Identity, "
         + "job_sha256 = @JobSha256, base_sha256 = @BaseSha256, machine = @Machine, slot = @Slot, program = @Program, program_sha256 = @ProgramSha256, report_sha256 = @ReportSha256, "
-        + "page_sha256 = @PageSha256, largest_mm = @LargestMm, sum_mm = @SumMm, previous_sha256 = @PreviousSha256, code = @Code, reason = @Reason, trace = @Trace, part_sha256 = @PartSha256, sums_sha256 = @SumsSha256, job_work_order = @JobWorkOrder "
+        + "page_sha256 = @PageSha256, largest_mm = @LargestMm, sum_mm = @SumMm, previous_sha256 = @PreviousSha256, code = @Code, "
+        + "reason = @Reason, trace = @Trace, part_sha256 = @PartSha256, sums_sha256 = @SumsSha256, job_work_order = @JobWorkOrder, "
+        + "row_code = @RowCode "
         + "WHERE id = @Id AND version = @Version - 1 AND state = @From";
 
     public const string Insert =
@@ -76,7 +81,7 @@ internal static class CorrectionRow
     };
 
     /// <summary>The parameters of <see cref="Update"/>.</summary>
-    public static object Parameters(Correction to, CorrectionState from) => new
+    public static object Parameters(Correction to, CorrectionState from, string? rowCode) => new
     {
         to.Id,
         State = Word(to.State),
@@ -105,10 +110,31 @@ internal static class CorrectionRow
         to.PartSha256,
         to.SumsSha256,
         to.JobWorkOrder,
+        RowCode = rowCode,
     };
+
+    /// <summary>The row as it is coded.</summary>
+    public static CodedRow Coded(Correction c) => new(NameOf(c.Id),
+    [
+        Word(c.State), CodedRow.Number(c.Version), c.Gauge, c.FileName, CodedRow.Number(StoredTime.Of(c.ArrivedAt)),
+            CodedRow.Number(StoredTime.Of(c.ChangedAt)),
+        c.MeasurementSha256, CodedRow.Number(c.MeasurementBytes), c.Job, c.Piece, c.Serial, c.WorkOrder, c.Identity, c.JobSha256,
+            c.BaseSha256, c.Machine, c.Slot, c.Program,
+        c.ProgramSha256, c.ReportSha256, c.PageSha256, CodedRow.Number(c.LargestMm), CodedRow.Number(c.SumMm), c.PreviousSha256, c.Code,
+            c.Reason, c.Trace, c.PartSha256, c.SumsSha256,
+        c.JobWorkOrder, CodedRow.Number(c.MeasuredAs),
+    ]);
+
+    /// <summary>The row's name among coded rows.</summary>
+    public static string NameOf(long id) => "correction " + CodedRow.Number(id);
+
+    /// <summary>The row with its code.</summary>
+    public static KeptRow<Correction> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(32));
 
     public static CorrectionStep ReadStep(DbDataReader row) => new(
         row.GetInt64(0), row.IsDBNull(1) ? null : State(row.GetString(1)), State(row.GetString(2)), StoredTime.From(row.GetInt64(3)), row.GetString(4), row.GetString(5));
+
+    internal static CorrectionState? StateOrNull(string word) => Array.IndexOf(Words, word) is >= 0 and var at ? (CorrectionState)at : null;
 
     private static CorrectionState State(string word)
     {

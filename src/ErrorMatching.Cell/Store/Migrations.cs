@@ -9,6 +9,9 @@ namespace ErrorMatching.Cell;
 /// <summary>The numbered steps from an empty database to the present one: the embedded files <c>NNNN_name.sql</c>. Each is one transaction with its number.</summary>
 internal static partial class Migrations
 {
+    private const string OwnTable = "CREATE TABLE IF NOT EXISTS migration (number BIGINT NOT NULL PRIMARY KEY, name TEXT NOT NULL, at "
+        + "BIGINT NOT NULL)";
+
     /// <summary>All of them, in order.</summary>
     public static IReadOnlyList<Migration> All { get; } = ReadAll();
 
@@ -21,12 +24,23 @@ internal static partial class Migrations
         database.Change((connection, transaction) =>
         {
             database.WaitForMigration(connection, transaction);
-            return connection.Execute("CREATE TABLE IF NOT EXISTS migration (number BIGINT NOT NULL PRIMARY KEY, name TEXT NOT NULL, at BIGINT NOT NULL)", transaction: transaction);
+            return connection.Execute(OwnTable, transaction: transaction);
         });
         while (Next(database, clock, auditKey, upTo))
         {
         }
     }
+
+    /// <summary>All statements by which an empty database takes the present form.</summary>
+    /// <param name="word">An engine's words for the tokens.</param>
+    public static IEnumerable<string> Statements(Func<string, string, string> word) => All.Select(m => Sql(m, word)).Prepend(OwnTable);
+
+    /// <summary>What a token is used for, such as the tables that are append-only.</summary>
+    public static IEnumerable<string> Arguments(string token) =>
+        All.SelectMany(m => Token().Matches(m.Sql)).Where(m => m.Groups["token"].Value == token).Select(m => m.Groups["argument"].Value);
+
+    private static string Sql(Migration migration, Func<string, string, string> word) =>
+        Token().Replace(migration.Sql, m => word(m.Groups["token"].Value, m.Groups["argument"].Value));
 
     private static bool Next(CellDatabase database, TimeProvider clock, byte[]? auditKey, int upTo) => database.Change((connection, transaction) =>
     {
@@ -41,7 +55,7 @@ internal static partial class Migrations
 
         var migration = All.FirstOrDefault(m => m.Number > number && m.Number <= upTo);
         if (migration is null) return false;
-        connection.Execute(Token().Replace(migration.Sql, m => database.Word(m.Groups["token"].Value, m.Groups["argument"].Value)), transaction: transaction);
+        connection.Execute(Sql(migration, database.Word), transaction: transaction);
         connection.Execute(
             "INSERT INTO migration (number, name, at) VALUES (@Number, @Name, @At)",
             new { migration.Number, migration.Name, At = StoredTime.Of(clock.GetUtcNow()) },
@@ -71,6 +85,6 @@ internal static partial class Migrations
         }
     }
 
-    [GeneratedRegex(@"\{(?<token>[a-z_]+)(:(?<argument>[a-z_]+))?\}", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(@"\{(?<token>[a-z_]+)(:(?<argument>[a-z_]+))?\}", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Token();
 }

@@ -42,11 +42,22 @@ internal sealed class PostgresDatabase : CellDatabase
         "blob" => "BYTEA",
         "identity" => "BIGINT GENERATED ALWAYS AS IDENTITY PRIMARY KEY",
         "append_only" => $"""
-            CREATE FUNCTION {argument}_is_append_only() RETURNS trigger LANGUAGE plpgsql AS 'BEGIN RAISE EXCEPTION ''{argument} is append-only''; END';
-            CREATE TRIGGER {argument}_change BEFORE UPDATE OR DELETE OR TRUNCATE ON {argument} FOR EACH STATEMENT EXECUTE FUNCTION {argument}_is_append_only();
+            CREATE FUNCTION {Keeper(argument)}() RETURNS trigger LANGUAGE plpgsql AS $${KeeperBody(argument)}$$;
+            CREATE TRIGGER {argument}_change BEFORE UPDATE OR DELETE OR TRUNCATE ON {argument}
+                FOR EACH STATEMENT EXECUTE FUNCTION {Keeper(argument)}();
             """,
         _ => throw new ArgumentOutOfRangeException(nameof(token), token, "No such token of migrations."),
     };
+
+    /// <summary>Name of the function that keeps a table append-only.</summary>
+    internal static string Keeper(string table) => table + "_is_append_only";
+
+    /// <summary>What that function does.</summary>
+    internal static string KeeperBody(string table) => $"BEGIN RAISE EXCEPTION '{table} is append-only'; END";
+
+    /// <inheritdoc/>
+    public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) =>
+        DatabaseForm.FaultOnServer(connection, transaction);
 
     /// <inheritdoc/>
     public override void Inspect() => Read(connection =>
@@ -108,7 +119,7 @@ internal sealed class PostgresDatabase : CellDatabase
         {
             PostgresException { SqlState: var state } => state switch
             {
-                "53100" => (StoreError.Full, "has no room on its disk. Nothing was changed. Make room; the cell goes on by itself."),
+                "53100" => (StoreError.Full, "has no room on its disk. Nothing was changed. Make room, then repeat what failed; a running cell repeats it by itself."),
                 "25006" => (StoreError.ReadOnly, "takes no changes: it is a standby or set read-only. Nothing was changed."),
                 "55P03" or "57014" or "40P01" => (StoreError.Locked, $"was held by another process for longer than {Patience.TotalSeconds} s. Nothing was changed."),
                 "28000" or "28P01" or "42501" => (StoreError.Denied, $"does not let the user {_settings.User} in: {failure.Message}"),

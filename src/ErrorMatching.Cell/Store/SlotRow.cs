@@ -21,6 +21,47 @@ internal static class SlotRow
         "UPDATE slot SET program_sha256 = previous_sha256, previous_sha256 = NULL, correction = @Id "
         + "WHERE machine = @Machine AND slot = @Slot AND program_sha256 = @ProgramSha256 AND (correction IS NULL OR correction = @Id)";
 
+    public const string SelectKept = "SELECT machine, slot, correction, program_sha256, previous_sha256, row_code FROM slot";
+
+    /// <summary>The condition that leaves one slot.</summary>
+    public const string One = " WHERE machine = @Machine AND slot = @Slot";
+
+    /// <summary>The row as it is coded.</summary>
+    public static CodedRow Coded(SlotHolding slot) => new(
+        NameOf(slot.Machine, slot.Slot), [slot.Machine, slot.Slot, CodedRow.Number(slot.Correction), slot.ProgramSha256,
+            slot.PreviousSha256]);
+
+    /// <summary>The row's name among coded rows.</summary>
+    public static string NameOf(string machine, string slot) =>
+        string.Create(CultureInfo.InvariantCulture, $"slot {machine.Length} {machine.ReplaceLineEndings(" ")} "
+            + $"{slot.ReplaceLineEndings(" ")}");
+
+    /// <summary>The row with its code.</summary>
+    public static KeptRow<SlotHolding> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(5));
+
+    /// <summary>Codes a slot's row as it is now; the audit entry that follows names the code.</summary>
+    public static void Code(StoreTransaction transaction, string machine, string slot)
+    {
+        var row = transaction.Key is null ? null : transaction.First(SelectKept + One, ReadKept, new { Machine = machine, Slot = slot });
+        transaction.Execute("UPDATE slot SET row_code = @Code" + One,
+            new { Machine = machine, Slot = slot, Code = row is null ? null : transaction.CodeOf(row.Coded) });
+    }
+
+    /// <summary>Makes sure that a slot's row is as it was written, before it is changed.</summary>
+    /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/>.</exception>
+    public static void Demand(StoreTransaction transaction, string machine, string slot)
+    {
+        if (transaction.Key is not null && transaction.First(SelectKept + One, ReadKept, new { Machine = machine, Slot = slot }) is { } row
+            && !row.Holds(transaction.Key))
+        {
+            throw Tampered(row);
+        }
+    }
+
+    /// <summary>What is said of a row that somebody else wrote.</summary>
+    public static StoreException Tampered(KeptRow<SlotHolding> row) =>
+        new(StoreError.Tampered, Recorded.SlotTampered.With(row.Value.Slot, row.Value.Machine));
+
     public static SlotHolding Read(DbDataReader row) =>
         new(row.GetString(0), row.GetString(1), row.IsDBNull(2) ? null : row.GetInt64(2), row.TextOrNull(3), row.TextOrNull(4));
 
@@ -42,7 +83,13 @@ internal static class SlotRow
             throw new ArgumentException(string.Create(CultureInfo.InvariantCulture, $"Correction {to.Id} cannot become {to.State} without machine, slot and program."), nameof(to));
         }
 
-        if (transaction.Execute(sql, new { to.Machine, to.Slot, to.Id, to.ProgramSha256, to.PreviousSha256 }) == 1) return;
+        Demand(transaction, to.Machine, to.Slot);
+        if (transaction.Execute(sql, new { to.Machine, to.Slot, to.Id, to.ProgramSha256, to.PreviousSha256 }) == 1)
+        {
+            Code(transaction, to.Machine, to.Slot);
+            return;
+        }
+
         var slot = transaction.First(Select, Read, new { to.Machine, to.Slot });
         if (slot?.Correction is { } holder && holder != to.Id) throw new SlotTakenException(to.Machine, to.Slot, holder);
         throw new StoreException(

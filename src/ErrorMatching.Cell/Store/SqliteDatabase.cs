@@ -21,6 +21,9 @@ internal sealed class SqliteDatabase : CellDatabase
     private SqliteConnection? _writer;
     private bool _disposed;
     private int _losses;
+    private volatile FileIdentity? _identity;
+    private (FileIdentity Identity, StoreException Reason)? _refused;
+    private StoreException? _readOnly;
 
     static SqliteDatabase() => SQLitePCL.Batteries_V2.Init();
 
@@ -35,19 +38,27 @@ internal sealed class SqliteDatabase : CellDatabase
     /// <summary>Opens a store, or makes one where there is none: under another name, so that there is a whole one or none.</summary>
     /// <param name="file">Its file.</param>
     /// <param name="prepare">Looks whether it is whole and takes it to the present form.</param>
-    public static SqliteDatabase Open(string file, Action<CellDatabase> prepare)
+    /// <param name="toRead">True if it need not be one that can be written.</param>
+    public static SqliteDatabase Open(string file, Action<CellDatabase> prepare, bool toRead = false)
     {
         var database = new SqliteDatabase(file);
         if (!File.Exists(file)) database.Make(prepare);
         return Prepared(database, d =>
         {
-            d.Prove();
+            d.Prove(toRead);
             prepare(d);
         });
     }
 
     /// <inheritdoc/>
-    public override string Word(string token, string argument) => token switch
+    public override string Word(string token, string argument) => WordOf(token, argument);
+
+    /// <inheritdoc/>
+    public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) =>
+        DatabaseForm.FaultOfFile(connection, transaction);
+
+    /// <summary>SQLite's words for the tokens of a migration.</summary>
+    internal static string WordOf(string token, string argument) => token switch
     {
         "blob" => "BLOB",
         "identity" => "INTEGER PRIMARY KEY AUTOINCREMENT",
@@ -153,6 +164,7 @@ internal sealed class SqliteDatabase : CellDatabase
         lock (_writing)
         {
             ObjectDisposedException.ThrowIf(_disposed, this);
+            if (_readOnly is not null) throw new StoreException(StoreError.ReadOnly, _readOnly.Message, _readOnly);
             DemandFile();
             var writer = _writer ??= Connect();
             try
@@ -160,6 +172,13 @@ internal sealed class SqliteDatabase : CellDatabase
                 using var transaction = writer.BeginTransaction(deferred: false);
                 var result = change(writer, transaction);
                 transaction.Commit();
+
+                // What was kept in a file that lost its name meanwhile is lost: whoever asked for it must not take it for kept.
+                if (FileIdentity.Of(_file) != _identity)
+                {
+                    throw new StoreException(StoreError.Away, $"The store {_file} was taken away while a change was kept. Look again whether it was.");
+                }
+
                 return result;
             }
             catch (SqliteException)
@@ -211,27 +230,97 @@ internal sealed class SqliteDatabase : CellDatabase
         DefaultTimeout = (int)Patience.TotalSeconds,
     }.ConnectionString;
 
-    // A file that was taken away goes on for whoever has it open, and what is written into it is lost with the last of them. What comes back in its place is opened anew.
+    // A file that was taken away stays usable for a process that has it open, and what is written into it is lost when the last one closes it.
+    // So the identity of the file is checked before each use and after each change. Another file in its place is used only if it has all that was seen here.
     private void DemandFile()
     {
-        if (File.Exists(_file)) return;
-        Interlocked.Increment(ref _losses);
-        while (_readers.TryTake(out var reader)) reader.Dispose();
+        var now = FileIdentity.Of(_file);
+        if (now is not null && now == _identity) return;
         lock (_writing)
         {
-            _writer?.Dispose();
-            _writer = null;
-        }
+            if (now is null)
+            {
+                Close();
+                throw new StoreException(
+                    StoreError.Away, $"The store {_file} is gone. Nothing was changed. Bring its disk back; programs that have it open then continue by themselves.");
+            }
 
-        throw new StoreException(StoreError.Away, $"The store {_file} is gone. Nothing was changed. Bring its disk back, or restore the latest backup; whoever has it open goes on by themselves.");
+            if (now == _identity) return;
+            if (_identity is not null)
+            {
+                if (_refused is not { } refused || refused.Identity != now)
+                {
+                    Close();
+                    _refused = WhyNotTheSame() is { } reason ? (now, reason) : null;
+                }
+
+                if (_refused is { } still) throw new StoreException(still.Reason.Error, still.Reason.Message, still.Reason);
+            }
+
+            _identity = now;
+        }
     }
 
-    private SqliteConnection Connect() => Prepared(new SqliteConnection(ConnectionString(_file)), connection =>
+    private void Close()
+    {
+        Interlocked.Increment(ref _losses);
+        while (_readers.TryTake(out var reader)) reader.Dispose();
+        _writer?.Dispose();
+        _writer = null;
+    }
+
+    // Why the file that has the store's name now is not the store as it was last seen here; null if it is. It is only read, never changed.
+    private StoreException? WhyNotTheSame()
+    {
+        // The log of the file before would be read into this one.
+        if (new FileInfo(_file + "-wal") is { Exists: true, Length: > 0 }) return Replaced("the log beside it belongs to the file before");
+        if (Seen is not { } seen) return null;
+        try
+        {
+            var how = new SqliteConnectionStringBuilder { DataSource = _file, Mode = SqliteOpenMode.ReadOnly, Pooling = false };
+            using var connection = new SqliteConnection(how.ConnectionString);
+            connection.Open();
+            if (connection.QuerySingle<int>("PRAGMA application_id") != ApplicationId) return Replaced("it is no store of a cell");
+            var head = AuditRow.Head(connection, null, "");
+            var hash = connection.QueryFirstOrDefault<string>("SELECT hash FROM audit WHERE seq = @Seq", new { seen.Seq });
+            return head.Seq < seen.Seq ? Replaced(FormattableString.Invariant($"it lacks entries {head.Seq + 1} to {seen.Seq} of the audit trail"))
+                : hash != seen.Hash ? Replaced(FormattableString.Invariant($"entry {seen.Seq} of its audit trail is another one"))
+                : null;
+        }
+        catch (SqliteException e)
+        {
+            return Replaced($"it cannot be read: {e.Message}");
+        }
+    }
+
+    private StoreException Replaced(string why) => new(
+        StoreError.Replaced,
+        $"Another file replaced the store {_file} while it was open: {why}. Nothing is written into it. Stop the cell and its stations, "
+        + "bring the right file back or restore the latest backup (errormatch cell restore), then start them again.");
+
+    private SqliteConnection Connect() => _readOnly is not null ? ConnectToRead()
+        : Prepared(new SqliteConnection(ConnectionString(_file)), connection =>
     {
         connection.Open();
+        if (FileIdentity.Of(_file) != _identity)
+        {
+            throw new StoreException(StoreError.Away, $"The store {_file} was taken away while it was opened. Nothing was changed.");
+        }
+
         connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA busy_timeout = {(long)Patience.TotalMilliseconds}"));
         connection.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     });
+
+    // In a folder that nobody can write SQLite finds no room for its index of the log. Where there is no log and no index, nobody writes,
+    // and the file is all there is. Source: sqlite.org/wal.html, read-only databases.
+    private SqliteConnection ConnectToRead()
+    {
+        var isAlone = !File.Exists(_file + "-shm") && (new FileInfo(_file + "-wal") is { Exists: false } or { Length: 0 });
+        var source = isAlone ? new Uri(Path.GetFullPath(_file)).AbsoluteUri + "?immutable=1" : _file;
+        return Prepared(new SqliteConnection(
+            new SqliteConnectionStringBuilder { DataSource = source, Mode = SqliteOpenMode.ReadOnly, Pooling = false }.ConnectionString),
+            connection => connection.Open());
+    }
 
     // A store has hashes of passwords: whoever else may read it is its owner's decision, not the umask's. Its log follows it.
     internal static void MakeForOwner(string file)
@@ -284,7 +373,7 @@ internal sealed class SqliteDatabase : CellDatabase
 
     // What SQLite itself would take for a new and empty database, or would only find when it first writes. The file itself must never be opened here: where locks belong to processes, as on Linux,
     // closing it would take away those that SQLite has on it, and another process would take itself for the last one and delete the log.
-    private void Prove()
+    private void Prove(bool toRead)
     {
         if (new FileInfo(_file).Length == 0) throw new StoreException(StoreError.Damaged, $"The store {_file} is empty. Restore the latest backup.");
         try
@@ -293,13 +382,17 @@ internal sealed class SqliteDatabase : CellDatabase
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            throw new StoreException(StoreError.ReadOnly, $"The folder of the store {_file} cannot be written: {failure.Message} Make the disk and the folder writable for the user that runs the cell.", failure);
+            _readOnly = new StoreException(StoreError.ReadOnly, $"The folder of the store {_file} cannot be written: {failure.Message} "
+                + $"Make the disk and the folder writable for the user that runs the cell.", failure);
         }
 
-        if (Read(connection => SQLitePCL.raw.sqlite3_db_readonly(((SqliteConnection)connection).Handle, "main")) == 1)
+        if (_readOnly is null && Read(connection => SQLitePCL.raw.sqlite3_db_readonly(((SqliteConnection)connection).Handle, "main")) == 1)
         {
-            throw new StoreException(StoreError.ReadOnly, $"The store {_file} cannot be written. Make the file writable for the user that runs the cell.");
+            _readOnly = new StoreException(StoreError.ReadOnly, $"The store {_file} cannot be written. Make the file writable for the "
+                + $"user that runs the cell.");
         }
+
+        if (_readOnly is not null && !toRead) throw _readOnly;
 
         var id = Read(connection => connection.QuerySingle<int>("PRAGMA application_id"));
         if (id != ApplicationId) throw new StoreException(StoreError.Foreign, $"{_file} is a database, but not of a cell. Name another file as the store.");
@@ -307,7 +400,8 @@ internal sealed class SqliteDatabase : CellDatabase
 
     private StoreException Damaged(string found, Exception? cause) => new(StoreError.Damaged, $"The store {_file} is damaged: {found.Trim()} Restore the latest backup.", cause);
 
-    private StoreException Full(Exception cause) => new(StoreError.Full, $"The disk of the store {_file} is full. Nothing was changed. Make room; the cell goes on by itself.", cause);
+    private StoreException Full(Exception cause) => new(
+        StoreError.Full, $"The disk of the store {_file} is full. Nothing was changed. Make room, then repeat what failed; a running cell repeats it by itself.", cause);
 
     private StoreException Named(SqliteException failure) => failure.SqliteErrorCode switch
     {

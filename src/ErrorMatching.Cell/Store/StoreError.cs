@@ -12,6 +12,9 @@ public enum StoreError
     /// <summary>What was read is not what was written: a page, a file or a content is damaged.</summary>
     Damaged,
 
+    /// <summary>Somebody else wrote to it: a row, the audit trail or the form of the database is not what the cell left.</summary>
+    Tampered,
+
     /// <summary>The database is another program's.</summary>
     Foreign,
 
@@ -32,6 +35,9 @@ public enum StoreError
 
     /// <summary>The disk reported an error.</summary>
     Disk,
+
+    /// <summary>Another file took the store's place while it was open, and lacks what was kept.</summary>
+    Replaced,
 
     /// <summary>The server does not answer, or the connection broke. If it broke while a change was being kept, read again whether it was.</summary>
     Away,

@@ -11,6 +11,7 @@ internal sealed class StoreTransaction
     private readonly byte[]? _auditKey;
     private readonly DbTransaction _transaction;
     private readonly AuditHead _before;
+    private readonly Dictionary<string, string> _rowCodes = new(StringComparer.Ordinal);
     private AuditHead _head;
 
     private StoreTransaction(DbConnection connection, DbTransaction transaction, AuditHead head, DateTimeOffset now, byte[]? auditKey)
@@ -24,6 +25,12 @@ internal sealed class StoreTransaction
 
     /// <summary>The time of everything in this change.</summary>
     public DateTimeOffset Now { get; }
+
+    /// <summary>Where the audit trail ends now.</summary>
+    public AuditHead Head => _head;
+
+    /// <summary>The database's own transaction.</summary>
+    public DbTransaction Transaction => _transaction;
 
     /// <summary>The connection; statements on it belong to this change.</summary>
     public DbConnection Connection { get; }
@@ -48,6 +55,13 @@ internal sealed class StoreTransaction
     public T? First<T>(string sql, Func<DbDataReader, T> row, object? parameters = null)
         where T : class => Rows.First(Connection, sql, row, parameters, _transaction);
 
+    /// <summary>The key by which rows are coded and the end of the trail is sealed; null for none.</summary>
+    public byte[]? Key => _auditKey;
+
+    /// <summary>The code of a row as it is written now, which the next audit entry names.</summary>
+    /// <returns>Null without a key.</returns>
+    public string? CodeOf(CodedRow row) => _auditKey is null ? null : _rowCodes[row.Name] = row.Code(_auditKey);
+
     /// <summary>Appends an entry to the audit trail.</summary>
     public void Audit(string who, string what, string? subject, string basis)
     {
@@ -58,24 +72,48 @@ internal sealed class StoreTransaction
                 $"The clock says {Now:yyyy-MM-dd HH:mm:ss.ffffff} UTC and said {_head.At:yyyy-MM-dd HH:mm:ss.ffffff} before; entries are in order of their numbers."));
         }
 
-        Append(StoredText.Name(who), StoredText.Name(what), StoredText.NameOrNull(subject), StoredText.Sentence(basis));
+        var rows = _rowCodes.Count == 0 ? null : CodedRow.Lines(_rowCodes.Select(r => (r.Key, r.Value)));
+        _rowCodes.Clear();
+        Append(StoredText.Name(who), StoredText.Name(what), StoredText.NameOrNull(subject), StoredText.Sentence(basis), rows);
     }
 
     /// <summary>Keeps where the audit trail ends now.</summary>
-    public void Finish()
+    /// <returns>Where it ends.</returns>
+    /// <exception cref="InvalidOperationException">A row was coded, and no entry of the trail named its code.</exception>
+    public AuditHead Finish()
     {
-        if (_head == _before) return;
-        Execute(
-            "UPDATE audit_head SET seq = @Seq, at = @At, hash = @Hash, seal = @Seal WHERE only_row = 1",
-            new { _head.Seq, At = StoredTime.Of(_head.At), _head.Hash, _head.Seal });
+        if (_rowCodes.Count > 0) throw new InvalidOperationException($"No audit entry names the code of {_rowCodes.First().Key}.");
+        if (_head != _before)
+        {
+            Execute(
+                "UPDATE audit_head SET seq = @Seq, at = @At, hash = @Hash, seal = @Seal WHERE only_row = 1",
+                new { _head.Seq, At = StoredTime.Of(_head.At), _head.Hash, _head.Seal });
+        }
+
+        return _head;
     }
 
-    private void Append(string who, string what, string? subject, string basis)
+    private void Append(string who, string what, string? subject, string basis, string? rowCodes = null)
     {
-        var entry = AuditEntry.After(_head.Hash, _head.Seq + 1, Now, who, what, subject, basis);
+        var entry = AuditEntry.After(_head.Hash, _head.Seq + 1, Now, who, what, subject, basis, rowCodes);
+
+        // The first entry of a store is written when its form knows no codes of rows yet.
+        var (column, value) = entry.RowCodes is null ? ("", "") : (", row_codes", ", @RowCodes");
         Execute(
-            "INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash) VALUES (@Seq, @At, @Who, @What, @Subject, @Basis, @Previous, @Hash)",
-            new { entry.Seq, At = StoredTime.Of(Now), entry.Who, entry.What, entry.Subject, entry.Basis, entry.Previous, entry.Hash });
+            $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash{column}) VALUES (@Seq, @At, @Who, @What, @Subject, "
+                + $"@Basis, @Previous, @Hash{value})",
+            new
+            {
+                entry.Seq,
+                At = StoredTime.Of(Now),
+                entry.Who,
+                entry.What,
+                entry.Subject,
+                entry.Basis,
+                entry.Previous,
+                entry.Hash,
+                entry.RowCodes,
+            });
         _head = _head.With(entry, _auditKey, begins: what == "created" && _head.Seq == 0);
     }
 }

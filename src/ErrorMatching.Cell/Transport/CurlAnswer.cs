@@ -98,9 +98,9 @@ internal sealed partial class CurlAnswer
         _ => "",
     };
 
-    [GeneratedRegex(@"errormatch-answer (?<code>[0-9]{3})\s*", RegexOptions.None, 1000)]
+    [GeneratedRegex(@"errormatch-answer (?<code>[0-9]{3})\s*", RegexOptions.None, Timeout.Infinite)]
     private static partial Regex Response();
 
-    [GeneratedRegex(@"\Acurl: \(\d+\) ", RegexOptions.None, 1000)]
+    [GeneratedRegex(@"\Acurl: \(\d+\) ", RegexOptions.None, Timeout.Infinite)]
     private static partial Regex Prefix();
 }

@@ -7,6 +7,10 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
 
     public string Machine => machine;
 
+    /// <summary>Called with each operation, and each time that something is brought onto the disk, where it is done; tests see the order,
+    /// and hang there as a share may.</summary>
+    internal Action<string>? Doing { get; init; }
+
     public Task<IReadOnlyList<string>> ListAsync(CancellationToken cancellation) => DoAsync<IReadOnlyList<string>>(
         "listing " + folder,
         () => [.. Directory.EnumerateFiles(folder).Select(f => Path.GetFileName(f))],
@@ -41,6 +45,7 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
                 using (var file = new FileStream(path, FileMode.Create, FileAccess.Write, FileShare.None))
                 {
                     file.Write(bytes.Span);
+                    Doing?.Invoke("syncing " + path);
                     file.Flush(flushToDisk: true);
                 }
 
@@ -57,8 +62,16 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
             () =>
             {
                 File.Move(fromPath, toPath, overwrite: true);
+                SyncNames();
                 return Read(toPath, mostBytes);
             },
+            cancellation);
+    }
+
+    public Task<ReplacedProgram?> ReplaceAsync(string from, string to, string aside, long mostBytes, CancellationToken cancellation)
+    {
+        var (fromPath, toPath, asidePath) = (PathOf(from), PathOf(to), PathOf(aside));
+        return DoAsync($"replacing {toPath}", () => OperatingSystem.IsLinux() ? Replace(fromPath, toPath, asidePath, mostBytes) : null,
             cancellation);
     }
 
@@ -75,18 +88,88 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
             cancellation);
     }
 
+    // The new program takes the third name before the two are exchanged: so a cut leaves under that name one or the other, and never half a
+    // transfer.
+    private ReplacedProgram? Replace(string from, string to, string aside, long mostBytes)
+    {
+        if (from != aside && LinuxCalls.RenameToFree(from, aside) != true)
+            return null;
+        while (true)
+        {
+            switch (LinuxCalls.Exchange(aside, to))
+            {
+                case true:
+                    return Exchanged(to, aside, mostBytes);
+                case null:
+                    GiveBack();
+                    return null;
+            }
+
+            // Nothing has the program's name.
+            switch (LinuxCalls.RenameToFree(aside, to))
+            {
+                case true:
+                    SyncNames();
+                    return new(Read(to, mostBytes), null);
+                case null:
+                    GiveBack();
+                    return null;
+            }
+        }
+
+        void GiveBack()
+        {
+            if (from != aside)
+                File.Move(aside, from);
+        }
+    }
+
+    private ReplacedProgram Exchanged(string to, string aside, long mostBytes)
+    {
+        byte[] was;
+        try
+        {
+            was = Read(aside, mostBytes);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or TransportException)
+        {
+            // What nobody can read nobody can keep: it gets its place back.
+            LinuxCalls.Exchange(aside, to);
+            throw;
+        }
+
+        var there = Read(to, mostBytes);
+        SyncNames();
+        return new(there, was);
+    }
+
+    // What is only renamed in memory is the old program again after a power cut. Windows brings names onto the disk by itself, by its
+    // journal.
+    private void SyncNames()
+    {
+        if (OperatingSystem.IsLinux())
+        {
+            Doing?.Invoke("syncing " + folder);
+            LinuxCalls.SyncFolder(folder);
+        }
+    }
+
     private string PathOf(string name) => ProgramNames.IsPlain(name)
         ? Path.Combine(folder, name)
         : throw TransportFailure.Of(TransportError.Denied, machine, $"reaching '{name}' in {folder}", "this is no plain file name");
 
     private byte[] Read(string path, long mostBytes)
     {
-        using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
-        if (file.Length > mostBytes)
-            throw TransportFailure.Of(TransportError.TooLarge, machine, "reading " + path, $"it has {file.Length} bytes, at most {mostBytes} are read");
-        var bytes = new byte[file.Length];
-        var read = file.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false);
-        return bytes[..read];
+        using var file = PlainFile.Open(path, FileShare.ReadWrite | FileShare.Delete);
+        var length = RandomAccess.GetLength(file);
+        if (length > mostBytes)
+            throw TransportFailure.Of(TransportError.TooLarge, machine, "reading " + path,
+                $"it has {length} bytes, at most {mostBytes} are read");
+        var bytes = new byte[length];
+        var count = 0;
+        for (int read; count < bytes.Length && (read = RandomAccess.Read(file, bytes.AsSpan(count), count)) > 0;)
+            count += read;
+        return bytes[..count];
     }
 
     private async Task<T> DoAsync<T>(string doing, Func<T> work, CancellationToken cancellation)
@@ -97,6 +180,8 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
         var working = Task.Run(
             () =>
             {
+                Doing?.Invoke(doing);
+
                 // A share that is not mounted must not be mistaken for an empty one.
                 if (!Directory.Exists(folder))
                     throw TransportFailure.Of(TransportError.Away, machine, doing, $"the folder {folder} is not there");
@@ -127,6 +212,7 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
     private static TransportError ErrorOf(Exception failure) => failure switch
     {
         UnauthorizedAccessException => TransportError.Denied,
+        NotPlainFileException => TransportError.NotAFile,
         FileNotFoundException => TransportError.Unknown,
         DirectoryNotFoundException or DriveNotFoundException => TransportError.Away,
         PathTooLongException => TransportError.Denied,

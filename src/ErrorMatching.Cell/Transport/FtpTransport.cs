@@ -78,6 +78,10 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         return result.Output;
     }
 
+    // The protocol has no word for it.
+    public Task<ReplacedProgram?> ReplaceAsync(string from, string to, string aside, long mostBytes, CancellationToken cancellation) =>
+        Task.FromResult<ReplacedProgram?>(null);
+
     public async Task DeleteAsync(string name, CancellationToken cancellation)
     {
         var doing = $"deleting {name}";

@@ -26,6 +26,19 @@ public interface IMachineFolder
     /// <exception cref="TransportException">With <see cref="TransportError.CannotReplace"/> if the server does not rename over an existing file, or refuses this name for another reason.</exception>
     Task<byte[]> RenameAsync(string from, string to, long mostBytes, CancellationToken cancellation);
 
+    /// <summary>
+    /// Renames a file over a program, keeps what was there under a third name, and reads both. So a change of the last moment is not lost
+    /// but found there. The program's name has one of the two at every instant; what a cut
+    /// leaves under the third name is either of them, whole.
+    /// </summary>
+    /// <param name="from">The file; it may have the third name already.</param>
+    /// <param name="to">The program's name.</param>
+    /// <param name="aside">The third name, which nothing else may have. Nothing has it afterward if nothing had the program's name.</param>
+    /// <param name="mostBytes">More is not read.</param>
+    /// <param name="cancellation">Ends it at once.</param>
+    /// <returns>Null if the transport cannot do it: nothing is changed then.</returns>
+    Task<ReplacedProgram?> ReplaceAsync(string from, string to, string aside, long mostBytes, CancellationToken cancellation);
+
     /// <summary>Deletes a file; none of this name is no error.</summary>
     Task DeleteAsync(string name, CancellationToken cancellation);
 }

@@ -37,18 +37,21 @@ public static partial class ProgramNames
 
     private static bool HasSuffix(string name, string suffix) => name.EndsWith(suffix, StringComparison.OrdinalIgnoreCase);
 
-    [GeneratedRegex(@"\A[A-Za-z0-9_]([A-Za-z0-9._-]{0,62}[A-Za-z0-9_-])?\z", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(@"\A[A-Za-z0-9_]([A-Za-z0-9._-]{0,62}[A-Za-z0-9_-])?\z", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Allowed();
 
-    [GeneratedRegex(@"\A(CON|PRN|AUX|NUL|COM[0-9]|LPT[0-9])(\.|\z)", RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, 1000)]
+    [GeneratedRegex(
+        @"\A(CON|PRN|AUX|NUL|COM[0-9]|LPT[0-9])(\.|\z)",
+        RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant,
+        Timeout.Infinite)]
     private static partial Regex Reserved();
 
-    [GeneratedRegex("""\A(?![-.])[ -~-[/\\"'*?\[\]<>|:%]]{1,120}(?<![ .])\z""", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex("""\A(?![-.])[ -~-[/\\"'*?\[\]<>|:%]]{1,120}(?<![ .])\z""", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Plain();
 
-    [GeneratedRegex(@"\A[A-Za-z0-9]{1,32}\z", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(@"\A[A-Za-z0-9]{1,32}\z", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Tag();
 
-    [GeneratedRegex(@"\A[A-Za-z0-9]{1,32}-[0-9a-f]{8}\z", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(@"\A[A-Za-z0-9]{1,32}-[0-9a-f]{8}\z", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex TagAndNumber();
 }

@@ -31,6 +31,8 @@ internal static class SftpAnswer
         if (Says("Connection closed", "Connection reset", "Connection refused", "Connection lost", "Broken pipe", "Could not resolve", "No route to host", "Network is unreachable",
                 "banner", "Bad packet length", "message authentication code incorrect", "Corrupted MAC", "padding error", "disconnected", "not respond"))
             return TransportError.Away;
+        if (Says("not a regular file"))
+            return TransportError.NotAFile;
         if (Says("subsystem request failed"))
             return TransportError.Denied;
         if (Says("Permission denied", "No such file", "not found", "Operation unsupported"))

@@ -67,6 +67,40 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
         return await FetchedAsync(doing, file, mostBytes, cancellation).ConfigureAwait(false);
     }
 
+    /// <summary>
+    /// A second name for the program, then the renaming, in one session. What is written into the old program's file in between is found
+    /// under the second name; what takes its place by a renaming of its own just then is lost,
+    /// for SFTP cannot exchange two names.
+    /// </summary>
+    public async Task<ReplacedProgram?> ReplaceAsync(string from, string to, string aside, long mostBytes, CancellationToken cancellation)
+    {
+        using var local = new PrivateFolder();
+        var doing = $"replacing {to}";
+        var (there, was) = (local["there"], local["was"]);
+        string[] batch =
+        [
+            $"ln {Name(doing, to)} {Name(doing, aside)}", $"rename {Name(doing, from)} {Name(doing, to)}",
+            $"get {Name(doing, to)} {Quoted(there)}", $"get {Name(doing, aside)} {Quoted(was)}",
+        ];
+        var result = await RunAsync(doing, local, batch, () => IsLarger(there, mostBytes) || IsLarger(was, mostBytes),
+            cancellation).ConfigureAwait(false);
+
+        // No program is there, a file has the second name, or the server knows none: nothing is changed.
+        if (SftpAnswer.FailedAt(result, "ln"))
+            return null;
+        if (SftpAnswer.FailedAt(result, "rename"))
+        {
+            // It does not rename over a file. The second name is the program's own.
+            await DeleteAsync(aside, cancellation).ConfigureAwait(false);
+            return null;
+        }
+
+        Demand(doing, result);
+        return new(
+            await FetchedAsync(doing, there, mostBytes, cancellation).ConfigureAwait(false),
+                await FetchedAsync(doing, was, mostBytes, cancellation).ConfigureAwait(false));
+    }
+
     public async Task DeleteAsync(string name, CancellationToken cancellation)
     {
         using var local = new PrivateFolder();

@@ -30,6 +30,9 @@ public enum TransportError
     /// <summary>The file at the machine is larger than what is read.</summary>
     TooLarge,
 
+    /// <summary>Something has the file's name and is none: a link, a pipe, a device or a folder.</summary>
+    NotAFile,
+
     /// <summary>A program that this machine lacks: <c>curl</c> or <c>sftp</c>.</summary>
     ToolMissing,
 

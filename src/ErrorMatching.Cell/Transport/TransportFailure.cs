@@ -23,6 +23,8 @@ internal static class TransportFailure
         TransportError.CannotReplace => "The program there may be protected or in use: close it at the control.",
         TransportError.Differs => "Look for a bad cable or a failing disk at the machine.",
         TransportError.TooLarge => "Check at the machine what this file is.",
+        TransportError.NotAFile =>
+            "Nothing was opened or followed. Look at the machine who put it there, and remove it: a program is a plain file.",
         TransportError.ToolMissing => "Install it on this computer (docs/connect-a-machine.md says how) so that it is found by PATH.",
         _ => "Look into the machine's own log; if it stays, send this message to who looks after the cell.",
     };

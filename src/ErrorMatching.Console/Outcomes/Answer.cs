@@ -1,3 +1,5 @@
+using System.Text;
+
 namespace ErrorMatching.Console;
 
 /// <summary>A result, which can be written for a script and for a person.</summary>
@@ -8,6 +10,9 @@ internal abstract class Answer : Outcome
 
     /// <summary>The one JSON document of the result: UTF-8 without a byte order mark, with a line end behind it.</summary>
     public abstract byte[] ToJson();
+
+    /// <summary>Writes that document, in parts where it is long.</summary>
+    public virtual void WriteJson(TextWriter output) => output.Write(Encoding.UTF8.GetString(ToJson()));
 
     /// <summary>Writes the text for people.</summary>
     public abstract void WriteText(Page page);

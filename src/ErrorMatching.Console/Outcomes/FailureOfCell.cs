@@ -31,7 +31,7 @@ internal static class FailureOfCell
     });
 
     /// <summary>An audit trail that is not as it was written.</summary>
-    public static Failure Audit(AuditFinding finding) => new(ExitCode.Refused, new ErrorItem(CodeOf(finding.Fault!.Kind), finding.Message));
+    public static Failure Audit(AuditFault fault) => new(ExitCode.Refused, new ErrorItem(CodeOf(fault.Kind), fault.Message));
 
     /// <summary>The code of something about people.</summary>
     public static string CodeOf(PeopleError error) => error switch
@@ -40,6 +40,8 @@ internal static class FailureOfCell
         PeopleError.SignInRefused => "sign-in-refused",
         PeopleError.LockedOut => "locked-out",
         PeopleError.UserDisabled => "user-disabled",
+        PeopleError.UnknownRole => "unknown-role",
+        PeopleError.Tampered => "user-tampered",
         PeopleError.NotAllowed => "not-allowed",
         PeopleError.NotSigned => "not-signed",
         PeopleError.BadUserName => "bad-user-name",
@@ -50,6 +52,7 @@ internal static class FailureOfCell
         PeopleError.BadSecret => "bad-secret",
         PeopleError.SecretUnreadable => "secret-unreadable",
         PeopleError.KeysUnusable => "keys-unusable",
+        PeopleError.KeysMissing => "keys-missing",
         _ => throw new ArgumentOutOfRangeException(nameof(error), error, "An error about people without a code."),
     };
 
@@ -59,6 +62,7 @@ internal static class FailureOfCell
         StoreError.Conflict => "store-conflict",
         StoreError.Missing => "store-missing",
         StoreError.Damaged => "store-damaged",
+        StoreError.Tampered => "store-tampered",
         StoreError.Foreign => "store-foreign",
         StoreError.TooNew => "store-too-new",
         StoreError.Locked => "store-locked",
@@ -66,6 +70,7 @@ internal static class FailureOfCell
         StoreError.ReadOnly => "store-read-only",
         StoreError.Denied => "store-denied",
         StoreError.Disk => "store-disk",
+        StoreError.Replaced => "store-replaced",
         StoreError.Away => "store-away",
         StoreError.NotSupported => "store-not-supported",
         StoreError.Unknown => "store-unknown",
@@ -79,21 +84,27 @@ internal static class FailureOfCell
         AuditFaultKind.Removed => "audit-removed",
         AuditFaultKind.Inserted => "audit-inserted",
         AuditFaultKind.Reordered => "audit-reordered",
+        AuditFaultKind.NotAllowed => "audit-not-allowed",
+        AuditFaultKind.RowDiffers => "audit-row-differs",
+        AuditFaultKind.FormDiffers => "audit-form-differs",
         AuditFaultKind.Unsealed => "audit-unsealed",
+        AuditFaultKind.KeysMissing => "keys-missing",
+        AuditFaultKind.WitnessMissing => "audit-seen-missing",
         _ => throw new ArgumentOutOfRangeException(nameof(error), error, "A broken audit trail without a code."),
     };
 
     // What was typed can be typed better; what is refused stays refused until somebody else does something.
     private static ExitCode ExitOf(PeopleError error) => error switch
     {
-        PeopleError.LockedOut or PeopleError.UserDisabled or PeopleError.NotAllowed or PeopleError.NotSigned or PeopleError.LastAdministrator or PeopleError.SecretUnreadable => ExitCode.Refused,
+        PeopleError.LockedOut or PeopleError.UserDisabled or PeopleError.UnknownRole or PeopleError.Tampered or PeopleError.KeysMissing
+            or PeopleError.NotAllowed or PeopleError.NotSigned or PeopleError.LastAdministrator or PeopleError.SecretUnreadable => ExitCode.Refused,
         PeopleError.KeysUnusable => ExitCode.Outside,
         _ => ExitCode.WrongInput,
     };
 
     private static ExitCode ExitOf(StoreError error) => error switch
     {
-        StoreError.Conflict => ExitCode.Refused,
+        StoreError.Conflict or StoreError.Tampered or StoreError.Replaced => ExitCode.Refused,
         StoreError.Missing or StoreError.Foreign or StoreError.TooNew or StoreError.NotSupported => ExitCode.WrongInput,
         _ => ExitCode.Outside,
     };

@@ -19,7 +19,7 @@ internal static class OutcomeWriter
         switch (outcome)
         {
             case Answer answer when isJson:
-                terminal.Output.Write(Encoding.UTF8.GetString(answer.ToJson()));
+                answer.WriteJson(terminal.Output);
                 break;
             case Answer answer:
                 answer.WriteText(new Page(terminal.Output, terminal.HasColor));
@@ -40,6 +40,13 @@ internal static class OutcomeWriter
     public static byte[] Json(string schema, Action<Utf8JsonWriter> write)
     {
         using var stream = new MemoryStream();
+        Json(stream, schema, write);
+        return stream.ToArray();
+    }
+
+    /// <summary>Writes such a document into a stream; whoever writes a long one flushes the writer on the way.</summary>
+    public static void Json(Stream stream, string schema, Action<Utf8JsonWriter> write)
+    {
         using (var json = new Utf8JsonWriter(stream, Options))
         {
             json.WriteStartObject();
@@ -49,7 +56,6 @@ internal static class OutcomeWriter
         }
 
         stream.WriteByte((byte)'\n');
-        return stream.ToArray();
     }
 
     private static void WriteErrors(Terminal terminal, Failure? failure)

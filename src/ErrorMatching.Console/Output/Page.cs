@@ -29,7 +29,7 @@ internal sealed class Page(TextWriter writer, bool hasColor)
     }
 
     /// <summary>Writes a text with line ends of its own.</summary>
-    public void Text(string text) => writer.Write(text);
+    public void Text(ReadOnlySpan<char> text) => writer.Write(text);
 
     /// <summary>Writes a table: columns as wide as their widest cell and two spaces apart, numbers to the right, text to the left.</summary>
     /// <param name="headings">One heading per column.</param>

@@ -49,7 +49,7 @@ internal static class CommandTree
             new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellAgain(), new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellSecret(),
         },
         "user" => new Command(word, "Says who may do what at a cell.") { new UserAdd(), new UserList(), new UserDisable(), new UserEnable(), new UserRole(), new UserPassword() },
-        "audit" => new Command(word, "Proves and hands out what was done at a cell, and by whom.") { new AuditVerify(), new AuditExport() },
+        "audit" => new Command(word, "Proves and hands out what was done at a cell, and by whom.") { new AuditVerify(), new AuditExport(), new AuditTakeOver() },
         "fit" => new Command(word, "Fits curves to measured points.") { new FitLine(), new FitPolynomial(), new FitCircle() },
         _ => throw new ArgumentOutOfRangeException(nameof(word), word, "No command begins so."),
     };

@@ -49,8 +49,8 @@ public sealed record FreeformJob
 
     internal IReadOnlyDictionary<string, JsonPlace> Places { get; init; } = new Dictionary<string, JsonPlace>();
 
-    /// <summary>Where the file names another file, a dialect or a template.</summary>
-    /// <param name="path">The JSON path, such as <c>$.surface</c>, <c>$.toolpath.dialect</c>, <c>$.measuring.dialect</c> or <c>$.measuring.template</c>.</param>
+    /// <summary>Where the file names another file, a dialect, a template or a tool.</summary>
+    /// <param name="path">The JSON path, such as <c>$.surface</c>, <c>$.toolpath.dialect</c>, <c>$.measuring.template</c>, <c>$.toolpath.tool.name</c> or <c>$.measuring.cutBy</c>.</param>
     /// <returns>Null if it does not.</returns>
     public JsonPlace? PlaceOf(string path) => Places.TryGetValue(path, out var place) ? place : null;
 

@@ -20,8 +20,21 @@ internal sealed class FreeformJobReader(JsonItem root)
         Fit = ReadFit(),
         Toolpath = ReadToolpath(root["toolpath"]),
         Compensation = ReadMirror(),
-        Places = new[] { root["surface"], root["toolpath"]["dialect"], root["measuring"]["dialect"], root["measuring"].Find("template") }.OfType<JsonItem>().ToDictionary(i => i.Path, i => i.Place),
+        Places = Named().OfType<JsonItem>().ToDictionary(i => i.Path, i => i.Place),
     };
+
+    // What names a file, a dialect or a tool, which is looked at later.
+    private IEnumerable<JsonItem?> Named()
+    {
+        yield return root["surface"];
+        foreach (var program in new[] { root["toolpath"], root["measuring"] })
+        {
+            yield return program["dialect"];
+            yield return program.Find("template");
+            yield return program.Find("tool")?.Find("name");
+            yield return program.Find("cutBy");
+        }
+    }
 
     private JobStock ReadStock()
     {
@@ -74,6 +87,8 @@ internal sealed class FreeformJobReader(JsonItem root)
             FeedMmPerMin = item.Find("feedMmPerMin")?.Number ?? 100,
             Dialect = item["dialect"].Text,
             Template = item.Find("template")?.Text,
+            Tool = ReadToolCall(item.Find("tool")),
+            CutBy = item.Find("cutBy")?.Text,
             ReportsStylusCenter = item.Find("reports")?.Text == "stylus-center",
             After = item.Find("measuredAfter")?.Text == "finishing" ? CuttingStage.Finishing : CuttingStage.SemiFinishing,
             UncertaintyMm = item.Find("uncertaintyMm")?.Number ?? 0.000125,
@@ -88,7 +103,7 @@ internal sealed class FreeformJobReader(JsonItem root)
             item.Find("of")?.Text != "points",
             item.Find("curveToleranceMm")?.Number ?? JobFit.Default.CurveToleranceMm);
 
-    private static JobToolpath ReadToolpath(JsonItem item) => new()
+    private JobToolpath ReadToolpath(JsonItem item) => new()
     {
         AlongU = item.Find("direction")?.Text != "v",
         Zigzag = item.Find("passes")?.Text == "zigzag",
@@ -97,7 +112,30 @@ internal sealed class FreeformJobReader(JsonItem root)
         ClearanceMm = item.Find("clearanceMm")?.Number ?? 10,
         ProgramsTip = item.Find("programs")?.Text == "tip",
         Dialect = item["dialect"].Text,
+        Template = item.Find("template")?.Text,
+        Tool = ReadToolCall(item.Find("tool")),
     };
+
+    private ToolCall? ReadToolCall(JsonItem? item)
+    {
+        if (item is null)
+        {
+            return null;
+        }
+
+        var (number, name) = (item.Find("number"), item.Find("name"));
+        if (number is null == name is null)
+        {
+            var (code, found) = number is null ? ("tool-missing", "a tool without number and name") : ("tool-twice", "a tool by number and by name");
+            Refuse(item, code, found, "\"number\", or on a control that knows names \"name\"");
+        }
+        else if (name is not null && !ToolCall.IsName(name.Text))
+        {
+            Refuse(name, "bad-tool-name", $"the name {ProbingLogReader.Shown(name.Text)}", $"at most {ToolCall.MostCharacters} letters, digits, spaces and _ - . + / #");
+        }
+
+        return new((int?)number?.Number, name?.Text, (int)item["lengthOffset"].Number);
+    }
 
     private JobMirror ReadMirror() => root.Find("compensation") is not { } item
         ? JobMirror.Default

@@ -36,6 +36,12 @@ public sealed record JobMeasuring
     /// <summary>The shop's own template of the probing program, relative to the job; null for the dialect's.</summary>
     public string? Template { get; init; }
 
+    /// <summary>The probe as the control calls it; null if the template says how it comes into the spindle.</summary>
+    public ToolCall? Tool { get; init; }
+
+    /// <summary>The program that cut the measured piece, relative to the job; null if the job does not say.</summary>
+    public string? CutBy { get; init; }
+
     /// <summary>True if files hold centers of the stylus ball, false if they hold points of contact.</summary>
     public required bool ReportsStylusCenter { get; init; }
 

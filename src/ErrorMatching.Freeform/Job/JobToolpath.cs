@@ -23,4 +23,10 @@ public sealed record JobToolpath
 
     /// <summary>Dialect of the program.</summary>
     public required string Dialect { get; init; }
+
+    /// <summary>The shop's own template of what stands around the moves, relative to the job; null for the dialect's.</summary>
+    public string? Template { get; init; }
+
+    /// <summary>The tool that the program calls; null if the job does not say, so that the program begins with a stop and an alarm.</summary>
+    public ToolCall? Tool { get; init; }
 }

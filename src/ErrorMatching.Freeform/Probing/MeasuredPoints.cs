@@ -9,6 +9,11 @@ namespace ErrorMatching.Freeform;
 /// <param name="Warnings">What is strange and does no harm, in sentences.</param>
 public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<MeasuredPoint> Points, IReadOnlyList<string> Warnings)
 {
+    /// <summary>
+    /// Of a log behind a program that follows a measurement: the SHA-256 of that measurement, or another word where it cannot be read any more; null where the file names none.
+    /// </summary>
+    public string? CutByMeasurement { get; init; }
+
     /// <summary>Where the ball touched the surface at a point of the plan.</summary>
     /// <param name="point">The number of the point, from 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">The plan has no such point.</exception>

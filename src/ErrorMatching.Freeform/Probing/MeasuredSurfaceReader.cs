@@ -39,7 +39,7 @@ public static class MeasuredSurfaceReader
         }
 
         var lines = TextOf(bytes, file).ReplaceLineEndings("\n").Split('\n');
-        var raw = Lines(bytes, lines, file, plan, measuring);
+        var raw = Lines(bytes, lines, file, plan, measuring, out var cutBy);
         var found = new RawPoint?[plan.Points.Count];
         var warnings = new List<string>();
         var places = plan.Points.ToDictionary(p => (p.I, p.J), p => p.Number);
@@ -64,15 +64,19 @@ public static class MeasuredSurfaceReader
         Missing(found, file);
         var points = plan.Points.Select((p, k) => new MeasuredPoint(p, Contact(p, found[k]!, plan, file), found[k]!.Line)).ToArray();
         FarOff(points, plan, measuring, found, file);
-        return new(file, Convert.ToHexStringLower(SHA256.HashData(bytes)), points, warnings);
+        return new(file, Convert.ToHexStringLower(SHA256.HashData(bytes)), points, warnings) { CutByMeasurement = cutBy };
     }
 
-    private static IReadOnlyList<RawPoint> Lines(ReadOnlySpan<byte> bytes, string[] lines, string file, MeasuringPlan plan, JobMeasuring measuring)
+    private static IReadOnlyList<RawPoint> Lines(ReadOnlySpan<byte> bytes, string[] lines, string file, MeasuringPlan plan, JobMeasuring measuring, out string? cutBy)
     {
+        cutBy = null;
         var first = lines.FirstOrDefault(l => l.Trim().Length > 0 && l.TrimStart()[0] is not ('%' or ';'))?.Trim() ?? throw new FreeformException("empty-file", file, "the file is empty; a log, or a table with a header, is expected.");
         if (first.StartsWith(ProbingLogReader.FirstWord, StringComparison.Ordinal))
         {
-            return new ProbingLogReader(file, plan).Read(lines);
+            var log = new ProbingLogReader(file, plan);
+            var points = log.Read(lines);
+            cutBy = log.CutByMeasurement;
+            return points;
         }
 
         if (!first.Contains("feature", StringComparison.OrdinalIgnoreCase) || !first.Contains("item", StringComparison.OrdinalIgnoreCase))

@@ -5,13 +5,18 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>Reads the log that a probing program writes: a line that names the plan, then one a point, then one that says that it is whole.</summary>
 /// <remarks>
-/// <c>ERRORMATCH PROBE PLAN 0123456789ABCDEF MM</c>, then <c>P12 C X1.5 Y2. Z-3.25</c>: point 12, C for the ball's center or S for the contact, coordinates; then <c>END</c>, which may be missing. Controls pad numbers with spaces and zeros, and
+/// <c>ERRORMATCH PROBE PLAN 0123456789ABCDEF MM</c>, then <c>P12 C X1.5 Y2. Z-3.25</c>: point 12, C for the ball's center or S for the contact, coordinates; then <c>END</c>, which may be missing. Behind a program
+/// that follows a measurement, <c>CUTBY</c> names it behind the first line. Controls pad numbers with spaces and zeros, and
 /// put lines of their own around the file, which begin with a percent sign or a semicolon.
 /// </remarks>
 internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
 {
     public const string FirstWord = "ERRORMATCH";
     private const string LastWord = "END";
+    private const string CutBy = "CUTBY ";
+
+    /// <summary>The measurement that the program followed which cut the surface just before; null if it followed none, or that is not known.</summary>
+    public string? CutByMeasurement { get; private set; }
 
     public IReadOnlyList<RawPoint> Read(IReadOnlyList<string> lines)
     {
@@ -33,6 +38,10 @@ internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
             else if (ended > 0)
             {
                 throw new FreeformException("bad-log", file, FormattableString.Invariant($"found {Shown(line)} behind {LastWord} in line {ended}; expected nothing more."), i + 1);
+            }
+            else if (line.StartsWith(CutBy, StringComparison.Ordinal))
+            {
+                CutByMeasurement = line[CutBy.Length..].Trim().ToLowerInvariant();
             }
             else if (line == LastWord)
             {

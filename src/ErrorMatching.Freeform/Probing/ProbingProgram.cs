@@ -13,7 +13,7 @@ public sealed class ProbingProgram
     private ProbingProgram(MeasuringPlan plan, NcDialect dialect, ProbingTemplate template, ProbingValues values)
     {
         (Plan, Dialect, Template, _values) = (plan, dialect, template, values);
-        Bytes = Encoding.UTF8.GetBytes(Text([ProbingTemplate.Head, ProbingTemplate.Definitions, ProbingTemplate.Body, ProbingTemplate.Tail], merged: false));
+        Bytes = Encoding.UTF8.GetBytes(Text([ProbingTemplate.Head, ProbingTemplate.Definitions, ProbingTemplate.Body, ProbingTemplate.Tail], behind: null));
     }
 
     /// <summary>The plan whose points are touched.</summary>
@@ -45,6 +45,7 @@ public sealed class ProbingProgram
             throw new ArgumentException("The plan cannot be used.", nameof(plan));
         }
 
+        template.CheckAsksFor(plan.Measuring.Tool, "measuring.tool");
         var program = new ProbingProgram(plan, dialect, template, new(plan, job, dialect, template.File));
         program.Check();
         return program;
@@ -59,8 +60,13 @@ public sealed class ProbingProgram
     /// <param name="cutsIn">The dialect that the job cuts in, for messages.</param>
     /// <exception cref="FreeformException">The dialect does not know a code of the program, its end cannot be found, or probing would not go where it must behind it (<c>not-mergeable</c>).</exception>
     /// <exception cref="NcException">The program is too large.</exception>
-    public ReadOnlyMemory<byte> MergeAfter(ReadOnlyMemory<byte> semiFinishing, string file, string? cutsIn = null) =>
-        new ProbingMerge(this, file, cutsIn).After(semiFinishing, Text([ProbingTemplate.Definitions], merged: true), Text([ProbingTemplate.Body], merged: true));
+    public ReadOnlyMemory<byte> MergeAfter(ReadOnlyMemory<byte> semiFinishing, string file, string? cutsIn = null)
+    {
+        // A program that follows a measurement cuts what must not be compensated as if it were nominal: the log says so.
+        var markers = Marker.Find(NcProgram.Read(semiFinishing, Dialect.Syntax));
+        var behind = new ProbedBehind(markers is [var (_, marker), ..] ? marker?.MeasurementSha256.ToUpperInvariant() ?? ProbedBehind.Damaged : null);
+        return new ProbingMerge(this, file, cutsIn).After(semiFinishing, Text([ProbingTemplate.Definitions], behind), Text([ProbingTemplate.Body], behind));
+    }
 
     private void Check()
     {
@@ -78,37 +84,27 @@ public sealed class ProbingProgram
         }
     }
 
-    private string Text(string[] sections, bool merged)
+    private string Text(string[] sections, ProbedBehind? behind)
     {
         var text = new StringBuilder();
         foreach (var section in sections)
         {
-            Write(text, Template.Sections.GetValueOrDefault(section) ?? [], null, merged);
+            Write(text, Template.Section(section), null, behind);
         }
 
         return text.ToString();
     }
 
-    private void Write(StringBuilder text, IReadOnlyList<TemplateItem> items, PlanPoint? point, bool merged)
-    {
-        foreach (var item in items)
+    private void Write(StringBuilder text, IReadOnlyList<TemplateItem> items, PlanPoint? point, ProbedBehind? behind) => TemplateText.Write(
+        text,
+        items,
+        condition => _values.Holds(condition, point, behind),
+        place => _values[place, point, behind],
+        body =>
         {
-            switch (item.Kind)
+            foreach (var each in Plan.Points)
             {
-                case TemplateItemKind.Each:
-                    foreach (var each in Plan.Points)
-                    {
-                        Write(text, item.Body, each, merged);
-                    }
-
-                    break;
-                case TemplateItemKind.If:
-                    Write(text, _values.Holds(item.Text, point, merged) ? item.Body : item.Else, point, merged);
-                    break;
-                default:
-                    text.Append(TemplateText.Fill(item.Text, place => _values[place, point])).Append('\n');
-                    break;
+                Write(text, body, each, behind);
             }
-        }
-    }
+        });
 }

@@ -10,12 +10,12 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
     /// <summary>The way to a point and back is this many times as fast as measuring.</summary>
     private const double ApproachSpeed = 10;
 
-    public static readonly string[] OfProgram = ["job", "plan", "count", "clearance.z", "feed.measuring", "feed.approach", "stylus.diameter", "overtravel.mm", "approach.mm"];
+    public static readonly string[] OfProgram = ["job", "plan", "count", "clearance.z", "feed.measuring", "feed.approach", "stylus.diameter", "overtravel.mm", "approach.mm", "cut.measurement"];
 
     public static readonly string[] OfPoint =
         ["point", "i", "j", "approach.x", "approach.y", "approach.z", "contact.x", "contact.y", "contact.z", "center.x", "center.y", "center.z", "overtravel.x", "overtravel.y", "overtravel.z"];
 
-    public string this[string place, PlanPoint? point] => place switch
+    public string this[string place, PlanPoint? point, ProbedBehind? behind] => place switch
     {
         "job" => Plain(job),
         "plan" => ProbingProgram.PlanId(plan),
@@ -26,13 +26,18 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
         "stylus.diameter" => NotZero("stylusDiameterMm", plan.Measuring.StylusDiameterMm),
         "overtravel.mm" => NotZero("overtravelMm", plan.Measuring.OvertravelMm),
         "approach.mm" => NotZero("approachMm", plan.Measuring.ApproachMm),
+        "cut.measurement" => behind?.MeasurementSha256 ?? "",
+        _ when TemplateGrammar.ToolPlaces.Contains(place, StringComparer.Ordinal) => plan.Measuring.Tool!.ValueOf(place, template),
         _ => OfOne(place, point!),
     };
 
     /// <summary>Whether a condition holds.</summary>
-    public bool Holds(string condition, PlanPoint? point, bool merged) => condition switch
+    public bool Holds(string condition, PlanPoint? point, ProbedBehind? behind) => condition switch
     {
-        ProbingTemplate.Merged => merged,
+        ProbingTemplate.Merged => behind is not null,
+        ProbingTemplate.Compensated => behind?.MeasurementSha256 is not null,
+        TemplateGrammar.Tool => plan.Measuring.Tool is not null,
+        TemplateGrammar.ToolByName => plan.Measuring.Tool?.Name is not null,
         ProbingTemplate.AlongAxis => AxisOf(point!) is not null,
         _ => AxisOf(point!) == condition[^1],
     };

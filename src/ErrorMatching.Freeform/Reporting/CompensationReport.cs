@@ -9,4 +9,11 @@ namespace ErrorMatching.Freeform;
 /// <param name="ToolPath">The path that cuts its surface.</param>
 /// <param name="Program">The finishing program's file as it was written, and its SHA-256.</param>
 /// <param name="CalculatingS">How long it took, in seconds, for the core has no clock; null if nobody timed it.</param>
-public sealed record CompensationReport(ReportJob Job, IReadOnlyList<ReportInput> Inputs, CompensationResult Result, ToolPath ToolPath, ReportInput Program, double? CalculatingS);
+public sealed record CompensationReport(ReportJob Job, IReadOnlyList<ReportInput> Inputs, CompensationResult Result, ToolPath ToolPath, ReportInput Program, double? CalculatingS)
+{
+    /// <summary>True if the program calls its tool; false if it begins with a stop and an alarm, because the job names none.</summary>
+    public bool CallsTool { get; init; } = true;
+
+    /// <summary>Which program cut the measured piece, as far as anybody said.</summary>
+    public MeasuredPieceProgram CutBy { get; init; } = new(null, null);
+}

@@ -21,13 +21,21 @@ public static class CompensationReportHtml
                 new("fit", "How the error was fitted", html => WriteFit(html, report.Result)),
                 new("path", "Tool path", html => WritePath(html, report)),
                 new("points", "Points", html => SurfaceTables.WritePoints(html, "points-table", "Measured points: their feet on the nominal surface, and their errors", report.Result.Samples)),
-                new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "surface compensate", ("--measured", "measured"))),
+                new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "surface compensate", ("--measured", "measured"), ("--cut-by", "cut-by"))),
             ]);
     }
 
     private static void WriteSummary(HtmlText html, CompensationReport report)
     {
         var (result, before, after) = (report.Result, report.Result.Before, report.Result.Predicted.Statistics);
+        if (!report.CallsTool)
+        {
+            using (html.In("p", ("class", "verdict fails")))
+            {
+                html.Put("strong", $"✗ {report.Program.File} has no tool call: it stops with an alarm before it moves.");
+            }
+        }
+
         using (html.In("p", ("class", result.LargestMoveMm > 0 ? "verdict holds" : "verdict fails")))
         {
             html.Put("strong", result.LargestMoveMm > 0 ? $"✓ {report.Program.File} cuts a surface that is moved by at most {Micrometres.OfMm(result.LargestMoveMm)} µm." : "○ Nothing is compensated: the finishing program cuts the nominal surface.");
@@ -37,6 +45,7 @@ public static class CompensationReportHtml
         ReportFacts.WriteWarnings(html, result.Warnings);
         ReportFacts.WriteNotes(html, result.Notes);
         ReportFacts.Write(html,
+            ("Measured piece", report.CutBy.Sentence),
             ("Errors", "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
             ("Alignment", AlignmentWords.Of(result.Alignment)),
             ("Compensation", string.Create(CultureInfo.InvariantCulture, $"{(result.Input.Job.Compensation.Mirror ? "Each place is moved by its own error to the other side" : "The whole surface is moved by the mean error, as by a modified tool radius")}, gain {result.Input.Job.Compensation.Gain:0.###}, at most {result.Input.Job.Compensation.LimitMm:0.###} mm.")),

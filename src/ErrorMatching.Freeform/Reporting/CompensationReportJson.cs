@@ -14,16 +14,31 @@ public static class CompensationReportJson
         {
             json.Job("freeform", report.Job);
             json.Inputs(report.Inputs);
+            WriteCutBy(json, report.CutBy);
             WriteResult(json, result);
             json.Object("toolpath", () => Path(json, report.ToolPath));
             json.Object("program", () =>
             {
                 json.Text("file", report.Program.File);
                 json.Text("sha256", report.Program.Sha256);
+                json.Flag("toolCall", report.CallsTool);
             });
             json.Texts("warnings", result.Warnings);
             json.Texts("notes", result.Notes);
             json.Object("time", () => json.Number("calculatingS", report.CalculatingS));
+        });
+    }
+
+    /// <summary>Which program cut the measured piece: <c>cutBy</c>, with no file where a nominal one is taken for granted.</summary>
+    public static void WriteCutBy(ReportWriter json, MeasuredPieceProgram cutBy)
+    {
+        ArgumentNullException.ThrowIfNull(json);
+        ArgumentNullException.ThrowIfNull(cutBy);
+        json.Object("cutBy", () =>
+        {
+            json.Text("known", cutBy.File is null ? "assumed" : "named");
+            json.Text("file", cutBy.File);
+            json.Text("sha256", cutBy.Sha256);
         });
     }
 

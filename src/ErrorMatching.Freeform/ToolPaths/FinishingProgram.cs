@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform;
@@ -7,29 +8,41 @@ namespace ErrorMatching.Freeform;
 /// <summary>Writes a tool path as a program for a control: modal words only where they change, coordinates to the control's least increment.</summary>
 public static class FinishingProgram
 {
+    /// <summary>What everybody is told first of a program that calls no tool, because the job names none.</summary>
+    public const string NoToolCall =
+        "The program has no tool call, because the job names no tool (toolpath.tool): it begins with a stop and an alarm that Cycle Start does not pass. "
+        + "Name the tool and its length offset in the job and write the program again before you cut.";
+
     /// <summary>The file name of a stage's program: <c>finishing.nc</c>, <c>semi-finishing.nc</c> or <c>roughing.nc</c>.</summary>
     public static string FileOf(CuttingStage stage) => NameOf(stage) + ".nc";
 
     /// <summary>The program as bytes.</summary>
-    /// <exception cref="ArgumentException">As of <see cref="Write(ToolPath, FreeformJob, NcDialect, CuttingStage, Stream, Marker?)"/>.</exception>
-    /// <exception cref="FreeformException">As of the same.</exception>
-    public static byte[] Write(ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage = CuttingStage.Finishing, Marker? marker = null)
+    /// <exception cref="ArgumentException">As of the other one.</exception>
+    /// <exception cref="FreeformException">As of the other one.</exception>
+    public static byte[] Write(
+        ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage = CuttingStage.Finishing, Marker? marker = null, FinishingTemplate? template = null)
     {
         using var stream = new MemoryStream();
-        Write(path, job, dialect, stage, stream, marker);
+        Write(path, job, dialect, stage, stream, marker, template);
         return stream.ToArray();
     }
 
-    /// <summary>Writes the program to a stream. Passes are made one after another as they are written, so memory stays that of one pass however long the program is.</summary>
+    /// <summary>
+    /// Writes the program to a stream. Passes are made one after another as they are written, so memory stays that of one pass however long the program is.
+    /// </summary>
     /// <param name="path">The path.</param>
-    /// <param name="job">The job: name, tool, speed, feed, and what of the ball is programmed.</param>
+    /// <param name="job">The job: name, tool and its call, speed, feed, and what of the ball is programmed.</param>
     /// <param name="dialect">The control that the path was planned for.</param>
     /// <param name="stage">What the program says that it does.</param>
     /// <param name="stream">Where it goes; it stays open.</param>
     /// <param name="marker">The comment by which a compensated program tells what it was made of; null where it follows no measurement.</param>
+    /// <param name="template">What stands around the moves; null for <see cref="FinishingTemplate.For"/> the dialect.</param>
     /// <exception cref="ArgumentException">The path was planned for a control with another least increment.</exception>
-    /// <exception cref="FreeformException">Speed or feed of the job would be written as 0 (<c>rounds-to-zero</c>).</exception>
-    public static void Write(ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage, Stream stream, Marker? marker = null)
+    /// <exception cref="FreeformException">
+    /// Speed or feed of the job would be written as 0 (<c>rounds-to-zero</c>), or with the template the moves would not be those of the path (<c>bad-template</c>).
+    /// </exception>
+    public static void Write(
+        ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage, Stream stream, Marker? marker = null, FinishingTemplate? template = null)
     {
         ArgumentNullException.ThrowIfNull(path);
         ArgumentNullException.ThrowIfNull(job);
@@ -40,45 +53,60 @@ public static class FinishingProgram
             throw new ArgumentException($"The path was rounded to {path.Decimals} decimals, but {dialect.Name} writes {dialect.MetricDecimals}.", nameof(dialect));
         }
 
-        var frame = ProgramFrame.Of(dialect);
-        var values = Values(path, job, stage);
-        var head = ProgramFrame.Fill(frame.Before, values);
-        stream.Write(marker is null ? head : marker.InsertInto(NcProgram.Read(head, dialect.Syntax)));
+        template ??= FinishingTemplate.For(dialect);
+        template.CheckAsksFor(job.Toolpath.Tool, "toolpath.tool");
+        var values = new FinishingValues(path, job, stage, template.File);
+        var (head, tail) = (values.Fill(template.Section(FinishingTemplate.Head)), values.Fill(template.Section(FinishingTemplate.Tail)));
         var tipBelow = job.Toolpath.ProgramsTip ? path.RadiusMm : 0;
-        var writer = new MoveWriter(stream, path.Decimals, tipBelow, Encoding.ASCII.GetBytes("F" + Word(job, "feedMmPerMin", job.Tool.FeedMmPerMin, 3)), path.TravelCenterZ);
+        if (!template.Content.IsBuiltIn)
+        {
+            Check(path, tipBelow, dialect, template, head, tail);
+        }
+
+        stream.Write(marker is null ? head : marker.InsertInto(NcProgram.Read(head, dialect.Syntax)));
+        var writer = new MoveWriter(stream, path.Decimals, tipBelow, Encoding.ASCII.GetBytes("F" + values.Feed), path.TravelCenterZ);
         foreach (var move in path.Moves())
         {
             writer.Write(move);
         }
 
         writer.Flush();
-        stream.Write(ProgramFrame.Fill(frame.Behind, values));
+        stream.Write(tail);
     }
 
-    private static Dictionary<string, string> Values(ToolPath path, FreeformJob job, CuttingStage stage) => new()
+    // Moves are written as absolute millimeters, the first one as a rapid across at the height of travel: what a shop writes before them must leave it so.
+    private static void Check(ToolPath path, double tipBelow, NcDialect dialect, FinishingTemplate template, byte[] head, byte[] tail)
     {
-        ["name"] = job.Name,
-        ["stage"] = NameOf(stage),
-        ["passes"] = path.Passes.ToString(CultureInfo.InvariantCulture),
-        ["points"] = path.Points.ToString(CultureInfo.InvariantCulture),
-        ["minutes"] = Number(path.LengthMm / job.Tool.FeedMmPerMin, 1),
-        ["diameter"] = Number(2 * path.RadiusMm, 4),
-        ["flutes"] = job.Tool.Flutes.ToString(CultureInfo.InvariantCulture),
-        ["moves"] = job.Toolpath.ProgramsTip ? "tip" : "center",
-        ["stock"] = Number(path.StockMm, 4),
-        ["scallop"] = Number(path.Certificate.ScallopMm, 6),
-        ["chord"] = Number(path.Certificate.ChordMm, 6),
-        ["rpm"] = Word(job, "spindleRpm", job.Tool.SpindleRpm, 0),
-        ["travel"] = (path.TravelCenterZ - (job.Toolpath.ProgramsTip ? path.RadiusMm : 0)).ToString("F" + path.Decimals.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture),
-    };
+        var first = path.Moves().First().Center;
+        var across = string.Create(CultureInfo.InvariantCulture, $"X{first.X:F6} Y{first.Y:F6}\n");
+        var program = NcProgram.Read((byte[])[.. head, .. Encoding.ASCII.GetBytes(across), .. tail], dialect.Syntax);
+        var run = NcInterpreter.Run(program, dialect);
+        if (run.Refusal is { } refusal)
+        {
+            throw Fail($"the program that comes of it cannot be followed in the dialect {dialect.Name}: {refusal.Message}");
+        }
 
-    // A spindle that stands still, or a feed that never arrives, is nothing that a job can mean.
-    private static string Word(FreeformJob job, string key, double value, int decimals) => Number(value, decimals) is var text and not "0" ? text : throw new FreeformException(
-        "rounds-to-zero", job.File, string.Create(CultureInfo.InvariantCulture, $"{key} of {value} would be written as 0; at least {Math.Pow(10, -decimals)} is expected"));
+        if (run.Problems is [var problem, ..])
+        {
+            var text = program.TextOf(program[problem.Block]);
+            throw Fail($"the dialect {dialect.Name} does not understand \"{text}\" of the program that comes of it: {problem.Message}");
+        }
 
-    private static string Number(double value, int decimals) => Math.Round(value, decimals).ToString("0." + new string('#', decimals), CultureInfo.InvariantCulture);
+        var block = Enumerable.Range(0, program.BlockCount).Last(b => program[b].Start <= head.Length);
+        var motions = Enumerable.Range(0, run.Motions.Length).Select(i => run.Motions[i]).Where(m => m.Block == block).ToArray();
+        var end = new Point3(first.X, first.Y, path.TravelCenterZ - tipBelow);
+        if (motions is not [{ Kind: MotionKind.Rapid, UnknownEnd: AxisSet.None } move] || (move.End - end).Length > 1e-6)
+        {
+            throw Fail(string.Create(
+                CultureInfo.InvariantCulture,
+                $"behind @head the moves would not be rapid, absolute, in millimeters and at the height of travel, Z {end.Z:0.####}. ")
+                + "End it with G0 Z{travel}, and write G90 and the code for millimeters before.");
+        }
 
-    private static string NameOf(CuttingStage stage) => stage switch
+        FreeformException Fail(string what) => new("bad-template", template.File, what);
+    }
+
+    internal static string NameOf(CuttingStage stage) => stage switch
     {
         CuttingStage.Roughing => "roughing",
         CuttingStage.SemiFinishing => "semi-finishing",

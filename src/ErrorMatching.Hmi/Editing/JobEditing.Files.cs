@@ -9,7 +9,7 @@ namespace ErrorMatching.Hmi;
 /// <content>Opening, keeping and saving: all of it beside the screen.</content>
 public sealed partial class JobEditing
 {
-    private bool _isReplacing;
+    private SignedIn? _signed;
 
     private async Task LoadAsync(CellJobSettings job)
     {
@@ -26,6 +26,7 @@ public sealed partial class JobEditing
         _checking.Give(new(job, _base, _base, sha256, "", default));
         Changed?.Invoke();
         Refresh();
+        await ReadVersionsAsync(job);
     }
 
     private (string Sha256, MatingDraft? Draft, bool HasComments, KeptDraft? Kept, bool IsKeptBroken, string? Message) Open(CellJobSettings job)
@@ -38,7 +39,7 @@ public sealed partial class JobEditing
         }
         catch (InputException e)
         {
-            (isBroken, message) = (true, Texts.Current.With("Setup.KeptBroken", e.Message));
+            (isBroken, message) = (true, Texts.Current.With("Setup.KeptBroken", Failures.Of(e, _station.Clock)));
         }
 
         try
@@ -49,7 +50,7 @@ public sealed partial class JobEditing
         }
         catch (Exception e) when (e is InputException or JobException or MeasurementException or DraftException)
         {
-            return ("", null, false, null, isBroken, Texts.Current.With("Setup.NotOpened", e.Message));
+            return ("", null, false, null, isBroken, Texts.Current.With("Setup.NotOpened", Failures.Of(e, _station.Clock)));
         }
     }
 
@@ -88,17 +89,17 @@ public sealed partial class JobEditing
         }
     }
 
-    /// <summary>Saves it though it takes the place of another job (<see cref="Asked"/>).</summary>
-    internal void Replace()
+    /// <summary>Saves it with the signature that was asked for (<see cref="Asked"/>).</summary>
+    internal void SaveSigned(SignedIn by)
     {
-        _isReplacing = true;
+        _signed = by;
         Save.Execute(null);
     }
 
     private async Task SaveAsync()
     {
-        var (job, draft, sha256, by, isReplacing) = (Job!, Draft, _baseSha256, _who()!, _isReplacing);
-        _isReplacing = false;
+        var (job, draft, sha256, signed) = (Job!, Draft, _baseSha256, _signed);
+        _signed = null;
         await _checking.Running;
         await Task.Yield();
         if (Problems.Count > 0)
@@ -109,13 +110,14 @@ public sealed partial class JobEditing
             return;
         }
 
-        // Another job in the place of one that is used: that is asked once, by whom it is saved.
-        if (draft.IsBegunAnew && _base.Features.Count > 0 && !isReplacing)
+        // What a gauge runs changes by a signature alone.
+        if (signed is not { } by)
         {
             var undecided = 0;
             if (await TryAsync(() => undecided = Undecided(job).Length))
             {
-                Asked?.Invoke(new(job, draft.Name.Trim(), _base.Name.Trim(), undecided, HasComments));
+                var isNew = draft.IsBegunAnew && _base.Features.Count > 0;
+                Asked?.Invoke(new(job, draft.Name.Trim(), _base.Name.Trim(), undecided, HasComments, isNew));
             }
 
             return;
@@ -124,6 +126,8 @@ public sealed partial class JobEditing
         var (saved, isOtherProgram) = ("", false);
         if (await TryAsync(() =>
         {
+            // A new job leaves the files of the one before as they are.
+            draft = draft.IsBegunAnew ? JobEdits.WithOwnFiles(job, draft) : draft;
             isOtherProgram = IsOtherProgram(job, draft);
             saved = new JobEdits(_station.Settings, _station.Store, _station.Users).Save(job, draft, sha256, by);
         }))
@@ -150,6 +154,7 @@ public sealed partial class JobEditing
                 isOtherProgram ? Texts.Current["Setup.SavedProgram"] : "",
                 waiting.Count > 0 ? Texts.Current.With("Setup.SavedWaiting", waiting.Count) : "");
             Changed?.Invoke();
+            await ReadVersionsAsync(job);
         }
 
         Refresh();

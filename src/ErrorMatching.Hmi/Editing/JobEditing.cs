@@ -59,7 +59,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>Said when a new job was begun.</summary>
     public event Action? Begun;
 
-    /// <summary>Said when another job would take the place of one that is used: a person says whether it may, and then <see cref="Replace"/> saves it.</summary>
+    /// <summary>Said when a job is to be saved: a person signs that, and then <see cref="SaveSigned"/> saves it.</summary>
     public event Action<JobReplacement>? Asked;
 
     /// <summary>The cell's mating jobs, each file once: where several take their measurements by the same file, as those of part and counterpart do, by the name of the first that is not the counterpart's.</summary>
@@ -171,6 +171,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         if (job is not null && job != Job)
         {
             (Job, _isLoaded, Kept, IsKeptBroken, _notice, _found, Doubts, _typed) = (job, false, null, false, null, [], [], null);
+            ShowVersions([]);
             Refresh();
             Loading = LoadAsync(job).Watched();
         }
@@ -217,6 +218,11 @@ public sealed partial class JobEditing : Observable, IDisposable
         }
 
         DiscardKept.Refresh();
+        foreach (var row in Versions)
+        {
+            row.Restore.Refresh();
+        }
+
         Save.Refresh();
         ComputeAnew.Refresh();
         Say();
@@ -293,7 +299,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         }
         catch (OutputException e)
         {
-            _screen.Post(_ => Message = Texts.Current.With("Setup.NotKept", e.Message), null);
+            _screen.Post(_ => Message = Texts.Current.With("Setup.NotKept", Failures.Of(e, _station.Clock)), null);
         }
     }
 

@@ -47,9 +47,15 @@ internal sealed partial record ProblemPlace(string Screen, int Side)
         return Flank().Match(path) is { Success: true } match && int.TryParse(match.Groups["feature"].ValueSpan, NumberStyles.None, CultureInfo.InvariantCulture, out var feature) && feature < draft.Features.Count && draft.Features[feature].Kind == FeatureKind.Triangle;
     }
 
-    [GeneratedRegex(@"^\$\.features\[[0-9]+\]\.(name|points)$", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, 1000)]
+    [GeneratedRegex(
+        @"^\$\.features\[[0-9]+\]\.(name|points)$",
+        RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant,
+        Timeout.Infinite)]
     private static partial Regex OfFeature();
 
-    [GeneratedRegex(@"^\$\.features\[(?<feature>[0-9]+)\]\.points\[[0-9]+\]$", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, 1000)]
+    [GeneratedRegex(
+        @"^\$\.features\[(?<feature>[0-9]+)\]\.points\[[0-9]+\]$",
+        RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant,
+        Timeout.Infinite)]
     private static partial Regex Flank();
 }

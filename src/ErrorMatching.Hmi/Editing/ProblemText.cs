@@ -25,9 +25,12 @@ internal static partial class ProblemText
         Bound().Match(problem.Expected) is { Success: true } bound ? Texts.Current.With("Problem.Bound." + bound.Groups["word"].Value.Replace(' ', '-'), bound.Groups["number"].Value)
         : problem.Expected.Length > 0 ? problem.Expected : problem.Found.Length > 0 ? problem.Found : problem.Message;
 
-    [GeneratedRegex(@"^(?<word>at least|more than|at most|less than) (?<number>[-+0-9.eE]+)$", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, 1000)]
+    [GeneratedRegex(
+        @"^(?<word>at least|more than|at most|less than) (?<number>[-+0-9.eE]+)$",
+        RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant,
+        Timeout.Infinite)]
     private static partial Regex Bound();
 
-    [GeneratedRegex(@"[\[/].*$", RegexOptions.CultureInvariant, 1000)]
+    [GeneratedRegex(@"[\[/].*$", RegexOptions.CultureInvariant, Timeout.Infinite)]
     private static partial Regex Index();
 }

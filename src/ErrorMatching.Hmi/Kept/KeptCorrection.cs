@@ -12,7 +12,7 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
     // A program may have been made several times: by pieces that were alike, or that were given again.
     private const int Looked = 100;
 
-    // What stands before the first pass of a surface's program, in every dialect (Freeform's frames).
+    // What stands before the first pass of a surface's program, in every dialect (Freeform's templates).
     private const int Head = 4096;
 
     private static ReadOnlySpan<byte> ToolCallBelongsHere => "put the tool call here"u8;
@@ -23,8 +23,11 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
     /// <summary>The correction whose program the slot held before this one; null if it held none, or one that no correction made.</summary>
     public Correction? Before { get; init; }
 
-    /// <summary>True if its program was made anew and calls no tool: it says itself where a call belongs.</summary>
+    /// <summary>True if its program was made and calls no tool: its report says so, or in an old one a comment that marks where a call belongs.</summary>
     public bool LacksToolCall { get; init; }
+
+    /// <summary>What its program does not have and the machine needs, in words; null if nothing.</summary>
+    public string? Missing => !LacksToolCall ? null : Texts.Current[Surface?.CallsTool is null ? "Head.NoToolCall" : "Head.StopsWithoutTool"];
 
     /// <summary>True if the slot still holds the program of this correction, so that the one before can be brought back.</summary>
     public bool IsInSlot { get; init; }
@@ -56,7 +59,8 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
         return new(correction, store.StepsOf(correction.Id), report, lines)
         {
             Surface = surface,
-            LacksToolCall = surface is not null && program is not null && program.AsSpan(0, Math.Min(program.Length, Head)).IndexOf(ToolCallBelongsHere) >= 0,
+            LacksToolCall = surface is { CallsTool: var calls } && program is not null
+                && !(calls ?? program.AsSpan(0, Math.Min(program.Length, Head)).IndexOf(ToolCallBelongsHere) < 0),
             Before = correction.PreviousSha256 is { } previous ? store.Search(new() { Program = previous, Most = Looked }).FirstOrDefault(c => c.ProgramSha256 == previous && c.Id < correction.Id) : null,
             IsInSlot = correction is { Machine: { } machine, Slot: { } slot, ProgramSha256: not null } && store.Slot(machine, slot) is var held && held.ProgramSha256 == correction.ProgramSha256 && (held.Correction is null || held.Correction == correction.Id),
         };

@@ -53,7 +53,13 @@ public sealed record KeptSurface
     /// <summary>The proof of the program that follows; null where one is made.</summary>
     public required KeptProof? Proof { get; init; }
 
-    /// <summary>What a person should know before using the program.</summary>
+    /// <summary>
+    /// True if the program calls its tool, false if it stops with an alarm instead; null where the report does not say: it is old, or an existing
+    /// program follows.
+    /// </summary>
+    public required bool? CallsTool { get; init; }
+
+    /// <summary>What a person should know before using the program; that it calls no tool is said by <see cref="CallsTool"/>.</summary>
     public required IReadOnlyList<string> Warnings { get; init; }
 
     /// <summary>What the compensation that was made is expected to leave.</summary>
@@ -87,7 +93,10 @@ public sealed record KeptSurface
             Map = ReadMap(map),
             ToolPath = root.TryGetProperty("toolpath", out var path) ? KeptToolPath.Read(path) : null,
             Proof = root.TryGetProperty("proof", out var proof) ? KeptProof.Read(proof) : null,
-            Warnings = [.. root.GetProperty("warnings").EnumerateArray().Select(w => w.GetString()!)],
+            CallsTool = root.GetProperty("program") is { ValueKind: JsonValueKind.Object } program && program.TryGetProperty("toolCall", out var calls)
+                ? calls.GetBoolean()
+                : null,
+            Warnings = [.. root.GetProperty("warnings").EnumerateArray().Select(w => w.GetString()!).Where(w => w != FinishingProgram.NoToolCall)],
         };
     }
 

@@ -94,6 +94,10 @@ public sealed partial class PathPlot : PlotArea
         {
             picture.PropertyChanged -= Follow;
             picture.PropertyChanged += Follow;
+
+            // Nobody followed it while it was not on the screen: what changed meanwhile is read now.
+            Sort();
+            Renew([]);
         }
     }
 

@@ -199,6 +199,10 @@ public sealed partial class ProgramText : Control, IDrawnWords
         {
             picture.PropertyChanged -= Follow;
             picture.PropertyChanged += Follow;
+
+            // Nobody followed it while it was not on the screen: what changed meanwhile is read now.
+            Measure();
+            ShowFeature();
         }
     }
 

@@ -23,7 +23,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         Station = station ?? throw new ArgumentNullException(nameof(station));
         _screen = SynchronizationContext.Current ?? throw new InvalidOperationException("The frame is made on the screen's thread.");
         Preferences = new(station);
-        Preferences.PropertyChanged += (_, e) => Say(e.PropertyName);
+        Preferences.PropertyChanged += (_, e) => SaySaid(e.PropertyName);
         CloseNotice = new(() => Preferences.Notice = null);
         Items = [.. Screens.All.Select(s => new NavigationItem(s))];
         SignOut = new(async _ =>
@@ -143,10 +143,17 @@ public sealed class ShellViewModel : Observable, IDisposable
     {
         { StoreTrouble: { } trouble } => Texts.Current.With("Banner.Store", Texts.Current.Word(trouble.Error)),
         { Status: { IsRunning: false } } => Texts.Current["Banner.NotRunning"],
-        { Status.Heartbeat.Troubles: [var only] } => Texts.Current.With("Banner.Trouble", only.Where, CodeText.Of(only.Code, only.Message)),
+        { Status.Heartbeat.Troubles: [var only] } =>
+            Texts.Current.With("Banner.Trouble", CodeText.Where(only.Where), CodeText.Of(only.Code, only.Message)),
         { Status.Heartbeat.Troubles: [_, ..] and var troubles } => Texts.Current.With("Banner.Troubles", troubles.Count),
         _ => null,
     };
+
+    /// <summary>True where the <see cref="Notice"/> is shown: it waits until nothing of the cell is to be said in its place.</summary>
+    public bool IsNoticed => Notice is not null && Banner is null;
+
+    /// <summary>True where nothing is said in the place of the cell's name.</summary>
+    public bool IsCellNamed => Notice is null && Banner is null;
 
     /// <summary>Who is signed in; null if nobody is.</summary>
     internal SignedIn? Who => _who;
@@ -304,16 +311,18 @@ public sealed class ShellViewModel : Observable, IDisposable
         // The one who tapped may have left meanwhile; the draft is kept.
         if (_who is { } who)
         {
-            var signing = new SigningViewModel(Station, who, Act.EditJobs, replacement.Name, needsReason: false, (_, _, _) => Task.CompletedTask)
+            SignedIn? signed = null;
+            var signing = new SigningViewModel(
+                Station, who, Act.EditJobs, replacement.Name, needsReason: false, (by, _, _) => Task.FromResult(signed = by))
             {
-                TitleKey = "Setup.Replace",
+                TitleKey = replacement.IsNew ? "Setup.Replace" : "Setup.Sign",
                 Told = () => replacement.Told,
                 Known = () => replacement.Facts,
 
                 // Saving demands it.
                 IsDemandedElsewhere = true,
             };
-            signing.Signed += Editing.Replace;
+            signing.Signed += () => Editing.SaveSigned(signed!);
             Sign(signing);
         }
     }
@@ -366,7 +375,14 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
     }
 
-    private void Follow() => Say(nameof(Banner));
+    private void Follow() => SaySaid(nameof(Banner));
+
+    private void SaySaid(string? name)
+    {
+        Say(name);
+        Say(nameof(IsNoticed));
+        Say(nameof(IsCellNamed));
+    }
 
     private void Translate()
     {

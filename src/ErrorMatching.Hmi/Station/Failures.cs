@@ -39,7 +39,8 @@ public static class Failures
             DecisionException e => texts["Decision." + e.Code],
             StoreException e => texts.Word(e.Error),
             TransportException e => texts.Word(e.Error),
-            _ => failure.Message,
+            OutputException e => CodeText.Of(e.Code, e.Message),
+            _ => CodeText.Of(ErrorItems.OfInput(failure) is [var item, ..] ? item.Code : "", failure.Message),
         };
     }
 }

@@ -25,7 +25,7 @@ public sealed class Station : IDisposable
         ArgumentNullException.ThrowIfNull(clock);
         _screen = SynchronizationContext.Current ?? throw new InvalidOperationException("A station is opened on the screen's thread.");
         (Settings, Clock) = (settings, clock);
-        Store = CellStore.Open(settings.Store, clock, AuditKey.Open(settings.KeysFolder));
+        Store = Opened(settings, clock);
         Users = new(Store, clock);
         Session = new(Users, clock, idle);
         _watching = Task.Run(() => new StationWatch(this).RunAsync(Show, _end.Token)).Watched();
@@ -81,6 +81,14 @@ public sealed class Station : IDisposable
         return MachineFolders.Open(machine, () => new MachineSecrets(Store, Settings.KeysFolder).Get(machine.Name));
     }
 
+    /// <summary>Shows a state that a test makes, and nothing that is seen after it. On the screen's thread.</summary>
+    /// <param name="state">The state.</param>
+    internal void Pretend(StationState state)
+    {
+        State = state with { Version = long.MaxValue };
+        Changed?.Invoke();
+    }
+
     /// <summary>Ends watching, signs out and closes the store.</summary>
     public void Dispose()
     {
@@ -98,6 +106,19 @@ public sealed class Station : IDisposable
 
         Store.Dispose();
         _end.Dispose();
+    }
+
+    // On a store that was set back nobody decides anything.
+    private static CellStore Opened(CellSettings settings, TimeProvider clock)
+    {
+        var store = CellStore.Open(settings.Store, clock, AuditKey.OpenFor(settings));
+        if (new AuditTrail(store, settings.KeysFolder).EndFault() is not { } fault)
+        {
+            return store;
+        }
+
+        store.Dispose();
+        throw new StoreException(StoreError.Tampered, fault.Message);
     }
 
     private void Show(StationState state) => _screen.Post(

@@ -33,7 +33,9 @@ public static class NextStep
     private static string WayOf(CellStatus? status, Correction correction) => status switch
     {
         { IsRunning: false } => "Next.NotRunning",
-        { Heartbeat.Troubles: { } troubles } when troubles.Any(t => t.Where == CellTrouble.OfSlot(correction.Machine!, correction.Slot!)) => "Next.Away",
+        { Heartbeat.Troubles: { } troubles } when troubles.Any(
+            t => t.Where == CellTrouble.OfSlot(correction.Machine!, correction.Slot!)
+                || t.Where == CellTrouble.OfMachine(correction.Machine!)) => "Next.Away",
         _ => "Next.Sent",
     };
 

@@ -74,6 +74,6 @@ public sealed partial class Texts : Observable
     // A number and its unit stay in one line.
     private static string Unparted(string text) => BeforeUnit().Replace(text, "\u00a0");
 
-    [GeneratedRegex(@"(?<=[\d}]) (?=(mm|µm)\b)", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(@"(?<=[\d}]) (?=(mm|µm)\b)", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex BeforeUnit();
 }

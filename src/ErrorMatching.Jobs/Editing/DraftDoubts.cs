@@ -7,17 +7,6 @@ namespace ErrorMatching.Jobs;
 /// <summary>What can be used and is hardly meant: asked at its field, and saved all the same.</summary>
 internal static class DraftDoubts
 {
-    /// <summary>Limits that no deviation reaches, because the job stops at smaller ones.</summary>
-    /// <param name="draft">The draft.</param>
-    public static IEnumerable<DraftProblem> OfLimits(MatingDraft draft)
-    {
-        var most = DraftNumber.Value(draft.Compensation.Limit) ?? JobCompensation.Default.LimitMm;
-        return draft.Features.Select((f, i) => (Feature: f, Index: i)).Where(f => f.Feature.Tolerance == FeatureDraft.Stated)
-            .SelectMany(f => new[] { (Text: f.Feature.Lower, Field: DraftPaths.Feature(f.Index, "toleranceMm[0]")), (Text: f.Feature.Upper, Field: DraftPaths.Feature(f.Index, "toleranceMm[1]")) })
-            .Where(l => Math.Abs(DraftNumber.Value(l.Text) ?? 0) > most)
-            .Select(l => new DraftProblem(l.Field, "limit-implausible", $"{l.Text.Trim()} mm", string.Create(CultureInfo.InvariantCulture, $"{l.Text.Trim()} mm: is that meant? The job stops at any deviation above {most} mm.")));
-    }
-
     /// <summary>Blocks at an end of a feature's cut that turn off where no key point is any more, and behind which nothing is cut: the way in or out.</summary>
     /// <param name="match">The draft's match.</param>
     public static IEnumerable<DraftProblem> OfBlocks(MatchResult match)

@@ -1,12 +1,45 @@
-using System.Text.RegularExpressions;
-
 namespace ErrorMatching.Jobs;
 
 /// <summary>Lists in one field.</summary>
-internal static partial class DraftList
+internal static class DraftList
 {
     /// <summary>Selectors of blocks, with commas or spaces between them; a regular expression between slashes may hold both.</summary>
-    public static IReadOnlyList<string> Blocks(string text) => [.. Selectors().Matches(text).Select(m => m.Value)];
+    public static IReadOnlyList<string> Blocks(string text)
+    {
+        var selectors = new List<string>();
+        var (at, mayClose) = (0, true);
+        while (at < text.Length)
+        {
+            if (IsSeparator(text[at]))
+            {
+                at++;
+                continue;
+            }
+
+            var end = -1;
+            if (text[at] == '/' && mayClose)
+            {
+                var close = Closing(text, at + 1);
+
+                // Where no slash closes an expression any more, none is sought again.
+                (mayClose, end) = (close >= 0, close > at + 1 ? close + 1 : -1);
+            }
+
+            if (end < 0)
+            {
+                end = at + 1;
+                while (end < text.Length && !IsSeparator(text[end]))
+                {
+                    end++;
+                }
+            }
+
+            selectors.Add(text[at..end]);
+            at = end;
+        }
+
+        return selectors;
+    }
 
     /// <summary>Names or labels, with commas between them.</summary>
     public static IReadOnlyList<string> Names(string text) => text.Split([',', ';'], StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
@@ -14,7 +47,20 @@ internal static partial class DraftList
     /// <summary>The field of some items.</summary>
     public static string Join(IEnumerable<string> items) => string.Join(", ", items);
 
-    // A slash that a separator or the end follows ends an expression.
-    [GeneratedRegex(@"/([^/]|/(?!\s*([,;]|$)))+/(?=\s*([,;]|$))|[^\s,;]+", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
-    private static partial Regex Selectors();
+    // The first slash that a comma, a semicolon or the end follows: it ends an expression. -1 if there is none.
+    private static int Closing(string text, int from)
+    {
+        for (var at = text.IndexOf('/', from); at >= 0; at = text.IndexOf('/', at + 1))
+        {
+            var rest = text.AsSpan(at + 1).TrimStart();
+            if (rest.IsEmpty || rest[0] is ',' or ';')
+            {
+                return at;
+            }
+        }
+
+        return -1;
+    }
+
+    private static bool IsSeparator(char c) => char.IsWhiteSpace(c) || c is ',' or ';';
 }

@@ -21,6 +21,9 @@ internal static partial class DraftNumber
     /// <summary>Its value; null for what is no number.</summary>
     public static double? Value(string text) => Json(text) is { } json ? double.Parse(json, NumberStyles.Float, CultureInfo.InvariantCulture) : null;
 
-    [GeneratedRegex(@"^(?<sign>[-+\u2212]?)(?=[0-9]|\.[0-9])(?<whole>[0-9]*)(\.(?<decimals>[0-9]*))?(?<power>([eE][-+]?[0-9]+)?)$", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(
+        @"^(?<sign>[-+\u2212]?)(?=[0-9]|\.[0-9])(?<whole>[0-9]*)(\.(?<decimals>[0-9]*))?(?<power>([eE][-+]?[0-9]+)?)$",
+        RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture,
+        Timeout.Infinite)]
     private static partial Regex Form();
 }

@@ -19,7 +19,10 @@ public static class MatingDraftBlocks
         var sought = draft.Features.Select(f => new SoughtBoundary(
             f.Name,
             places[f.Name].FirstOrDefault()?.Plane ?? default,
-            places[f.Name].Count() == f.Points.Count() ? [.. places[f.Name].Select(p => (p.Label, p.At))] : [])).ToArray();
+            places[f.Name].Count() == f.Points.Count() ? [.. places[f.Name].Select(p => (p.Label, p.At))] : [])
+        {
+            IsStraight = f.Kind != FeatureKind.Curve,
+        }).ToArray();
         return [.. BlockProposal.Of(path, sought, DraftNumber.Value(draft.Counterpart.ToolDiameter), DraftNumber.Value(draft.Counterpart.Map) ?? JobCounterpart.DefaultMapMm)
             .Where(p => draft.Features[p.Feature].BlockList.Count == 0)];
     }

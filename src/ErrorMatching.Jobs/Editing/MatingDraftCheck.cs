@@ -25,7 +25,7 @@ public static class MatingDraftCheck
     {
         ArgumentNullException.ThrowIfNull(draft);
         var problems = new List<DraftProblem>();
-        var doubts = DraftDoubts.OfLimits(draft).ToList();
+        var doubts = new List<DraftProblem>();
         MatingJob? job = null;
         try
         {

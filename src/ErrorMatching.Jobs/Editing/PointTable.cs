@@ -111,6 +111,6 @@ public sealed partial class PointTable
 
     private static bool IsNumber(string text) => DraftNumber.Json(text) is { } json && double.Parse(json, CultureInfo.InvariantCulture) is var value && double.IsFinite(value);
 
-    [GeneratedRegex(@"^[-+\u2212]?[0-9]*,[0-9]+$", RegexOptions.CultureInvariant, 1000)]
+    [GeneratedRegex(@"^[-+\u2212]?[0-9]*,[0-9]+$", RegexOptions.CultureInvariant, Timeout.Infinite)]
     private static partial Regex DecimalComma();
 }

@@ -80,13 +80,8 @@ public static class ErrorItems
     /// <param name="refusals">The reasons.</param>
     /// <param name="job">The job, where no block is to blame.</param>
     /// <param name="program">The program, where one is.</param>
-    public static IReadOnlyList<ErrorItem> Of(IEnumerable<MatingRefusal> refusals, string job, string program) => [.. refusals.Select(r => new ErrorItem(r.Code, r.Message)
-    {
-        File = r.Line > 0 || r.Block is not null ? program : job,
-        Line = r.Line > 0 ? r.Line : null,
-        Block = r.Block,
-        Problem = WithoutLine(r.Message, r.Line),
-    })];
+    public static IReadOnlyList<ErrorItem> Of(IEnumerable<MatingRefusal> refusals, string job, string program) =>
+        [.. refusals.Select(r => Of(r, job, program))];
 
     /// <summary>What is wrong with something that a file names.</summary>
     /// <param name="at">Where it names it.</param>
@@ -94,6 +89,16 @@ public static class ErrorItems
     /// <param name="problem">What was found and what is expected, as a sentence.</param>
     internal static ErrorItem At(NamedPlace at, string code, string problem) =>
         new(code, Placed(at.File, at.Place, at.Path, problem)) { File = at.File, Line = at.Place.Line, Column = at.Place.Column, Path = at.Path, Problem = problem };
+
+    private static ErrorItem Of(MatingRefusal refusal, string job, string program) => refusal is { Path: { } path, Place: { } place }
+        ? At(new(job, path, place), refusal.Code, refusal.Message)
+        : new(refusal.Code, refusal.Message)
+        {
+            File = refusal.Line > 0 || refusal.Block is not null ? program : job,
+            Line = refusal.Line > 0 ? refusal.Line : null,
+            Block = refusal.Block,
+            Problem = WithoutLine(refusal.Message, refusal.Line),
+        };
 
     private static T NotNull<T>(T value) => value ?? throw new ArgumentNullException(nameof(value));
 

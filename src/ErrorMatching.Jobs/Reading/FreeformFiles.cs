@@ -9,7 +9,7 @@ namespace ErrorMatching.Jobs;
 /// <summary>Reads what a free-form job names and keeps the list of what was read, for none of it may be written to.</summary>
 public sealed class FreeformFiles
 {
-    internal const string SurfaceRole = "surface";
+    internal const string SurfaceRole = "surface", CutByRole = "cut-by";
 
     private readonly List<string> _read;
     private readonly List<ReportInput> _inputs = [];
@@ -75,13 +75,7 @@ public sealed class FreeformFiles
     public ReadOnlyMemory<byte> Program(GivenFile file)
     {
         ArgumentNullException.ThrowIfNull(file);
-        if (file.Bytes is { } given)
-        {
-            return Note("program", file.File, given);
-        }
-
-        _read.Add(file.File);
-        return Note("program", file.File, InputFile.Program(file.File));
+        return Given("program", file).Bytes!.Value;
     }
 
     /// <summary>The dialect of the probing program: a file of the shop is found from the job's folder.</summary>
@@ -98,9 +92,10 @@ public sealed class FreeformFiles
     /// <param name="dialect">The dialect of the probing program.</param>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="FreeformException">It cannot be used.</exception>
-    /// <exception cref="JsonDocumentException">None is built in for the dialect (<c>unknown-template</c>).</exception>
+    /// <exception cref="JsonDocumentException">None is built in for the dialect (<c>unknown-template</c>), or its control does not know names of tools (<c>tool-by-name</c>).</exception>
     public ProbingTemplate Template(NcDialect dialect)
     {
+        CheckCall(Job.Measuring.Tool, "$.measuring.tool.name", dialect);
         if (Job.Measuring.Template is { } own)
         {
             return ProbingTemplate.Names.Contains(own)
@@ -116,6 +111,37 @@ public sealed class FreeformFiles
         {
             throw Wrong(e.Code, "$.measuring.dialect", place, $"the dialect \"{Job.Measuring.Dialect}\", which no probing template is built in for", $"one of {string.Join(", ", ProbingTemplate.Names)}, or one of them or a file of your own as \"template\" beside it");
         }
+    }
+
+    /// <summary>The template of programs that cut: the job's own, which may be a built-in one by its name, or the one of the dialect.</summary>
+    /// <param name="dialect">The dialect of the programs that cut.</param>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="FreeformException">It cannot be used.</exception>
+    /// <exception cref="JsonDocumentException">The dialect's control does not know names of tools (<c>tool-by-name</c>).</exception>
+    public FinishingTemplate FinishingTemplate(NcDialect dialect)
+    {
+        CheckCall(Job.Toolpath.Tool, "$.toolpath.tool.name", dialect);
+        return Job.Toolpath.Template is not { } own ? Freeform.FinishingTemplate.For(dialect)
+            : Freeform.FinishingTemplate.Names.Contains(own) ? Freeform.FinishingTemplate.Named(own)
+            : Freeform.FinishingTemplate.Parse(AtPlace("$.toolpath.template", () => Bytes("template", Job.PathOf(own), ProgramTemplate.MaxBytes)), Job.PathOf(own));
+    }
+
+    /// <summary>The program that the job says cut the measured piece; null if it does not say.</summary>
+    /// <exception cref="InputException">The file cannot be opened.</exception>
+    public GivenFile? CutBy() => Job.Measuring.CutBy is not { } file ? null : AtPlace("$.measuring.cutBy", () => Given(CutByRole, new(Job.PathOf(file))));
+
+    /// <summary>A program that a caller names or has, noted among the inputs.</summary>
+    /// <param name="role">What it is to the report.</param>
+    /// <param name="file">The file.</param>
+    /// <exception cref="InputException">It cannot be opened.</exception>
+    internal GivenFile Given(string role, GivenFile file)
+    {
+        if (file.Bytes is null)
+        {
+            _read.Add(file.File);
+        }
+
+        return file with { Bytes = Note(role, file.File, file.Bytes ?? InputFile.Program(file.File)) };
     }
 
     /// <summary>The bytes of a file that the job or the command line names.</summary>
@@ -144,6 +170,15 @@ public sealed class FreeformFiles
         _read.AddRange(dialect.Files.Select(f => f.File));
         _inputs.AddRange(dialect.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)));
         return dialect;
+    }
+
+    // Only Siemens controls call tools by name.
+    private void CheckCall(ToolCall? tool, string path, NcDialect dialect)
+    {
+        if (tool?.Name is { } name && dialect.Syntax != NcSyntax.Siemens && Job.PlaceOf(path) is { } place)
+        {
+            throw Wrong("tool-by-name", path, place, $"the tool \"{name}\" by its name, which {dialect.Name} does not know", "\"number\" in its place");
+        }
     }
 
     // What cannot be opened is said together with where the job names it.

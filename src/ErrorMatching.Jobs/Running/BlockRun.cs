@@ -36,7 +36,29 @@ public static class BlockRun
             return new(ErrorItems.Of([refusal], program));
         }
 
-        var sought = job.Features.Select(f => new SoughtBoundary(f.Name, f.Plane, [.. f.Points.Select(p => (p, job.Counterpart.PlaceOf(theoretical[p], f.Plane, theoretical.File)))])).ToArray();
-        return new(new FoundBlocks(job, program, path, BlockProposal.Of(path, sought, job.Counterpart.ToolDiameterMm, job.Counterpart.MapMm), files.Read, bytes));
+        var sought = job.Features.Select(f => Sought(job, f, theoretical)).ToArray();
+        var proposed = BlockProposal.Of(path, sought, job.Counterpart.ToolDiameterMm, job.Counterpart.MapMm);
+        return new(new FoundBlocks(job, program, path, [.. proposed.Select(p => Tried(job, path, theoretical, p))], files.Read, bytes));
+    }
+
+    private static SoughtBoundary Sought(MatingJob job, JobFeature feature, MeasurementFile theoretical) =>
+        new(
+            feature.Name,
+            feature.Plane,
+            [.. feature.Points.Select(p => (p, job.Counterpart.PlaceOf(theoretical[p], feature.Plane, theoretical.File)))])
+        {
+            IsStraight = feature.Kind != FeatureKind.Curve,
+        };
+
+    // What a match would refuse is not proposed.
+    private static ProposedBlocks Tried(MatingJob job, NcPath path, MeasurementFile theoretical, ProposedBlocks proposed)
+    {
+        if (proposed.Blocks.Count == 0 || BoundarySearch.Try(job, path, theoretical, proposed.Feature, proposed.Blocks) is not { } refusal)
+        {
+            return proposed;
+        }
+
+        var why = $"{refusal.Message} A match refuses {string.Join(", ", proposed.Blocks)}: name the blocks yourself.";
+        return new(proposed.Feature, proposed.Name, []) { Refusal = refusal with { Message = why } };
     }
 }

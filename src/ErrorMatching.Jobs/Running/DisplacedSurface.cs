@@ -15,6 +15,9 @@ public sealed record DisplacedSurface(ReportJob Job, IReadOnlyList<ReportInput> 
     /// <summary>Name of the program, without folders: that of the program that it starts from.</summary>
     public string Name => Path.GetFileName(ProgramFile);
 
+    /// <summary>Which program cut the measured piece, as far as anybody said.</summary>
+    public MeasuredPieceProgram CutBy { get; init; } = new(null, null);
+
     /// <summary>Where the program goes.</summary>
     public string File => Path.Combine(Folder ?? "", Name);
 

@@ -16,7 +16,7 @@ internal static class DisplacementReportHtml
             new("summary", "Summary", html => WriteSummary(html, report)),
             new("points", "Measured points", html => WritePoints(html, report)),
             new("blocks", "Changed blocks", html => WriteBlocks(html, report)),
-            new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "surface displace", ("--measured", "measured"), ("--program", "program"))),
+            new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "surface displace", ("--measured", "measured"), ("--cut-by", "cut-by"), ("--program", "program"))),
         ]);
 
     private static void WriteSummary(HtmlText html, DisplacedSurface report)
@@ -35,6 +35,7 @@ internal static class DisplacementReportHtml
             ("Points", $"{ReportNumber.Count(displaced.OnSurface)} touch the surface; {ReportNumber.Count(displaced.Followed)} near by go along."),
             ("Between points", $"A straight cut misses the compensation by at most {Micrometres(displaced.LargestMisfitMm)} µm."),
             ("Proof", $"Holds: of {ReportNumber.Count(displaced.Proof.Motions)} motions {ReportNumber.Count(displaced.Proof.MovedMotions)} moved, none further than {ReportNumber.Fine(displaced.Proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's{(displaced.Marker is null ? "" : ", but for the marker comment")}."),
+            ("Measured piece", report.CutBy.Sentence),
             ("Marker comment", displaced.Proof.Marker ?? "none, since nothing was changed"),
             ("Gain", report.Compensation.Input.Job.Compensation.Gain.ToString("0.###", CultureInfo.InvariantCulture)));
     }

@@ -47,6 +47,7 @@ internal static class DisplacementReportJson
         json.WriteNumber("maxDeviationFromWantedMm", displaced.Proof.MaxDeviationFromWantedMm);
         json.WriteBoolean("untouchedBytesIdentical", displaced.Proof.UntouchedBytesIdentical);
         json.WriteEndObject();
+        CompensationReportJson.WriteCutBy(new ReportWriter(json), report.CutBy);
         CompensationReportJson.WriteResult(new ReportWriter(json), report.Compensation);
         Texts(json, "warnings", report.Compensation.Warnings);
         Texts(json, "notes", report.Compensation.Notes);

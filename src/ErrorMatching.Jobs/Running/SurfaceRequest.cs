@@ -6,6 +6,9 @@ public sealed record SurfaceRequest
     /// <summary>The measured points, one file at least: tables, or logs of the probing program. Several are repeated measurements of one piece.</summary>
     public required IReadOnlyList<GivenFile> Measured { get; init; }
 
+    /// <summary>The program that cut the measured piece, in the place of the one that the job names; null leaves that.</summary>
+    public GivenFile? CutBy { get; init; }
+
     /// <summary>Takes the place of the job's gain, 0 to 2; null leaves it.</summary>
     public double? Gain { get; init; }
 

@@ -29,12 +29,17 @@ public static class SurfaceRun
     {
         var job = Job(files, request);
         var dialect = files.ToolpathDialect();
+        var template = files.FinishingTemplate(dialect);
         cancellation.ThrowIfCancellationRequested();
+        var made = request.Folder is { } folder ? Path.Combine(folder, FinishedSurface.Name) : null;
         return Fitted<FinishedSurface>(request, () =>
         {
-            if (Compensated(files, job, request, cancellation, out var refusals) is not { } result)
+            var surface = files.Surface();
+            var surfaceSha256 = files.Inputs.First(i => i.Role == FreeformFiles.SurfaceRole).Sha256;
+            if (Compensated(files, job, surface, request, dialect.Syntax, made, surfaceSha256, cancellation, out var refusals, out var cutBy)
+                is not { } result)
             {
-                return new(ErrorItems.Of(refusals, job.File));
+                return new(refusals);
             }
 
             cancellation.ThrowIfCancellationRequested();
@@ -45,10 +50,16 @@ public static class SurfaceRun
             }
 
             cancellation.ThrowIfCancellationRequested();
-            var marker = new Marker(MeasurementSha256(result), files.Inputs.First(i => i.Role == FreeformFiles.SurfaceRole).Sha256);
-            var program = FinishingProgram.Write(planned.Path, job, dialect, marker: marker);
-            var named = new ReportInput("finishing", Path.Combine(request.Folder ?? "", FinishedSurface.Name), Convert.ToHexStringLower(SHA256.HashData(program)));
-            return new(new FinishedSurface(program, new(files.Named, files.Inputs, result, planned.Path, named, request.ElapsedS?.Invoke())));
+            var marker = new Marker(MeasurementSha256(result.Input.Measured), surfaceSha256);
+            var program = FinishingProgram.Write(planned.Path, job, dialect, marker: marker, template: template);
+            var named = new ReportInput("finishing", made ?? FinishedSurface.Name, Convert.ToHexStringLower(SHA256.HashData(program)));
+            var callsTool = template.CallsTool(job);
+            result = callsTool ? result : result with { Warnings = [FinishingProgram.NoToolCall, .. result.Warnings] };
+            return new(new FinishedSurface(program, new(files.Named, files.Inputs, result, planned.Path, named, request.ElapsedS?.Invoke())
+            {
+                CallsTool = callsTool,
+                CutBy = cutBy,
+            }));
         });
     }
 
@@ -74,11 +85,15 @@ public static class SurfaceRun
         var dialect = files.ToolpathDialect();
         var bytes = files.Program(program);
         cancellation.ThrowIfCancellationRequested();
+        var made = request.Folder is { } folder ? Path.Combine(folder, Path.GetFileName(program.File)) : null;
         return Fitted<DisplacedSurface>(request, () =>
         {
-            if (Compensated(files, job, request, cancellation, out var refusals) is not { } compensation)
+            var programSha256 = Convert.ToHexStringLower(SHA256.HashData(bytes.Span));
+            var surface = files.Surface();
+            if (Compensated(files, job, surface, request, dialect.Syntax, made, programSha256, cancellation, out var refusals, out var cutBy)
+                is not { } compensation)
             {
-                return new(ErrorItems.Of(refusals, job.File));
+                return new(refusals);
             }
 
             if (!asked.Fit.OfError)
@@ -86,17 +101,25 @@ public static class SurfaceRun
                 compensation = compensation with { Warnings = [.. compensation.Warnings, FollowsTheError] };
             }
 
-            var displaced = SurfaceDisplacer.Displace(compensation.Input.Surface, compensation.Compensated, job.Compensation.Gain, job.Tool, bytes, dialect, job.Toolpath.ProgramsTip, MeasurementSha256(compensation));
+            var displaced = SurfaceDisplacer.Displace(
+                compensation.Input.Surface,
+                compensation.Compensated,
+                job.Compensation.Gain,
+                job.Tool,
+                bytes,
+                dialect,
+                job.Toolpath.ProgramsTip,
+                MeasurementSha256(compensation.Input.Measured));
             return displaced.IsUsable
-                ? new(new DisplacedSurface(files.Named, files.Inputs, program.File, displaced.Value, compensation, request.Folder))
+                ? new(new DisplacedSurface(files.Named, files.Inputs, program.File, displaced.Value, compensation, request.Folder) { CutBy = cutBy })
                 : new(ErrorItems.Of([displaced.Refusal], program.File));
         });
     }
 
     // Several measurements of a piece are one for the marker, in whatever order they were given.
-    private static string MeasurementSha256(CompensationResult result) => result.Input.Measured is [var only]
+    internal static string MeasurementSha256(IReadOnlyList<MeasuredPoints> measured) => measured is [var only]
         ? only.Sha256
-        : Convert.ToHexStringLower(SHA256.HashData(Encoding.ASCII.GetBytes(string.Concat(result.Input.Measured.Select(m => m.Sha256).Order(StringComparer.Ordinal)))));
+        : Convert.ToHexStringLower(SHA256.HashData(Encoding.ASCII.GetBytes(string.Concat(measured.Select(m => m.Sha256).Order(StringComparer.Ordinal)))));
 
     private static FreeformJob Job(FreeformFiles files, SurfaceRequest request)
     {
@@ -112,23 +135,43 @@ public static class SurfaceRun
             : throw new ArgumentOutOfRangeException(nameof(request), given, "A gain is at least 0 and at most 2.");
     }
 
-    private static CompensationResult? Compensated(FreeformFiles files, FreeformJob job, SurfaceRequest request, CancellationToken cancellation, out IReadOnlyList<FreeformRefusal> refusals)
+    private static CompensationResult? Compensated(
+        FreeformFiles files,
+        FreeformJob job,
+        PartSurface surface,
+        SurfaceRequest request,
+        NcSyntax syntax,
+        string? made,
+        string baseSha256,
+        CancellationToken cancellation,
+        out IReadOnlyList<ErrorItem> refusals,
+        out MeasuredPieceProgram cutBy)
     {
-        var surface = files.Surface();
         var plan = files.Plan(surface);
+        cutBy = new(null, null);
 
         // What was measured was touched somehow: only a plan without points stops here, not one that this stylus does not reach.
         if (plan.Points.Count == 0 || plan.FacesDown)
         {
-            refusals = plan.Refusals;
+            refusals = ErrorItems.Of(plan.Refusals, job.File);
             return null;
         }
 
         var points = request.Measured.Select(f => files.Measured("measured", f, plan)).ToArray();
         cancellation.ThrowIfCancellationRequested();
+        var piece = new PieceProgram(files, request, syntax);
+        if (piece.Refusal(points, made, baseSha256) is { } compensated)
+        {
+            refusals = [compensated];
+            return null;
+        }
+
+        cutBy = piece.Found;
         var outcome = Compensator.Compensate(new(job, surface, plan, points));
-        refusals = outcome.Refusals;
-        return outcome.Result is { } result && GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note ? result with { Notes = [.. result.Notes, note] } : outcome.Result;
+        refusals = ErrorItems.Of(outcome.Refusals, job.File);
+        return outcome.Result is { } result && GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note
+            ? result with { Notes = [.. result.Notes, note] }
+            : outcome.Result;
     }
 
     private static RunOutcome<T> Fitted<T>(SurfaceRequest request, Func<RunOutcome<T>> run)

@@ -11,14 +11,14 @@ internal sealed class OutputBatch : IDisposable
     /// <summary>Writes a file beside its place and flushes it to the disk. Missing folders are made.</summary>
     /// <exception cref="IOException">It cannot be written.</exception>
     /// <exception cref="UnauthorizedAccessException">It must not be written.</exception>
-    public void Stage(string path, ReadOnlySpan<byte> bytes)
+    public void Stage(string path, Action<Stream> write)
     {
         var target = Path.GetFullPath(path);
         var folder = Directory.CreateDirectory(Path.GetDirectoryName(target) ?? target).FullName;
         var item = new Item(target, Beside(folder, target), Beside(folder, target));
         _items.Add(item);
         using var stream = new FileStream(item.New, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 0);
-        stream.Write(bytes);
+        write(stream);
         stream.Flush(flushToDisk: true);
     }
 

@@ -15,6 +15,16 @@ public static class OutputFile
     public static void Write(string path, ReadOnlyMemory<byte> bytes, IReadOnlyCollection<string> inputs, CancellationToken cancellation) =>
         WriteAll([(path, bytes)], inputs, cancellation);
 
+    /// <summary>Writes a file that is too long for memory, replacing one that is there. Missing folders are made.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="write">Writes its content into a stream. What it throws, other than failures of the disk, passes through, and nothing is written.</param>
+    /// <param name="inputs">The files that were read: none of them is ever replaced, not even through a link.</param>
+    /// <param name="cancellation">Looked at last before the file appears.</param>
+    /// <exception cref="OutputException">The file is an input, or cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">Nothing was written.</exception>
+    public static void Write(string path, Action<Stream> write, IReadOnlyCollection<string> inputs, CancellationToken cancellation) =>
+        WriteAll([(path, write)], inputs, () => true, cancellation);
+
     /// <summary>Writes files that belong together: all of them appear, in their order, or none does and what was there stays.</summary>
     /// <param name="files">The files and their contents.</param>
     /// <param name="inputs">The files that were read: none of them is ever replaced, not even through a link.</param>
@@ -32,7 +42,11 @@ public static class OutputFile
     /// <returns>True if the files are in their places.</returns>
     /// <exception cref="OutputException">A file is an input or another of the outputs, or cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Nothing was written.</exception>
-    public static bool WriteAll(IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, IReadOnlyCollection<string> inputs, Func<bool> mayAppear, CancellationToken cancellation)
+    public static bool WriteAll(IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, IReadOnlyCollection<string> inputs, Func<bool> mayAppear, CancellationToken cancellation) =>
+        WriteAll([.. files.Select(f => (f.Path, (Action<Stream>)(s => s.Write(f.Bytes.Span))))], inputs, mayAppear, cancellation);
+
+    private static bool WriteAll(
+        IReadOnlyList<(string Path, Action<Stream> Write)> files, IReadOnlyCollection<string> inputs, Func<bool> mayAppear, CancellationToken cancellation)
     {
         var targets = new List<string>();
         foreach (var (path, _) in files)
@@ -52,9 +66,9 @@ public static class OutputFile
         }
 
         using var batch = new OutputBatch();
-        foreach (var (path, bytes) in files)
+        foreach (var (path, write) in files)
         {
-            Try(path, () => batch.Stage(path, bytes.Span));
+            Try(path, () => batch.Stage(path, write));
         }
 
         if (!mayAppear())

@@ -30,7 +30,8 @@ public static class JsonInput
     /// <param name="limits">How large it may be; <see cref="JsonLimits.Default"/> if null.</param>
     /// <exception cref="JsonDocumentException">
     /// The bytes are too many (<c>too-big</c>), empty (<c>empty-document</c>), not UTF-8 (<c>not-utf8</c>), not JSON (<c>not-json</c>),
-    /// nested too deeply (<c>too-deep</c>), hold a number beyond the range of a double (<c>number-out-of-range</c>) or a key twice (<c>duplicate-key</c>).
+    /// nested too deeply (<c>too-deep</c>), hold too many values (<c>too-many-values</c>), a number beyond the range of a double
+    /// (<c>number-out-of-range</c>) or a key twice (<c>duplicate-key</c>). After 100 problems, <c>too-many-problems</c> is the last.
     /// </exception>
     public static JsonItem Read(ReadOnlySpan<byte> bytes, string file, JsonLimits? limits = null)
     {
@@ -49,7 +50,7 @@ public static class JsonInput
             throw Refuse(file, "not-utf8", map.PlaceOf(bytes, invalid), string.Create(CultureInfo.InvariantCulture, $"the byte 0x{bytes[invalid]:X2}"), "UTF-8 text");
         }
 
-        var tree = new TreeReader(map, file, skipped);
+        var tree = new TreeReader(map, file, skipped, limits.MaxValues);
         var reader = new Utf8JsonReader(bytes, new JsonReaderOptions { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip, MaxDepth = limits.MaxDepth + 1 });
         JsonItem root;
         try

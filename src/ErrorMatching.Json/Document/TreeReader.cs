@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using System.Text.Json;
 
@@ -7,13 +8,24 @@ namespace ErrorMatching.Json;
 /// <param name="map">The lines of the document.</param>
 /// <param name="file">Its name for messages.</param>
 /// <param name="skipped">How many bytes stand in front of what is read: those of a byte order mark.</param>
-internal sealed class TreeReader(LineMap map, string file, int skipped)
+/// <param name="maxValues">The most values.</param>
+internal sealed class TreeReader(LineMap map, string file, int skipped, int maxValues)
 {
-    public List<JsonProblem> Problems { get; } = [];
+    private readonly List<JsonProblem> _problems = [];
+    private int _values;
+
+    public IReadOnlyList<JsonProblem> Problems => _problems;
 
     public JsonItem ReadValue(ref Utf8JsonReader reader, ReadOnlySpan<byte> bytes, JsonItem? parent, string? name, int index, int depthLeft)
     {
         var start = (int)reader.TokenStartIndex;
+        if (++_values > maxValues)
+        {
+            var (found, expected) = ("one more value", string.Create(CultureInfo.InvariantCulture, $"at most {maxValues} values"));
+            var place = map.PlaceOf(bytes, start);
+            throw new JsonDocumentException(file, [.. _problems, new("too-many-values", parent?.Path ?? "$", place, found, expected, $"found {found}; expected {expected}")]);
+        }
+
         var item = ReadItem(ref reader, bytes, parent, name, index, depthLeft);
         item.Bytes = (skipped + start)..(skipped + (int)reader.BytesConsumed);
         return item;
@@ -56,7 +68,7 @@ internal sealed class TreeReader(LineMap map, string file, int skipped)
             }
             else
             {
-                Problems.Add(new("duplicate-key", item.PathOf(name), place, $"the key \"{name}\" again", "each key once", $"the key \"{name}\" stands twice in this object; keep one"));
+                Report(new("duplicate-key", item.PathOf(name), place, $"the key \"{name}\" again", "each key once", $"the key \"{name}\" stands twice in this object; keep one"));
             }
         }
 
@@ -90,7 +102,7 @@ internal sealed class TreeReader(LineMap map, string file, int skipped)
         var item = new JsonItem(JsonItemKind.Number, place, parent, name, index) { Text = spelling, Number = reader.GetDouble() };
         if (!double.IsFinite(item.Number))
         {
-            Problems.Add(JsonProblem.At(item, "number-out-of-range", $"the number {spelling}", "a number that a computer can hold"));
+            Report(JsonProblem.At(item, "number-out-of-range", $"the number {spelling}", "a number that a computer can hold"));
         }
 
         return item;
@@ -106,8 +118,17 @@ internal sealed class TreeReader(LineMap map, string file, int skipped)
         catch (InvalidOperationException)
         {
             const string expected = "whole characters";
-            Problems.Add(new("not-utf8", item.Path, place, "half a surrogate pair", expected, "found half a surrogate pair (\\uD800 to \\uDFFF); expected " + expected));
+            Report(new("not-utf8", item.Path, place, "half a surrogate pair", expected, "found half a surrogate pair (\\uD800 to \\uDFFF); expected " + expected));
             return "";
+        }
+    }
+
+    private void Report(JsonProblem problem)
+    {
+        _problems.Add(problem);
+        if (_problems.Count > ProblemList.Most)
+        {
+            throw new JsonDocumentException(file, ProblemList.Shortened(_problems));
         }
     }
 
@@ -115,7 +136,7 @@ internal sealed class TreeReader(LineMap map, string file, int skipped)
     {
         if (depthLeft < 0)
         {
-            throw new JsonDocumentException(file, [.. Problems, JsonProblem.At(item, "too-deep", "one more level", "fewer lists and objects inside one another")]);
+            throw new JsonDocumentException(file, [.. _problems, JsonProblem.At(item, "too-deep", "one more level", "fewer lists and objects inside one another")]);
         }
     }
 }

@@ -25,7 +25,9 @@ public sealed class JsonSchema
         return parser.Problems.Count == 0 ? new(root) : throw new JsonDocumentException(file, parser.Problems);
     }
 
-    /// <summary>Everything in a document that the schema does not allow, in the order of the document; empty if there is nothing.</summary>
+    /// <summary>
+    /// Everything in a document that the schema does not allow, in the order of the document; empty if there is nothing. After 100 problems, <c>too-many-problems</c> is the last.
+    /// </summary>
     public IReadOnlyList<JsonProblem> Check(JsonItem document)
     {
         ArgumentNullException.ThrowIfNull(document);
@@ -33,6 +35,6 @@ public sealed class JsonSchema
         SchemaChecker.Check(_root, document, findings);
 
         // A value that two rules judge alike is reported once; the sort is stable, so problems of one place keep the order of the rules.
-        return [.. findings.Select(f => f.Problem).Distinct().OrderBy(p => p.Line).ThenBy(p => p.Column)];
+        return ProblemList.Shortened([.. findings.Select(f => f.Problem).Distinct().OrderBy(p => p.Line).ThenBy(p => p.Column)]);
     }
 }

@@ -7,6 +7,12 @@ internal static class SchemaChecker
 {
     public static void Check(SchemaRule rule, JsonItem item, List<Finding> findings)
     {
+        // One more than is reported is enough to know that there are more.
+        if (findings.Count > ProblemList.Most)
+        {
+            return;
+        }
+
         if (rule.Reference is not null)
         {
             Check(rule.Reference, item, findings);
@@ -55,6 +61,11 @@ internal static class SchemaChecker
 
         foreach (var member in item.Members)
         {
+            if (findings.Count > ProblemList.Most)
+            {
+                return;
+            }
+
             if (rule.Property(member.Name) is { } property)
             {
                 Check(property, member.Value, findings);

@@ -176,8 +176,9 @@ internal sealed class SchemaParser(JsonItem document)
     {
         try
         {
-            // A schema is the program's own, so its patterns are trusted; the non-backtracking engine would take most of a short run to start.
-            return new(value.Text, RegexOptions.CultureInvariant, TimeSpan.FromSeconds(1));
+            // A schema is the program's own, so its patterns are trusted to be linear and need no limit by the clock;
+            // the non-backtracking engine would take most of a short run to start.
+            return new(value.Text, RegexOptions.CultureInvariant, Regex.InfiniteMatchTimeout);
         }
         catch (ArgumentException)
         {

@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
@@ -11,6 +12,12 @@ namespace ErrorMatching.Mating;
 /// Outside, it must also be significant: its largest normal deviation must exceed <see cref="CoverageFactor"/> times the combined standard uncertainty u of a normal deviation. Feed-forward compares a measured
 /// point with an exact one, so u is the gauge's; feedback compares two measured points, so u is the gauge's times the square root of 2.
 /// </para>
+/// <para>
+/// Limits wider than <see cref="UsualTolerance"/> and more than <see cref="MostTolerance"/> times as wide as a significant deviation of the
+/// feature are refused: they are hardly millimeters. A tolerance may well be wider than the deviations of one good piece, by 50 where
+/// 0.05 mm are allowed and 1 um is found, but micrometers taken for millimeters are 1000 times as wide as they are meant. What is not
+/// significant stays as it is, whatever the limits, and says nothing about them.
+/// </para>
 /// <para>Plausible is a displacement, along whatever direction, of at most the job's limit. One that exceeds it at any point refuses the job.</para>
 /// </remarks>
 internal static class Decider
@@ -20,6 +27,12 @@ internal static class Decider
 
     /// <summary>Coverage factor k of the expanded uncertainty that a deviation is compared with: 2, about 95 % of normally distributed errors.</summary>
     public const double CoverageFactor = 2;
+
+    /// <summary>Limits at most so many times as wide as what a feature deviates are a matter of taste.</summary>
+    public const double MostTolerance = 100;
+
+    /// <summary>Limits up to this, mm, are usual; as micrometers they would be finer than what is cut.</summary>
+    public const double UsualTolerance = 1;
 
     /// <summary>Decides about all features of a job.</summary>
     /// <param name="job">The job: features, tolerances, uncertainty and compensation are taken from it.</param>
@@ -41,10 +54,31 @@ internal static class Decider
             }
 
             features.Add(Decide(feature.Name, feature.Tolerance.Band, points[i], job.Compensation, u));
+            if (Micrometers(feature, i, features[i].LargestMm, u) is { } micrometers)
+            {
+                refusals.Add(micrometers);
+            }
+
             refusals.AddRange(points[i].Where(p => !(p.Displacement.Length <= job.Compensation.LimitMm)).Select(p => Implausible(feature.Name, p, job.Compensation.LimitMm)));
         }
 
         return new(features, refusals);
+    }
+
+    // The refusal of limits that are hardly millimeters, or null. Less than half an increment of a program says nothing about them either.
+    private static MatingRefusal? Micrometers(JobFeature feature, int index, double largest, double u)
+    {
+        var (band, off) = (feature.Tolerance.Band, Math.Abs(largest));
+        var limit = Math.Abs(band.LowerMm) > Math.Abs(band.UpperMm) ? band.LowerMm : band.UpperMm;
+        var form = RefusalForms.LimitImplausible;
+        var nothing = Math.Max(CoverageFactor * u, 0.0005);
+        return Math.Abs(limit) <= UsualTolerance || off <= nothing || Math.Abs(limit) <= MostTolerance * off
+            ? null
+            : new(form.Name, form.With(feature.Name, limit, off, limit / 1000), feature.Name)
+            {
+                Path = string.Create(CultureInfo.InvariantCulture, $"$.features[{index}].toleranceMm"),
+                Place = feature.Tolerance.Place,
+            };
     }
 
     private static FeatureDecision Decide(string name, ToleranceBand band, IReadOnlyList<BoundaryPoint> points, JobCompensation compensation, double u)

@@ -1,3 +1,4 @@
+using ErrorMatching.Json;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
@@ -13,6 +14,12 @@ public sealed record MatingRefusal(string Code, string Message, string? Feature 
 {
     /// <summary>How far the point lies from the path, mm; null where the reason is another one.</summary>
     public double? DistanceMm { get; init; }
+
+    /// <summary>JSON path of the job's value that is to blame, such as <c>$.features[0].toleranceMm</c>; null if none is.</summary>
+    public string? Path { get; init; }
+
+    /// <summary>Where that value is in the job; null if none is to blame.</summary>
+    public JsonPlace? Place { get; init; }
 
     /// <summary>Why a program could not be followed to its end, or null.</summary>
     internal static MatingRefusal? OfPath(NcPath path) => path.Refusal is { } refusal ? Of(refusal) : null;

@@ -14,6 +14,18 @@ public static class RefusalForms
         "implausible-course",
         "{0}: through the corrections at the points of {1} it would move by {2:0.000} mm, more than the {3:0.###} mm that are plausible, though no point does. Measure nearer to the ends of the feature and at more points, or fix a lower \"degree\".");
 
+    /// <summary>Feature, its limits, how far its points are off at most, and that limit as micrometers, in mm.</summary>
+    public static SentenceForm LimitImplausible { get; } = new(
+        "limit-implausible",
+        "The limits of {0} allow {1:0.####} mm, and no point of it is more than {2:0.0000} mm off: are they in um, "
+        + "which would be {3:0.######} mm? State limits that the piece could miss.");
+
+    /// <summary>Measurement, how many times as far apart its points lie as the theoretical ones, and their file.</summary>
+    public static SentenceForm UnitDiffers { get; } = new(
+        "unit-differs",
+        "{0}: its points lie {1:0.####} times as far apart as those of {2}. Is one of the two in inch? "
+        + "Give \"unit\" in the gauge's \"format\", or export mm.");
+
     /// <summary>All of them.</summary>
-    public static IReadOnlyList<SentenceForm> All { get; } = [ImplausibleDeviation, ImplausibleCourse];
+    public static IReadOnlyList<SentenceForm> All { get; } = [ImplausibleDeviation, ImplausibleCourse, LimitImplausible, UnitDiffers];
 }

@@ -1,8 +1,8 @@
 using System.Globalization;
-using System.Text.RegularExpressions;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
@@ -48,7 +48,7 @@ internal sealed partial class JobReader
     {
         if (item.Kind == JsonItemKind.List)
         {
-            return new(ReadBand(item), ToleranceSource.Stated);
+            return new(ReadBand(item), ToleranceSource.Stated) { Place = item.Place };
         }
 
         var source = item.Text == "chain:rss" ? ToleranceSource.RootSumOfSquares : ToleranceSource.WorstCase;
@@ -58,7 +58,8 @@ internal sealed partial class JobReader
             return new(default, source);
         }
 
-        return new((source == ToleranceSource.WorstCase ? chain.WorstCase() : chain.RootSumOfSquares()).Band, source);
+        var computed = source == ToleranceSource.WorstCase ? chain.WorstCase() : chain.RootSumOfSquares();
+        return new(computed.Band, source) { Place = item.Place };
     }
 
     private List<string> ReadPoints(JsonItem list, string feature, int least)
@@ -105,11 +106,12 @@ internal sealed partial class JobReader
         {
             try
             {
-                _ = new Regex(item.Text[1..^1], RegexOptions.NonBacktracking | RegexOptions.CultureInvariant, TimeSpan.FromSeconds(1));
+                _ = BlockSelector.Parse(item.Text);
             }
-            catch (Exception e) when (e is ArgumentException or NotSupportedException)
+            catch (NcException e)
             {
-                Refuse(item, "bad-pattern", $"the pattern {item.Text}", "a regular expression without look-around and back references: " + e.Message.TrimEnd('.'));
+                const string Expected = "a regular expression without look-around and back references";
+                Problems.Add(new("bad-pattern", item.Path, item.Place, $"the pattern {item.Text}", Expected, e.Message.TrimEnd('.')));
             }
         }
     }

@@ -9,6 +9,9 @@ namespace ErrorMatching.Mating;
 /// </summary>
 internal sealed partial class JobReader(JsonItem root)
 {
+    /// <summary>Code of the problem of a gauge so uncertain that no deviation is significant before the job stops.</summary>
+    public const string UncertaintyImplausible = "uncertainty-implausible";
+
     private readonly Dictionary<string, JobFeature> _features = new(StringComparer.Ordinal);
     private readonly Dictionary<string, string> _featureOfPoint = new(StringComparer.Ordinal);
 
@@ -41,6 +44,7 @@ internal sealed partial class JobReader(JsonItem root)
             Refuse(root["counterpart"], "measured-missing", "no key \"measured\"", "the measured counterpart's file, since the compensation comes from it");
         }
 
+        CheckLimits(job);
         return job;
     }
 

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
@@ -18,6 +19,12 @@ public static class BoundarySearch
 
     /// <summary>Cosine of 30 degrees: a boundary bends less from one block to the next where no key point is.</summary>
     public const double BendCosine = 0.866;
+
+    /// <summary>Code of the refusal of a straight boundary with a key point on a rounded corner; a match warns of such by the same word.</summary>
+    public const string PointOnCorner = "point-on-corner";
+
+    // Sine of 5.7 degrees, up to which two lines are pieces of one and an arc is tangent, as in the rewriting of the program.
+    private const double StraightSine = 0.1;
 
     // Passes of one path at several depths: nearer to each other than an NC word can say.
     private const double SamePassMm = 0.0005;
@@ -47,12 +54,27 @@ public static class BoundarySearch
             {
                 var core = found[b][k];
                 taken.Remove(core.Core);
-                found[b][k] = core with { Core = Extended(path, core, taken) };
+                found[b][k] = core with { Core = Extended(path, core, boundaries[b].IsStraight, taken) };
                 taken.Add(found[b][k].Core);
             }
         }
 
         return [.. found.Select((f, b) => (refusals[b] ?? Shared(path, boundaries, found, b)) is { } refusal ? new FoundBoundary([], refusal) : new FoundBoundary([.. f.Select(c => c.Core)]))];
+    }
+
+    /// <summary>Why a match would refuse blocks that were found for a feature, by its own mapping of the points as designed.</summary>
+    /// <param name="job">The job; blocks that it names itself do not matter.</param>
+    /// <param name="path">The program, interpreted.</param>
+    /// <param name="theoretical">The key points as designed.</param>
+    /// <param name="feature">Number of the feature, from 0.</param>
+    /// <param name="blocks">Selectors of the blocks.</param>
+    /// <returns>The reason, or null if a match takes them.</returns>
+    /// <exception cref="MeasurementException">A key point is missing, or has no coordinate in the feature's plane.</exception>
+    /// <exception cref="NcException">A selector cannot be read.</exception>
+    public static MatingRefusal? Try(MatingJob job, NcPath path, MeasurementFile theoretical, int feature, IReadOnlyList<string> blocks)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        return FeatureMapper.Map(job with { Features = [job.Features[feature] with { Blocks = blocks }] }, path, theoretical, out _);
     }
 
     /// <summary>A refusal at the block of a motion, which ends with what always helps.</summary>
@@ -115,27 +137,85 @@ public static class BoundarySearch
         }
 
         var nearest = cores.Min(c => c.DistanceMm);
-        return (cores.FindAll(c => c.DistanceMm <= nearest + SamePassMm), null);
+        cores.RemoveAll(c => c.DistanceMm > nearest + SamePassMm);
+        for (var i = 0; boundary.IsStraight && i < cores.Count; i++)
+        {
+            if (WithoutCorners(path, boundary, cores[i], mapMm, out var straight) is { } refusal)
+            {
+                return ([], refusal);
+            }
+
+            cores[i] = cores[i] with { Core = straight };
+        }
+
+        return (cores, null);
     }
 
     private static Pass Core(CutFit fit, SoughtBoundary boundary, double? radius)
     {
         Point2[] ordered = [.. (fit.IsAgainst ? boundary.Points.Reverse() : boundary.Points).Select(p => p.At)];
-        return new(fit.Cut, fit.Core, fit.Feet.Average(f => radius is { } r && !f.IsCompensated ? Math.Abs(f.DistanceMm - r) : f.DistanceMm), ordered[..2], [ordered[^1], ordered[^2]]);
+        var distance = fit.Feet.Average(f => radius is { } r && !f.IsCompensated ? Math.Abs(f.DistanceMm - r) : f.DistanceMm);
+        return new(fit.Cut, fit.Core, fit.IsAgainst, fit.WantedMm, distance, ordered[..2], [ordered[^1], ordered[^2]]);
     }
 
-    private static FoundPass Extended(NcPath path, Pass pass, List<FoundPass> taken)
+    // An arc that turns is no piece of a straight boundary but a corner, which follows both elements that meet there.
+    // A point that lies beside the element before it as well does not need it.
+    private static MatingRefusal? WithoutCorners(NcPath path, SoughtBoundary boundary, Pass pass, double mapMm, out FoundPass straight)
     {
-        var first = Reach(path, pass, pass.Begin, -1, m => m < pass.Cut.First || taken.Exists(t => m >= t.First && m <= t.Last));
-        var last = Reach(path, pass, pass.End, 1, m => m > pass.Cut.Last || taken.Exists(t => m >= t.First && m <= t.Last));
+        straight = pass.Core;
+        foreach (var (step, isFirst) in new[] { (1, !pass.IsAgainst), (-1, pass.IsAgainst) })
+        {
+            var end = step > 0 ? straight.First : straight.Last;
+            if (!path.Motions[end].IsArc || Math.Abs(path.Motions[end].Arc.Sweep.Radians) <= StraightSine)
+            {
+                continue;
+            }
+
+            var (label, at) = isFirst ? boundary.Points[0] : boundary.Points[^1];
+            var inner = Next(path, end, step);
+            if (inner < straight.First || inner > straight.Last || Math.Abs(DistanceMm(path.Motions[inner], at) - pass.WantedMm) > mapMm)
+            {
+                var why = $"the point {label} lies at this arc, a rounded corner, which follows both elements that meet there. "
+                    + "Choose the point further from the corner";
+                return Refuse(path, end, PointOnCorner, why, boundary.Name, label);
+            }
+
+            straight = step > 0 ? straight with { First = inner } : straight with { Last = inner };
+        }
+
+        return null;
+    }
+
+    private static double DistanceMm(in NcMotion motion, Point2 point) =>
+        motion.PlaneAt(motion.IsArc ? motion.Arc.NearestFraction(point) : motion.Segment.NearestFraction(point)).DistanceTo(point);
+
+    // The next motion, in a direction, that has a length in its plane; beyond the path if there is none.
+    private static int Next(NcPath path, int motion, int step)
+    {
+        var next = motion + step;
+        while (next >= 0 && next < path.Motions.Length && !path.Motions[next].MovesInPlane)
+        {
+            next += step;
+        }
+
+        return next;
+    }
+
+    private static FoundPass Extended(NcPath path, Pass pass, bool isStraight, List<FoundPass> taken)
+    {
+        var first = Reach(path, pass, pass.Begin, -1, isStraight, m => m < pass.Cut.First || IsTaken(m));
+        var last = Reach(path, pass, pass.End, 1, isStraight, m => m > pass.Cut.Last || IsTaken(m));
         return new(first, last);
+
+        bool IsTaken(int motion) => taken.Exists(t => motion >= t.First && motion <= t.Last);
     }
 
     // The last motion, in a direction, that the boundary goes on along without a bend.
-    private static int Reach(NcPath path, Pass pass, IReadOnlyList<Point2> outermost, int step, Func<int, bool> isForeign)
+    private static int Reach(NcPath path, Pass pass, IReadOnlyList<Point2> outermost, int step, bool isStraight, Func<int, bool> isForeign)
     {
         var at = step > 0 ? pass.Core.Last : pass.Core.First;
         var end = path.Motions[at];
+        var direction = end.TangentAt(step > 0 ? 1 : 0);
         var fraction = end.IsArc ? end.Arc.NearestFraction(outermost[0]) : end.Segment.NearestFraction(outermost[0]);
         var room = outermost[0].DistanceTo(outermost[1]) - (end.PlaneLength * (step > 0 ? 1 - fraction : fraction));
         for (var m = at + step; !isForeign(m); m += step)
@@ -148,7 +228,10 @@ public static class BoundarySearch
 
             room -= motion.PlaneLength;
             var (before, behind) = step > 0 ? (path.Motions[at], motion) : (motion, path.Motions[at]);
-            if (room < 0 || before.TangentAt(1).Dot(behind.TangentAt(0)) < BendCosine)
+            var leaves = isStraight
+                ? motion.IsArc || Math.Abs(direction.Cross(motion.TangentAt(0))) > StraightSine
+                : IsCorner(path, at, m, step, isForeign);
+            if (leaves || room < 0 || before.TangentAt(1).Dot(behind.TangentAt(0)) < BendCosine)
             {
                 break;
             }
@@ -159,9 +242,31 @@ public static class BoundarySearch
         return at;
     }
 
+    // True if an arc leads tangentially from one boundary to another one: a rounded corner belongs to neither.
+    // The rewriting of the program keeps it tangent to both.
+    private static bool IsCorner(NcPath path, int at, int motion, int step, Func<int, bool> isForeign)
+    {
+        var next = Next(path, motion, step);
+        return path.Motions[motion].IsArc && next >= 0 && next < path.Motions.Length && isForeign(next) && path.Motions[next].IsCut
+            && IsTangent(Math.Min(at, motion), Math.Max(at, motion)) && IsTangent(Math.Min(motion, next), Math.Max(motion, next));
+
+        bool IsTangent(int before, int behind) =>
+            Math.Abs(path.Motions[before].TangentAt(1).Cross(path.Motions[behind].TangentAt(0))) <= StraightSine;
+    }
+
     private static bool Overlap(NcPath path, FoundPass one, FoundPass other) =>
         path.Motions[one.First].Block <= path.Motions[other.Last].Block && path.Motions[other.First].Block <= path.Motions[one.Last].Block;
 
-    /// <summary>A pass: the cut that it is of, what leads past all key points, how near, and the two outermost points at both ends.</summary>
-    private sealed record Pass(FoundPass Cut, FoundPass Core, double DistanceMm, IReadOnlyList<Point2> Begin, IReadOnlyList<Point2> End);
+    /// <summary>
+    /// A pass: the cut that it is of, what leads past all key points and whether from the last to the first, how far it must be away, how near
+    /// it is to that, and the two outermost points at both ends.
+    /// </summary>
+    private sealed record Pass(
+        FoundPass Cut,
+        FoundPass Core,
+        bool IsAgainst,
+        double WantedMm,
+        double DistanceMm,
+        IReadOnlyList<Point2> Begin,
+        IReadOnlyList<Point2> End);
 }

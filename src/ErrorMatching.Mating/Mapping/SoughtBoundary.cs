@@ -6,4 +6,8 @@ namespace ErrorMatching.Mating;
 /// <param name="Name">Name of its feature, for messages.</param>
 /// <param name="Plane">The plane that it lies in.</param>
 /// <param name="Points">Its key points in the order of cutting or against it: their labels, and where they lie in the program, mm.</param>
-public sealed record SoughtBoundary(string Name, CoordinatePlane Plane, IReadOnlyList<(string Label, Point2 At)> Points);
+public sealed record SoughtBoundary(string Name, CoordinatePlane Plane, IReadOnlyList<(string Label, Point2 At)> Points)
+{
+    /// <summary>True if it is straight at both ends, as a line and the flanks of a triangle are: no arc and no bend continues it.</summary>
+    public bool IsStraight { get; init; }
+}

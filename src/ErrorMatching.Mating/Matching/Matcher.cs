@@ -50,7 +50,9 @@ public static class Matcher
             }
         }
 
-        return MatingRefusal.OfPath(path) ?? OriginCheck.Refuse(input.Job, input.Theoretical, input.Part, input.Counterpart) ?? AlignedMeasurement.Check(input.Job);
+        return MatingRefusal.OfPath(path)
+            ?? UnitCheck.Refuse(input.Job, input.Theoretical, input.Part, input.Counterpart)
+            ?? OriginCheck.Refuse(input.Job, input.Theoretical, input.Part, input.Counterpart) ?? AlignedMeasurement.Check(input.Job);
     }
 
     // Why a program with this marker must not be compensated, or null.

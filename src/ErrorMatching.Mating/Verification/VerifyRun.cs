@@ -13,7 +13,10 @@ public static class VerifyRun
 
     /// <summary>Makes the report of a verification.</summary>
     /// <param name="input">What it is computed from.</param>
-    /// <param name="refusals">Why nothing can be compared: an origin that is off, or features that are not on the program; empty where there is a report.</param>
+    /// <param name="refusals">
+    /// Why nothing can be compared: an origin that is off, points in another unit, or features that are not on the program; empty where there
+    /// is a report.
+    /// </param>
     /// <exception cref="MeasurementException">A measurement lacks a point or coordinate.</exception>
     /// <exception cref="GeometryException">The points of a feature do not determine it; the message names it.</exception>
     /// <exception cref="NcException">The dialect or a selector cannot be read.</exception>
@@ -23,7 +26,12 @@ public static class VerifyRun
         var job = input.Job;
         var path = NcInterpreter.Run(NcProgram.Read(input.Program), job.Counterpart.DialectOf(input.OwnDialect));
         IReadOnlyList<FeatureMap> maps = [];
-        if ((MatingRefusal.OfPath(path) ?? OriginCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After) ?? AlignedMeasurement.Check(job) ?? FeatureMapper.Map(job, path, input.Theoretical, out maps)) is { } refusal)
+        var refused = MatingRefusal.OfPath(path)
+            ?? UnitCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After)
+            ?? OriginCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After)
+            ?? AlignedMeasurement.Check(job)
+            ?? FeatureMapper.Map(job, path, input.Theoretical, out maps);
+        if (refused is { } refusal)
         {
             refusals = [refusal];
             return null;

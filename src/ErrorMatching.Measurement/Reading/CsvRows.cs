@@ -7,14 +7,20 @@ namespace ErrorMatching.Measurement;
 /// <summary>Splits text into records (RFC 4180: a quoted cell may hold delimiters, doubled quotation marks and line breaks).</summary>
 internal static class CsvRows
 {
+    // No gauge writes more. The parser needs a hundred times the bytes of a line that is nothing but delimiters, so lines are counted before it sees them.
+    private const int MostColumns = 1_000;
+    private const int MostLines = 1_000_000;
+    private const int MostCells = 4_000_000;
+
     /// <summary>The records that are not blank.</summary>
     /// <param name="text">The text of the table.</param>
     /// <param name="file">The file as the caller named it.</param>
     /// <param name="firstLine">The line of the file in which the text starts.</param>
     /// <param name="delimiter">What stands between two cells.</param>
-    /// <exception cref="MeasurementException">A quotation mark is not closed, or stands where none may.</exception>
+    /// <exception cref="MeasurementException">There are too many columns, lines or cells; a quotation mark is not closed, or stands where none may.</exception>
     public static IEnumerable<CsvRow> Read(string text, string file, int firstLine, char delimiter)
     {
+        ThrowIfTooMany(text, file, firstLine, delimiter);
         string? badField = null;
         var configuration = new CsvConfiguration(CultureInfo.InvariantCulture)
         {
@@ -26,11 +32,12 @@ internal static class CsvRows
         // The parser's own count of lines is not used: a test of it with quoted line breaks would be a test of its next version too.
         for (var line = firstLine; parser.Read(); line += LineBreaks.Count(parser.RawRecord))
         {
-            var (texts, lines) = (new string[parser.Count], new int[parser.Count]);
+            var texts = new string[parser.Count];
+            var lines = LineBreaks.Count(parser.RawRecord.AsSpan().TrimEnd("\r\n")) > 0 ? new int[texts.Length] : null;
             for (var (i, cellLine) = (0, line); i < texts.Length; i++)
             {
                 texts[i] = parser[i];
-                lines[i] = cellLine;
+                lines?[i] = cellLine;
                 if (badField is not null)
                 {
                     throw BadQuote(new(file, cellLine, i + 1), badField);
@@ -39,11 +46,35 @@ internal static class CsvRows
                 cellLine += LineBreaks.Count(texts[i]);
             }
 
-            var row = new CsvRow(file, texts, lines);
+            var row = new CsvRow(file, line, texts, lines);
             if (!row.IsBlank)
             {
                 yield return row;
             }
+        }
+    }
+
+    // A delimiter in a quoted cell counts too: what is quoted is known only to the parser.
+    private static void ThrowIfTooMany(string text, string file, int firstLine, char delimiter)
+    {
+        var (line, cells) = (firstLine, 0);
+        for (var start = 0; start < text.Length; line++)
+        {
+            var end = LineBreaks.NextLine(text, start);
+            var columns = text.AsSpan(start..end).Count(delimiter) + 1;
+            cells += columns;
+            if (columns > MostColumns)
+            {
+                throw new Place(file, line, MostColumns + 1).Fail(MeasurementError.TooManyCells, $"a line of {columns} cells", $"at most {MostColumns} in a line: is this the right file?");
+            }
+
+            if (line - firstLine >= MostLines || cells > MostCells)
+            {
+                throw new Place(file, line, 1).Fail(
+                    MeasurementError.TooManyCells, $"more than {(cells > MostCells ? MostCells : MostLines)} {(cells > MostCells ? "cells" : "lines")}", "a shorter table: is this the right file?");
+            }
+
+            start = end;
         }
     }
 

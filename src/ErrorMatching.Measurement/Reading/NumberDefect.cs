@@ -5,8 +5,6 @@ namespace ErrorMatching.Measurement;
 /// <summary>Says why a text is no number, for a person who has to correct a file.</summary>
 internal static partial class NumberDefect
 {
-    private const int TimeLimitMs = 1000;
-
     /// <summary>The code and the expectation for a text that is no plain decimal number.</summary>
     public static (string Code, string Expected) Of(string text, bool decimalComma)
     {
@@ -29,13 +27,22 @@ internal static partial class NumberDefect
     /// <summary>True if a spreadsheet would take the text for a formula. Numbers with a sign are such texts too; a lone dash is not.</summary>
     public static bool IsFormula(string text) => text.Length > 1 && (text[0] is '=' or '@' || (text[0] is '+' or '-' && text.AsSpan(1).ContainsAnyExcept('-', '+', ' ')));
 
-    [GeneratedRegex(@"^[+-]?nan(\(.*\))?$|#QNAN|#SNAN|#IND", RegexOptions.IgnoreCase | RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, TimeLimitMs)]
+    [GeneratedRegex(
+        @"^[+-]?nan(\(.*\))?$|#QNAN|#SNAN|#IND",
+        RegexOptions.IgnoreCase | RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture,
+        Timeout.Infinite)]
     private static partial Regex NotANumber();
 
-    [GeneratedRegex(@"^[+-]?(inf(inity)?|\u221e)$|#INF", RegexOptions.IgnoreCase | RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, TimeLimitMs)]
+    [GeneratedRegex(
+        @"^[+-]?(inf(inity)?|\u221e)$|#INF",
+        RegexOptions.IgnoreCase | RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture,
+        Timeout.Infinite)]
     private static partial Regex Infinite();
 
     // A single group behind the other decimal sign (1,234) is no thousand but a decimal: millimeters have three of them.
-    [GeneratedRegex(@"^[+-]?[0-9]{1,3}(([ '\u2019\u00a0\u202f_][0-9]{3})+([.,][0-9]*)?|(,[0-9]{3}){2,}|(\.[0-9]{3}){2,}|(,[0-9]{3})+\.[0-9]*|(\.[0-9]{3})+,[0-9]*)$", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, TimeLimitMs)]
+    [GeneratedRegex(
+        @"^[+-]?[0-9]{1,3}(([ '\u2019\u00a0\u202f_][0-9]{3})+([.,][0-9]*)?|(,[0-9]{3}){2,}|(\.[0-9]{3}){2,}|(,[0-9]{3})+\.[0-9]*|(\.[0-9]{3})+,[0-9]*)$",
+        RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture,
+        Timeout.Infinite)]
     private static partial Regex Grouped();
 }

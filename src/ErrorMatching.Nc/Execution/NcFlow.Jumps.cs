@@ -177,6 +177,7 @@ internal sealed partial class NcFlow
     // Whether a condition holds; false where nobody can know, with the refusal.
     private bool TryTruth(int block, ref ExpressionReader reader, NcValue value, out bool truth)
     {
+        _hasComputed = true;
         truth = value.Number != 0;
         if (!Check(ref reader, block))
         {

@@ -7,6 +7,7 @@ internal sealed partial class NcFlow
 
     private readonly List<(byte Letter, NcValue Value)> _words = [];
     private int _scanned = -1;
+    private bool _hasComputed;
 
     // Makes the assignments of a block (LinuxCNC: keeps them until its words have been read) and collects its words with their values.
     private FlowAction Assign(int block, ReadOnlySpan<byte> text, int at)
@@ -70,11 +71,34 @@ internal sealed partial class NcFlow
 
         if (place is { Kind: VariableKind.Numbered, Number: AlarmVariable } && !value.IsVacant && value.Number != 0)
         {
+            if (IsLock(block))
+            {
+                const string locked = "The program raises an alarm here (#3000) before it moves, until this block is taken out. What is shown is what it does then.";
+                Note("program-alarm", block, locked);
+                return FlowAction.Continue;
+            }
+
             Note("program-alarm", block, "The program raises an alarm here (#3000) and ends.");
             return Ended();
         }
 
+        _hasComputed = true;
         return Assigned(block, place, value, column);
+    }
+
+    // A guard has something before it that decides. An alarm that nothing leads to, not even a motion, is a lock: somebody takes it out once the program is complete.
+    private bool IsLock(int block)
+    {
+        var isLock = Depth == 0 && _steps == 0 && !_hasComputed;
+        for (var i = 0; isLock && i < block; i++)
+        {
+            foreach (var token in Program.Tokens(Program[i]))
+            {
+                isLock &= token.Kind != NcTokenKind.Word || token.Letter is not ((>= (byte)'U' and <= (byte)'Z') or (>= (byte)'A' and <= (byte)'C'));
+            }
+        }
+
+        return isLock;
     }
 
     private void ReadWord(ReadOnlySpan<byte> text, ref ExpressionReader reader)

@@ -17,6 +17,7 @@ internal sealed class ContourSearch
     private readonly NcMotions _motions;
     private readonly double _tolerance;
     private readonly bool _isSorted;
+    private readonly Func<int, bool>? _passes;
     private readonly int[] _breaks = [];
     private ulong[]? _ends;
     private ulong[]? _starts;
@@ -25,15 +26,16 @@ internal sealed class ContourSearch
     /// <param name="motions">The path.</param>
     /// <param name="tolerance">Places closer than this are one, mm; less than half of <see cref="CellMm"/>.</param>
     /// <param name="searches">How many searches will follow.</param>
-    public ContourSearch(NcMotions motions, double tolerance, int searches)
+    /// <param name="passes">Motions that go nowhere in the plane and do not interrupt a contour; null where there are none.</param>
+    public ContourSearch(NcMotions motions, double tolerance, int searches, Func<int, bool>? passes = null)
     {
-        (_motions, _tolerance, _isSorted) = (motions, tolerance, searches > Few);
+        (_motions, _tolerance, _isSorted, _passes) = (motions, tolerance, searches > Few, passes);
         if (_isSorted)
         {
             var breaks = new List<int>();
             for (var i = 0; i < motions.Length; i++)
             {
-                if (i == 0 || !motions.IsContour(i) || !motions.IsContour(i - 1) || !motions.IsComparable(i, i - 1))
+                if (i == 0 || !IsContour(i) || !IsContour(i - 1) || !motions.IsComparable(i, i - 1))
                 {
                     breaks.Add(i);
                 }
@@ -87,7 +89,7 @@ internal sealed class ContourSearch
     {
         for (var i = from; (i = _motions.PassAhead(i, like, place, _tolerance)) < _motions.Length && Belongs(i, like); i++)
         {
-            if (IsSame(_motions.EndOf(i), place))
+            if (IsSame(_motions.EndOf(i), place) && _motions.IsContour(i))
             {
                 return i;
             }
@@ -100,7 +102,7 @@ internal sealed class ContourSearch
     {
         for (var i = from; i >= 0 && Belongs(i = _motions.PassBack(i, like, place, _tolerance), like); i--)
         {
-            if (IsSame(_motions.StartOf(i), place))
+            if (IsSame(_motions.StartOf(i), place) && _motions.IsContour(i))
             {
                 return i;
             }
@@ -109,7 +111,9 @@ internal sealed class ContourSearch
         return -1;
     }
 
-    private bool Belongs(int motion, int like) => _motions.IsContour(motion) && _motions.IsComparable(motion, like);
+    private bool IsContour(int motion) => _motions.IsContour(motion) || (_passes is not null && _passes(motion));
+
+    private bool Belongs(int motion, int like) => IsContour(motion) && _motions.IsComparable(motion, like);
 
     private bool IsSame(Point3 a, Point3 b) => Math.Abs(a.X - b.X) < _tolerance && (a - b).Length < _tolerance;
 
@@ -164,7 +168,7 @@ internal sealed class ContourSearch
         for (at = at >= 0 ? at : ahead ? ~at : ~at - 1; at >= 0 && at < keys.Length && keys[at] >= first && keys[at] <= last; at += ahead ? 1 : -1)
         {
             var motion = (int)(uint)keys[at];
-            if (IsSame(placeOf(motion), place))
+            if (IsSame(placeOf(motion), place) && _motions.IsContour(motion))
             {
                 return motion;
             }

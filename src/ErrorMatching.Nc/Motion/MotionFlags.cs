@@ -63,4 +63,13 @@ public enum MotionFlags
 
     /// <summary>The arc is given by an opening angle, a point on the way, or the direction before it.</summary>
     OtherArcForm = 1 << 18,
+
+    /// <summary>A move to a place of the machine that says nothing of X: wherever it begins in X, it ends there as well.</summary>
+    CarriesX = 1 << 19,
+
+    /// <summary>The same in Y.</summary>
+    CarriesY = 1 << 20,
+
+    /// <summary>The same in Z.</summary>
+    CarriesZ = 1 << 21,
 }

@@ -54,6 +54,9 @@ public sealed partial class NcInterpreter
         {
             switch (_dialect.FunctionOf(function))
             {
+                case FunctionRole.Harmless when function == ToolChange:
+                    _toolChanges.Add(_motions.Length);
+                    break;
                 case FunctionRole.Harmless or FunctionRole.SaveModes or FunctionRole.SaveModesOfCall or FunctionRole.RestoreModes:
                     break;
                 case FunctionRole.DropModes:

@@ -53,6 +53,8 @@ public sealed partial class NcInterpreter
         NextFrame();
     }
 
+    private static MotionFlags Carries(AxisSet axes) => (MotionFlags)((int)axes * (int)MotionFlags.CarriesX);
+
     private static AxisSet AxesAlong(Vector3 v) =>
         (v.X != 0 ? AxisSet.X : AxisSet.None) | (v.Y != 0 ? AxisSet.Y : AxisSet.None) | (v.Z != 0 ? AxisSet.Z : AxisSet.None);
 
@@ -109,6 +111,8 @@ public sealed partial class NcInterpreter
             : (unknown & named) == AxisSet.None ? MotionKind.Rapid
             : MotionKind.Reference;
         flags |= MotionFlags.MachineMove | SwitchCompensation(_state.Plane.Project(_state.Position) != _state.Plane.Project(end));
+        var isTurned = OriginOf(_workOffset).Degrees is not (null or 0) && (named & (AxisSet.X | AxisSet.Y)) != AxisSet.None;
+        flags |= Carries(AxisSet.All & ~named) | (isTurned ? MotionFlags.Transformed : MotionFlags.None);
         Corner(kind, flags, end, unknown, null);
         Append(kind, flags, end, unknown);
         KeepCorner(kind);
@@ -123,10 +127,12 @@ public sealed partial class NcInterpreter
         flags |= MotionFlags.MachineMove;
         if (_code == NcMeaning.ReferenceReturn && (ListsIdleMoves || (named != AxisSet.None && (over != _state.Position || unknown != _state.Unknown))))
         {
-            Append(MotionKind.Rapid, flags, over, unknown);
+            var incremental = ((_state.Incremental ? LinearAxes : 0) & ~_words.Absolute) | _words.Incremental;
+            Append(MotionKind.Rapid, flags | Carries((AxisSet.All & ~named) | AxesOf(incremental)), over, unknown);
         }
 
         named = named == AxisSet.None ? AxisSet.All : named;
+        flags |= Carries(AxisSet.All & ~named);
         if (!_references.TryGetValue(_reference, out var stored))
         {
             Append(MotionKind.Reference, flags, _state.Position, _state.Unknown | named);

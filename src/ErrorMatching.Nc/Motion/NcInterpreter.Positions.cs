@@ -6,7 +6,6 @@ namespace ErrorMatching.Nc;
 /// </content>
 public sealed partial class NcInterpreter
 {
-    private const int ToolChange = 6;
     private const string OnlyHere = "The result holds for this position of the switch only.";
     private const string SplitHere = "Begin a line for them, or put a comment in parentheses.";
 

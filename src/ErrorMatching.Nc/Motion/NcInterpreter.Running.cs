@@ -57,7 +57,11 @@ public sealed partial class NcInterpreter
 
         ahead.Cancel();
         _cancellation.ThrowIfCancellationRequested();
-        return new(_program, _dialect, _motions, _problems, _placeDependents, _frames, Notes(), _flow?.Refusal, _library) { Borders = _borders };
+        return new(_program, _dialect, _motions, _problems, _placeDependents, _frames, Notes(), _flow?.Refusal, _library)
+        {
+            Borders = _borders,
+            ToolChanges = _toolChanges,
+        };
     }
 
     private void RunBlock(NcBlock block)

@@ -9,6 +9,7 @@ namespace ErrorMatching.Nc;
 public sealed partial class NcInterpreter
 {
     private const double MmPerInch = 25.4;
+    private const int ToolChange = 6;
     private const uint LinearAxes = (1u << 23) | (1u << 24) | (1u << 25);
     private const uint CenterWords = (1u << 8) | (1u << 9) | (1u << 10);
     private const uint GeometryWords = LinearAxes | CenterWords | (1u << 17) | (0x3Fu << 26);
@@ -19,6 +20,7 @@ public sealed partial class NcInterpreter
     private readonly List<NcProblem> _problems = [];
     private readonly HashSet<NcProblem> _said = [];
     private readonly List<(int Block, int Joint)> _placeDependents = [];
+    private readonly List<int> _toolChanges = [];
     private readonly NcMotions _motions;
     private readonly uint _otherAxes;
     private readonly uint _unknownLetters;

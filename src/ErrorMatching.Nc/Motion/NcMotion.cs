@@ -73,6 +73,9 @@ public readonly record struct NcMotion(
     /// <summary>Length in the plane.</summary>
     public double PlaneLength => IsArc ? Arc.Length : Segment.Length;
 
+    /// <summary>Axes in which a move to a place of the machine ends where it begins, since it says nothing of them.</summary>
+    internal AxisSet CarriedAxes => (AxisSet)((int)Flags / (int)MotionFlags.CarriesX) & AxisSet.All;
+
     /// <summary>True if a flag is set.</summary>
     public bool Has(MotionFlags flag) => (Flags & flag) != MotionFlags.None;
 }

@@ -55,6 +55,22 @@ public sealed class NcPath
     /// </summary>
     internal IReadOnlyList<(int Block, int Joint)> PlaceDependents { get; }
 
+    /// <summary>Joints of the path at which the tool was changed (M6), ascending.</summary>
+    internal IReadOnlyList<int> ToolChanges { get; init; } = [];
+
+    /// <summary>True if the tool was changed at one of some joints.</summary>
+    internal bool ChangesTool(int firstJoint, int lastJoint)
+    {
+        var (low, high) = (0, ToolChanges.Count);
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            (low, high) = ToolChanges[middle] < firstJoint ? (middle + 1, high) : (low, middle);
+        }
+
+        return low < ToolChanges.Count && ToolChanges[low] <= lastJoint;
+    }
+
     /// <summary>All motions of a block, in the order in which they are executed: several where it runs several times, or is a canned cycle.</summary>
     public ReadOnlySpan<int> MotionsOf(int block)
     {

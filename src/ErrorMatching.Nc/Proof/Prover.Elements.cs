@@ -14,6 +14,9 @@ public sealed partial class Prover
     /// <summary>A fillet's ends are rounded, and so is the center whose feet they are.</summary>
     private double FootTolerance => (5 * _increment) + 1e-6;
 
+    /// <summary>How far the radii at both ends of an arc may differ on every control, mm.</summary>
+    private const double AcceptedMismatch = 0.001;
+
     private static double Mismatch(in NcMotion motion) => ArcCenter.Mismatch(motion.PlaneStart, motion.PlaneEnd, motion.Center);
 
     private void Measure(int block, double deviation, double tolerance)
@@ -32,12 +35,11 @@ public sealed partial class Prover
             return;
         }
 
-        var (start, middle, end) = (was.PlaneStart + element.Start, was.PlaneAt(0.5) + element.Middle, was.PlaneEnd + element.End);
         if (!was.IsArc)
         {
-            var wanted = Line2.Through(start, end);
-            Measure(was.Block, Math.Abs(wanted.SignedDistance(now.PlaneStart)), LineTolerance);
-            Measure(was.Block, Math.Abs(wanted.SignedDistance(now.PlaneEnd)), LineTolerance);
+            var line = Line2.Through(was.PlaneStart + element.Start, was.PlaneEnd + element.End);
+            Measure(was.Block, Math.Abs(line.SignedDistance(now.PlaneStart)), LineTolerance);
+            Measure(was.Block, Math.Abs(line.SignedDistance(now.PlaneEnd)), LineTolerance);
             if ((now.PlaneEnd - now.PlaneStart).Dot(was.PlaneEnd - was.PlaneStart) <= 0)
             {
                 Fail(was.Block, "it turned round.");
@@ -47,12 +49,18 @@ public sealed partial class Prover
         {
             CheckFillet(element.Motion, was, now);
         }
+        else if (WantedCircle(was, element) is { } wanted)
+        {
+            // Where it cuts, and at quarters of its first turn: the center of a full circle that went aside shows only there.
+            for (var quarter = 0; quarter <= 4; quarter++)
+            {
+                var place = now.PlaneAt(quarter / (4.0 * (now.Turns + 1)));
+                Measure(was.Block, Math.Abs(wanted.SignedDistance(place)), ArcTolerance + Mismatch(was));
+            }
+        }
         else
         {
-            var circle = now.Arc.Circle;
-            Measure(was.Block, Math.Abs(circle.SignedDistance(start)), ArcTolerance + Mismatch(was));
-            Measure(was.Block, Math.Abs(circle.SignedDistance(middle)), ArcTolerance + Mismatch(was));
-            Measure(was.Block, Math.Abs(circle.SignedDistance(end)), ArcTolerance + Mismatch(was));
+            Fail(was.Block, "no circle runs where it was wanted.");
         }
 
         CheckArc(was, now);
@@ -60,6 +68,30 @@ public sealed partial class Prover
         CheckReach(was, now.PlaneEnd - was.PlaneEnd);
         CheckJoint(was, element.Motion, element.Motion, element.Start);
         CheckJoint(was, element.Motion, element.Motion + 1, element.End);
+    }
+
+    // An arc that is offset alike keeps its center; another runs through its displaced start, middle and end. A full circle has its
+    // displaced start and middle as a diameter.
+    private static Circle2? WantedCircle(in NcMotion was, ElementWish wish)
+    {
+        if (was.PlaneStart == was.Center || was.PlaneEnd == was.Center)
+        {
+            return null;
+        }
+
+        var arc = was.Arc;
+        var (start, middle, end) = (was.PlaneStart + wish.Start, arc.Middle + wish.Middle, was.PlaneEnd + wish.End);
+        var outward = (arc.Middle - arc.Center).Normalize().Dot(wish.Middle);
+        var isOffset = IsOutward(was.PlaneStart, wish.Start) && IsOutward(was.PlaneEnd, wish.End);
+        if (isOffset || Math.Abs(arc.Sweep.Degrees) > 359.9)
+        {
+            var radius = isOffset ? arc.Radius + outward : start.DistanceTo(middle) / 2;
+            return radius > 0 ? new(isOffset ? arc.Center : start.Lerp(middle, 0.5), radius) : null;
+        }
+
+        return CircleThrough(start, middle, end);
+
+        bool IsOutward(Point2 at, Vector2 by) => Math.Abs((at - arc.Center).Normalize().Dot(by) - outward) < SamePlace;
     }
 
     // A vertex may run along its element to meet the neighbor, but not away.
@@ -116,7 +148,7 @@ public sealed partial class Prover
             return;
         }
 
-        var allowed = Math.Max(Mismatch(was), 1.5 * _increment);
+        var allowed = Math.Max(Math.Max(Mismatch(was), AcceptedMismatch), 1.5 * _increment);
         if (Mismatch(now) > allowed + 1e-9)
         {
             Fail(was.Block, "the radii at its start and end differ by more than a control accepts.");
@@ -131,9 +163,15 @@ public sealed partial class Prover
     private void CheckNeighbor(int motion, in NcMotion was, in NcMotion now, bool startMoved, bool endMoved)
     {
         var moved = endMoved ? now.PlaneEnd - was.PlaneEnd : now.PlaneStart - was.PlaneStart;
+        if (was.Has(MotionFlags.MachineMove))
+        {
+            CheckMachineMove(was, now);
+            return;
+        }
+
         if (!was.MovesInPlane || !was.IsCut)
         {
-            if (!was.MovesInPlane && !Same(default(Point3) + (now.Start - was.Start), default(Point3) + (now.End - was.End)))
+            if (!was.MovesInPlane && !KeepsItsWay(was, now) && (HeightMoved(was, now) || !LeadsAcross(motion)))
             {
                 Fail(was.Block, "a move along the tool axis now moves in the plane or ends at another height.");
             }
@@ -166,7 +204,7 @@ public sealed partial class Prover
         }
         else
         {
-            if (was.IsArc && moved.Length > 5 * _increment && EndsOnCircle(was, now))
+            if (was.IsArc && moved.Length > 5 * _increment && EndsOnCircle(was, now) && !TookWish(motion, moved, endMoved))
             {
                 Fail(was.Block, "its ends slid along its circle, but its center moved.");
             }
@@ -211,14 +249,20 @@ public sealed partial class Prover
             return true;
         }
 
+        return CircleThrough(now.PlaneStart, middle, now.PlaneEnd) is { } circle
+            && Math.Abs(now.Arc.Radius - circle.Radius) <= (1.5 * _increment) + 1e-6;
+    }
+
+    // Null for points on one line: no circle is right.
+    private static Circle2? CircleThrough(Point2 start, Point2 middle, Point2 end)
+    {
         try
         {
-            return Math.Abs(now.Arc.Radius - Circle2.Through(now.PlaneStart, middle, now.PlaneEnd).Radius) <= (1.5 * _increment) + 1e-6;
+            return Circle2.Through(start, middle, end);
         }
         catch (GeometryException)
         {
-            // On one line: no radius is right.
-            return false;
+            return null;
         }
     }
 

@@ -22,10 +22,15 @@ public sealed partial class Prover
         {
             Note(was, NeighborRole.Follows, now.PlaneStart - was.PlaneStart);
         }
+        else if ((startMoved || endMoved) && was.Has(MotionFlags.MachineMove))
+        {
+            CheckMachineMove(was, now);
+        }
         else if (startMoved || endMoved)
         {
             var isRetract = !was.MovesInPlane;
-            if ((isRetract && !Same(now.PlaneStart, now.PlaneEnd)) || Math.Abs(plane.Height(default(Point3) + moved)) > 1e-9)
+            if ((isRetract && !Same(now.PlaneStart, now.PlaneEnd) && !LeadsAcross(motion))
+                || Math.Abs(plane.Height(default(Point3) + moved)) > 1e-9)
             {
                 Fail(was.Block, "a move along the tool axis now moves in the plane or ends at another height.");
             }

@@ -45,17 +45,7 @@ public sealed partial class Prover
             allowed[joint] = true;
         }
 
-        // Joints that positioning shares: what one reaches, the next would reach as well, so each way is gone once.
-        for (var joint = Array.IndexOf(allowed, true); joint >= 0 && joint < _before.Motions.Length; joint = Array.IndexOf(allowed, true, joint + 1))
-        {
-            allowed[joint + 1] |= !_before.Motions.MovesInPlane(joint);
-        }
-
-        for (var joint = _elements.Count > 0 ? Array.LastIndexOf(allowed, true) : 0; joint > 0; joint = Array.LastIndexOf(allowed, true, joint - 1))
-        {
-            allowed[joint - 1] |= !_before.Motions.MovesInPlane(joint - 1);
-        }
-
+        AllowPositioning(allowed);
         return allowed;
     }
 
@@ -63,7 +53,7 @@ public sealed partial class Prover
     private void FindClosures()
     {
         var motions = _before.Motions;
-        var contours = new ContourSearch(motions, SamePlace, _elements.Count);
+        var contours = new ContourSearch(motions, SamePlace, _elements.Count, IsPassed);
         for (var run = 0; run < _elements.Count; run++)
         {
             var (first, last) = _elements[run];
@@ -72,12 +62,19 @@ public sealed partial class Prover
             if (closing >= 0)
             {
                 _closures[first] = closing + 1;
+                _closures.TryAdd(closing + 1, first);
             }
 
             var opening = Same(motions.StartOf(last), end) ? last : contours.LastStartingAt(end, last - 1, last);
             if (opening >= 0)
             {
                 _closures[last + 1] = opening;
+                _closures.TryAdd(opening, last + 1);
+            }
+
+            foreach (var (begin, close) in Rings.Inside(motions, first, last))
+            {
+                (_closures[begin], _closures[close]) = (close, begin);
             }
         }
     }
@@ -137,7 +134,7 @@ public sealed partial class Prover
     private IEnumerable<(int Motion, bool AtStart)> MotionsAt(int joint)
     {
         var behind = joint;
-        while (behind >= 0 && behind < _before.Motions.Length && (IsShrunk(behind, _before.Motions[behind]) || PathWithoutPoints.IsPoint(_before.Motions[behind])))
+        while (behind >= 0 && behind < _before.Motions.Length && (IsShrunk(behind, _before.Motions[behind]) || IsPassed(behind)))
         {
             behind++;
         }
@@ -148,7 +145,7 @@ public sealed partial class Prover
         }
 
         var ahead = joint - 1;
-        while (ahead >= 0 && (IsShrunk(ahead, _before.Motions[ahead]) || PathWithoutPoints.IsPoint(_before.Motions[ahead])))
+        while (ahead >= 0 && (IsShrunk(ahead, _before.Motions[ahead]) || IsPassed(ahead)))
         {
             ahead--;
         }

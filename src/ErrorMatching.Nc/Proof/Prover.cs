@@ -194,7 +194,7 @@ public sealed partial class Prover
             var (startMoved, endMoved) = (!Same(was.Start, now.Start), !Same(was.End, now.End));
             var differs = startMoved || endMoved || (was.IsArc && !Same(was.Center, now.Center));
             moved += differs ? 1 : 0;
-            if ((startMoved && !allowed[i]) || (endMoved && !allowed[i + 1]))
+            if ((startMoved && (!allowed[i] || IsOtherTools(i, i))) || (endMoved && (!allowed[i + 1] || IsOtherTools(i, i + 1))))
             {
                 Fail(was.Block, "it moved although neither it nor a motion beside it was named.");
             }

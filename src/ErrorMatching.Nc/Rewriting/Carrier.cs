@@ -46,6 +46,11 @@ internal readonly record struct Carrier(Line2? Line, Circle2? Circle)
         }
     }
 
+    /// <summary>The parallel line or the circle about the same center that runs through a place.</summary>
+    public Carrier Through(Point2 place) => Line is { } line
+        ? new(line.Offset(line.SignedDistance(place)), null)
+        : new(null, new(Circle!.Value.Center, Circle.Value.Center.DistanceTo(place)));
+
     /// <summary>Where two carriers meet, nearest to a place; null where they do not.</summary>
     public Point2? Meet(Carrier other, Point2 near) => (this, other) switch
     {

@@ -26,34 +26,51 @@ internal static class CenterGrid
     {
         var exact = wanted.Center - origin;
         var (first, second) = (NcNumber.Round(exact.X / increment, 0).Digits, NcNumber.Round(exact.Y / increment, 0).Digits);
-        var (best, bestCost) = ((first, second), double.PositiveInfinity);
-        for (var i = first - Reach; i <= first + Reach; i++)
+        var free = FreeMismatch(start, end, wanted, increment);
+        var best = Cheapest(free);
+        if (MiddleError(origin + new Vector2(best.First * increment, best.Second * increment), start, end, wanted) > increment)
         {
-            for (var j = second - Reach; j <= second + Reach; j++)
-            {
-                var cost = Cost(origin + new Vector2(i * increment, j * increment), start, end, wanted);
-                if (cost < bestCost)
-                {
-                    (best, bestCost) = ((i, j), cost);
-                }
-            }
+            // Beyond half a turn an arc's middle goes further than its center does: better radii that differ a little, as controls accept.
+            free = WantedMismatchMm;
+            best = Cheapest(free);
         }
 
-        if (was is { } old && (old - exact).Length < 1.5 * increment && Cost(origin + old, start, end, wanted) is var kept
-            && kept <= bestCost + (increment / 4) && ArcCenter.Mismatch(start, end, origin + old) <= WantedMismatchMm)
+        if (was is { } old && (old - exact).Length < 1.5 * increment && Cost(origin + old, start, end, wanted, free) is var kept
+            && kept <= best.Cost + (increment / 4) && ArcCenter.Mismatch(start, end, origin + old) <= WantedMismatchMm)
         {
             return (null, null);
         }
 
-        return best;
+        return (best.First, best.Second);
+
+        (long First, long Second, double Cost) Cheapest(double freeMismatch)
+        {
+            var cheapest = (first, second, Cost: double.PositiveInfinity);
+            for (var i = first - Reach; i <= first + Reach; i++)
+            {
+                for (var j = second - Reach; j <= second + Reach; j++)
+                {
+                    var cost = Cost(origin + new Vector2(i * increment, j * increment), start, end, wanted, freeMismatch);
+                    cheapest = cost < cheapest.Cost ? (i, j, cost) : cheapest;
+                }
+            }
+
+            return cheapest;
+        }
     }
 
+    private static double MiddleError(Point2 center, Point2 start, Point2 end, Arc2 wanted) =>
+        Math.Abs(wanted.Middle.DistanceTo(center) - ((start.DistanceTo(center) + end.DistanceTo(center)) / 2));
+
+    // Radii may differ by half an increment, or by what the arc brings along beyond its rounding: a fine grid can do no more about that.
+    private static double FreeMismatch(Point2 start, Point2 end, Arc2 wanted, double increment) =>
+        Math.Min(WantedMismatchMm / 2, Math.Max(increment / 2, ArcCenter.Mismatch(start, end, wanted.Center) - (1.5 * increment)));
+
     // The middle counts most; then radii that agree; then the exact center, which an offset must keep.
-    private static double Cost(Point2 center, Point2 start, Point2 end, Arc2 wanted)
+    private static double Cost(Point2 center, Point2 start, Point2 end, Arc2 wanted, double freeMismatch)
     {
-        var radius = (start.DistanceTo(center) + end.DistanceTo(center)) / 2;
         var mismatch = ArcCenter.Mismatch(start, end, center);
-        var middle = Math.Abs(wanted.Middle.DistanceTo(center) - radius);
-        return middle + (0.1 * mismatch) + (0.3 * center.DistanceTo(wanted.Center)) + (10 * Math.Max(0, mismatch - (WantedMismatchMm / 2)));
+        return MiddleError(center, start, end, wanted) + (0.1 * mismatch) + (0.3 * center.DistanceTo(wanted.Center))
+            + (10 * Math.Max(0, mismatch - freeMismatch));
     }
 }

@@ -9,38 +9,29 @@ namespace ErrorMatching.Nc;
 /// </content>
 internal sealed partial class ElementDisplacer
 {
-    private NcRefusal? Borders(int first, int last, ContourSearch contours)
+    // Where a named motion closes the contour, both ends are set already.
+    private int Unnamed(int motion) => motion >= 0 && _named.Contains(motion) ? -1 : motion;
+
+    private NcRefusal? Borders(int first, int last, int closing, int opening) =>
+        Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1)
+            ?? Border(last, opening >= 0 ? opening : last + 1, last + 1, atStart: false, opening);
+
+    // The contour closes at a joint that was decided for another element already: it must suit this one as well.
+    private NcRefusal? Suit(int element, int neighbor, int joint, bool atStart, int otherJoint)
     {
-        var (start, end) = (_path.Motions.StartOf(first), _path.Motions.EndOf(last));
-        if (first < last && (start - end).Length < SamePlace)
+        var plane = _path.Motions[element].Plane;
+        var move = _change.PlaneMoveOf(otherJoint, plane);
+        if (!IsOnCarrier(element, atStart ? 0 : 1, move))
         {
-            return CloseRun(first, last);
+            return DoesNotClose(element, neighbor);
         }
 
-        // A later cut of the same contour that ends where the run begins, or an earlier one that begins where the run ends: the contour closes there.
-        var closing = contours.FirstEndingAt(start, last + 1, first);
-        var opening = closing >= 0 ? -1 : contours.LastStartingAt(end, first - 1, first);
-        Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1);
-        Border(last, opening >= 0 ? opening : last + 1, last + 1, atStart: false, opening);
+        Place(joint, plane, move);
         return null;
     }
 
-    // The whole contour is displaced: its first and last element meet each other.
-    private NcRefusal? CloseRun(int first, int last)
-    {
-        var motion = _path.Motions[first];
-        var place = motion.PlaneStart;
-        var amount = Math.Max(WishOf(last).End.Length, WishOf(first).Start.Length);
-        var move = Smooth(last, first) ?? (Meet(last, first, first, amount) is { } point ? point - place : null);
-        if (move is not { } both)
-        {
-            return At(motion, NcRefusalCodes.NoIntersection, $"displaced as asked, the contour no longer closes with {_path.Program.NameOf(_path.Program[_path.Motions[last].Block])}.");
-        }
-
-        Place(first, motion.Plane, both);
-        Place(last + 1, motion.Plane, both);
-        return null;
-    }
+    private NcRefusal DoesNotClose(int element, int neighbor) => At(
+        _path.Motions[element], NcRefusalCodes.NoIntersection, $"displaced as asked, the contour no longer closes with {NameOf(neighbor)}.");
 
     /// <summary>Decides one border joint.</summary>
     /// <param name="element">The displaced element.</param>
@@ -48,11 +39,16 @@ internal sealed partial class ElementDisplacer
     /// <param name="joint">The joint of the element.</param>
     /// <param name="atStart">True if the joint is the element's start.</param>
     /// <param name="otherJoint">The joint of the neighbor where a closed contour makes that another one, else -1.</param>
-    private void Border(int element, int neighbor, int joint, bool atStart, int otherJoint)
+    private NcRefusal? Border(int element, int neighbor, int joint, bool atStart, int otherJoint)
     {
         if (_change.IsSet(joint))
         {
-            return;
+            return null;
+        }
+
+        if (otherJoint >= 0 && _change.IsSet(otherJoint))
+        {
+            return Suit(element, neighbor, joint, atStart, otherJoint);
         }
 
         var motion = _path.Motions[element];
@@ -60,28 +56,54 @@ internal sealed partial class ElementDisplacer
         var slide = (uint)neighbor < (uint)_path.Motions.Length ? Slide(element, neighbor, atStart) : null;
         if (slide is { } meeting)
         {
-            var place = atStart ? motion.PlaneStart : motion.PlaneEnd;
             Shrink(atStart ? joint : meeting.Element + 1, atStart ? meeting.Element : joint, meeting.Point);
-            Place(joint, motion.Plane, meeting.Point - place);
-            if (otherJoint >= 0 && !_change.IsSet(otherJoint))
-            {
-                Place(otherJoint, motion.Plane, meeting.Point - place);
-            }
-
-            return;
         }
 
-        Place(joint, motion.Plane, wished);
-        if (otherJoint >= 0 && !_change.IsSet(otherJoint))
+        var move = slide is { } met ? met.Point - (atStart ? motion.PlaneStart : motion.PlaneEnd) : wished;
+        Place(joint, motion.Plane, move);
+        if (otherJoint < 0)
         {
-            Place(otherJoint, motion.Plane, wished);
+            return null;
         }
+
+        // A third element that is named may begin or end there as well.
+        var third = atStart ? otherJoint : otherJoint - 1;
+        if ((uint)third < (uint)_path.Motions.Length && _named.Contains(third) && !IsOnCarrier(third, atStart ? 0 : 1, move))
+        {
+            return DoesNotClose(element, third);
+        }
+
+        Place(otherJoint, motion.Plane, move);
+        return null;
+    }
+
+    private bool ChangesTool(int joint) => _path.ChangesTool(joint, joint);
+
+    private bool IsOnCarrier(int element, int fraction, Vector2 move)
+    {
+        var motion = _path.Motions[element];
+        return CarrierOf(element).Distance((fraction == 0 ? motion.PlaneStart : motion.PlaneEnd) + move) <= SamePlace;
     }
 
     private void Place(int joint, CoordinatePlane plane, Vector2 move)
     {
         _change.Move(joint, plane, move);
-        _change.CarryPositioning(joint);
+        _borders.Add(joint);
+    }
+
+    // Not before all joints of named motions are set: what lies between two of them goes from the place of one to that of the other.
+    private NcRefusal? CarryPositioning()
+    {
+        foreach (var joint in _borders)
+        {
+            var refusal = Positioning.CarryAhead(_change, joint, _named.Contains) ?? Positioning.CarryBack(_change, joint, _named.Contains);
+            if (refusal is not null)
+            {
+                return refusal;
+            }
+        }
+
+        return null;
     }
 
     /// <summary>Where a displaced element meets its neighbor's own carrier, and which element that is after short ones were cut off; null if the neighbor cannot slide.</summary>
@@ -89,7 +111,7 @@ internal sealed partial class ElementDisplacer
     {
         var (e, n) = (_path.Motions[element], _path.Motions[neighbor]);
         if (n is not { IsCut: true, MovesInPlane: true } || n.Plane != e.Plane || n.Frame != e.Frame || n.Has(MotionFlags.CompensationSwitches)
-            || !n.IsKnownInPlane || Obstacles.Of(_path, neighbor) is not null)
+            || !n.IsKnownInPlane || Obstacles.Of(_path, neighbor) is not null || ChangesTool(atStart ? element : element + 1))
         {
             return null;
         }

@@ -12,6 +12,9 @@ internal sealed partial class ElementDisplacer
     /// <summary>Sine of the angle below which two elements are taken to run into each other tangentially: 5.7 degrees.</summary>
     private const double TangentSine = 0.1;
 
+    /// <summary>Sine of the angle below which it makes no difference to a joint that its elements are round.</summary>
+    private const double RoundSine = 0.001;
+
     /// <summary>How different the displacements of two elements may be where they meet tangentially, mm: less than half a least increment.</summary>
     private const double TangentStep = 0.0004;
 
@@ -35,6 +38,9 @@ internal sealed partial class ElementDisplacer
     private readonly Dictionary<int, Carrier> _rounded = [];
     private readonly HashSet<int> _shrunk = [];
     private readonly BitArray _smoothJoints;
+
+    // The joints at the ends of runs, in the order in which they were decided.
+    private readonly List<int> _borders = [];
 
     private ElementDisplacer(NcPath path, IReadOnlyList<ElementWish> wishes)
     {
@@ -76,16 +82,29 @@ internal sealed partial class ElementDisplacer
         }
 
         var contours = new ContourSearch(_path.Motions, SamePlace, _named.Count);
+        var closures = new (int Closing, int Opening)[_named.Count];
         for (var run = 0; run < _named.Count; run++)
         {
             var (first, last) = _named[run];
-            if ((Joints(first, last) ?? Borders(first, last, contours)) is { } refusal)
+            var (closing, opening) = closures[run] = Closures(first, last, contours);
+            if ((SmoothJoints(first, last) ?? CloseRings(first, last, closing, opening) ?? Corners(first, last)) is { } refusal)
             {
                 return refusal;
             }
         }
 
-        return FollowWithArcs() ?? CheckSense();
+        // What is between two runs is decided once both are.
+        for (var run = 0; run < _named.Count; run++)
+        {
+            var (first, last) = _named[run];
+            var (closing, opening) = (Unnamed(closures[run].Closing), Unnamed(closures[run].Opening));
+            if (Borders(first, last, closing, closing >= 0 ? -1 : opening) is { } refusal)
+            {
+                return refusal;
+            }
+        }
+
+        return CarryPositioning() ?? FollowWithArcs() ?? CheckSense();
     }
 
     private NcRefusal? Add(ElementWish element)
@@ -122,66 +141,9 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    // A fillet that the wish leaves out although both its flanks are displaced must stay tangent to both, or the tool would leave a mark.
-    private IEnumerable<ElementWish> WithNeighborFillets(IReadOnlyList<ElementWish> elements)
-    {
-        for (var i = 0; i < elements.Count; i++)
-        {
-            _asked.Add(elements[i].Motion);
-            yield return elements[i];
-            var first = elements[i].Motion + 1;
-            var behind = i + 1 < elements.Count ? elements[i + 1].Motion : first;
-            if (behind == first || Fillet.Around(_path, first) is not { } around || around != (first, behind - 1))
-            {
-                continue;
-            }
-
-            var (from, to) = (elements[i].End, elements[i + 1].Start);
-            for (var motion = first; motion < behind; motion++)
-            {
-                var fillet = new ElementWish(motion, from, (from + to) / 2, to, IsFillet: true);
-                _otherWishes.Add(motion, fillet);
-                yield return fillet;
-            }
-        }
-    }
-
     private static bool IsTangent(Vector2 before, Vector2 behind) => Math.Abs(before.Cross(behind)) < TangentSine && before.Dot(behind) > 0;
 
-    // Both flanks offset by the new radius meet in the new center; its feet on them are the new tangent points. Joints between arcs of the fillet keep their direction from the center.
-    private NcRefusal? Round(ElementWish element)
-    {
-        if (_rounded.ContainsKey(element.Motion) || Fillet.Around(_path, element.Motion) is not { } fillet
-            || !_named.Contains(fillet.First - 1) || !_named.Contains(fillet.Last + 1)
-            || CarrierOf(fillet.First - 1).Line is not { } first || CarrierOf(fillet.Last + 1).Line is not { } second)
-        {
-            return null;
-        }
-
-        var motion = _path.Motions[fillet.First];
-        var arc = motion.Arc;
-        var left = (WishOf(fillet.First - 1).End.Dot(first.Normal) + WishOf(fillet.Last + 1).Start.Dot(second.Normal)) / 2;
-        var towardCenter = arc.IsCounterClockwise ? 1 : -1;
-        var radius = arc.Radius - (towardCenter * left);
-        var center = radius > 0 ? Intersect.Lines(first.Offset(towardCenter * radius), second.Offset(towardCenter * radius)).Nearest(arc.Center) : null;
-        if (center is not { } c)
-        {
-            return At(motion, NcRefusalCodes.ElementFlips, "the fillet is smaller than the displacement of its flanks.");
-        }
-
-        _change.Move(fillet.First, motion.Plane, first.Foot(c) - _path.Motions[fillet.First].PlaneStart);
-        for (var i = fillet.First; i <= fillet.Last; i++)
-        {
-            var end = _path.Motions[i].PlaneEnd;
-            _rounded.Add(i, new(null, new(c, radius)));
-            _change.SetCenter(i, c);
-            _change.Move(i + 1, motion.Plane, (i == fillet.Last ? second.Foot(c) : c + ((end - arc.Center).Normalize() * radius)) - end);
-        }
-
-        return null;
-    }
-
-    private NcRefusal? Joints(int first, int last)
+    private NcRefusal? SmoothJoints(int first, int last)
     {
         // Not a number where a joint is not smooth.
         var moves = new Vector2[last - first];
@@ -200,6 +162,11 @@ internal sealed partial class ElementDisplacer
             }
         }
 
+        return null;
+    }
+
+    private NcRefusal? Corners(int first, int last)
+    {
         for (var joint = first + 1; joint <= last; joint++)
         {
             if (!_change.IsSet(joint) && Corner(joint, first, last) is { } refusal)
@@ -245,9 +212,26 @@ internal sealed partial class ElementDisplacer
 
         var (tangentA, tangentB) = (_path.Motions[before].TangentAt(1), _path.Motions[behind].TangentAt(0));
         var (left, right) = (moveA.Dot(tangentA.Left), moveB.Dot(tangentB.Left));
-        return IsTangent(tangentA, tangentB) && Math.Abs(left - right) <= TangentStep
-            ? (tangentA.Left + tangentB.Left) * ((left + right) / 2 / (1 + tangentA.Dot(tangentB)))
-            : null;
+        if (!IsTangent(tangentA, tangentB) || Math.Abs(left - right) > TangentStep)
+        {
+            return null;
+        }
+
+        var offset = (left + right) / 2;
+        var move = (tangentA.Left + tangentB.Left) * (offset / (1 + tangentA.Dot(tangentB)));
+        var (a, b) = (_path.Motions[before], _path.Motions[behind]);
+        return Math.Abs(tangentA.Cross(tangentB)) > RoundSine && (a.IsArc || b.IsArc)
+            ? RoundMove(before, behind, tangentA.Left * offset, tangentB.Left * offset, move)
+            : move;
+    }
+
+    // Where one of them is round, the tangents at the old joint meet beside it: what meets are the displaced circles through the displaced
+    // joint, whatever their own radius, for the ends of an arc with rounded words miss its circle.
+    private Vector2 RoundMove(int before, int behind, Vector2 moveA, Vector2 moveB, Vector2 guess)
+    {
+        var place = _path.Motions[before].PlaneEnd;
+        var (a, b) = (CarrierOf(before).Through(place + moveA), CarrierOf(behind).Through(place + moveB));
+        return a.Meet(b, place + guess) is { } point && (point - place - guess).Length < TangentSine * guess.Length ? point - place : guess;
     }
 
     /// <summary>
@@ -277,7 +261,18 @@ internal sealed partial class ElementDisplacer
 
         var (a, b) = (_path.Motions[joint - 1], _path.Motions[joint]);
         var (left, right) = (WishOf(joint - 1).End.Dot(a.TangentAt(1).Left), WishOf(joint).Start.Dot(b.TangentAt(0).Left));
-        return At(b, NcRefusalCodes.NoIntersection, FormattableString.Invariant($"displaced as asked, it no longer meets {_path.Program.NameOf(_path.Program[a.Block])} nearby: the two are displaced by different amounts ({left:0.000} and {right:0.000} mm). Put both into one feature, or displace less."));
+        var (name, other) = (_path.Program.NameOf(_path.Program[b.Block]), _path.Program.NameOf(_path.Program[a.Block]));
+
+        // What is not named between two lines that move stays tangent to both: an arc as a corner, not as a piece of one of them.
+        var advice = IsTangent(a.TangentAt(1), b.TangentAt(0)) && a.IsArc != b.IsArc
+            ? $"Where the arc {(a.IsArc ? other : name)} rounds a corner, do not name it: it then stays tangent to both of its neighbors. "
+                + "Else displace both alike."
+            : "Displace both alike, or displace less.";
+        var amounts = FormattableString.Invariant($"({left:0.000} and {right:0.000} mm)");
+        return At(
+            b,
+            NcRefusalCodes.NoIntersection,
+            $"displaced as asked, it no longer meets {other} nearby: the two are displaced by different amounts {amounts}. {advice}");
     }
 
     private Point2? Meet(int before, int behind, int joint, double amount)

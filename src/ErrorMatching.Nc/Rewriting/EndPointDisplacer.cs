@@ -18,6 +18,11 @@ internal static class EndPointDisplacer
                 return refusal;
             }
 
+            if (Positioning.Only(path.Motions[wish.EndPoints[i]].UnknownEnd, wish.ByOf(i)) != Vector3.Zero)
+            {
+                return Obstacles.UnknownPlace(path, wish.EndPoints[i]);
+            }
+
             change.Move(wish.EndPoints[i] + 1, wish.ByOf(i));
         }
 
@@ -26,22 +31,21 @@ internal static class EndPointDisplacer
             return ArcThatMoves(change) is { } arc ? arc : change;
         }
 
+        var named = new MotionRuns();
         foreach (var motion in wish.EndPoints)
         {
-            Retract(change, motion + 1, wish.By);
+            named.Add(motion);
+        }
+
+        foreach (var motion in wish.EndPoints)
+        {
+            if (Positioning.CarryAhead(change, motion + 1, named.Contains) is { } refusal)
+            {
+                return refusal;
+            }
         }
 
         return FollowWithArcs(change) is { } bad ? bad : change;
-    }
-
-    private static void Retract(PathChange change, int joint, Vector3 by)
-    {
-        var motions = change.Path.Motions;
-        for (; joint < motions.Length && !change.IsSet(joint + 1) && !motions[joint].MovesInPlane; joint++)
-        {
-            var plane = motions[joint].Plane;
-            change.Move(joint + 1, plane.Lift(plane.Project(default(Point3) + by), 0) - default(Point3));
-        }
     }
 
     private static NcRefusal? ArcThatMoves(PathChange change)

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>Says why a motion's words cannot be changed, if so.</summary>
@@ -17,7 +19,10 @@ internal static class Obstacles
     public static NcRefusal UnknownPlace(NcPath path, int motion) => NcRefusal.At(
         path.Program, path.Motions[motion].Block, NcRefusalCodes.UnknownState, "the program does not say where this motion begins. State X, Y and Z before it.");
 
-    /// <summary>The reason why the joints of a change must not move, or null: an origin that is set, or a program that is called, where the tool stands.</summary>
+    /// <summary>
+    /// The reason why the joints of a change must not move, or null: an origin that is set, or a program that is called, where the tool
+    /// stands; a rounding or chamfer that the control inserts beside a motion that changes.
+    /// </summary>
     public static NcRefusal? Of(PathChange change)
     {
         var path = change.Path;
@@ -29,7 +34,50 @@ internal static class Obstacles
             }
         }
 
+        return CornerOf(change);
+    }
+
+    private static NcRefusal? CornerOf(PathChange change)
+    {
+        var motions = change.Path.Motions;
+        foreach (var motion in change.Affected())
+        {
+            for (var corner = motion - 1; corner <= motion + 1; corner++)
+            {
+                if (IsInserted(motions, corner) && !KeepsLine(change, motion))
+                {
+                    return NcRefusal.At(
+                        change.Path.Program,
+                        motions.BlockOf(corner),
+                        NcRefusalCodes.CornerWord,
+                        "its corner word (RND, CHF, ,R or ,C) rounds the corner to the next block, and one of the two must change: "
+                        + "the rounding would move along. Post the arc or chamfer itself.");
+                }
+            }
+        }
+
         return null;
+    }
+
+    // A rounding or chamfer belongs to the block whose end it replaces.
+    private static bool IsInserted(NcMotions motions, int motion) => motion > 0 && motion < motions.Length
+        && motions.BlockOf(motion) == motions.BlockOf(motion - 1) && motions[motion].Has(MotionFlags.CornerWord);
+
+    // A corner stays to the last digit where the line beside it gets longer or shorter along an axis; rounding turns an oblique one.
+    private static bool KeepsLine(PathChange change, int motion)
+    {
+        var m = change.Path.Motions[motion];
+        var (start, end) = (change.MoveOf(motion), change.MoveOf(motion + 1));
+        if (start == default && end == default && !change.HasCenter(motion))
+        {
+            return true;
+        }
+
+        var along = m.PlaneEnd - m.PlaneStart;
+        return !m.IsArc && (along.X == 0 || along.Y == 0) && change.KeepsSense(motion) && IsAlong(start) && IsAlong(end);
+
+        bool IsAlong(Vector3 move) => m.Plane.Height(default(Point3) + move) == 0
+            && Math.Abs(along.Cross(m.Plane.Project(default(Point3) + move) - Point2.Origin)) < 1e-9;
     }
 
     private static (string? Code, string? Why) Reason(in NcMotion m)
@@ -47,7 +95,9 @@ internal static class Obstacles
             _ when m.Has(MotionFlags.Transformed) => (NcRefusalCodes.ActiveTransform, "rotation, scaling, mirroring or polar coordinates are active. Post the program without them."),
             _ when m.Has(MotionFlags.OtherAxis) => (NcRefusalCodes.OtherAxis, "a rotary or secondary axis moves along. Only X, Y and Z can be displaced."),
             _ when m.Has(MotionFlags.UnsureMode) => (NcRefusalCodes.UnknownState, "a called program or unknown code before it could have changed the modes. State G0/G1, G90/G91, the plane and G40/G41/G42 again behind it."),
-            _ when m.Has(MotionFlags.CornerWord) => (NcRefusalCodes.CornerWord, "a corner word (,R or ,C) rounds the vertex that must move. Post the arc or chamfer itself."),
+            _ when m.Has(MotionFlags.CornerWord) => (
+                NcRefusalCodes.CornerWord,
+                "a corner word (RND, CHF, ,R or ,C) rounds the vertex that must move. Post the arc or chamfer itself."),
             _ when m.Has(MotionFlags.OtherArcForm) => (NcRefusalCodes.ArcForm, "the arc is given by an opening angle, a point on its way, or the direction before it. Post it with its center or radius."),
             _ when m.Has(MotionFlags.BadArc) => (NcRefusalCodes.BadArc, "its words describe no circle within the control's tolerance."),
             _ => default,

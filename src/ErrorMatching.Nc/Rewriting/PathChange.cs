@@ -95,6 +95,11 @@ internal sealed class PathChange
     {
         var arc = Path.Motions[motion];
         var (start, end) = (PlaneMoveOf(motion, arc.Plane), PlaneMoveOf(motion + 1, arc.Plane));
+        if (!arc.IsKnownInPlane && (start != default || end != default))
+        {
+            return Obstacles.Of(Path, motion) ?? Obstacles.UnknownPlace(Path, motion);
+        }
+
         if ((start - end).Length < 1e-12)
         {
             SetCenter(motion, arc.Center + start);
@@ -104,11 +109,6 @@ internal sealed class PathChange
         if (Obstacles.Of(Path, motion) is { } obstacle)
         {
             return obstacle;
-        }
-
-        if (!arc.IsKnownInPlane)
-        {
-            return Obstacles.UnknownPlace(Path, motion);
         }
 
         if (arc.PlaneStart.DistanceTo(arc.PlaneEnd) > 1e-9 && Carrier.Displaced(arc, new(motion, start, (start + end) / 2, end))?.Circle is { } circle)
@@ -122,22 +122,4 @@ internal sealed class PathChange
 
         return NcRefusal.At(Path.Program, arc.Block, NcRefusalCodes.ElementFlips, "this arc cannot follow its end that moves. Name it as well, or leave out the block beside it.");
     }
-
-    /// <summary>Positioning that only goes to the place of a moved joint goes to its new place: plunges before it, retracts behind it.</summary>
-    public void CarryPositioning(int joint)
-    {
-        var motions = Path.Motions;
-        for (var before = joint - 1; before >= 0 && IsPlainPositioning(motions[before]) && !IsSet(before); before--)
-        {
-            Move(before, MoveOf(joint));
-        }
-
-        for (var behind = joint; behind < motions.Length && IsPlainPositioning(motions[behind]) && !IsSet(behind + 1); behind++)
-        {
-            Move(behind + 1, MoveOf(joint));
-        }
-    }
-
-    // A return of the tool axis to its reference leaves the other axes where they are.
-    private static bool IsPlainPositioning(in NcMotion motion) => motion is { MovesInPlane: false, Kind: MotionKind.Rapid or MotionKind.Line or MotionKind.Reference };
 }

@@ -1,8 +1,9 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// A path without its straight cuts of no length. A corner that cut off a short piece leaves one behind; elements on both sides of it are neighbors all the same,
-/// so they are displaced on this path and the result is taken back to the program's own.
+/// A path without its straight cuts of no length, which a corner that cut off a short piece leaves behind, and without feeds along the
+/// tool axis from one displaced element to the next, a step in depth at a corner. Elements on both sides are neighbors all the same, so
+/// they are displaced on this path and the result is taken back to the program's own.
 /// </summary>
 internal sealed class PathWithoutPoints
 {
@@ -20,10 +21,11 @@ internal sealed class PathWithoutPoints
     /// <summary>True for a straight cut that ends where it begins.</summary>
     public static bool IsPoint(in NcMotion motion) => motion.Kind == MotionKind.Line && motion.Start == motion.End;
 
-    /// <summary>The path without points, or null where it has none.</summary>
-    public static PathWithoutPoints? Of(NcPath path)
+    /// <summary>The path without points and steps, or null where it has none.</summary>
+    public static PathWithoutPoints? Of(NcPath path, DisplacementWish wish)
     {
-        if (!path.Motions.HasPoints)
+        var steps = Steps(path.Motions, wish.Elements);
+        if (!path.Motions.HasPoints && steps.Count == 0)
         {
             return null;
         }
@@ -31,7 +33,7 @@ internal sealed class PathWithoutPoints
         var kept = new List<int>(path.Motions.Length);
         for (var i = 0; i < path.Motions.Length; i++)
         {
-            if (!IsPoint(path.Motions[i]))
+            if (!IsPoint(path.Motions[i]) && !steps.Contains(i))
             {
                 kept.Add(i);
             }
@@ -44,7 +46,12 @@ internal sealed class PathWithoutPoints
         }
 
         var dependents = path.PlaceDependents.Select(d => (d.Block, kept.BinarySearch(d.Joint) is var at && at < 0 ? ~at : at)).ToArray();
-        return new(path, new(path.Program, path.Dialect, motions, path.Problems, dependents, path.Frames, path.Notes, path.Refusal, path.Library), [.. kept]);
+        var reduced = new NcPath(
+            path.Program, path.Dialect, motions, path.Problems, dependents, path.Frames, path.Notes, path.Refusal, path.Library)
+        {
+            ToolChanges = [.. path.ToolChanges.Select(c => kept.BinarySearch(c) is var at && at < 0 ? ~at : at)],
+        };
+        return new(path, reduced, [.. kept]);
     }
 
     /// <summary>Displaces elements. A wish for a point is a wish for nothing and is left out.</summary>
@@ -64,13 +71,48 @@ internal sealed class PathWithoutPoints
         return change.IsUsable ? Restore(change.Value) : change;
     }
 
+    // Feeds along the tool axis between one element and the next, with nothing else between.
+    private static MotionRuns Steps(NcMotions motions, IReadOnlyList<ElementWish> elements)
+    {
+        var steps = new MotionRuns();
+        for (var i = 1; i < elements.Count; i++)
+        {
+            var (before, behind) = (elements[i - 1].Motion, elements[i].Motion);
+            if (behind == before + 1)
+            {
+                continue;
+            }
+
+            var next = before + 1;
+            while (next < behind && IsStep(motions[next]) && motions.IsComparable(next, before))
+            {
+                next++;
+            }
+
+            if (next < behind || !motions.IsComparable(behind, before))
+            {
+                continue;
+            }
+
+            for (var step = before + 1; step < behind; step++)
+            {
+                steps.Add(step);
+            }
+        }
+
+        return steps;
+    }
+
+    private static bool IsStep(in NcMotion motion) =>
+        motion is { Kind: MotionKind.Line, MovesInPlane: false } && !motion.Has(MotionFlags.MachineMove);
+
     private PathChange Restore(PathChange reduced)
     {
         var change = new PathChange(_original);
         var next = 0;
         for (var joint = 0; joint <= _original.Motions.Length; joint++)
         {
-            // The joints on both sides of a point are one place.
+            // The joints on both sides of a point or step are one place.
             if (reduced.IsSet(next))
             {
                 change.Move(joint, reduced.MoveOf(next));

@@ -20,7 +20,7 @@ public static class Rewriter
         }
 
         var change = wish.Elements.Count == 0 ? EndPointDisplacer.Run(path, wish)
-            : PathWithoutPoints.Of(path) is { } reduced ? reduced.Displace(wish)
+            : PathWithoutPoints.Of(path, wish) is { } reduced ? reduced.Displace(wish)
             : ElementDisplacer.Run(path, wish);
         if (!change.IsUsable)
         {

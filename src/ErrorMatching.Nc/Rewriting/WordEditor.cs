@@ -181,10 +181,12 @@ internal sealed partial class WordEditor
     {
         var motion = _path.Motions[index];
         _edit.Open(_path.Program[motion.Block]);
-        if (motion.Kind == MotionKind.Reference)
+        if (motion.Has(MotionFlags.MachineMove))
         {
-            // It ends at a place of the machine, wherever it begins.
-            return null;
+            // It ends at a place of the machine, wherever it begins, or in other axes where it begins.
+            var known = ~motion.UnknownEnd;
+            var carried = Positioning.Only(known & motion.CarriedAxes, _change.MoveOf(index));
+            return Positioning.Only(known, _change.MoveOf(index + 1)) == carried ? null : Obstacles.Of(_path, motion);
         }
 
         if (SetCoordinates(index, motion) is { } unknown)

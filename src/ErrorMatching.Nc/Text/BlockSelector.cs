@@ -10,13 +10,14 @@ namespace ErrorMatching.Nc;
 /// that is tried on each block's text (<c>/^N8[0-9]{3}\b/</c>).
 /// </summary>
 /// <remarks>
-/// Numbers are compared by value, so N0110 is N110. An expression runs on the non-backtracking engine, or, where it uses what that engine lacks,
-/// with a limit of <see cref="PatternLimit"/> a block.
+/// Numbers are compared by value, so N0110 is N110. An expression runs on the engine that never backtracks: its time grows with the length
+/// of the program and nothing else, so it needs no limit by the clock, and the answer does not depend on how busy the computer is. That
+/// engine has no look-around and no back references, so an expression has neither.
 /// </remarks>
 public sealed class BlockSelector
 {
-    /// <summary>Longest time an expression may take on one block.</summary>
-    public static readonly TimeSpan PatternLimit = TimeSpan.FromMilliseconds(250);
+    /// <summary>The most characters of an expression.</summary>
+    public const int LongestPattern = 1000;
 
     /// <summary>From so many blocks on, a second core is worth its start.</summary>
     private const int Many = 100_000;
@@ -151,19 +152,24 @@ public sealed class BlockSelector
 
     private static Regex Compile(string expression)
     {
-        const RegexOptions Options = RegexOptions.CultureInvariant;
+        if (expression.Length > LongestPattern)
+        {
+            var length = expression.Length.ToString(CultureInfo.InvariantCulture);
+            throw Bad(expression[..20] + "...", $"it has {length} characters, at most {LongestPattern} are allowed.");
+        }
+
         try
         {
-            return new(expression, Options | RegexOptions.NonBacktracking, PatternLimit);
+            return new(expression, RegexOptions.CultureInvariant | RegexOptions.NonBacktracking, Regex.InfiniteMatchTimeout);
         }
-        catch (NotSupportedException)
+        catch (Exception e) when (e is ArgumentException or NotSupportedException)
         {
-            return new(expression, Options, PatternLimit);
+            throw Bad(expression, e.Message);
         }
-        catch (ArgumentException e)
-        {
-            throw new NcException(NcErrorCode.BadSelector, $"\"/{expression}/\" is not a regular expression: {e.Message}");
-        }
+
+        static NcException Bad(string shown, string why) => new(
+            NcErrorCode.BadSelector,
+            $"\"/{shown}/\" cannot be used; expected a regular expression without look-around and back references: {why}");
     }
 
     private NcRefusal? Collect(NcProgram program, Dictionary<NcNumber, List<int>> wanted, BitArray chosen)
@@ -202,17 +208,10 @@ public sealed class BlockSelector
         var any = false;
         for (var i = 0; i < program.BlockCount; i++)
         {
-            try
+            if (expression.IsMatch(program.TextOf(program[i])))
             {
-                if (expression.IsMatch(program.TextOf(program[i])))
-                {
-                    any = true;
-                    chosen[i] = true;
-                }
-            }
-            catch (RegexMatchTimeoutException)
-            {
-                return NcRefusal.At(program, i, NcRefusalCodes.BlockNotFound, $"the expression {Text} took more than {PatternLimit.TotalMilliseconds.ToString(CultureInfo.InvariantCulture)} ms on this block. Simplify it.");
+                any = true;
+                chosen[i] = true;
             }
         }
 

@@ -11,7 +11,8 @@ internal static class WishReader
 
     public static WishFile Read(ReadOnlySpan<byte> bytes, string file)
     {
-        var root = JsonInput.Read(bytes, file, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes });
+        // Written by this library for programs of a million blocks: its values are bounded by its bytes alone.
+        var root = JsonInput.Read(bytes, file, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes, MaxValues = WishFile.MaxBytes });
         if (Schema.Value.Check(root) is { Count: > 0 } problems)
         {
             throw new JsonDocumentException(file, problems);

@@ -80,16 +80,65 @@ public sealed class HostileFileTests
         Assert.Equal("secret", File.ReadAllText(secret));
     }
 
-    [Fact]
-    public void A_link_in_place_of_the_cells_own_folder_is_not_followed()
+    // With what an earlier run may have left there, and with nothing; the cell's own folder, and the one in it.
+    [Theory]
+    [InlineData("", false)]
+    [InlineData("", true)]
+    [InlineData("too-large", false)]
+    public void A_link_in_place_of_a_folder_of_the_cells_own_is_not_followed(string inside, bool isOldRun)
     {
+        using var incoming = new Incoming(mostBytes: inside.Length > 0 ? 1 : 1_000_000);
+        using var elsewhere = new Incoming();
+        elsewhere.Write("theirs.csv", "not a measurement");
+        if (inside.Length > 0)
+        {
+            Directory.CreateDirectory(incoming.PathOf(ClaimFolder.Name));
+        }
+
+        Directory.CreateSymbolicLink(Path.Combine(incoming.PathOf(ClaimFolder.Name), inside), elsewhere.Folder);
+        incoming.Write("a.csv", "one");
+        if (isOldRun)
+        {
+            incoming.Restart();
+        }
+
+        Assert.Contains("is a link", Assert.Throws<SourceException>(() => incoming.Take()).Message, StringComparison.Ordinal);
+        Assert.Equal(["theirs.csv"], elsewhere.Files());
+        Assert.Empty(incoming.Archived);
+        Assert.Single(new[] { incoming.PathOf("a.csv"), incoming.Claimed("a.csv") }, File.Exists);
+    }
+
+    // Whoever may write there can put a link or a pipe into the place of a file between the look and the reading.
+    [Theory]
+    [InlineData("link")]
+    [InlineData("pipe")]
+    [InlineData("folder")]
+    public void What_takes_the_place_of_a_file_before_it_is_read_is_not_opened(string kind)
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "Pipes with names in folders are those of Linux.");
         using var incoming = new Incoming();
         using var elsewhere = new Incoming();
-        Directory.CreateSymbolicLink(incoming.PathOf(ClaimFolder.Name), elsewhere.Folder);
-        incoming.Write("a.csv", "one");
-        Assert.Throws<SourceException>(() => incoming.Take());
-        Assert.Empty(elsewhere.Files());
-        Assert.True(File.Exists(incoming.PathOf("a.csv")));
+        var file = new FileInfo(incoming.Write("a.csv", "one"));
+        Assert.Equal("one"u8.ToArray(), FileReading.Whole(file));
+        file.Delete();
+        switch (kind)
+        {
+            case "link":
+                File.CreateSymbolicLink(file.FullName, elsewhere.Write("a.csv", "one"));
+                break;
+            case "pipe":
+                Run("mkfifo", file.FullName);
+                break;
+            default:
+                Directory.CreateDirectory(file.FullName);
+                break;
+        }
+
+        Assert.Null(FileReading.Whole(file));
+        Assert.Null(FileReading.Hash(file, TestContext.Current.CancellationToken));
+        Assert.False(EndMark.Ends(file, "one"));
+        Assert.Contains(kind, Assert.Throws<NotPlainFileException>(() => PlainFile.Open(file.FullName, FileShare.Read)).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]

@@ -36,6 +36,17 @@ public sealed class MachineSourceTests : IDisposable
     }
 
     [Fact]
+    public async Task What_has_a_logs_name_and_is_a_link_is_named_and_left_and_the_others_are_taken()
+    {
+        var source = Source(new FinishedByEndMark("END"));
+        Write("REAL.LOG", "P1\nEND\n");
+        File.CreateSymbolicLink(Path.Combine(_folder, "A.LOG"), Path.Combine(_folder, "REAL.LOG"));
+        Assert.Equal(1, await Take(source));
+        Assert.Equal(["REAL.LOG:P1\nEND\n"], _archived.Values);
+        Assert.Equal("A.LOG", Assert.Single(source.Left).Name);
+    }
+
+    [Fact]
     public async Task A_log_that_is_kept_is_taken_once_and_again_when_it_is_another()
     {
         var source = Source(new FinishedByEndMark("END"));

@@ -7,6 +7,7 @@ namespace ErrorMatching.Cell.Tests;
 /// <summary>A cell in this process with a configuration that a test writes: a store in a file, runners that are started, stopped and killed.</summary>
 internal sealed class ConfiguredCell : IAsyncDisposable
 {
+    private static readonly byte[] Key = [.. Enumerable.Range(1, 32).Select(i => (byte)i)];
     private readonly List<CellStore> _stores = [];
     private readonly List<(CancellationTokenSource Stop, Task Run)> _runs = [];
     private int _drops;
@@ -59,8 +60,9 @@ internal sealed class ConfiguredCell : IAsyncDisposable
     /// <summary>Another view of the store, as another process has it.</summary>
     public CellStore Open()
     {
-        var store = CellStore.Open(new SqliteSettings(PathOf("cell.db")), TimeProvider.System);
+        var store = CellStore.Open(new SqliteSettings(PathOf("cell.db")), TimeProvider.System, Key);
         _stores.Add(store);
+        if (_stores.Count == 1) new UserBook(store, TimeProvider.System, new PasswordHashes(10)).AddFirst("sam", "correct horse battery");
         return store;
     }
 

@@ -100,6 +100,26 @@ public sealed class CorrectionComputerTests
         Assert.Contains(computed.LargestAt, refused.Reason, StringComparison.Ordinal);
     }
 
+    // What the store sent last has cut a piece without stock: nothing that follows a measurement is compensated once more. A piece that still has its stock was cut by no finishing program.
+    [Fact]
+    public void A_finished_surface_behind_a_compensated_program_is_refused()
+    {
+        using var folder = new TemporaryFolder();
+        var first = Samples.Surface("surface-one");
+        var sent = new KeptFile("finishing.nc", Samples.Program(first).Program);
+        Assert.NotEmpty(Samples.Program(first with { LastSent = sent }).Corrections);
+
+        File.Copy(Repository.PathTo("samples", "surface-one", "surface.igs"), folder["surface.igs"]);
+        var text = File.ReadAllText(first.Job.File).Replace("\"measuredAfter\": \"semi-finishing\"", "\"measuredAfter\": \"finishing\"", StringComparison.Ordinal);
+        var finished = first with
+        {
+            Job = first.Job with { File = folder.File("job.json", text) },
+            Measurement = new("after.csv", File.ReadAllBytes(Repository.PathTo("samples", "surface-one", "after.csv"))),
+        };
+        Assert.Equal("piece-compensated", Samples.Refusal(finished with { LastSent = sent }).Code);
+        Assert.NotEmpty(Samples.Program(finished).Corrections);
+    }
+
     [Fact]
     public void A_file_of_the_job_that_cannot_be_opened_may_pass()
     {

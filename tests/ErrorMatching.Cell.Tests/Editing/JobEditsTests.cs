@@ -17,7 +17,8 @@ public sealed class JobEditsTests : PeopleTest
         Assert.Equal(JobEdits.Sha256Of(settings.Jobs[0]), saved);
         Assert.Equal("Edited", InputFile.Job(settings.Jobs[0].File).Name);
         Assert.Equal(draft.Program.Bytes.ToArray(), File.ReadAllBytes(PathOf(Path.Combine("one", "counterpart.nc"))));
-        Assert.StartsWith($"{by.Name} job-edited one counterpart.nc {draft.Program.Sha256}, ", Trail[^1], StringComparison.Ordinal);
+        Assert.StartsWith($"{by.Name} job-edited one theoretical.csv ", Trail[^1], StringComparison.Ordinal);
+        Assert.Contains($", counterpart.nc {draft.Program.Sha256}, ", Trail[^1], StringComparison.Ordinal);
         Assert.Contains($"job.json {saved}, in place of the job ", Trail[^1], StringComparison.Ordinal);
     }
 
@@ -45,6 +46,59 @@ public sealed class JobEditsTests : PeopleTest
         var (draft, sha256) = (MatingDraftFiles.Open(settings.Jobs[0].File), JobEdits.Sha256Of(settings.Jobs[0]));
         Refused(JobEditException.Shared, () => edits.Save(settings.Jobs[0], draft with { OtherPoints = [new("O", "0", "0")] }, sha256, by));
         edits.Save(settings.Jobs[0], draft with { Name = "Edited", OtherPoints = draft.OtherPoints }, sha256, by);
+    }
+
+    [Fact]
+    public void Every_version_is_kept_and_can_be_opened_and_saved_again()
+    {
+        var (settings, edits, by) = Begin();
+        var job = settings.Jobs[0];
+        Assert.Empty(edits.Versions(job));
+        var (first, was) = (MatingDraftFiles.Open(job.File), File.ReadAllBytes(job.File));
+        var program = File.ReadAllBytes(PathOf(Path.Combine("one", "counterpart.nc")));
+        var other = DraftProgram.Of(program.Append((byte)'\n').ToArray());
+        edits.Save(job, first with { Name = "Edited", Program = other, OtherPoints = [new("O", "0", "0")] }, JobEdits.Sha256Of(job), by);
+
+        // What nobody had saved here was kept when something took its place.
+        var versions = edits.Versions(job);
+        Assert.Equal((2, by.Name), (versions.Count, versions[1].By));
+        Assert.Equal(["theoretical.csv", "counterpart.nc", "job.json"], versions[1].Files.Select(f => f.Name));
+        Assert.Equal(was, Store.Content(versions[1].Sha256));
+        Assert.Equal("Edited", edits.Open(job, versions[0]).Name);
+
+        // Restored it is a new saved version, signed like any other.
+        var restored = edits.Open(job, versions[1]);
+        Assert.True(first.IsSame(restored with { Program = null }));
+        var unsigned = Assert.Throws<PeopleException>(() => edits.Save(job, restored, JobEdits.Sha256Of(job), by));
+        Assert.Equal(PeopleError.NotSigned, unsigned.Error);
+        edits.Save(job, restored, JobEdits.Sha256Of(job), Users.SignIn("Anna", Right));
+        Assert.Equal(program, File.ReadAllBytes(PathOf(Path.Combine("one", "counterpart.nc"))));
+        Assert.True(first.IsSame(MatingDraftFiles.Open(job.File)));
+        Assert.Equal(3, edits.Versions(job).Count);
+    }
+
+    [Fact]
+    public void A_new_job_gets_files_of_its_own_and_writes_into_none_of_the_job_before()
+    {
+        var (settings, edits, by) = Begin();
+        var job = settings.Jobs[0];
+        var (first, points) = (MatingDraftFiles.Open(job.File), PathOf(Path.Combine("one", "theoretical.csv")));
+        var program = PathOf(Path.Combine("one", "counterpart.nc"));
+        var (pointsWere, programWas) = (File.ReadAllBytes(points), File.ReadAllBytes(program));
+        var anew = first with
+        {
+            Name = "Bracket",
+            IsBegunAnew = true,
+            OtherPoints = [new("O", "0", "0")],
+            Program = DraftProgram.Of(programWas.Append((byte)'\n').ToArray()),
+        };
+        Refused(JobEditException.Shared, () => edits.Save(job, anew, JobEdits.Sha256Of(job), by));
+        edits.Save(job, JobEdits.WithOwnFiles(job, anew), JobEdits.Sha256Of(job), by);
+        Assert.Equal(pointsWere, File.ReadAllBytes(points));
+        Assert.Equal(programWas, File.ReadAllBytes(program));
+        var saved = InputFile.Job(job.File);
+        Assert.Equal(("theoretical-2.csv", "counterpart-2.nc"), (saved.Part.Theoretical, saved.Counterpart.Program));
+        Assert.Equal(["Bracket", first.Name], edits.Versions(job).Select(v => edits.Open(job, v).Name));
     }
 
     private static void Refused(string code, Action save) => Assert.Equal(code, Assert.Throws<JobEditException>(save).Code);

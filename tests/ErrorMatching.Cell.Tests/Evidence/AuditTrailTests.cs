@@ -16,10 +16,8 @@ public sealed class AuditTrailTests : PeopleTest
         for (var i = 2; i <= Entries; i++)
         {
             Clock.Pass(TimeSpan.FromSeconds(1));
-            Store.Audit("anna", "approved", $"looks right {i}", $"correction {i}");
+            Store.Audit("anna", "noted", $"looks right {i}", $"correction {i}");
         }
-
-        Store.Write(t => t.Execute("DROP TRIGGER audit_update; DROP TRIGGER audit_delete"));
     }
 
     [Fact]
@@ -149,7 +147,7 @@ public sealed class AuditTrailTests : PeopleTest
     public void The_next_entry_does_not_heal_what_was_broken()
     {
         Tamper($"DELETE FROM audit WHERE seq = {Entries}", $"UPDATE audit_head SET seq = {Entries - 1}, hash = '{Store.AuditEntries(Entries - 2, 1)[0].Hash}'");
-        Store.Audit("anna", "approved", "as if nothing were");
+        Store.Audit("anna", "noted", "as if nothing were");
         Assert.Equal(AuditFaultKind.Unsealed, Evidence.Verify().Fault?.Kind);
     }
 
@@ -158,8 +156,8 @@ public sealed class AuditTrailTests : PeopleTest
     public void An_older_end_that_was_once_sealed_is_found_if_somebody_looked_since(bool isVerified)
     {
         var old = Store.AuditHead();
-        Store.Audit("anna", "approved", "to be forgotten");
-        Store.Audit("anna", "approved", "this too");
+        Store.Audit("anna", "noted", "to be forgotten");
+        Store.Audit("anna", "noted", "this too");
         if (isVerified)
         {
             Assert.True(Evidence.Verify().Holds);
@@ -173,11 +171,11 @@ public sealed class AuditTrailTests : PeopleTest
         Assert.Contains("Entries 10 to 11 are missing", Evidence.Verify().Message, StringComparison.Ordinal);
 
         // Other entries in their place do not hide it, and looking at the end does not forget it.
-        Store.Audit("eve", "approved", "instead");
-        Store.Audit("eve", "approved", "instead");
+        Store.Audit("eve", "noted", "instead");
+        Store.Audit("eve", "noted", "instead");
         Evidence.Remember();
         Found(AuditFaultKind.Changed, Entries + 2);
-        Store.Audit("eve", "approved", "and more");
+        Store.Audit("eve", "noted", "and more");
         Evidence.Remember();
         Found(AuditFaultKind.Changed, Entries + 2);
     }
@@ -186,7 +184,7 @@ public sealed class AuditTrailTests : PeopleTest
     public void An_older_store_in_the_place_of_the_present_one_is_found()
     {
         Store.Backup(PathOf("older.db"));
-        Store.Audit("anna", "approved", "to be forgotten");
+        Store.Audit("anna", "noted", "to be forgotten");
         Assert.True(Evidence.Verify().Holds);
         using var older = CellStore.Open(new SqliteSettings(PathOf("older.db")), Clock, Key);
         Assert.Equal((AuditFaultKind.Removed, Entries + 1L), new AuditTrail(older, Keys).Verify().Fault is { } f ? (f.Kind, f.Seq) : default);
@@ -196,7 +194,7 @@ public sealed class AuditTrailTests : PeopleTest
     public void A_backup_that_is_brought_back_on_purpose_puts_the_gap_on_record()
     {
         Store.Backup(PathOf("older.db"));
-        Store.Audit("anna", "approved", "to be forgotten");
+        Store.Audit("anna", "noted", "to be forgotten");
         var lost = Evidence.Verify();
         using var older = CellStore.Open(new SqliteSettings(PathOf("older.db")), Clock, Key);
         var evidence = new AuditTrail(older, Keys);
@@ -229,11 +227,11 @@ public sealed class AuditTrailTests : PeopleTest
     }
 
     [Fact]
-    public void Without_the_keys_is_said_what_cannot_be_said()
+    public void Without_the_keys_nothing_is_proved()
     {
         var without = new AuditTrail(Store, PathOf("none"));
         var finding = without.Verify();
-        Assert.Equal((true, false), (finding.Holds, finding.IsSealChecked));
+        Assert.Equal((AuditFaultKind.KeysMissing, false), (finding.Fault?.Kind, finding.IsSealChecked));
         Assert.Contains("cannot be said", finding.Message, StringComparison.Ordinal);
         Assert.False(Directory.Exists(PathOf("none")));
         Tamper("UPDATE audit SET who = 'eve' WHERE seq = 5");
@@ -258,9 +256,10 @@ public sealed class AuditTrailTests : PeopleTest
         using var csv = new StringWriter();
         Assert.Equal(Entries + 1, Evidence.Export(csv));
         var lines = csv.ToString().Split("\"\r\n\"");
-        Assert.Equal("\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash", lines[0]);
+        Assert.Equal("\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\",\"rows", lines[0]);
         var second = Store.AuditEntries(1, 1)[0];
-        Assert.Equal($"2\",\"2026-03-01T06:00:01.000000Z\",\"anna\",\"approved\",\"correction 2\",\"looks right 2\",\"{second.Previous}\",\"{second.Hash}", lines[2]);
+        Assert.Equal($"2\",\"2026-03-01T06:00:01.000000Z\",\"anna\",\"noted\",\"correction 2\",\"looks right "
+            + $"2\",\"{second.Previous}\",\"{second.Hash}\",\"", lines[2]);
         Assert.Contains("\"'=cmd|' /C calc'!A0\",\"'@SUM(A1)\",\"'\t'=1\",\"'-1;'=1\r\n'+1 \"\"ok\"\"\"", csv.ToString(), StringComparison.Ordinal);
     }
 
@@ -281,7 +280,7 @@ public sealed class AuditTrailTests : PeopleTest
     // As with the command line of SQLite: nothing of the cell is asked, no entry is appended.
     private void Tamper(params string[] statements)
     {
-        foreach (var statement in statements)
+        foreach (var statement in statements.Prepend("DROP TRIGGER IF EXISTS audit_update; DROP TRIGGER IF EXISTS audit_delete"))
         {
             Store.Database.Change((connection, transaction) =>
             {
@@ -294,7 +293,8 @@ public sealed class AuditTrailTests : PeopleTest
     }
 
     private AuditEntry Forged(long seq, string who) =>
-        AuditEntry.After(seq == 1 ? AuditEntry.NoHash : Store.AuditEntries(seq - 2, 1)[0].Hash, seq, Clock.Now, who, "approved", "correction 99", "forged");
+        AuditEntry.After(seq == 1 ? AuditEntry.NoHash : Store.AuditEntries(seq - 2, 1)[0].Hash, seq, Clock.Now, who, "noted",
+            "correction 99", "forged");
 
     private static string Rewritten(long from) => $"UPDATE audit SET who = 'eve' WHERE seq >= {from}";
 

@@ -31,6 +31,19 @@ public sealed class PasswordRuleTests
     [InlineData("fanuc1234567"), InlineData("welcome2026!"), InlineData("............"), InlineData("iloveyou2026")]
     public void What_is_tried_first_is_none(string password) => Weak("ben", password);
 
+    [Theory]
+    [InlineData("Winter2026!!"), InlineData("!Summer-2026!"), InlineData("Herbst.2025.."), InlineData("W1nter2026!!")]
+    [InlineData("Winter2026Ben"), InlineData("ben.Monday.2026"), InlineData("Summer25Winter26"), InlineData("2026-Password-Mai")]
+    public void Nor_is_what_the_calendar_says(string password)
+    {
+        Weak("ben", password);
+        Assert.Contains("season", Assert.Throws<PeopleException>(() => PasswordRule.Demand("ben", password)).Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("winter rain over lathes"), InlineData("three seasons of 2026"), InlineData("april, monkey and haas")]
+    public void A_word_of_the_calendar_among_others_is_taken(string password) => PasswordRule.Demand("ben", password);
+
     [Fact]
     public void Control_characters_are_none() => Weak("anna", "correct\thorse battery");
 

@@ -10,7 +10,7 @@ public sealed class RightsTests
         Reject         yes      yes    yes           no
         Approve        no       yes    yes           yes
         Revert         no       yes    yes           yes
-        EditJobs       no       yes    yes           no
+        EditJobs       no       yes    yes           yes
         ManageUsers    no       no     yes           yes
         ManageMachines no       no     yes           yes
         ManagePolicy   no       no     yes           yes

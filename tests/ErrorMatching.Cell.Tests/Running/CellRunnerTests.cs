@@ -21,6 +21,7 @@ public sealed class CellRunnerTests
         Assert.Equal(verified.ProgramSha256, RunningCell.Hash(program));
         Assert.Contains($"ERRORMATCH MEASUREMENT={verified.MeasurementSha256[..16].ToUpperInvariant()}", Encoding.ASCII.GetString(program), StringComparison.Ordinal);
         Assert.Equal(("a", "part", "S1", "m1", "A", cell.OriginalHash), (verified.Job, verified.Piece, verified.Serial, verified.Machine, verified.Slot, verified.BaseSha256));
+        Assert.Null(verified.SumsSha256);
         Assert.Equal(1, cell.Store.Slot("m1", "A").Correction);
         Assert.Empty(Directory.EnumerateFiles(cell.PathOf("incoming")));
         Assert.Equal([RunningCell.Program], cell.Machine["m1"].Files.Keys);

@@ -39,6 +39,21 @@ internal sealed class MemoryMachine(string name) : IMachineFolder
         },
         cancellation);
 
+    public Task<ReplacedProgram?> ReplaceAsync(string from, string to, string aside, long mostBytes, CancellationToken cancellation) =>
+        Do<ReplacedProgram?>(
+        "rename " + to,
+        () =>
+        {
+            Assert.True(Files.TryRemove(from, out var bytes));
+            if (Files.TryGetValue(to, out var was))
+            {
+                Files[aside] = was;
+            }
+
+            return new(Files[to] = bytes, was);
+        },
+        cancellation);
+
     public Task DeleteAsync(string name, CancellationToken cancellation) => Do("delete " + name, () => Files.TryRemove(name, out _), cancellation);
 
     private async Task<T> Do<T>(string what, Func<T> work, CancellationToken cancellation)

@@ -83,21 +83,85 @@ public sealed class SqliteDamageTests : IDisposable
     }
 
     [Fact]
-    public void A_store_that_is_taken_away_while_it_is_open_is_away_and_another_in_its_place_is_opened()
+    public void A_store_that_is_taken_away_while_it_is_open_is_away_until_it_is_back_or_another_that_has_all_of_it()
     {
         Assert.SkipWhen(OperatingSystem.IsWindows(), "An open file cannot be taken away there.");
         using var store = CellStore.Open(Settings, TimeProvider.System);
         var kept = Archive(store, 0);
-        var backup = Path.Combine(_folder, "backup.db");
-        store.Backup(backup);
-        Archive(store, 1);
-        foreach (var end in new[] { "", "-wal", "-shm" }) System.IO.File.Delete(File + end);
+        Move("", ".aside");
         Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => store.ChangeCount()).Error);
         Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => Archive(store, 2)).Error);
+        Move(".aside", "");
+        Assert.Equal([kept], store.InState(CorrectionState.Archived));
+
+        var backup = Path.Combine(_folder, "backup.db");
+        store.Backup(backup);
+        Move("", ".aside");
         System.IO.File.Move(backup, File);
         Assert.Equal([kept], store.InState(CorrectionState.Archived));
         Archive(store, 3);
         Assert.Null(store.VerifyAudit());
+    }
+
+    [Theory]
+    [InlineData("older", "lacks entries 3 to 3")]
+    [InlineData("other", "entry 3 of its audit trail is another one")]
+    [InlineData("foreign", "cannot be read")]
+    public void Another_file_in_the_place_of_an_open_store_is_refused_and_left_as_it_is(string what, string why)
+    {
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "An open file cannot be replaced there.");
+        var other = Path.Combine(_folder, "other.db");
+        using var store = CellStore.Open(Settings, TimeProvider.System);
+        Archive(store, 0);
+        if (what == "older")
+        {
+            store.Backup(other);
+        }
+        else if (what == "foreign")
+        {
+            System.IO.File.WriteAllText(other, "no database, and longer than the head of one: " + new string('x', 200));
+        }
+        else
+        {
+            using var made = CellStore.Open(new SqliteSettings(other), TimeProvider.System);
+            Archive(made, 7);
+            Archive(made, 8);
+        }
+
+        Archive(store, 1);
+        var bytes = System.IO.File.ReadAllBytes(other);
+        Move("", ".aside");
+        System.IO.File.Move(other, File);
+        var refused = Assert.Throws<StoreException>(() => Archive(store, 2));
+        Assert.Equal(StoreError.Replaced, refused.Error);
+        Assert.Contains(why, refused.Message, StringComparison.Ordinal);
+        Assert.Equal(StoreError.Replaced, Assert.Throws<StoreException>(() => store.ChangeCount()).Error);
+        Assert.Equal(bytes, System.IO.File.ReadAllBytes(File));
+    }
+
+    [Fact]
+    public void A_file_renamed_over_an_open_store_is_refused()
+    {
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "An open file cannot be replaced there.");
+        var older = Path.Combine(_folder, "older.db");
+        using var store = CellStore.Open(Settings, TimeProvider.System);
+        store.Backup(older);
+        Archive(store, 1);
+        System.IO.File.Move(older, File, overwrite: true);
+        Assert.Equal(StoreError.Replaced, Assert.Throws<StoreException>(() => Archive(store, 2)).Error);
+    }
+
+    [Fact]
+    public void What_was_kept_in_a_file_that_lost_its_name_meanwhile_is_not_reported_as_kept()
+    {
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "An open file cannot be taken away there.");
+        using var store = CellStore.Open(Settings, TimeProvider.System);
+        Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => store.Database.Write(TimeProvider.System, null, t =>
+        {
+            t.Audit("anna", "signed-in", null, "password");
+            Move("", ".aside");
+            return true;
+        })).Error);
     }
 
     [Fact]
@@ -304,5 +368,13 @@ public sealed class SqliteDamageTests : IDisposable
         Assert.True(damaged.Error == StoreError.Damaged, damaged.ToString());
         Assert.Contains("Restore the latest backup.", damaged.Message, StringComparison.Ordinal);
         Assert.Equal(bytes, System.IO.File.ReadAllBytes(File));
+    }
+
+    private void Move(string from, string to)
+    {
+        foreach (var end in new[] { "", "-wal", "-shm" }.Where(e => System.IO.File.Exists(File + e + from)))
+        {
+            System.IO.File.Move(File + end + from, File + end + to);
+        }
     }
 }

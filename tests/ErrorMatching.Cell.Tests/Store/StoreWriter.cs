@@ -141,9 +141,12 @@ internal sealed class StoreWriter : IDisposable
                 catch (StoreException failure)
                 {
                     Console.Out.WriteLine($"{failure.Error} after some: {written.Count > 5}");
+                    Console.Out.WriteLine(failure.Message[failure.Message.IndexOf("Make room", StringComparison.Ordinal)..]);
                     break;
                 }
             }
+
+            Console.Out.WriteLine(KeysOn(settings.File + ".rest"));
 
             Console.Out.WriteLine($"all there: {store.InState(CorrectionState.Archived).SequenceEqual(written)}, chain: {store.VerifyAudit() is null}");
             System.IO.File.Delete(ballast);
@@ -155,13 +158,53 @@ internal sealed class StoreWriter : IDisposable
         Console.Out.WriteLine($"opened again, chain: {again.VerifyAudit() is null}");
     }
 
+    // What is said of keys that the disk has no room for.
+    private static string KeysOn(string rest)
+    {
+        try
+        {
+            using (var last = new FileStream(rest, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 0))
+            {
+                for (var part = new byte[1024]; ;) last.Write(part);
+            }
+        }
+        catch (IOException)
+        {
+            // Now there is no room at all.
+        }
+
+        try
+        {
+            AuditKey.Open(Path.Combine(Path.GetDirectoryName(rest)!, "keys"));
+            return "there was room";
+        }
+        catch (PeopleException e)
+        {
+            return e.Message[e.Message.IndexOf("Make room", StringComparison.Ordinal)..];
+        }
+        finally
+        {
+            System.IO.File.Delete(rest);
+        }
+    }
+
     // On a disk that is mounted read-only while no cell runs.
     private static void ReadOnly(SqliteSettings settings)
     {
         var folder = Path.GetDirectoryName(settings.File)!;
-        CellStore.Open(settings, TimeProvider.System).Dispose();
+        var left = Path.Combine(Directory.CreateDirectory(Path.Combine(folder, "left")).FullName, "cell.db");
+        var key = AuditKey.Open(Path.Combine(folder, "keys"));
+        using (var store = CellStore.Open(settings, TimeProvider.System, key))
+        {
+            // What a process leaves that ends at once: its log and the index of that.
+            store.Audit("anna", "signed-in", "password");
+            foreach (var end in new[] { "", "-wal", "-shm" }) System.IO.File.Copy(settings.File + end, left + end);
+        }
+
         Mount("ro");
         Try();
+        Look(settings.File);
+        Look(left);
         Mount("rw");
         Try();
 
@@ -171,11 +214,22 @@ internal sealed class StoreWriter : IDisposable
             mount.WaitForExit();
         }
 
+        void Look(string file)
+        {
+            using var store = CellStore.OpenToRead(new SqliteSettings(file), TimeProvider.System, key);
+            using var csv = new StringWriter();
+            var (finding, written) = (new AuditTrail(store, Path.Combine(folder, "keys")).Verify(),
+                new AuditTrail(store, folder).Export(csv));
+            var refused = Assert.Throws<StoreException>(() => store.Audit("anna", "signed-in", "password")).Error;
+            Console.Out.WriteLine(string.Create(
+                CultureInfo.InvariantCulture, $"read {finding.Entries}, whole: {finding.Holds}, exported {written}, changes: {refused}"));
+        }
+
         void Try()
         {
             try
             {
-                using var store = CellStore.Open(settings, TimeProvider.System);
+                using var store = CellStore.Open(settings, TimeProvider.System, key);
                 store.Audit("anna", "signed-in", "password");
                 Console.Out.WriteLine($"kept {store.ChangeCount().ToString(CultureInfo.InvariantCulture)}");
             }

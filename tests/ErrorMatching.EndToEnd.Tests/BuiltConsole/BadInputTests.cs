@@ -95,6 +95,8 @@ public sealed class BadInputTests
     [InlineData("\"5..14\"", "\"14..5\"", "bad-range", "$.features[2].points[0]")]
     [InlineData("\"L2L3\", \"kind\"", "\"L1\", \"kind\"", "duplicate-name", "$.features[1].name")]
     [InlineData("\"N120\"", "\"/(/\"", "bad-pattern", "$.features[0].blocks[0]")]
+    [InlineData("[\"N120\"], \"toleranceMm\": [-0.05, 0.05]", "[\"N120\"], \"toleranceMm\": [-30, 30]", "limit-implausible", "$.features[0].toleranceMm[0]")]
+    [InlineData("\"uncertaintyMm\": 0.0054", "\"uncertaintyMm\": 5.4", "uncertainty-implausible", "$.gauge.uncertaintyMm")]
     [InlineData("\"kind\": \"mating\",", "\"kind\": ,", "not-json", null)]
     public async Task A_damaged_job_is_named_by_its_path(string old, string replacement, string codes, string? path)
     {

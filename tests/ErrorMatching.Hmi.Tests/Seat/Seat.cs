@@ -124,6 +124,9 @@ internal sealed class Seat : IAsyncDisposable
         return this;
     }
 
+    /// <summary>Saves the job that is edited, with a signature.</summary>
+    public Seat Save() => Tap("setup-save").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
+
     /// <summary>Lets the cell run, and waits until that is seen: nothing is said of a cell that stands.</summary>
     public Seat RunCell()
     {

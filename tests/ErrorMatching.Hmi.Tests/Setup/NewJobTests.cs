@@ -44,12 +44,16 @@ public sealed class NewJobTests
         SetUp(seat);
         here.Tap("setup-save").See("signing-subject");
         Assert.Equal("Bracket", here.TextOf("signing-subject"));
-        Assert.Equal("The old one is overwritten. From the next measurement on, vmc1, slot A uses Bracket instead of Complex mating.", here.TextOf("signing-consequence"));
+        Assert.Equal(
+            "The old one is kept, with its files, and can be restored. "
+            + "From the next measurement on, vmc1, slot A uses Bracket instead of Complex mating.",
+            here.TextOf("signing-consequence"));
         Assert.Equal(
             [new Fact("Corrections of the old job that wait: 1. Once saved, they can be computed anew.", Severity.Attention), new("Saving drops the comments in its file.", Severity.Attention)], here.Shell.Signing!.Facts);
 
-        // Saving a job takes no password, and neither does this.
-        Assert.Null(here.Find("signing-password"));
+        // What a gauge runs changes by a signature alone, as a program does at its machine.
+        Assert.NotNull(here.Find("signing-password"));
+        Assert.False(here.See("signing-confirm").IsEffectivelyEnabled);
         BothLanguages.Take(here, "setup-replace");
         here.Tap("signing-leave");
         seat.Settle();
@@ -57,7 +61,7 @@ public sealed class NewJobTests
         Assert.Equal(job, File.ReadAllBytes(seat.JobFile));
 
         here.User.Wait(TimeSpan.FromMilliseconds(600));
-        here.Tap("setup-save").Tap("signing-confirm").WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
+        here.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
         Assert.Equal("Bracket", InputFile.Job(seat.JobFile).Name);
         Assert.Equal(("Bracket", "complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
 
@@ -65,7 +69,7 @@ public sealed class NewJobTests
         seat.Shell.Editing.Change("", d => d with { WorkOrder = "WO-9" });
         seat.Settle();
         here.User.Wait(TimeSpan.FromMilliseconds(600));
-        here.Tap("setup-save").WaitFor(() => seat.Shell.Editing.Notice is not null, "An ordinary change is asked about.");
+        here.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "An ordinary change is asked about.");
         Assert.Equal("WO-9", InputFile.Job(seat.JobFile).WorkOrder);
     });
 
@@ -78,7 +82,7 @@ public sealed class NewJobTests
         seat.Shell.SignOut.Execute(null);
         seat.Seat.WaitFor(() => seat.Shell.IsLocked, "The station does not lock.").SignIn(DemoCell.Setter);
         Assert.Equal(job, File.ReadAllBytes(seat.JobFile));
-        seat.Seat.Tap("setup-save").Tap("signing-confirm").WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
+        seat.Seat.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
         Assert.Equal("Bracket", InputFile.Job(seat.JobFile).Name);
     });
 
@@ -92,8 +96,35 @@ public sealed class NewJobTests
         seat.Shell.Editing.Undo.Execute(null);
         seat.Shell.Editing.Change("", d => d with { WorkOrder = "WO-9" });
         seat.Settle();
-        seat.Seat.Tap("setup-save").WaitFor(() => seat.Shell.Editing.Notice is not null, "What was taken back is asked about.");
+        seat.Seat.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "What was taken back is asked about.");
         Assert.Equal("Complex mating", InputFile.Job(seat.JobFile).Name);
+    });
+
+    [Fact]
+    public Task A_new_job_leaves_the_files_of_the_one_before_alone_and_that_one_can_be_restored() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        var (here, editing, folder) = (seat.Seat, seat.Shell.Editing, Path.GetDirectoryName(seat.JobFile)!);
+        var before = MatingDraftFiles.Open(seat.JobFile);
+        var (points, program) = (Path.Combine(folder, before.TheoreticalFile), Path.Combine(folder, before.Counterpart.Program));
+        var (pointsWere, programWas) = (File.ReadAllBytes(points), File.ReadAllBytes(program));
+        SetUp(seat);
+        var imported = DraftProgram.Of(programWas.Append((byte)'\n').ToArray());
+        editing.Change("", d => d with { OtherPoints = [new("O", "0", "0")], Program = imported });
+        seat.Settle();
+        here.Save().WaitFor(() => editing.Notice is not null && editing.Versions.Count == 2, "It is not saved.");
+        Assert.Equal("Bracket", InputFile.Job(seat.JobFile).Name);
+        Assert.Equal(pointsWere, File.ReadAllBytes(points));
+        Assert.Equal(programWas, File.ReadAllBytes(program));
+
+        // The job before is a version: brought back into the form it is not yet saved, and saving it takes a signature.
+        here.Tap("side-gauge").Tap(editing.Versions[1].AutomationId);
+        here.WaitFor(() => editing.Draft.Name == before.Name, "It is not brought back.");
+        seat.Settle();
+        Assert.Equal("Bracket", InputFile.Job(seat.JobFile).Name);
+        here.Save().WaitFor(() => InputFile.Job(seat.JobFile).Name == before.Name && editing.Versions.Count == 3, "It is not restored.");
+        Assert.Equal(programWas, File.ReadAllBytes(program));
+        var words = here.Station.Store.AuditEntries(0, 1000).Select(e => e.What).Where(w => w.StartsWith("job-", StringComparison.Ordinal));
+        Assert.Equal([JobEdits.Found, JobEdits.Edited, JobEdits.Edited], words);
     });
 
     // What the sample has, set up anew under another name.

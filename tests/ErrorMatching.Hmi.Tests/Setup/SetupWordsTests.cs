@@ -122,7 +122,7 @@ public sealed class SetupWordsTests
 
     private static void Save(SetupSeat seat)
     {
-        seat.Settle().Seat.Tap("setup-save");
+        seat.Settle().Seat.Save();
         seat.Seat.WaitFor(() => seat.Seat.Find("setup-notice") is not null, "It is not saved.");
     }
 }

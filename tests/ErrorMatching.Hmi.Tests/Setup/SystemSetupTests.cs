@@ -77,7 +77,7 @@ public sealed class SystemSetupTests
     {
         seat.Seat.Tap("side-machine").Type("edit-compensation.gain", "0.5");
         seat.Settle();
-        seat.Seat.Tap("setup-save");
+        seat.Seat.Save();
         seat.Seat.WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
         Assert.StartsWith("Saved", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Assert.Equal(0.5, InputFile.Job(seat.JobFile).Compensation.Gain);
@@ -98,7 +98,7 @@ public sealed class SystemSetupTests
         File.AppendAllText(seat.JobFile, "\n");
         var job = File.ReadAllBytes(seat.JobFile);
         seat.Settle();
-        seat.Seat.Tap("setup-save");
+        seat.Seat.Save();
         seat.Seat.WaitFor(() => seat.Shell.Editing.Message is not null, "Nothing is said.");
         Assert.StartsWith("Somebody else changed this job", seat.TextOf("setup-message"), StringComparison.Ordinal);
         Assert.Equal(job, File.ReadAllBytes(seat.JobFile));

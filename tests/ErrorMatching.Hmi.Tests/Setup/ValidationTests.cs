@@ -50,6 +50,8 @@ public sealed partial class ValidationTests
         ("missing-point", d => d with { OriginPoint = "O", OriginLimit = "0.01" }),
         ("duplicate-name", d => d.WithFeature(2, f => f with { Name = "L1" })),
         ("reversed-tolerance", d => d.WithFeature(1, f => f with { Lower = "0.1" })),
+        ("limit-implausible", d => d.WithFeature(0, f => f with { Upper = "9" })),
+        ("uncertainty-implausible", d => d with { Gauge = d.Gauge with { Uncertainty = "5.4" } }),
         ("chain-missing", d => d.WithFeature(1, f => f with { Tolerance = "chain:rss" })),
         ("too-few-points", d => d.WithPoints(0, 0, 1)),
         ("degree-too-high", d => d.WithFeature(2, f => f with { Degree = "10" })),
@@ -96,7 +98,7 @@ public sealed partial class ValidationTests
     public Task Every_message_has_its_words_in_both_languages_and_every_word_its_cause() => SetupSeat.AtAsync(Screens.System, seat =>
     {
         var caused = new HashSet<string>(StringComparer.Ordinal);
-        Func<MatingDraft, MatingDraft>[] doubtful = [d => d.WithFeature(0, f => f with { Upper = "9" }), d => d.WithFeature(0, f => f with { Blocks = "N120, N110" }), d => d with { Counterpart = d.Counterpart with { Measured = "9.csv" } }];
+        Func<MatingDraft, MatingDraft>[] doubtful = [d => d.WithFeature(0, f => f with { Blocks = "N120, N110" }), d => d with { Counterpart = d.Counterpart with { Measured = "9.csv" } }];
         var edits = new JobEdits(seat.Seat.Station.Settings, seat.Seat.Station.Store, seat.Seat.Station.Users);
         foreach (var problem in Mistakes.Select(m => m.Mistake).Concat(doubtful).Select(m => edits.Check(seat.Shell.Editing.Job!, m(seat.Draft))).SelectMany(c => c.Problems.Concat(c.Doubts)))
         {

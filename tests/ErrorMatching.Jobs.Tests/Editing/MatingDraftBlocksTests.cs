@@ -9,6 +9,17 @@ public sealed class MatingDraftBlocksTests
     private static readonly string Job = Repository.PathTo("samples", "complex-mating", "job.json");
     private static readonly NcPath Path = Interpreted(InputFile.Program(Repository.PathTo("samples", "complex-mating", "counterpart.nc")));
 
+    [Theory]
+    [InlineData("N10 N20..N30,N40", "N10|N20..N30|N40")]
+    [InlineData(" /a, b/; /c d/ , N5 ", "/a, b/|/c d/|N5")]
+    [InlineData("/^N8[0-9]{3}\\b/, /G0?3/", "/^N8[0-9]{3}\\b/|/G0?3/")]
+    [InlineData("/a/b/, N1", "/a/b/|N1")]
+    [InlineData("/a b, N1", "/a|b|N1")]
+    [InlineData("//, /a/", "//|/a/")]
+    [InlineData("", "")]
+    public void Selectors_in_one_field_are_told_from_one_another(string text, string expected) =>
+        Assert.Equal(expected, string.Join('|', new FeatureDraft { Blocks = text }.BlockList));
+
     [Fact]
     public void A_draft_with_nothing_but_points_and_program_gets_the_blocks_of_the_sample()
     {

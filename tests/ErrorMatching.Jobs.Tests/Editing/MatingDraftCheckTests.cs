@@ -120,16 +120,22 @@ public sealed class MatingDraftCheckTests
     }
 
     [Theory]
-    [InlineData("-0.05", "90.05", "1", "90.05 mm")]
-    [InlineData("-1e3", "0.05", "", "-1e3 mm")]
-    [InlineData("-0.05", "0.3", "0.2", "0.3 mm")]
+    [InlineData("-0.05", "90.05", "1", "$.features[1].toleranceMm[1]")]
+    [InlineData("-1e3", "0.05", "", "$.features[1].toleranceMm[0]")]
+    [InlineData("-0.05", "0.3", "0.2", "$.features[1].toleranceMm[1]")]
     [InlineData("-0.05", "1", "", null)]
-    public void A_limit_that_no_deviation_reaches_is_asked_about_and_saved(string lower, string upper, string stop, string? asked)
+    [InlineData("-9", "9", "10", null)] // what is measured as it is designed says nothing about wide limits
+    public void A_limit_that_no_deviation_reaches_is_refused_in_the_words_of_a_match(string lower, string upper, string stop, string? field)
     {
         var draft = MatingDraftFiles.Open(File).WithFeature(1, f => f with { Lower = lower, Upper = upper });
-        var check = MatingDraftCheck.Of(draft with { Compensation = draft.Compensation with { Limit = stop } }, File);
-        Assert.Empty(check.Problems);
-        Assert.Equal(asked, check.Doubts.SingleOrDefault(d => d.Code == "limit-implausible")?.Found);
+        draft = draft with { Compensation = draft.Compensation with { Limit = stop } };
+        var problem = MatingDraftCheck.Of(draft, File).Problems.SingleOrDefault();
+        Assert.Equal((field, field is null ? null : "limit-implausible"), (problem?.Field, problem?.Code));
+        if (problem is not null)
+        {
+            var said = Assert.Throws<JobException>(() => MatingJob.Parse(MatingDraftFiles.Job(draft), File));
+            Assert.Equal(said.Problems.Single().Message, problem.Message);
+        }
     }
 
     [Theory]

@@ -21,6 +21,9 @@ internal sealed class WatchedFolder(IMachineFolder folder, Action<string, bool>?
 
     public Task<byte[]> RenameAsync(string from, string to, long mostBytes, CancellationToken cancellation) => Do("rename " + to, () => folder.RenameAsync(from, to, mostBytes, cancellation));
 
+    public Task<ReplacedProgram?> ReplaceAsync(string from, string to, string aside, long mostBytes, CancellationToken cancellation) =>
+        Do("replace " + to, () => folder.ReplaceAsync(from, to, aside, mostBytes, cancellation));
+
     public Task DeleteAsync(string name, CancellationToken cancellation) => Do(
         "delete " + name,
         async () =>

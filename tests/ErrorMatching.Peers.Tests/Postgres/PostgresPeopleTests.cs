@@ -46,6 +46,34 @@ public sealed class PostgresPeopleTests : IDisposable
     }
 
     [Theory]
+    [InlineData("UPDATE person SET role = 'Administrator' WHERE name = 'Ben'", AuditFaultKind.RowDiffers,
+        "The user Ben is Administrator in the store")]
+    [InlineData("CREATE FUNCTION eve() RETURNS trigger LANGUAGE plpgsql AS 'BEGIN RETURN NEW; END'; CREATE TRIGGER eve BEFORE INSERT ON "
+        + "correction FOR EACH ROW EXECUTE FUNCTION eve()", AuditFaultKind.FormDiffers, "it has the function eve")]
+    [InlineData("CREATE TRIGGER eve BEFORE INSERT ON person FOR EACH ROW EXECUTE FUNCTION suppress_redundant_updates_trigger()",
+        AuditFaultKind.FormDiffers, "it has the trigger person.eve")]
+    [InlineData("ALTER TABLE audit DISABLE TRIGGER audit_change", AuditFaultKind.FormDiffers, "it has the trigger audit.audit_change 58 D")]
+    [InlineData("CREATE OR REPLACE FUNCTION audit_is_append_only() RETURNS trigger LANGUAGE plpgsql AS 'BEGIN RETURN OLD; END'",
+        AuditFaultKind.FormDiffers, "it has the function audit_is_append_only BEGIN RETURN OLD; END")]
+    [InlineData("CREATE RULE eve AS ON UPDATE TO slot DO INSTEAD NOTHING", AuditFaultKind.FormDiffers, "it has the rule slot.eve")]
+    [InlineData("CREATE VIEW eve AS SELECT 1", AuditFaultKind.FormDiffers, "it has the view eve")]
+    [InlineData("ALTER TABLE person ALTER COLUMN role SET DEFAULT 'Administrator'", AuditFaultKind.FormDiffers,
+        "it has the column person.role with a value of its own")]
+    [InlineData("CREATE INDEX eve ON person (name)", AuditFaultKind.FormDiffers, "it has the index eve")]
+    [InlineData("DROP INDEX correction_uncoded", AuditFaultKind.FormDiffers, "it lacks the index correction_uncoded")]
+    public void What_somebody_else_wrote_to_the_server_is_found(string sql, AuditFaultKind kind, string message)
+    {
+        var whole = new AuditTrail(_store, Keys).Verify();
+        Assert.True(whole.Holds, whole.Message);
+        Assert.Empty(_store.Tampered());
+        _store.Write(t => t.Execute(sql));
+        var fault = new AuditTrail(_store, Keys).Verify().Fault;
+        Assert.Equal(kind, fault?.Kind);
+        Assert.Contains(message, fault!.Message, StringComparison.Ordinal);
+        Assert.NotEmpty(_store.Tampered());
+    }
+
+    [Theory]
     [InlineData("Ben"), InlineData("Nobody")]
     public void A_name_is_locked_whether_it_is_a_users_or_not(string name)
     {

@@ -21,7 +21,7 @@ internal sealed record FtpFault
     /// <summary>Changes this byte of a file that is read.</summary>
     public int? CorruptReading { get; init; }
 
-    /// <summary>Which reading is meant, from 0: the temporary file's, or the program's.</summary>
+    /// <summary>Which reading is meant, from 0: the temporary file's, the last look at the old program, or the new one's.</summary>
     public int Reading { get; init; }
 
     /// <summary>Cuts all connections when this command comes, before the server hears of it.</summary>

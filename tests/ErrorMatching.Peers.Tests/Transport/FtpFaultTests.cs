@@ -39,12 +39,12 @@ public sealed class FtpFaultTests : IDisposable
     public async Task A_connection_cut_while_a_program_is_read_back_leaves_one_whole()
     {
         FtpPeer.IsNeeded();
-        var places = Enumerable.Range(0, 2).SelectMany(r => new[] { 0, 1, 2, 100, 1023, 1024, 2046, 2047, 2048 }.Select(n => (r, n)));
+        var places = new[] { 0, 2 }.SelectMany(r => new[] { 0, 1, 2, 100, 1023, 1024, 2046, 2047, 2048 }.Select(n => (r, n)));
         await EachAsync(places, async (proxy, program, place) =>
         {
             var (failure, isNew) = await BreakAsync(proxy, program, new FtpFault { CutReading = place.n, Reading = place.r });
             Assert.True(TransportError.Away == failure?.Error, $"{place}: {failure?.Message}");
-            Assert.Equal(place.r == 1, isNew);
+            Assert.Equal(place.r == 2, isNew);
         });
     }
 
@@ -56,7 +56,7 @@ public sealed class FtpFaultTests : IDisposable
         {
             (Fault: new FtpFault { CorruptWriting = n }, IsNew: false),
             (Fault: new FtpFault { CorruptReading = n }, IsNew: false),
-            (Fault: new FtpFault { CorruptReading = n, Reading = 1 }, IsNew: true),
+            (Fault: new FtpFault { CorruptReading = n, Reading = 2 }, IsNew: true),
         });
         await EachAsync(faults, async (proxy, program, fault) =>
         {
@@ -74,7 +74,7 @@ public sealed class FtpFaultTests : IDisposable
         {
             new FtpFault { StallWriting = n },
             new FtpFault { StallReading = n },
-            new FtpFault { StallReading = n, Reading = 1 },
+            new FtpFault { StallReading = n, Reading = 2 },
         });
         await EachAsync(faults, async (proxy, program, fault) =>
         {

@@ -109,7 +109,8 @@ public sealed class FtpTransportTests
         FtpPeer.IsNeeded();
         using var peer = new FtpPeer(FtpTls.None, "cmds_denied=RNFR,RNTO");
         File.WriteAllText(Path.Combine(peer.Folder, "P1.MPF"), "M30");
-        var failure = await Assert.ThrowsAsync<TransportException>(() => new ProgramSender(peer.Open()).SendAsync("P1.MPF", new byte[] { 1 }, "1", Token));
+        var failure = await Assert.ThrowsAsync<TransportException>(
+            () => new ProgramSender(peer.Open(), _ => true).SendAsync("P1.MPF", SentProgram.Hash("M30"u8), new byte[] { 1 }, "1", Token));
         Assert.Equal(TransportError.Denied, failure.Error);
         Assert.Equal(["P1.MPF"], Directory.EnumerateFileSystemEntries(peer.Folder).Select(f => Path.GetFileName(f)!));
         Assert.Equal("M30", File.ReadAllText(Path.Combine(peer.Folder, "P1.MPF")));

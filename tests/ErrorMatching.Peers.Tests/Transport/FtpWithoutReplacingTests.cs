@@ -82,8 +82,9 @@ public sealed class FtpWithoutReplacingTests : IDisposable
         proxy.Arm(new FtpFault { CutBefore = "RNTO", Skip = 2 });
         var machine = _peer.Value.Machine(proxy.Port, attempts: 3);
         var failed = new List<TransferTry>();
-        var sender = new ProgramSender(_peer.Value.Open(proxy.Port), TransferTries.For(machine, TimeProvider.System, failed.Add));
-        await sender.SendAsync("P1.MPF", SentProgram.New, "17", Token);
+        var sender = new ProgramSender(_peer.Value.Open(proxy.Port), _ => true,
+            TransferTries.For(machine, TimeProvider.System, failed.Add));
+        await sender.SendAsync("P1.MPF", SentProgram.Hash(SentProgram.Old), SentProgram.New, "17", Token);
         Assert.True(program.IsWhole("two tries"));
         Assert.Empty(program.Leftovers());
         var one = Assert.Single(failed);

@@ -44,6 +44,13 @@ internal static class MachineFolderLaws
         await open.DeleteAsync("empty", Token);
         Assert.Equal(["P1.MPF"], await open.ListAsync(Token));
 
+        // A pipe waits for a writer that never comes, and the machine's other slots with it.
+        using (var made = System.Diagnostics.Process.Start("mkfifo", [On("pipe")]))
+            await made.WaitForExitAsync(Token);
+        var refused = await Assert.ThrowsAsync<TransportException>(() => open.ReadAsync("pipe", 10, Token));
+        Assert.True(refused.Error is TransportError.NotAFile or TransportError.Denied, refused.Message);
+        File.Delete(On("pipe"));
+
         foreach (var name in new[] { "../P1.MPF", "a/b", "a\nDELE P1.MPF", "a\"b", "-x", "*", "~\\x" })
         {
             await Fails(TransportError.Denied, () => open.ReadAsync(name, 10, Token));
@@ -53,8 +60,8 @@ internal static class MachineFolderLaws
             await Fails(TransportError.Denied, () => open.DeleteAsync(name, Token));
         }
 
-        var sender = new ProgramSender(open);
-        await sender.SendAsync("P1.MPF", bytes, "17", Token);
+        var sender = new ProgramSender(open, _ => true);
+        await sender.SendAsync("P1.MPF", SentProgram.Hash(text), bytes, "17", Token);
         Assert.Equal(bytes, File.ReadAllBytes(On("P1.MPF")));
         await sender.RecoverAsync("P1.MPF", Token);
         Assert.Equal(["P1.MPF"], Directory.EnumerateFileSystemEntries(disk).Select(f => Path.GetFileName(f)!));

@@ -1,3 +1,4 @@
+using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Cell;
 
@@ -20,6 +21,12 @@ internal sealed class SentProgram(string folder, string name)
 
     private string PathOf => Path.Combine(folder, name);
 
+    /// <summary>SHA-256 of a program, as it is told to a sender.</summary>
+    public static string Hash(ReadOnlySpan<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
+
+    /// <summary>A sender to a machine. Old and new program are kept elsewhere.</summary>
+    public static ProgramSender Sender(IMachineFolder machine) => new(machine, h => h == Hash(OldBytes) || h == Hash(New));
+
     /// <summary>Puts the old program there, and nothing else.</summary>
     public void Reset()
     {
@@ -33,7 +40,7 @@ internal sealed class SentProgram(string folder, string name)
     {
         try
         {
-            await new ProgramSender(machine).SendAsync(name, New, "17", cancellation ?? Token);
+            await Sender(machine).SendAsync(name, Hash(OldBytes), New, "17", cancellation ?? Token);
             return null;
         }
         catch (TransportException failure)
@@ -62,7 +69,7 @@ internal sealed class SentProgram(string folder, string name)
     /// <summary>Recovers, and fails the test unless the machine then has one program, whole, and nothing else of this name.</summary>
     public async Task RecoverAsync(IMachineFolder machine, string after)
     {
-        await new ProgramSender(machine).RecoverAsync(name, Token);
+        await Sender(machine).RecoverAsync(name, Token);
         IsWhole(after + ", recovered");
         Assert.Empty(Leftovers());
     }
@@ -71,7 +78,7 @@ internal sealed class SentProgram(string folder, string name)
     public async Task MendAsync(IMachineFolder machine, string after)
     {
         await RecoverAsync(machine, after);
-        await new ProgramSender(machine).SendAsync(name, New, "18", Token);
+        await Sender(machine).SendAsync(name, Hash(File.ReadAllBytes(PathOf)), New, "18", Token);
         Assert.True(IsWhole(after + ", sent again"));
         Assert.Empty(Leftovers());
     }

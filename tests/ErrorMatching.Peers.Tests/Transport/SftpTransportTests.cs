@@ -100,6 +100,57 @@ public sealed class SftpTransportTests
     }
 
     [Fact]
+    public async Task A_program_that_is_replaced_keeps_a_name_until_it_was_looked_at()
+    {
+        SshPeer.IsNeeded();
+        using var peer = new SshPeer();
+        string On(string name) => Path.Combine(peer.Folder, name);
+        File.WriteAllBytes(On("new"), [2]);
+        Assert.Null(await peer.Open().ReplaceAsync("new", "P1.MPF", "aside", 10, Token));
+        Assert.Equal([On("new")], Directory.GetFiles(peer.Folder));
+
+        // Written into while the other one takes its place, as an editor does that keeps the file open.
+        File.WriteAllBytes(On("P1.MPF"), [1]);
+        await using (var editor = new FileStream(On("P1.MPF"), FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete))
+        {
+            var replaced = await peer.Open().ReplaceAsync("new", "P1.MPF", "aside", 10, Token);
+            Assert.Equal([2], replaced!.There);
+            Assert.Equal([1], replaced.Was);
+            editor.WriteByte(3);
+        }
+
+        Assert.Equal([3], File.ReadAllBytes(On("aside")));
+        Assert.Equal([2], File.ReadAllBytes(On("P1.MPF")));
+        Assert.False(File.Exists(On("new")));
+
+        using var refuses = new SshPeer(options: "-P posix-rename");
+        File.WriteAllBytes(Path.Combine(refuses.Folder, "new"), [2]);
+        File.WriteAllBytes(Path.Combine(refuses.Folder, "P1.MPF"), [1]);
+        Assert.Null(await refuses.Open().ReplaceAsync("new", "P1.MPF", "aside", 10, Token));
+        Assert.Equal(["P1.MPF", "new"], Directory.GetFiles(refuses.Folder).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
+    }
+
+    // By another writer than the cell, in the moment between the last look and the renaming.
+    [Fact]
+    public async Task What_is_saved_at_the_last_moment_gets_its_place_back()
+    {
+        SshPeer.IsNeeded();
+        using var peer = new SshPeer();
+        var program = new SentProgram(peer.Folder, "P1.MPF");
+        program.Reset();
+        var edited = "edited at the control"u8.ToArray();
+        var saving = new WatchedFolder(peer.Open(), (what, isDone) =>
+        {
+            if (what == "replace P1.MPF" && !isDone && File.ReadAllBytes(Path.Combine(peer.Folder, "P1.MPF")).SequenceEqual(SentProgram.Old))
+                File.WriteAllBytes(Path.Combine(peer.Folder, "P1.MPF"), edited);
+        });
+        var changed = await Assert.ThrowsAsync<ChangedAtMachineException>(() => program.SendAsync(saving));
+        Assert.Equal(edited, changed.Found);
+        Assert.Equal(edited, File.ReadAllBytes(Path.Combine(peer.Folder, "P1.MPF")));
+        Assert.Empty(program.Leftovers());
+    }
+
+    [Fact]
     public async Task A_full_disk_is_named()
     {
         SshPeer.IsNeeded();

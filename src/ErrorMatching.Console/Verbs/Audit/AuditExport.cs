@@ -1,5 +1,5 @@
 using System.CommandLine;
-using System.Globalization;
+using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
@@ -9,6 +9,7 @@ namespace ErrorMatching.Console;
 /// <summary><c>errormatch audit export</c>.</summary>
 internal sealed class AuditExport : CellVerb
 {
+    private const int BufferLength = 64 * 1024;
     private readonly Option<string> _out = FileOption("--out", "The CSV file to write; without it, the entries go to standard output.");
 
     /// <summary>The verb.</summary>
@@ -19,20 +20,46 @@ internal sealed class AuditExport : CellVerb
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         DemandStore(settings);
-        using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder), inspect: false);
-        using var csv = new StringWriter(CultureInfo.InvariantCulture);
-        long entries;
-        using (var progress = new ProgressLine(ProgressTo))
+        using var store = CellStore.OpenToRead(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder));
+        using var progress = new ProgressLine(ProgressTo);
+        var trail = new AuditTrail(store, settings.KeysFolder);
+        if (arguments.GetValue(_out) is { } file)
         {
-            entries = new AuditTrail(store, settings.KeysFolder).Export(csv, progress, cancellation);
+            var (written, hash) = (0L, "");
+            OutputFile.Write(file, stream => (written, hash) = Export(stream), [settings.File], cancellation);
+            return new AuditExportAnswer(written, hash, file, null);
         }
 
-        if (arguments.GetValue(_out) is not { } file)
+        // All of it or nothing: what fails after half of the entries must not have printed them.
+        var kept = Unnamed();
+        var (entries, sha256) = Export(kept);
+        return new AuditExportAnswer(entries, sha256, null, kept);
+
+        (long Entries, string Sha256) Export(Stream stream)
         {
-            return new AuditExportAnswer(csv.ToString(), entries, null);
+            using var sums = SHA256.Create();
+            using var hashed = new CryptoStream(stream, sums, CryptoStreamMode.Write, leaveOpen: true);
+            using var csv = new StreamWriter(hashed, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), BufferLength);
+            var count = trail.Export(csv, progress, cancellation);
+            csv.Flush();
+            hashed.FlushFinalBlock();
+            return (count, Convert.ToHexStringLower(sums.Hash!));
+        }
+    }
+
+    // A file that nobody else can open, and that is gone with the process however that ends.
+    private static FileStream Unnamed()
+    {
+        var path = Path.Combine(Path.GetTempPath(), "errormatch-" + Path.GetRandomFileName());
+        var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.ReadWrite, Share = FileShare.None, Options = FileOptions.DeleteOnClose };
+        if (OperatingSystem.IsWindows())
+        {
+            return new(path, options);
         }
 
-        OutputFile.Write(file, Encoding.UTF8.GetBytes(csv.ToString()), [settings.File], cancellation);
-        return new AuditExportAnswer(csv.ToString(), entries, file);
+        options.UnixCreateMode = UnixFileMode.UserRead | UnixFileMode.UserWrite;
+        var stream = new FileStream(path, options);
+        File.Delete(path);
+        return stream;
     }
 }

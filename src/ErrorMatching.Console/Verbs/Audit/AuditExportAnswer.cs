@@ -1,40 +1,72 @@
 using System.Globalization;
-using System.Security.Cryptography;
 using System.Text;
 using System.Text.Json;
 
 namespace ErrorMatching.Console;
 
-/// <summary>An audit trail as CSV.</summary>
-/// <param name="csv">All of it.</param>
+/// <summary>An audit trail as CSV, however long: it is never in memory as a whole.</summary>
 /// <param name="entries">How many entries it has.</param>
+/// <param name="sha256">The hash of its bytes.</param>
 /// <param name="file">Where it was written to; null for standard output.</param>
-internal sealed class AuditExportAnswer(string csv, long entries, string? file) : DocumentAnswer
+/// <param name="csv">Where it is kept until it is written to standard output; null where it was written to a file.</param>
+internal sealed class AuditExportAnswer(long entries, string sha256, string? file, Stream? csv) : DocumentAnswer
 {
+    private const int PartLength = 16 * 1024;
+
     /// <inheritdoc/>
     public override string Schema => "errormatch/audit-export/1";
+
+    /// <inheritdoc/>
+    public override void WriteJson(TextWriter output)
+    {
+        using var stream = new TextStream(output);
+        OutcomeWriter.Json(stream, Schema, WriteJson);
+    }
 
     /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("file", file);
         json.WriteNumber("entries", entries);
-        json.WriteString("sha256", Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(csv))));
-        if (file is null)
+        json.WriteString("sha256", sha256);
+        if (csv is null)
         {
-            json.WriteString("csv", csv);
+            return;
         }
+
+        json.WritePropertyName("csv");
+        foreach (var part in Parts(csv))
+        {
+            json.WriteStringValueSegment(part.Span, isFinalSegment: false);
+            json.Flush();
+        }
+
+        json.WriteStringValueSegment(default(ReadOnlySpan<char>), isFinalSegment: true);
     }
 
     /// <inheritdoc/>
     public override void WriteText(Page page)
     {
-        if (file is null)
+        if (csv is null)
         {
-            page.Text(csv);
+            page.Line(string.Create(CultureInfo.InvariantCulture, $"Wrote {entries} entries to {file}."));
             return;
         }
 
-        page.Line(string.Create(CultureInfo.InvariantCulture, $"Wrote {entries} entries to {file}."));
+        foreach (var part in Parts(csv))
+        {
+            page.Text(part.Span);
+        }
+    }
+
+    private static IEnumerable<ReadOnlyMemory<char>> Parts(Stream csv)
+    {
+        csv.Position = 0;
+        using var reader = new StreamReader(csv, Encoding.UTF8);
+        var part = new char[PartLength];
+        for (int read; (read = reader.Read(part)) > 0;)
+        {
+            yield return part.AsMemory(0, read);
+        }
     }
 }

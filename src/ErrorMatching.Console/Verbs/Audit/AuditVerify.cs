@@ -10,9 +10,9 @@ internal sealed class AuditVerify() : CellVerb("verify", "Looks whether any entr
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         DemandStore(settings);
-        using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder), inspect: false);
+        using var store = CellStore.OpenToRead(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder));
         using var progress = new ProgressLine(ProgressTo);
         var finding = new AuditTrail(store, settings.KeysFolder).Verify(progress, cancellation);
-        return finding.Holds ? new AuditVerifyAnswer(finding) : FailureOfCell.Audit(finding);
+        return finding.Fault is { } fault ? FailureOfCell.Audit(fault) : new AuditVerifyAnswer(finding);
     }
 }

@@ -48,7 +48,7 @@ internal sealed class CellHistory : CellVerb
 
     /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
-        WithExistingStore(settings, store => new CellHistoryAnswer(store.Search(new()
+        WithStoreToRead(settings, store => new CellHistoryAnswer(store.Search(new()
         {
             Serial = arguments.GetValue(_serial),
             WorkOrder = arguments.GetValue(_workOrder),

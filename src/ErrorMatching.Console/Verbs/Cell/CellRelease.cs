@@ -13,6 +13,12 @@ internal sealed class CellRelease() : CellDecisionVerb(
     protected override Act Act => Act.Release;
 
     /// <inheritdoc/>
-    protected override Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
-        new CellDecisionAnswer("release", new CorrectionDecisions(store).Release(id, by, reason), "does not have its slot any more; the next in line may go");
+    protected override Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason,
+        CancellationToken cancellation)
+    {
+        var secrets = new MachineSecrets(store, settings.KeysFolder);
+        var release = new SlotRelease(settings, store, m => MachineFolders.Open(m, () => secrets.Get(m.Name)));
+        var released = release.ReleaseAsync(id, by, reason, cancellation).GetAwaiter().GetResult();
+        return new CellDecisionAnswer("release", released, "does not have its slot any more; the next in line may go");
+    }
 }

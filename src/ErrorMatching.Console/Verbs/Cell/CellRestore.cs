@@ -23,7 +23,7 @@ internal sealed class CellRestore : CellVerb
             kept = CellStore.Restore(settings.Store, file, TimeProvider.System, by, AuditKey.Open(settings.KeysFolder), progress, cancellation);
         }
 
-        using (var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Open(settings.KeysFolder), inspect: false))
+        using (var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.OpenFor(settings), inspect: false))
         {
             new AuditTrail(store, settings.KeysFolder).TakeOver(by, Recorded.BackupBroughtBack.With(file));
         }

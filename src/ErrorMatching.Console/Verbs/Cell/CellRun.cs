@@ -4,6 +4,7 @@ using System.Security.Cryptography;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using Serilog;
+using Serilog.Core;
 
 namespace ErrorMatching.Console;
 
@@ -17,7 +18,32 @@ internal sealed class CellRun() : CellVerb(
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
-        using var log = CellLog.Open(settings.LogFolder);
+        var log = CellLog.Open(settings.LogFolder);
+        try
+        {
+            return Run(settings, log, cancellation);
+        }
+        finally
+        {
+            Close(log, settings);
+        }
+    }
+
+    // What the run came to is not lost with the last lines of its log.
+    private static void Close(Logger log, CellSettings settings)
+    {
+        try
+        {
+            log.Dispose();
+        }
+        catch (IOException e)
+        {
+            System.Console.Error.Write($"errormatch: the last lines of the log in {settings.LogFolder} cannot be written: {e.Message}\n");
+        }
+    }
+
+    private static Outcome Run(CellSettings settings, Logger log, CancellationToken cancellation)
+    {
         foreach (var warning in settings.Warnings)
         {
             log.Warning("{File}: {Path}: {Warning}", settings.File, warning.Path, warning.Message);
@@ -44,6 +70,13 @@ internal sealed class CellRun() : CellVerb(
         if (only is null)
         {
             return new Failure(ExitCode.Outside, new ErrorItem("cell-runs-already", $"{settings.Name} runs already: another process has it. See errormatch cell status {settings.File}."));
+        }
+
+        // A store that was set back knows nothing of what was sent since: it would send it again.
+        if (new AuditTrail(store, settings.KeysFolder).EndFault() is { } fault)
+        {
+            log.Fatal("{Cell} does not start: {Message}", settings.Name, fault.Message);
+            return FailureOfCell.Audit(fault);
         }
 
         using var telemetry = TelemetryExport.Start(settings.Name, Environment.GetEnvironmentVariable);
@@ -77,12 +110,11 @@ internal sealed class CellRun() : CellVerb(
     // A server that starts after the cell is waited for; what waiting does not mend ends the run.
     private static async Task<CellStore> OpenAsync(CellSettings settings, ILogger log, TimeProvider clock, CancellationToken cancellation)
     {
-        var key = AuditKey.Open(settings.KeysFolder);
         while (true)
         {
             try
             {
-                return CellStore.Open(settings.Store, clock, key);
+                return CellStore.Open(settings.Store, clock, AuditKey.OpenFor(settings));
             }
             catch (StoreException e) when (e.IsWorthAnotherTry)
             {

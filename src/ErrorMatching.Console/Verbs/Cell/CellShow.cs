@@ -19,7 +19,8 @@ internal sealed class CellShow : CellVerb
     }
 
     /// <inheritdoc/>
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) => WithExistingStore(settings, store => Show(settings, store, arguments, cancellation));
+    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
+        WithStoreToRead(settings, store => Show(settings, store, arguments, cancellation));
 
     private CellShowAnswer Show(CellSettings settings, CellStore store, ParseResult arguments, CancellationToken cancellation)
     {

@@ -175,6 +175,11 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
             yield return (trouble.Code, $"{trouble.Where}, since {Time(trouble.Since)}: {trouble.Message}");
         }
 
+        foreach (var tampered in status.Tampered.Take(MostListed))
+        {
+            yield return (CellCodes.Of(StoreError.Tampered), tampered);
+        }
+
         foreach (var failed in status.Failed.Take(MostListed))
         {
             yield return (failed.Code ?? "failed", $"Correction {Number(failed.Id)} ({failed.FileName}) failed: {failed.Reason}");
@@ -188,9 +193,18 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
             yield return $"Start the cell: errormatch cell run {settings.File}";
         }
 
-        foreach (var trouble in status.IsRunning ? status.Heartbeat!.Troubles : [])
+        foreach (var tampered in status.Tampered.Take(MostListed).Concat(Troubles(isTampered: true).Select(t => t.Message))
+            .Distinct(StringComparer.Ordinal))
         {
-            yield return $"{trouble.Where}: put right what it says ({trouble.Code}); the cell goes on by itself.";
+            yield return tampered;
+        }
+
+        foreach (var trouble in Troubles(isTampered: false))
+        {
+            yield return trouble.Code == CellCodes.ChangedAtMachine
+                ? $"{trouble.Where}: look at it at the machine. Then release the correction with --reason "
+                    + $"(errormatch cell release {settings.File} NUMBER), or put its program back."
+                : $"{trouble.Where}: put right what it says ({trouble.Code}); the cell goes on by itself.";
         }
 
         foreach (var failed in status.Failed.Take(MostListed))
@@ -215,6 +229,10 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
             yield return $"{slot.Machine.Name}/{slot.Slot.Name}: when the piece of {Label(slot.Held!)} is cut, errormatch cell release {settings.File} {Number(slot.Held!.Id)}";
         }
     }
+
+    // What somebody else wrote to the store does not mend itself; its sentence says what to do.
+    private IEnumerable<CellTrouble> Troubles(bool isTampered) =>
+        (status.IsRunning ? status.Heartbeat!.Troubles : []).Where(t => t.Code == CellCodes.Of(StoreError.Tampered) == isTampered);
 
     private static string Label(Correction correction) => correction.Serial is { } serial ? $"{Number(correction.Id)} {serial}" : Number(correction.Id);
 

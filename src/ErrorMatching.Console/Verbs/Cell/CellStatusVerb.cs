@@ -9,5 +9,5 @@ internal sealed class CellStatusVerb() : CellVerb(
 {
     /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
-        WithExistingStore(settings, store => new CellStatusAnswer(settings, CellStatus.Of(settings, store, TimeProvider.System)));
+        WithStoreToRead(settings, store => new CellStatusAnswer(settings, CellStatus.Of(settings, store, TimeProvider.System)));
 }

@@ -48,7 +48,27 @@ internal abstract class CellVerb : Verb
     /// <summary>Works with the cell's store, which is made if it is not there yet. Every entry of the audit trail is sealed with the cell's key.</summary>
     protected static Outcome WithStore(CellSettings settings, Func<CellStore, Outcome> work)
     {
-        using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Open(settings.KeysFolder), inspect: false);
+        using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.OpenFor(settings), inspect: false);
+
+        // Nothing is added to a store that was set back: its trail would grow two ends.
+        if (new AuditTrail(store, settings.KeysFolder).EndFault() is { } fault)
+        {
+            return FailureOfCell.Audit(fault);
+        }
+
+        return Remembered(settings, store, work);
+    }
+
+    /// <summary>Looks at the cell's store, which must be there and may be on a disk that cannot be written.</summary>
+    protected static Outcome WithStoreToRead(CellSettings settings, Func<CellStore, Outcome> work)
+    {
+        DemandStore(settings);
+        using var store = CellStore.OpenToRead(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder));
+        return Remembered(settings, store, work);
+    }
+
+    private static Outcome Remembered(CellSettings settings, CellStore store, Func<CellStore, Outcome> work)
+    {
         var outcome = work(store);
         try
         {

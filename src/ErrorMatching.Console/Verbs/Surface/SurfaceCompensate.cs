@@ -9,6 +9,7 @@ internal sealed class SurfaceCompensate : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
     private readonly Option<string[]> _measured = SurfaceOptions.Measured("The measured points: a table, or the log of the probing program. Several files are repeated measurements of the piece; their mean is used.");
+    private readonly Option<string> _cutBy = SurfaceOptions.CutBy();
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write the compensation points, the surface, the finishing program and the reports to. Without it nothing is written.");
 
     /// <summary>The verb.</summary>
@@ -20,6 +21,7 @@ internal sealed class SurfaceCompensate : Verb
     {
         Arguments.Add(_job);
         Options.Add(_measured);
+        Options.Add(_cutBy);
         Options.Add(_out);
     }
 
@@ -31,7 +33,13 @@ internal sealed class SurfaceCompensate : Verb
         var folder = arguments.GetValue(_out);
         var outcome = SurfaceRun.Compensate(
             files,
-            new() { Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))], Folder = folder, ElapsedS = () => clock.Elapsed.TotalSeconds },
+            new()
+            {
+                Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))],
+                CutBy = GivenFile.At(arguments.GetValue(_cutBy)),
+                Folder = folder,
+                ElapsedS = () => clock.Elapsed.TotalSeconds,
+            },
             cancellation);
         if (outcome.Result is not { } finished)
         {

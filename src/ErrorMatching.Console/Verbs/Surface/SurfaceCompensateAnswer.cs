@@ -36,6 +36,14 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
     public override void WriteText(Page page)
     {
         var (report, result, certificate) = (finished.Report, finished.Report.Result, finished.Report.ToolPath.Certificate);
+        if (!report.CallsTool)
+        {
+            page.Heading($"{report.Job.Name}: {In(FinishedSurface.Name)} has no tool call and stops with an alarm");
+            page.Line();
+            page.Line("Warning: " + FinishingProgram.NoToolCall);
+            page.Line();
+        }
+
         page.Heading($"{report.Job.Name}: the surface is moved by at most {Um(result.LargestMoveMm)} um; standard deviation {Um(result.Before.StandardDeviationMm)} um, expected after {Um(result.Predicted.Statistics.StandardDeviationMm)} um");
         page.Line();
         page.Table(
@@ -43,12 +51,13 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
             [Row("measured", result.Before), Row("expected, mirror", result.Mirror.Statistics), Row("expected, tool radius", result.ToolRadius.Statistics)]);
         page.Line("Errors along the normal, positive where material is left, less the stock of the stage. The job's method: " + result.Predicted.Method + ".");
         page.Line($"Standard uncertainty of what is expected: {Um(result.Predicted.MeanUncertaintyMm)} um of the mean, {Um(result.Predicted.PointUncertaintyMm)} um of a point.");
+        page.Line("Measured piece: " + report.CutBy.Sentence);
         page.Line("Alignment: " + AlignmentWords.Of(result.Alignment));
         page.Line();
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
             $"Tool path: {report.ToolPath.Passes} passes, {report.ToolPath.Points} points, {report.ToolPath.LengthMm:0} mm; chord at most {Um(certificate.ChordMm)} um, scallop at most {Um(certificate.ScallopMm)} um{Gouges(certificate)}."));
-        foreach (var warning in result.Warnings)
+        foreach (var warning in result.Warnings.Where(w => w != FinishingProgram.NoToolCall))
         {
             page.Line("Warning: " + warning);
         }
@@ -64,7 +73,9 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
             : $"Wrote {In("finishing.nc")}, {In("surface.stp")}, {In("surface.igs")}, {In("compensation.csv")}, {In("report.html")} and {In("report.json")}.");
         if (folder is not null)
         {
-            page.Line($"Next: open {In("report.html")} in a browser, cut with {In("finishing.nc")}, measure again, and compare by errormatch surface evaluate.");
+            page.Line(report.CallsTool
+                ? $"Next: open {In("report.html")} in a browser, cut with {In("finishing.nc")}, measure again, and compare by errormatch surface evaluate."
+                : $"Next: open {In("report.html")} in a browser, name the tool in {report.Job.File} (toolpath.tool), and run this again.");
         }
     }
 

@@ -8,6 +8,7 @@ internal sealed class SurfaceDisplace : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
     private readonly Option<string[]> _measured = SurfaceOptions.Measured("The measured points: a table, or the log of the probing program. Several files are repeated measurements of the piece; their mean is used.");
+    private readonly Option<string> _cutBy = SurfaceOptions.CutBy();
     private readonly Option<string> _program = FileOption("--program", "The finishing program that the shop has from its CAM.");
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write the displaced program to, by the same name. Without it nothing is written.");
 
@@ -21,6 +22,7 @@ internal sealed class SurfaceDisplace : Verb
         _program.Required = true;
         Arguments.Add(_job);
         Options.Add(_measured);
+        Options.Add(_cutBy);
         Options.Add(_program);
         Options.Add(_out);
     }
@@ -32,7 +34,12 @@ internal sealed class SurfaceDisplace : Verb
         var folder = arguments.GetValue(_out);
         var outcome = SurfaceRun.Displace(
             files,
-            new() { Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))], Folder = folder },
+            new()
+            {
+                Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))],
+                CutBy = GivenFile.At(arguments.GetValue(_cutBy)),
+                Folder = folder,
+            },
             new(arguments.GetRequiredValue(_program)),
             cancellation);
         if (outcome.Result is not { } displaced)

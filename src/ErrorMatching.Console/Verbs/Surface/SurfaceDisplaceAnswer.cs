@@ -25,6 +25,7 @@ internal sealed class SurfaceDisplaceAnswer(DisplacedSurface report) : Answer
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
             $"Proof holds: of {displaced.Proof.Motions} motions {displaced.Proof.MovedMotions} moved, none further than {displaced.Proof.MaxDeviationFromWantedMm:0.0000} mm from where it was wanted; every byte besides is the original's{(displaced.Marker is null ? "" : ", but for the marker comment")}."));
+        page.Line("Measured piece: " + report.CutBy.Sentence);
         page.Line("Alignment: " + AlignmentWords.Of(compensation.Alignment));
         foreach (var warning in compensation.Warnings)
         {

@@ -9,6 +9,13 @@ internal static class SurfaceOptions
     public static Option<string[]> Measured(string description) =>
         new("--measured") { Description = description, HelpName = "FILE", Required = true, AllowMultipleArgumentsPerToken = true, Arity = ArgumentArity.OneOrMore };
 
+    /// <summary>The program that cut the measured piece.</summary>
+    public static Option<string> CutBy() => new("--cut-by")
+    {
+        Description = "The program that cut the measured piece, instead of the job's measuring.cutBy. One that follows a measurement already is refused.",
+        HelpName = "NC",
+    };
+
     /// <summary>The folder to write to.</summary>
     public static Option<string> Out(string description) => new("--out") { Description = description, HelpName = "DIR" };
 }

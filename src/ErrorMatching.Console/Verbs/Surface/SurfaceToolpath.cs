@@ -40,6 +40,7 @@ internal sealed class SurfaceToolpath : Verb
         };
         var surface = files.Surface();
         var dialect = files.ToolpathDialect();
+        var template = files.FinishingTemplate(dialect);
         cancellation.ThrowIfCancellationRequested();
         var planned = ToolPathPlanner.Plan(surface, job.Tool, job.Toolpath, job.Stock.Of(stage), dialect);
         if (!planned.IsUsable)
@@ -49,10 +50,10 @@ internal sealed class SurfaceToolpath : Verb
 
         cancellation.ThrowIfCancellationRequested();
         var folder = arguments.GetValue(_out);
-        var answer = new SurfaceToolpathAnswer(job, planned.Path, dialect, stage, folder);
+        var answer = new SurfaceToolpathAnswer(job, planned.Path, dialect, stage, template.CallsTool(job), folder);
         if (folder is not null)
         {
-            OutputFile.Write(answer.File, FinishingProgram.Write(planned.Path, job, dialect, stage), files.Read, cancellation);
+            OutputFile.Write(answer.File, FinishingProgram.Write(planned.Path, job, dialect, stage, template: template), files.Read, cancellation);
         }
 
         return answer;

@@ -11,8 +11,9 @@ namespace ErrorMatching.Console;
 /// <param name="path">The path.</param>
 /// <param name="dialect">The control that it is for.</param>
 /// <param name="stage">What it leaves.</param>
+/// <param name="callsTool">True if the program calls its tool; false if it begins with a stop and an alarm.</param>
 /// <param name="folder">The folder that the program was written to; null if nothing was written.</param>
-internal sealed class SurfaceToolpathAnswer(FreeformJob job, ToolPath path, NcDialect dialect, CuttingStage stage, string? folder) : DocumentAnswer
+internal sealed class SurfaceToolpathAnswer(FreeformJob job, ToolPath path, NcDialect dialect, CuttingStage stage, bool callsTool, string? folder) : DocumentAnswer
 {
     /// <inheritdoc/>
     public override string Schema => "errormatch/surface-toolpath/1";
@@ -30,6 +31,7 @@ internal sealed class SurfaceToolpathAnswer(FreeformJob job, ToolPath path, NcDi
         json.WriteString("stage", Stage);
         json.WriteString("dialect", dialect.Name);
         json.WriteString("file", folder is null ? null : File);
+        json.WriteBoolean("toolCall", callsTool);
         json.WriteNumber("stockMm", path.StockMm);
         json.WriteNumber("passes", path.Passes);
         json.WriteNumber("points", path.Points);
@@ -42,12 +44,27 @@ internal sealed class SurfaceToolpathAnswer(FreeformJob job, ToolPath path, NcDi
         json.WriteNumber("raisedPoints", c.RaisedPoints);
         json.WriteNumber("raisedMm", c.RaisedMm);
         json.WriteEndObject();
+        json.WriteStartArray("warnings");
+        if (!callsTool)
+        {
+            json.WriteStringValue(FinishingProgram.NoToolCall);
+        }
+
+        json.WriteEndArray();
     }
 
     /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         var c = path.Certificate;
+        if (!callsTool)
+        {
+            page.Heading($"{job.Name}: {File} has no tool call and stops with an alarm");
+            page.Line();
+            page.Line("Warning: " + FinishingProgram.NoToolCall);
+            page.Line();
+        }
+
         page.Heading(string.Create(CultureInfo.InvariantCulture, $"{job.Name}: {Stage} in {path.Passes} passes with {path.Points} points, {path.LengthMm:0} mm or {path.LengthMm / job.Tool.FeedMmPerMin:0.0} min at the feed"));
         page.Line();
         page.Table(
@@ -62,7 +79,9 @@ internal sealed class SurfaceToolpathAnswer(FreeformJob job, ToolPath path, NcDi
         }
 
         page.Line();
-        page.Line(folder is null ? "Nothing was written. Add --out DIR to write the program." : $"Wrote {File}. Next: put the call of your tool into its head, and look at it with errormatch nc check {File} --dialect {dialect.Name}.");
+        page.Line(folder is null ? "Nothing was written. Add --out DIR to write the program."
+            : callsTool ? $"Wrote {File}. Next: look at it with errormatch nc check {File} --dialect {dialect.Name}."
+            : $"Wrote {File}. Next: name the tool in {job.File} (toolpath.tool), and run this again.");
     }
 
     private static void Measured(Utf8JsonWriter json, string name, double mm, double allowed, Point3 at)

@@ -20,7 +20,7 @@ internal sealed class UserAnswer(string schema, User user, string sentence) : Do
     public static void WriteMembers(Utf8JsonWriter json, User user)
     {
         json.WriteString("name", user.Name);
-        json.WriteString("role", RoleOption.Word(user.Role));
+        json.WriteString("role", user.RoleWord);
         json.WriteBoolean("isDisabled", user.IsDisabled);
         json.WriteString("addedAt", Time(user.AddedAt));
         json.WriteString("passwordAt", Time(user.PasswordAt));
@@ -32,6 +32,19 @@ internal sealed class UserAnswer(string schema, User user, string sentence) : Do
         else
         {
             json.WriteNull("lockedUntil");
+        }
+
+        json.WritePropertyName("problem");
+        if (user.Problem is var (error, message))
+        {
+            json.WriteStartObject();
+            json.WriteString("code", FailureOfCell.CodeOf(error));
+            json.WriteString("message", message);
+            json.WriteEndObject();
+        }
+        else
+        {
+            json.WriteNullValue();
         }
     }
 

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
@@ -9,6 +10,12 @@ internal sealed class UserListAnswer(IReadOnlyList<User> users) : DocumentAnswer
 {
     /// <inheritdoc/>
     public override string Schema => "errormatch/user-list/1";
+
+    /// <inheritdoc/>
+    public override Failure? Failure => users.Any(u => u.Problem is not null)
+        ? new(ExitCode.Refused, [.. users.Select(u => u.Problem).OfType<(PeopleError Error, string Message)>()
+            .Select(p => new ErrorItem(FailureOfCell.CodeOf(p.Error), p.Message))])
+        : null;
 
     /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
@@ -37,8 +44,9 @@ internal sealed class UserListAnswer(IReadOnlyList<User> users) : DocumentAnswer
             ["name", "role", "added", "password of", "failed", ""],
             users.Select(u => (IReadOnlyList<string>)
             [
-                u.Name, RoleOption.Word(u.Role), Day(u.AddedAt), Day(u.PasswordAt), u.Failures.ToString(CultureInfo.InvariantCulture),
-                u.IsDisabled ? "disabled" : u.LockedUntil is { } until ? "locked until " + UserAnswer.Time(until) : "",
+                u.Name, u.RoleWord, Day(u.AddedAt), Day(u.PasswordAt), u.Failures.ToString(CultureInfo.InvariantCulture),
+                u.Problem is not null ? "may do nothing" : u.IsDisabled ? "disabled" : u.LockedUntil is { } until ? "locked until "
+                    + UserAnswer.Time(until) : "",
             ]));
     }
 

@@ -27,7 +27,12 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _pause = new(Station.Clock, SayDecisions);
         Approve = Decision(Act.Approve, needsReason: false, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Approve(id, by, reason)));
         Reject = Decision(Act.Reject, needsReason: true, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Reject(id, by, reason!)));
-        Release = Decision(Act.Release, needsReason: false, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Release(id, by, reason)));
+        Release = Decision(
+            Act.Release,
+            needsReason: false,
+            (id, by, reason, cancellation) => Task.Run(
+                () => new SlotRelease(Station.Settings, Station.Store, Station.Open).ReleaseAsync(id, by, reason, cancellation),
+                    cancellation));
         ComputeAnew = new(_ => ComputeAnewAsync(), () => IsDecidable && IsOutdated);
         LookAtFirst = new(() =>
         {
@@ -43,8 +48,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     /// <summary>What can be decided about, and what is on its way or at a machine.</summary>
     public RowList<CorrectionRow> Rows { get; } = [];
 
-    /// <summary>True if there is nothing in <see cref="Rows"/>.</summary>
-    public bool IsEmpty => Rows.Count == 0;
+    /// <summary>True if it is known that there is nothing in <see cref="Rows"/>.</summary>
+    public bool IsEmpty => Station.State is { Status: not null, StoreTrouble: null } && Rows.Count == 0;
 
     /// <summary>The correction that is looked at. Until a person chooses one or decides, it is the oldest that waits for them; while another one is shown, nothing takes its place by itself.</summary>
     public CorrectionRow? Chosen
@@ -115,6 +120,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         null or { State: CorrectionState.Proposed } => null,
         _ when Waits is not null => null,
         { State: CorrectionState.Released } cut when !IsToBeMeasured(cut) => null,
+        { State: CorrectionState.Verified, Machine: { } machine } when Detail.Kept is { LacksToolCall: true, Surface.CallsTool: false } =>
+            Texts.Current.With("Next.NoToolCall", machine),
         var correction => NextStep.Of(Station.Settings, Station.State.Status, correction),
     };
 
@@ -244,6 +251,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     {
         if (Station.State.Status is not { } status)
         {
+            Say(nameof(IsEmpty));
             return;
         }
 

@@ -92,7 +92,7 @@ public sealed class CorrectionDetail
     public bool IsWithin => _piece?.IsWithin ?? true;
 
     /// <summary>What the program does not have and the machine needs, in words; null if nothing.</summary>
-    public string? Missing => Kept.LacksToolCall ? Texts.Current["Head.NoToolCall"] : null;
+    public string? Missing => Kept.Missing;
 
     /// <summary>The key points.</summary>
     public IReadOnlyList<PointRow> Points { get; } = [];

@@ -59,8 +59,8 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     /// <summary>The last measured surfaces, the newest first.</summary>
     public RowList<SurfaceRow> Rows { get; } = [];
 
-    /// <summary>True if none is measured.</summary>
-    public bool IsEmpty => Rows.Count == 0;
+    /// <summary>True once it is known that none is measured.</summary>
+    public bool IsEmpty { get; private set; }
 
     /// <summary>The surface that is looked at. Until a person chooses one, it is the one that was measured last.</summary>
     public SurfaceRow? Chosen
@@ -145,13 +145,23 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         });
 
         // Somebody may have chosen another one meanwhile.
-        if (!isRead || load != _load)
+        if (load != _load)
         {
             return;
         }
 
-        Rows.Show([.. measured.Select(m => Row(m.Correction, m.Surface))]);
-        Say(nameof(IsEmpty));
+        if (!isRead)
+        {
+            if (Detail is null)
+            {
+                // The surfaces of another job are none of this one's, and nothing is known of these.
+                ShowRows([], isKnown: false);
+            }
+
+            return;
+        }
+
+        ShowRows([.. measured.Select(m => Row(m.Correction, m.Surface))], isKnown: true);
         Message = trouble;
         if (read is { } it)
         {
@@ -163,6 +173,13 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         _isPlanned = Plan is not null;
         _chosen = Rows.FirstOrDefault(r => r.Id == _shown.Id);
         Say(nameof(Chosen));
+    }
+
+    private void ShowRows(IReadOnlyList<SurfaceRow> rows, bool isKnown)
+    {
+        Rows.Show(rows);
+        IsEmpty = isKnown && rows.Count == 0;
+        Say(nameof(IsEmpty));
     }
 
     private List<(Correction Correction, KeptSurface Surface)> Measured(CellJobSettings job)
@@ -185,7 +202,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     }
 
     // A job that cannot be read is no defect of the station.
-    private static (SurfacePlan? Plan, string? Trouble) PlanOf(CellJobSettings job)
+    private (SurfacePlan? Plan, string? Trouble) PlanOf(CellJobSettings job)
     {
         try
         {
@@ -193,7 +210,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         }
         catch (Exception e) when (e is InputException or FreeformException or JsonDocumentException)
         {
-            return (null, e.Message);
+            return (null, Failures.Of(e, Station.Clock));
         }
     }
 

@@ -27,6 +27,9 @@ public sealed class SurfaceDetail
     /// <summary>Work order, gauge, file and time in a line.</summary>
     public string Origin => string.Join(" · ", new[] { _kept.Correction.WorkOrder, _kept.Correction.Gauge, _kept.Correction.FileName, Shown.Time(_kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
 
+    /// <summary>What the program does not have and the machine needs, in words; null if nothing.</summary>
+    public string? Missing => _kept.Missing;
+
     /// <summary>Its figures and drawings.</summary>
     public SurfaceFigures Figures { get; }
 

@@ -21,6 +21,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     private KeptPiece? _measured;
     private string _folder;
     private string? _exported;
+    private bool _isKnown;
     private IReadOnlyList<Correction> _found = [];
 
     /// <summary>The screen, with the latest.</summary>
@@ -111,8 +112,10 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     /// <summary>What was found, the latest first.</summary>
     public RowList<HistoryRow> Rows { get; } = [];
 
-    /// <summary>How much was found, in words.</summary>
-    public string Found => _found.Count >= Most ? Texts.Current.With("History.FoundMost", Shown.Count(Most)) : Texts.Current.With("History.Found", Shown.Count(_found.Count));
+    /// <summary>How much was found, in words; empty before it is known.</summary>
+    public string Found => !_isKnown ? ""
+        : _found.Count >= Most ? Texts.Current.With("History.FoundMost", Shown.Count(Most))
+        : Texts.Current.With("History.Found", Shown.Count(_found.Count));
 
     /// <summary>The one that is opened; null while the list is shown.</summary>
     public CorrectionDetail? Detail
@@ -255,6 +258,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
             IReadOnlyList<Correction> found = [];
             if (await TryAsync(() => found = Station.Store.Search(sought)))
             {
+                _isKnown = true;
                 _found = [.. found.OrderByDescending(c => c.Id)];
                 Rows.Show([.. _found.Select(Row)]);
                 Say(nameof(Found));

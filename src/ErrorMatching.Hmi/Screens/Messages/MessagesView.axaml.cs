@@ -6,8 +6,8 @@ namespace ErrorMatching.Hmi;
 /// <summary>What happened, and the record of it.</summary>
 public sealed partial class MessagesView : UserControl
 {
-    // What there is to know takes no more than this of the height, however much it is: the record is read as well.
-    private const double MostOfNow = 1.0 / 3;
+    // What there is to know has this of the height, however much it is: the record is read as well, and no button above it moves.
+    private const double ShareOfNow = 1.0 / 3;
 
     /// <summary>The view.</summary>
     public MessagesView() => InitializeComponent();
@@ -17,7 +17,7 @@ public sealed partial class MessagesView : UserControl
     {
         ArgumentNullException.ThrowIfNull(e);
         base.OnSizeChanged(e);
-        Now.MaxHeight = MostOfNow * e.NewSize.Height;
+        Now.Height = ShareOfNow * e.NewSize.Height;
     }
 
     private void OnMessage(object? sender, RoutedEventArgs e)

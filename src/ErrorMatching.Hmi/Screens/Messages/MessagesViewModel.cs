@@ -40,8 +40,8 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     /// <summary>What a person should know, the worst first.</summary>
     public RowList<MessageRow> Messages { get; } = [];
 
-    /// <summary>True if there is nothing to say.</summary>
-    public bool IsQuiet => Messages.Count == 0;
+    /// <summary>True if it is known that there is nothing to say.</summary>
+    public bool IsQuiet => Station.State is { Status: not null, StoreTrouble: null } && Messages.Count == 0;
 
     /// <summary>The audit trail, the latest first.</summary>
     public RowList<AuditRow> Entries { get; } = [];
@@ -92,14 +92,18 @@ public sealed partial class MessagesViewModel : ScreenViewModel
         if (Station.State.Status is { } status)
         {
             Messages.Show([.. Of(status)]);
-            Say(nameof(IsQuiet));
         }
+
+        Say(nameof(IsQuiet));
 
         if (!_isReading)
         {
             Reading = ReadAsync(Math.Max(Page, _entries.Count)).Watched();
         }
     }
+
+    private static string NextOf(CellTrouble trouble) => trouble.Code == CellCodes.ChangedAtMachine ? "Message.Changed.Next"
+        : "Message.Trouble.Next";
 
     private IEnumerable<MessageRow> Of(CellStatus status)
     {
@@ -111,7 +115,14 @@ public sealed partial class MessagesViewModel : ScreenViewModel
 
         foreach (var trouble in status.IsRunning ? status.Heartbeat!.Troubles : [])
         {
-            yield return new(Severity.Alarm, $"{trouble.Where} · {Shown.Time(trouble.Since, Station.Clock)} · {CodeText.Of(trouble.Code, trouble.Message)}", texts["Message.Trouble.Next"], null);
+            var (where, since, what) = (CodeText.Where(trouble.Where), Shown.Time(trouble.Since, Station.Clock), CodeText.Of(trouble.Code, trouble.Message));
+            yield return new(Severity.Alarm, $"{where} · {since} · {what}", texts[NextOf(trouble)], null);
+        }
+
+        // A cell that runs tells of it as a trouble.
+        foreach (var tampered in status.IsRunning ? [] : status.Tampered)
+        {
+            yield return new(Severity.Alarm, RecordedText.Of(tampered), texts["Message.Trouble.Next"], null);
         }
 
         foreach (var failed in status.Failed)
@@ -196,6 +207,6 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     // Of a hash the first digits tell it from others; the whole one is in the export.
     private static string Short(string text) => Hash().Replace(text, m => m.Value[..Digits] + "…");
 
-    [GeneratedRegex("[0-9a-f]{64}", RegexOptions.None, 1000)]
+    [GeneratedRegex("[0-9a-f]{64}", RegexOptions.None, Timeout.Infinite)]
     private static partial Regex Hash();
 }

@@ -56,7 +56,9 @@ public sealed class OverviewViewModel : ScreenViewModel
     {
         if (Station.State.Status is not { } status)
         {
-            Summary = Texts.Current["Overview.Looking"];
+            (Summary, Severity) = Station.State.StoreTrouble is null
+                ? (Texts.Current["Overview.Looking"], Severity.Quiet)
+                : (Texts.Current["Overview.StoreAway"], Severity.Alarm);
             Say();
             return;
         }
@@ -69,7 +71,8 @@ public sealed class OverviewViewModel : ScreenViewModel
         string[] counts = [.. new[] { CountOf("Overview.Approvals", proposed), CountOf("Overview.PiecesOutside", Station.Outside.Count) }.OfType<string>()];
         Counts = counts.Length == 1 && failed == 0 && status.IsRunning ? "" : string.Join(" · ", counts);
         (Summary, Severity) =
-            !status.IsRunning ? (texts["Overview.NotRunning"], Severity.Alarm)
+            Station.State.StoreTrouble is not null ? (texts["Overview.StoreAway"], Severity.Alarm)
+            : !status.IsRunning ? (texts["Overview.NotRunning"], Severity.Alarm)
             : failed > 0 ? (texts.With("Overview.Failed", Shown.Count(failed)), Severity.Alarm)
             : Troubles(status) is { Count: > 0 } troubles ? (texts.With("Overview.Troubles", Shown.Count(troubles.Count)), Severity.Alarm)
             : Station.Outside is { Count: > 0 } outside ? (texts.With("Overview.Outside", Shown.Count(outside.Count)), Severity.Attention)
@@ -87,7 +90,7 @@ public sealed class OverviewViewModel : ScreenViewModel
     {
         var texts = Texts.Current;
         var name = $"{slot.Machine.Name}/{slot.Slot.Name}";
-        var trouble = Troubles(status).FirstOrDefault(t => t.Where == CellTrouble.OfSlot(slot.Machine.Name, slot.Slot.Name));
+        var trouble = Troubles(status).FirstOrDefault(t => t.Concerns(slot.Machine.Name, slot.Slot.Name));
 
         // What nobody has approved yet goes nowhere: it stands in no line.
         var proposed = status.Proposed.Count(c => c.Machine == slot.Machine.Name && c.Slot == slot.Slot.Name);
@@ -115,7 +118,8 @@ public sealed class OverviewViewModel : ScreenViewModel
     {
         var texts = Texts.Current;
         var source = gauge.Machine is { } machine ? texts.With("Overview.AtMachine", machine) : Path.GetFileName(Path.TrimEndingDirectorySeparator(gauge.Incoming ?? ""));
-        var trouble = Troubles(status).FirstOrDefault(t => t.Where == CellTrouble.OfGauge(gauge.Name));
+        var trouble = Troubles(status).FirstOrDefault(t => t.Where == CellTrouble.OfGauge(gauge.Name)
+            || t.Where == CellTrouble.OfFolder(gauge.Name));
         return trouble is null
             ? new(gauge.Name, source, texts[status.IsRunning ? "Overview.GaugeWatched" : "Overview.GaugeNotWatched"], Severity.Quiet)
             : new(gauge.Name, source, CodeText.Of(trouble.Code, trouble.Message), Severity.Alarm);

@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
@@ -96,8 +97,11 @@ public sealed class ConnectionsViewModel : ScreenViewModel
     }
 
     private static ConnectionRow Row(string kind, string name, string where, CheckProblem? problem, string? well) => problem is { Errors: var errors }
-        ? new(kind, name, where, Severity.Alarm, Sentence.Joined(errors.Select(e => CodeText.Of(e.Code, null) is var text && text != e.Code ? Sentence.Joined(text, e.Message) : e.Message)))
+        ? new(kind, name, where, Severity.Alarm, Sentence.Joined(errors.Select(Words)))
         : new(kind, name, where, well is null ? null : Severity.Quiet, well ?? Texts.Current["Connection.Untested"]);
+
+    private static string Words(ErrorItem e) =>
+        CodeText.Whole(e.Code) is { } text ? Sentence.Joined(text, e.Message) : CodeText.Of(e.Code, e.Message);
 
     private static string Where(TransportSettings transport) => transport switch
     {

@@ -90,8 +90,9 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     protected override void Translate()
     {
         // What is shown is made anew, in other words.
+        var isKnown = _shown.Length > 0;
         _shown = "";
-        Show(_pieces);
+        Show(_pieces, isKnown);
     }
 
     private void Refresh() => Loading = LoadAsync(++_load).Watched();
@@ -100,24 +101,35 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     {
         IReadOnlyList<KeptPiece>? pieces = null;
         var (mating, sought) = (_mating, _sought);
-        if (await TryAsync(() =>
+        var isRead = await TryAsync(() =>
         {
             // What was looked at on another screen may be of another mating.
             mating = sought is { } id && Station.Store.Find(id)?.Job is { } job ? Matings.FirstOrDefault(m => m.Jobs.Contains(job, StringComparer.Ordinal)) ?? mating : mating;
             pieces = _kept.Read(Station.Store, mating?.Jobs ?? [], KeptPieces.Most);
-        }) && load == _load)
+        });
+        if (load != _load)
+        {
+            return;
+        }
+
+        if (isRead)
         {
             _sought = null;
             Set(ref _mating, mating, nameof(Mating));
             Show(pieces!);
         }
+        else if (_shown.Length == 0 || _pieces.Count == 0)
+        {
+            // The pieces of another mating are none of this one's, and that there is none of this one is not known any more.
+            Show([], isKnown: false);
+        }
     }
 
-    private void Show(IReadOnlyList<KeptPiece> pieces)
+    private void Show(IReadOnlyList<KeptPiece> pieces, bool isKnown = true)
     {
         _pieces = pieces;
         Rows.Show([.. pieces.Reverse().Select(Row)]);
-        IsEmpty = pieces.Count == 0;
+        IsEmpty = isKnown && pieces.Count == 0;
         Say(nameof(IsEmpty));
         var chosen = _looked is { } looked ? pieces.FirstOrDefault(p => p.Correction.Id == looked || p.Counterpart?.Id == looked) : null;
         var piece = chosen ?? pieces.Where(p => p.IsMeasured).MaxBy(p => p.LastId) ?? pieces.MaxBy(p => p.LastId);
@@ -125,8 +137,8 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         Say(nameof(Chosen));
 
         // The same pieces make the same drawings, and what a person looks at closely stays.
-        var shown = $"{piece?.Correction.Id} of {string.Join(',', pieces.Select(p => p.LastId))}";
-        if (shown != _shown)
+        var shown = !isKnown ? "" : $"{piece?.Correction.Id} of {string.Join(',', pieces.Select(p => p.LastId))}";
+        if (shown != _shown || !isKnown)
         {
             _shown = shown;
             Detail = piece is null ? null : new(piece, pieces) { ReadWarnings = new(() => _shell.LookAtWarnings(piece.Correction.Id)) };

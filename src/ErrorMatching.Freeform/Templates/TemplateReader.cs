@@ -3,17 +3,17 @@ using System.Text;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Reads a template and says by its line what cannot be one.</summary>
-internal sealed class ProbingTemplateReader(string file)
+internal sealed class TemplateReader(string file, TemplateGrammar grammar)
 {
-    private static readonly string[] SectionNames = [ProbingTemplate.Head, ProbingTemplate.Definitions, ProbingTemplate.Body, ProbingTemplate.Tail];
-
     private readonly Dictionary<string, IReadOnlyList<TemplateItem>> _sections = new(StringComparer.Ordinal);
     private readonly Stack<(TemplateItem Item, bool InElse)> _open = new();
     private List<TemplateItem>? _section;
     private string _about = "";
     private int _line;
 
-    public ProbingTemplate Read(ReadOnlySpan<byte> bytes)
+    private bool IsInEach => _open.Any(o => o.Item.Kind == TemplateItemKind.Each);
+
+    public TemplateContent Read(ReadOnlySpan<byte> bytes)
     {
         string text;
         try
@@ -43,9 +43,9 @@ internal sealed class ProbingTemplateReader(string file)
             throw Fail($"{Word(open.Item)} is never closed", open.Item.Kind == TemplateItemKind.Each ? "@next behind it" : "@endif behind it", open.Item.Line);
         }
 
-        return _sections.ContainsKey(ProbingTemplate.Body)
+        return _sections.ContainsKey(grammar.Needed)
             ? new(file, _about, _sections)
-            : throw Fail("there is no section @body", "@body, and in it @each point to @next");
+            : throw Fail($"there is no section @{grammar.Needed}", $"@{grammar.Needed}, and in it {grammar.NeededHint}");
     }
 
     private void Steer(string line)
@@ -57,13 +57,11 @@ internal sealed class ProbingTemplateReader(string file)
             case "@about":
                 _about = argument;
                 break;
-            case "@each":
-                Open(argument == "point" && !_open.Any(o => o.Item.Kind == TemplateItemKind.Each) ? TemplateItemKind.Each : throw Fail(line, "@each point, not within another one"), argument);
+            case "@each" when grammar.HasPoints:
+                Open(argument == "point" && !IsInEach ? TemplateItemKind.Each : throw Fail(line, "@each point, not within another one"), argument);
                 break;
             case "@if":
-                Open(
-                    ProbingTemplate.Conditions.Contains(argument, StringComparer.Ordinal) ? TemplateItemKind.If : throw Fail(line, $"@if with one of {string.Join(", ", ProbingTemplate.Conditions)}"),
-                    argument == ProbingTemplate.Merged || _open.Any(o => o.Item.Kind == TemplateItemKind.Each) ? argument : throw Fail(line, "conditions of a point only within @each point"));
+                Open(TemplateItemKind.If, Condition(argument, line));
                 break;
             case "@else":
                 var (item, inElse) = Top(TemplateItemKind.If, line);
@@ -84,12 +82,25 @@ internal sealed class ProbingTemplateReader(string file)
         }
     }
 
+    private string Condition(string argument, string line)
+    {
+        if (grammar.PointConditions.Contains(argument, StringComparer.Ordinal))
+        {
+            return IsInEach ? argument : throw Fail(line, "conditions of a point only within @each point");
+        }
+
+        return grammar.Conditions.Contains(argument, StringComparer.Ordinal)
+            ? argument
+            : throw Fail(line, $"@if with one of {string.Join(", ", grammar.PointConditions.Concat(grammar.Conditions))}");
+    }
+
     private void Begin(string word)
     {
         var name = word[1..];
-        if (!SectionNames.Contains(name, StringComparer.Ordinal))
+        if (!grammar.Sections.Contains(name, StringComparer.Ordinal))
         {
-            throw Fail(word, $"@about, {string.Join(", ", SectionNames.Select(s => "@" + s))}, @each point, @next, @if, @else or @endif");
+            var (sections, loop) = (string.Join(", ", grammar.Sections.Select(s => "@" + s)), grammar.HasPoints ? "@each point, @next, " : "");
+            throw Fail(word, $"@about, {sections}, {loop}@if, @else or @endif");
         }
 
         if (_open.TryPeek(out var open))
@@ -121,20 +132,33 @@ internal sealed class ProbingTemplateReader(string file)
             return;
         }
 
-        var ofPoint = _open.Any(o => o.Item.Kind == TemplateItemKind.Each);
         foreach (var place in TemplateText.PlacesOf(line, () => Fail(line.Trim(), "a closing brace behind an opening one; a brace itself is written {{")))
         {
-            if (!ProbingValues.OfProgram.Contains(place, StringComparer.Ordinal) && !(ofPoint && ProbingValues.OfPoint.Contains(place, StringComparer.Ordinal)))
-            {
-                throw Fail($"{{{place}}}", ProbingValues.OfPoint.Contains(place, StringComparer.Ordinal) ? "it within @each point only" : $"one of {string.Join(", ", ProbingTemplate.Places)}");
-            }
+            CheckPlace(place);
         }
 
         Lines().Add(new(_line, line, TemplateItemKind.Line));
     }
 
+    private void CheckPlace(string place)
+    {
+        if (grammar.PointPlaces.Contains(place, StringComparer.Ordinal))
+        {
+            _ = IsInEach ? place : throw Fail($"{{{place}}}", "it within @each point only");
+        }
+        else if (!grammar.Places.Contains(place, StringComparer.Ordinal))
+        {
+            throw Fail($"{{{place}}}", $"one of {string.Join(", ", grammar.Places.Concat(grammar.PointPlaces))}");
+        }
+        else if (TemplateGrammar.ToolPlaces.Contains(place, StringComparer.Ordinal)
+            && !_open.Any(o => o.Item.Kind == TemplateItemKind.If && o.Item.Text is TemplateGrammar.Tool && !o.InElse))
+        {
+            throw Fail($"{{{place}}}", $"it behind @if {TemplateGrammar.Tool} only: not every job names its tool");
+        }
+    }
+
     private List<TemplateItem> Lines() => _section is null
-        ? throw Fail("a line outside of every section", "@head, @definitions, @body or @tail before it")
+        ? throw Fail("a line outside of every section", $"{string.Join(", ", grammar.Sections.Select(n => "@" + n))} before it")
         : _open.TryPeek(out var top) ? (top.InElse ? top.Item.Else : top.Item.Body) : _section;
 
     private static string Word(TemplateItem item) => item.Kind == TemplateItemKind.Each ? "@each" : "@if " + item.Text;

@@ -13,6 +13,36 @@ internal static class TemplateText
         return places;
     }
 
+    /// <summary>Writes lines with their places filled, of conditions the ones that hold.</summary>
+    /// <param name="text">Where they go.</param>
+    /// <param name="items">The lines.</param>
+    /// <param name="holds">Whether a condition holds.</param>
+    /// <param name="valueOf">The value of a place.</param>
+    /// <param name="each">Writes the lines of a loop.</param>
+    public static void Write(
+        StringBuilder text,
+        IReadOnlyList<TemplateItem> items,
+        Func<string, bool> holds,
+        Func<string, string> valueOf,
+        Action<IReadOnlyList<TemplateItem>> each)
+    {
+        foreach (var item in items)
+        {
+            switch (item.Kind)
+            {
+                case TemplateItemKind.Each:
+                    each(item.Body);
+                    break;
+                case TemplateItemKind.If:
+                    Write(text, holds(item.Text) ? item.Body : item.Else, holds, valueOf, each);
+                    break;
+                default:
+                    text.Append(Fill(item.Text, valueOf)).Append('\n');
+                    break;
+            }
+        }
+    }
+
     /// <summary>The line with its places filled.</summary>
     public static string Fill(string line, Func<string, string> valueOf)
     {

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>A slot's program is none that may be replaced without asking a person.</summary>
+/// <summary>A slot's program is none that may be replaced without asking a person. It is where it was.</summary>
 /// <param name="found">What the machine holds; null if nothing.</param>
 /// <param name="message">A sentence for a setter.</param>
-internal sealed class ChangedAtMachineException(byte[]? found, string message) : Exception(message)
+public sealed class ChangedAtMachineException(byte[]? found, string message) : Exception(message)
 {
     /// <summary>What the machine holds; null if nothing.</summary>
     public byte[]? Found => found;

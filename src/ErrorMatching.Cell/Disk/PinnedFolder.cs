@@ -1,0 +1,49 @@
+using Microsoft.Win32.SafeHandles;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>A folder that is held fast and is no link: what is done by its path is done in that very folder, whatever has its name
+/// meanwhile. Elsewhere than on Linux it is only looked at first.</summary>
+internal sealed class PinnedFolder : IDisposable
+{
+    private readonly SafeFileHandle? _held;
+
+    private PinnedFolder(string path, SafeFileHandle? held) => (Path, _held) = (path, held);
+
+    /// <summary>By which path it is reached.</summary>
+    public string Path { get; }
+
+    /// <summary>Takes hold of a folder.</summary>
+    /// <param name="path">Its path.</param>
+    /// <returns>Null if nothing has this name.</returns>
+    /// <exception cref="NotPlainFolderException">It is a link or a file.</exception>
+    public static PinnedFolder? Open(string path)
+    {
+        if (!LinuxCalls.HasPaths)
+        {
+            var item = new DirectoryInfo(path);
+            return item.LinkTarget is not null || File.Exists(path) ? throw new NotPlainFolderException(path)
+                : item.Exists ? new(path, null) : null;
+        }
+
+        SafeFileHandle held;
+        try
+        {
+            held = LinuxCalls.Hold(path);
+        }
+        catch (FileNotFoundException)
+        {
+            return null;
+        }
+
+        if (LinuxCalls.KindOf(held) == LinuxCalls.FolderKind)
+        {
+            return new(LinuxCalls.PathOf(held), held);
+        }
+
+        held.Dispose();
+        throw new NotPlainFolderException(path);
+    }
+
+    public void Dispose() => _held?.Dispose();
+}

@@ -1,0 +1,76 @@
+using Microsoft.Win32.SafeHandles;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Tells plain files from what only looks like one, and opens nothing else: opening a pipe or a device could wait for ever, and a
+/// link leads anywhere.</summary>
+internal static class PlainFile
+{
+    private const string Link = "it is a link";
+    private const string Folder = "it is a folder";
+    private const string Other = "it is a pipe, a socket or a device";
+
+    /// <summary>Why something is no plain file; null if it is one.</summary>
+    public static string? Defect(FileSystemInfo item)
+    {
+        var attributes = item.Attributes;
+        if (attributes.HasFlag(FileAttributes.ReparsePoint))
+        {
+            return Link;
+        }
+
+        if (attributes.HasFlag(FileAttributes.Directory))
+        {
+            return Folder;
+        }
+
+        // The runtime does not tell what kind of file something is before it is opened. A name that cannot be spelled has no answer, and
+        // opening it only fails.
+        return attributes.HasFlag(FileAttributes.Device)
+            || (OperatingSystem.IsLinux() && LinuxCalls.KindOf(item.FullName) is not (null or LinuxCalls.PlainKind)) ? Other : null;
+    }
+
+    /// <summary>Opens a plain file for reading. On Linux what is looked at and what is opened are one thing, whatever gets its name in
+    /// between.</summary>
+    /// <param name="path">Its path.</param>
+    /// <param name="share">What others may do with it meanwhile.</param>
+    /// <exception cref="NotPlainFileException">It is a link, a folder, a pipe, a socket or a device.</exception>
+    public static SafeFileHandle Open(string path, FileShare share)
+    {
+        if (!LinuxCalls.HasPaths)
+        {
+            // A name that nothing has is told by the opening.
+            var item = new FileInfo(path);
+            return (item.Exists || Directory.Exists(path)) && Defect(item) is { } defect ? throw new NotPlainFileException(path, defect)
+                : File.OpenHandle(path, FileMode.Open, FileAccess.Read, share);
+        }
+
+        using var held = LinuxCalls.Hold(path);
+        switch (LinuxCalls.KindOf(held))
+        {
+            case LinuxCalls.PlainKind:
+                break;
+            case LinuxCalls.LinkKind:
+                throw new NotPlainFileException(path, Link);
+            case LinuxCalls.FolderKind:
+                throw new NotPlainFileException(path, Folder);
+            default:
+                throw new NotPlainFileException(path, Other);
+        }
+
+        var place = LinuxCalls.PathOf(held);
+        try
+        {
+            return File.OpenHandle(place, FileMode.Open, FileAccess.Read, share);
+        }
+        catch (UnauthorizedAccessException e)
+        {
+            throw new UnauthorizedAccessException(e.Message.Replace(place, path, StringComparison.Ordinal), e);
+        }
+        catch (IOException e)
+        {
+            // People know it by its name.
+            throw new IOException(e.Message.Replace(place, path, StringComparison.Ordinal), e.HResult);
+        }
+    }
+}

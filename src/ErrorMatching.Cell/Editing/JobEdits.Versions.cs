@@ -1,0 +1,174 @@
+using System.Globalization;
+using System.Text.RegularExpressions;
+using ErrorMatching.Jobs;
+using ErrorMatching.Json;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Cell;
+
+/// <content>The versions of a job: kept with each that is saved, and opened again as drafts.</content>
+public sealed partial class JobEdits
+{
+    /// <summary>The word of the audit trail for a job that nobody saved here, and that was kept when another replaced it.</summary>
+    public const string Found = "job-found";
+
+    /// <summary>All versions of a job, the latest first.</summary>
+    /// <param name="job">The job in the cell.</param>
+    /// <exception cref="StoreException">The store is away.</exception>
+    public IReadOnlyList<JobVersion> Versions(CellJobSettings job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        var names = settings.Jobs.Where(j => CellPaths.AreSame(j.File, job.File)).Select(j => j.Name).Append(job.Name).ToHashSet();
+        return
+        [
+            .. store
+                .Read(AuditRow.Select + " WHERE what = @Edited OR what = @Found ORDER BY seq DESC", AuditRow.Read, new { Edited, Found })
+                .Where(e => e.Subject is { } subject && names.Contains(subject))
+                .Select(Version)
+                .OfType<JobVersion>()
+                .Where(v => v.Files.All(f => IsKept(f.Sha256))),
+        ];
+    }
+
+    /// <summary>The draft of a version: saved, it is the job again. Nothing changes by opening it.</summary>
+    /// <param name="job">The job in the cell.</param>
+    /// <param name="version">One of its <see cref="Versions"/>.</param>
+    /// <exception cref="StoreException">The store is away, or a content is damaged.</exception>
+    /// <exception cref="JobEditException">A file of the job was not kept with it.</exception>
+    /// <exception cref="JobException">The job cannot be used any more.</exception>
+    /// <exception cref="MeasurementException">Its theoretical points cannot be used any more.</exception>
+    /// <exception cref="DraftException">The job says something that a draft cannot, and that would be lost.</exception>
+    public MatingDraft Open(CellJobSettings job, JobVersion version)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        ArgumentNullException.ThrowIfNull(version);
+        var bytes = store.Content(version.Sha256);
+        var parsed = MatingJob.Parse(bytes, job.File);
+        var draft = MatingDraftFiles.Read(bytes, job.File, Content(parsed.Part.Theoretical));
+        return draft with { Program = DraftProgram.Of(Content(parsed.Counterpart.Program)) };
+
+        byte[] Content(string name) => version.Files.FirstOrDefault(f => f.Name == name) is { Sha256: { } sha256 }
+            ? store.Content(sha256)
+            : throw new JobEditException(
+                JobEditException.Incomplete, $"{name} of {job.File} was not kept with this version. Bring it back by hand.");
+    }
+
+    /// <summary>A new job's draft with files of its own: where another file has the name, the next free number follows it.</summary>
+    /// <param name="job">The job in the cell, in whose folder they come.</param>
+    /// <param name="draft">The new job.</param>
+    public static MatingDraft WithOwnFiles(CellJobSettings job, MatingDraft draft)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        ArgumentNullException.ThrowIfNull(draft);
+        return draft with
+        {
+            TheoreticalFile = FreeName(job, draft.TheoreticalFile, MatingDraftFiles.Theoretical(draft)),
+            Counterpart = draft.Program is { } program
+                ? draft.Counterpart with { Program = FreeName(job, draft.Counterpart.Program, program.Bytes) }
+                : draft.Counterpart,
+        };
+    }
+
+    private static string FreeName(CellJobSettings job, string name, ReadOnlyMemory<byte> bytes)
+    {
+        var free = name;
+        for (var i = 2; IsTaken(job, free, bytes); i++)
+        {
+            var stem = Path.Combine(Path.GetDirectoryName(name) ?? "", Path.GetFileNameWithoutExtension(name));
+            free = string.Create(CultureInfo.InvariantCulture, $"{stem}-{i}{Path.GetExtension(name)}");
+        }
+
+        return free;
+    }
+
+    // The same bytes are no other file: nothing is written.
+    private static bool IsTaken(CellJobSettings job, string name, ReadOnlyMemory<byte> bytes) =>
+        PathOf(job, name) is var path && File.Exists(path) && !InputFile.Open(path, File.ReadAllBytes).AsSpan().SequenceEqual(bytes.Span);
+
+    private static string PathOf(CellJobSettings job, string name) =>
+        Path.GetFullPath(Path.Combine(Path.GetDirectoryName(job.File) ?? "", name));
+
+    // What was saved before versions were kept has its hashes in the trail only.
+    private bool IsKept(string sha256) => store.Read("SELECT 1 FROM content WHERE sha256 = @sha256", _ => true, new { sha256 }).Count > 0;
+
+    private static JobVersion? Version(AuditEntry entry)
+    {
+        var list = Recorded.JobInPlace.Read(entry.Basis) is [var written, ..] ? written : entry.Basis;
+        var found = FileAndHash().Matches(list);
+        (string Name, string Sha256)[] files = [.. found.Select(m => (m.Groups["name"].Value, m.Groups["hash"].Value))];
+        return files is [.., var job] ? new(entry.Seq, entry.At, entry.Who, job.Sha256, files) : null;
+    }
+
+    // What stands there now; nothing where that is no job: it cannot be opened again.
+    private static List<(string Name, byte[] Bytes)> VersionFiles(CellJobSettings job)
+    {
+        try
+        {
+            var bytes = InputFile.Bytes(job.File, JsonLimits.Default.MaxBytes).ToArray();
+            var parsed = MatingJob.Parse(bytes, job.File);
+            return
+            [
+                .. new[] { parsed.Part.Theoretical, parsed.Counterpart.Program }.Where(n => File.Exists(PathOf(job, n)))
+                    .Select(n => (n, InputFile.Open(PathOf(job, n), File.ReadAllBytes))),
+                (Path.GetFileName(job.File), bytes),
+            ];
+        }
+        catch (Exception e) when (e is InputException or JobException)
+        {
+            return [];
+        }
+    }
+
+    // What stands there once it is saved: what is written, and of the rest what is there.
+    private static List<(string Name, byte[] Bytes)> VersionFiles(
+        CellJobSettings job, MatingDraft draft, IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files)
+    {
+        var version = new List<(string Name, byte[] Bytes)>();
+        foreach (var name in new[] { draft.TheoreticalFile, draft.Counterpart.Program })
+        {
+            var path = PathOf(job, name);
+            if (files.FirstOrDefault(f => f.Path == path) is { Path: not null } written)
+            {
+                version.Add((name, written.Bytes.ToArray()));
+            }
+            else if (File.Exists(path))
+            {
+                version.Add((name, InputFile.Open(path, File.ReadAllBytes)));
+            }
+        }
+
+        version.Add((Path.GetFileName(job.File), files[^1].Bytes.ToArray()));
+        return version;
+    }
+
+    private static string Told(IEnumerable<(string Name, byte[] Bytes)> files) =>
+        string.Join(", ", files.Select(f => $"{f.Name} {HashOf(f.Bytes)}"));
+
+    // Before and after in one transaction with what is said of them; what was saved here is kept already.
+    private void Keep(
+        CellJobSettings job, SignedIn by, List<(string Name, byte[] Bytes)> before, List<(string Name, byte[] Bytes)> after)
+    {
+        var found = Told(before);
+        var isKnown = before.Count == 0 || Versions(job).Any(v => v.Files.SequenceEqual(before.Select(f => (f.Name, HashOf(f.Bytes)))));
+        store.Write(t =>
+        {
+            foreach (var (_, bytes) in before.Concat(after))
+            {
+                CellStore.Keep(t, HashOf(bytes), bytes);
+            }
+
+            if (!isKnown)
+            {
+                t.Audit(by.Name, Found, job.Name, found);
+            }
+
+            var written = Told(after);
+            t.Audit(by.Name, Edited, job.Name, before.Count > 0 ? Recorded.JobInPlace.With(written, HashOf(before[^1].Bytes)) : written);
+            return true;
+        });
+    }
+
+    [GeneratedRegex("(^|, )(?<name>.+?) (?<hash>[0-9a-f]{64})", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, 1000)]
+    private static partial Regex FileAndHash();
+}

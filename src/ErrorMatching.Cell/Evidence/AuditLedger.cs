@@ -1,0 +1,71 @@
+using System.Data.Common;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>What the audit trail says, as far as this process has looked at it: each entry once.</summary>
+/// <param name="key">The key that seals the trail and codes rows; null for none: then nothing is demanded.</param>
+internal sealed class AuditLedger(byte[]? key)
+{
+    /// <summary>The word of the audit trail for what somebody else wrote to the store.</summary>
+    public const string Tampered = "tampered";
+
+    private readonly Lock _gate = new();
+    private AuditReplay _replay = new();
+    private long _seq;
+    private string _hash = AuditEntry.NoHash;
+
+    /// <summary>Why a correction must not go to its machine; null if nothing stands against it.</summary>
+    public AuditFault? Fault(CellDatabase database, DbConnection connection, DbTransaction transaction, Correction correction)
+    {
+        if (key is null) return null;
+        lock (_gate)
+        {
+            return CatchUp(connection, transaction)
+                ?? database.FormFault(connection, transaction)
+                ?? Rows(connection, transaction, correction)
+                ?? _replay.Corrections[correction.Id].Fault;
+        }
+    }
+
+    private AuditFault? CatchUp(DbConnection connection, DbTransaction transaction)
+    {
+        var head = AuditRow.Head(connection, transaction, "");
+        foreach (var entry in Cell.Rows.Stream(connection, AuditRow.Select + " WHERE seq > @_seq ORDER BY seq", AuditRow.Read,
+            new { _seq }, transaction))
+        {
+            if (entry.Seq != _seq + 1 || entry.Previous != _hash || entry.Hash != entry.HashAs(entry.Seq)) return Broken();
+            _replay.Add(entry);
+            (_seq, _hash) = (entry.Seq, entry.Hash);
+        }
+
+        return head.Seq == _seq && head.Hash == _hash && head.IsSealedBy(key) ? null : Broken();
+    }
+
+    // The next look begins from the first entry: by then a backup may be in the store's place.
+    private AuditFault Broken()
+    {
+        var fault = new AuditFault(AuditFaultKind.Changed, _seq, Recorded.TrailBroken.With(_seq + 1));
+        (_replay, _seq, _hash) = (new(), 0, AuditEntry.NoHash);
+        return fault;
+    }
+
+    private AuditFault? Rows(DbConnection connection, DbTransaction transaction, Correction correction)
+    {
+        var rows = new RecordedRows(connection, transaction, _replay, key);
+        var found = Cell.Rows.Query(
+            connection, CorrectionRow.SelectKept + " WHERE id = @Id", r =>
+                RecordedRows.Read(r, CorrectionRow.ReadKept, "correction"), new { correction.Id }, transaction);
+        if (found is not [({ } row, _)]) return found is [(_, { } unreadable)] ? unreadable
+            : RecordedRows.Unreadable("correction", CodedRow.Number(correction.Id));
+        if (rows.OfCorrection(row) is { } fault) return fault;
+
+        // What is sent is what is in memory: it was read before, and must be the row.
+        if (CorrectionRow.Coded(correction).Code(key) != row.Code) return new(AuditFaultKind.RowDiffers, 0,
+            Recorded.CorrectionDiffers.With(correction.Id, _seq));
+        var (machine, name) = (correction.Machine ?? "", correction.Slot ?? "");
+        var slot = Cell.Rows.Query(
+            connection, SlotRow.SelectKept + SlotRow.One, r =>
+                RecordedRows.Read(r, SlotRow.ReadKept, "slot"), new { Machine = machine, Slot = name }, transaction);
+        return slot is [var (held, fault2)] ? fault2 ?? rows.OfSlot(held!) : rows.OfNoSlot(machine, name);
+    }
+}

@@ -1,0 +1,203 @@
+using System.Globalization;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>
+/// What the entries of an audit trail come to: of each correction how far it went and with which program, who may do what, and the codes of
+/// all rows. It finds what must not have happened: a step that is not in the table,
+/// an approval by nobody who may approve, a program that is another one than was computed. Entries are taken as they are; that they are
+/// what was written is <see cref="AuditChain"/>'s to prove.
+/// </summary>
+internal sealed class AuditReplay
+{
+    private const string Console = "console";
+    private readonly Dictionary<string, (string Code, long Seq)> _codes = new(StringComparer.Ordinal);
+    private readonly Dictionary<long, RecordedCorrection> _corrections = [];
+    private readonly Dictionary<string, RecordedPerson> _people = new(StringComparer.Ordinal);
+
+    /// <summary>The first entry that must not have come about; null if there is none.</summary>
+    public AuditFault? Fault { get; private set; }
+
+    /// <summary>The corrections by their numbers.</summary>
+    public IReadOnlyDictionary<long, RecordedCorrection> Corrections => _corrections;
+
+    /// <summary>The users by the keys of their names.</summary>
+    public IReadOnlyDictionary<string, RecordedPerson> People => _people;
+
+    /// <summary>The names of rows that carry codes.</summary>
+    public IEnumerable<string> CodedRows => _codes.Keys;
+
+    /// <summary>Called with each step of a correction: its entry, its number, the state before and after.</summary>
+    public Action<AuditEntry, long, CorrectionState?, CorrectionState>? Stepped { get; init; }
+
+    /// <summary>Replays the trail as a change finds it.</summary>
+    /// <returns>Null if it is not whole.</returns>
+    public static AuditReplay? Of(StoreTransaction change)
+    {
+        var replay = new AuditReplay();
+        return AuditChain.Verify(replay.Added(change.Query(AuditRow.Select + " ORDER BY seq", AuditRow.Read)), change.Head,
+            change.Key) is null ? replay : null;
+    }
+
+    /// <summary>Adds entries while they are looked at by somebody else.</summary>
+    public IEnumerable<AuditEntry> Added(IEnumerable<AuditEntry> entries)
+    {
+        foreach (var entry in entries)
+        {
+            Add(entry);
+            yield return entry;
+        }
+    }
+
+    /// <summary>Adds the next entry.</summary>
+    public void Add(AuditEntry entry)
+    {
+        foreach (var (name, code) in CodedRow.Read(entry.RowCodes ?? ""))
+        {
+            _codes[name] = (code, entry.Seq);
+        }
+
+        if (CorrectionRow.StateOrNull(entry.What) is { } state)
+        {
+            AddStep(entry, state);
+        }
+        else if (entry.What is "user-added" or "role-set" or "user-disabled" or "user-enabled" or "password-set")
+        {
+            AddPerson(entry);
+        }
+    }
+
+    /// <summary>The code that a row must carry, and the entry that says so; null if none does.</summary>
+    public (string Code, long Seq)? CodeOf(string row) => _codes.TryGetValue(row, out var code) ? code : null;
+
+    private void AddStep(AuditEntry entry, CorrectionState to)
+    {
+        if (Subject(entry.Subject ?? "") is not var (id, file, program))
+        {
+            Fault ??= Of(entry, Recorded.NoCorrection.With(entry.Seq, entry.What, entry.Subject ?? ""));
+            return;
+        }
+
+        var known = _corrections.GetValueOrDefault(id);
+        var from = known?.State;
+        if (known is null)
+        {
+            _corrections.Add(id, known = new(file ?? ""));
+            if (file is null || to is not (CorrectionState.Archived or CorrectionState.Refused))
+            {
+                Mark(known, Of(entry, Recorded.NeverArrived.With(entry.Seq, id, entry.What)));
+            }
+        }
+        else if (!CorrectionSteps.Allows(known.State, to))
+        {
+            Mark(known, Of(entry, Recorded.StepNotAllowed.With(entry.Seq, id, entry.What, CorrectionRow.Word(known.State))));
+        }
+
+        if (to == CorrectionState.Computed)
+        {
+            known.Program = program;
+        }
+
+        if (to is CorrectionState.Approved && ApprovalProblem(entry, from) is { } problem)
+        {
+            Mark(known, Of(entry, Recorded.ApprovalNotAllowed.With(entry.Seq, id, entry.Who, problem)));
+        }
+        else if (HasProgram(to) && (program is null || program != known.Program))
+        {
+            Mark(known, Of(entry, Recorded.OtherProgram.With(entry.Seq, id, program ?? "none", known.Program ?? "none")));
+        }
+
+        if (CorrectionSteps.IsEnd(to) && to != CorrectionState.Reverted)
+        {
+            // What somebody else wrote to a row ends with it: nothing follows from it any more.
+            known.Program = program ?? known.Program;
+        }
+
+        (known.State, known.Seq) = (to, entry.Seq);
+        Stepped?.Invoke(entry, id, from, to);
+    }
+
+    private static bool HasProgram(CorrectionState state) => state is CorrectionState.Proposed or CorrectionState.Approved
+        or CorrectionState.Uploading or CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted;
+
+    // Null if the approval is one: the policy's, a person's who might then, or one from before that goes on when a slot is given back.
+    private string? ApprovalProblem(AuditEntry entry, CorrectionState? from)
+    {
+        if (entry.Who == CellFlow.ByCell)
+        {
+            var isPolicy = Recorded.Policy.Read(entry.Basis) is not null || Recorded.PolicyWithin.Read(entry.Basis) is not null;
+            return from == CorrectionState.Uploading || (from == CorrectionState.Proposed && isPolicy) ? null : Recorded.NotByPolicy.With();
+        }
+
+        return NotEntitled(entry.Who, Act.Approve);
+    }
+
+    private string? NotEntitled(string who, Act act) => _people.GetValueOrDefault(UserName.Key(who)) switch
+    {
+        null => Recorded.WasNobody.With(),
+        { IsDisabled: true } => Recorded.WasDisabled.With(),
+        var person when !person.May(act) => Recorded.WasOfRole.With(UserBook.Word(person.Role), UserBook.Word(Rights.LeastFor(act))),
+        _ => null,
+    };
+
+    private void AddPerson(AuditEntry entry)
+    {
+        var (name, key) = (entry.Subject ?? "", UserName.Key(entry.Subject ?? ""));
+        if (entry is { What: "user-added", Who: Console })
+        {
+            // Whoever can write the store and has its keys may begin with the people anew; that is told by the entry itself.
+            _people.Clear();
+            foreach (var row in _codes.Keys.Where(r => r.StartsWith(Person.RowPrefix, StringComparison.Ordinal) && r != Person.NameOf(key))
+                .ToArray())
+            {
+                _codes.Remove(row);
+            }
+
+            _people[key] = new(name, Role.Administrator, false, entry.Seq);
+            return;
+        }
+
+        var isOwn = entry.What == "password-set" && UserName.Key(entry.Who) == key;
+        if (!isOwn && NotEntitled(entry.Who, Act.ManageUsers) is { } problem)
+        {
+            Fault ??= Of(entry, Recorded.UserNotAllowed.With(entry.Seq, entry.What, name, entry.Who, problem));
+            return;
+        }
+
+        var role = (Recorded.AsRole.Read(entry.Basis) ?? Recorded.ToRole.Read(entry.Basis)) is [var word] ? Person.RoleOf(word) : null;
+        var before = _people.GetValueOrDefault(key);
+        var after = entry.What switch
+        {
+            "user-added" when before is null && role is { } given => new RecordedPerson(name, given, false, entry.Seq),
+            "role-set" when role is { } given => before is null ? null : before with { Role = given, Seq = entry.Seq },
+            "user-disabled" => before is null ? null : before with { IsDisabled = true, Seq = entry.Seq },
+            "user-enabled" => before is null ? null : before with { IsDisabled = false, Seq = entry.Seq },
+            "password-set" => before,
+            _ => null,
+        };
+        if (after is null)
+        {
+            Fault ??= Of(entry, Recorded.UserUnknown.With(entry.Seq, entry.What, name));
+            return;
+        }
+
+        _people[key] = after;
+    }
+
+    private void Mark(RecordedCorrection correction, AuditFault fault)
+    {
+        correction.Fault ??= fault;
+        Fault ??= fault;
+    }
+
+    private static AuditFault Of(AuditEntry entry, string message) => new(AuditFaultKind.NotAllowed, entry.Seq, message);
+
+    private static (long Id, string? File, string? Program)? Subject(string subject) =>
+        Recorded.File.Read(subject) is [var ofFile, var file] && Number(ofFile) is { } arrived ? (arrived, file, null)
+        : Recorded.Program.Read(subject) is [var ofProgram, var program] && Number(ofProgram) is { } computed ? (computed, null, program)
+        : Recorded.Correction.Read(subject) is [var alone] && Number(alone) is { } other ? (other, null, null)
+        : null;
+
+    private static long? Number(string digits) =>
+        long.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out var number) ? number : null;
+}

@@ -1,0 +1,51 @@
+using System.Data.Common;
+using System.Security.Cryptography;
+using System.Text;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Whether what a whole audit trail says may have happened, and whether the store is what came of it: its form, its rows, and the
+/// steps one by one.</summary>
+internal sealed class RecordedMeaning
+{
+    private readonly List<(long Seq, long Digest)> _steps = [];
+
+    /// <summary>A replay that entries are to be added to.</summary>
+    public RecordedMeaning() => Replay = new()
+    {
+        Stepped = (entry, id, from, to) => _steps.Add((entry.Seq, Digest(id, from, to, entry.At, entry.Who, entry.Basis))),
+    };
+
+    /// <summary>What the entries come to.</summary>
+    public AuditReplay Replay { get; }
+
+    /// <summary>The first thing that is wrong, of a trail whose entries are all added; null if nothing is.</summary>
+    public AuditFault? Fault(CellDatabase database, DbConnection connection, DbTransaction transaction, byte[]? key) =>
+        database.FormFault(connection, transaction) ?? Replay.Fault ?? new RecordedRows(connection, transaction, Replay, key).Compare()
+            ?? Steps(connection, transaction);
+
+    // Steps are written with their entries, one after the other.
+    private AuditFault? Steps(DbConnection connection, DbTransaction transaction)
+    {
+        var count = 0;
+        foreach (var step in Rows.Stream(connection, "SELECT correction, from_state, to_state, at, who, basis FROM step ORDER BY id",
+            CorrectionRow.ReadStep, null, transaction))
+        {
+            if (count == _steps.Count) return new(AuditFaultKind.RowDiffers, 0, Recorded.StepUnrecorded.With(count + 1, _steps.Count));
+            var (seq, digest) = _steps[count++];
+            if (digest != Digest(step.Correction, step.From, step.To, step.At, step.By, step.Basis))
+            {
+                return new(AuditFaultKind.RowDiffers, seq,
+                    Recorded.StepDiffers.With(count, seq, step.Correction, CorrectionRow.Word(step.To)));
+            }
+        }
+
+        return count == _steps.Count ? null : new(AuditFaultKind.RowDiffers, _steps[count].Seq,
+            Recorded.StepUnrecorded.With(count, _steps.Count));
+    }
+
+    private static long Digest(long id, CorrectionState? from, CorrectionState to, DateTimeOffset at, string who, string basis) =>
+        BitConverter.ToInt64(
+        SHA256.HashData(Encoding.UTF8.GetBytes(
+            FormattableString.Invariant($"{id}\n{from}\n{to}\n{StoredTime.Of(at)}\n{who.Length}\n{who}\n{basis}"))));
+}

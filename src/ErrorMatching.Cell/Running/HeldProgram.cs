@@ -1,0 +1,83 @@
+using System.Security.Cryptography;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>
+/// Reads again what a taken slot holds: its program was verified, and the piece that is cut is taken for cut by it. A difference is kept,
+/// told as a trouble and in the audit trail, and ends with the program or with a person's decision.
+/// </summary>
+/// <param name="flow">What workers share.</param>
+/// <param name="machine">The machine.</param>
+/// <param name="slot">The slot.</param>
+/// <param name="sender">Reads the machine's programs.</param>
+internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSettings slot, ProgramSender sender)
+{
+    private const string Missing = "missing";
+    private readonly string _where = CellTrouble.OfProgram(machine.Name, slot.Name);
+    private (long Id, string? Program) _of;
+    private long _readAt;
+    private string? _told;
+
+    /// <summary>True if the slot was found to hold another program when it was last read.</summary>
+    public bool IsChanged => _told is not null;
+
+    /// <summary>The slot was just found to hold what it should.</summary>
+    public void IsAsVerified(long id, string? program)
+    {
+        (_of, _readAt) = ((id, program), flow.Clock.GetTimestamp());
+        End();
+    }
+
+    /// <summary>Nothing is held any more: somebody decided.</summary>
+    public void End()
+    {
+        _told = null;
+        if (flow.Troubles.End(_where))
+        {
+            flow.Log.Information("{Where}: works again", _where);
+        }
+    }
+
+    /// <summary>How long until it is to be read again; nothing where it was not read yet.</summary>
+    public TimeSpan Wait(long id, string? program) =>
+        _of == (id, program) && flow.Clock.GetElapsedTime(_readAt) is var since && since < flow.Pace.Held
+            ? flow.Pace.Held - since
+            : TimeSpan.Zero;
+
+    /// <summary>Reads it.</summary>
+    /// <returns>True if it is what it should be.</returns>
+    /// <exception cref="TransportException">It cannot be read.</exception>
+    public async Task<bool> ReadAsync(Correction held, string? program, CancellationToken cancellation)
+    {
+        var found = await sender.CurrentAsync(slot.Program, cancellation);
+        var hash = found is null ? null : Convert.ToHexStringLower(SHA256.HashData(found));
+        if (hash == program)
+        {
+            if (IsChanged)
+            {
+                flow.Store.Audit(CellFlow.ByCell, CellCodes.HeldAgain, Recorded.HeldAgain.With(slot.Program, machine.Name, held.Id),
+                    Subject);
+            }
+
+            IsAsVerified(held.Id, program);
+            return true;
+        }
+
+        var sentence = Recorded.ChangedWhileHeld.With(slot.Program, machine.Name, held.Id, hash ?? Missing);
+        if (_of.Id != held.Id || _told != (hash ?? Missing))
+        {
+            // Kept first: what somebody made there may be gone a moment later.
+            flow.Store.Audit(CellFlow.ByCell, CellCodes.ChangedAtMachine, sentence, Subject, found);
+        }
+
+        (_of, _readAt, _told) = ((held.Id, program), flow.Clock.GetTimestamp(), hash ?? Missing);
+        if (flow.Troubles.Begin(_where, CellCodes.ChangedAtMachine, sentence))
+        {
+            flow.Log.Warning("{Where}: {Code}: {Message}", _where, CellCodes.ChangedAtMachine, sentence);
+        }
+
+        return false;
+    }
+
+    private string Subject => Recorded.Slot.With(slot.Name, machine.Name);
+}

@@ -1,0 +1,48 @@
+using System.Security.Cryptography;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Releases a correction after its program was read again at the machine: who says that the piece is cut says by which program.
+/// Where that one is not there, or cannot be read, the person has to say why.</summary>
+/// <param name="settings">The configuration.</param>
+/// <param name="store">The store.</param>
+/// <param name="open">Opens a machine's folder, such as by <see cref="MachineFolders.Open"/>.</param>
+public sealed class SlotRelease(CellSettings settings, CellStore store, Func<MachineSettings, IMachineFolder> open)
+{
+    /// <summary>Says that the piece is cut, which frees the slot for the next.</summary>
+    /// <param name="id">Number of the correction that has the slot.</param>
+    /// <param name="by">The user's name.</param>
+    /// <param name="reason">Why; null for none.</param>
+    /// <param name="cancellation">Ends the reading; nothing is released then.</param>
+    /// <exception cref="DecisionException">It cannot be released.</exception>
+    /// <exception cref="TransportException">The program cannot be read, and no reason is given.</exception>
+    public async Task<Correction> ReleaseAsync(long id, string by, string? reason, CancellationToken cancellation)
+    {
+        var decisions = new CorrectionDecisions(store);
+        var held = decisions.Demand(id, "released", CorrectionState.Verified, CorrectionState.Reverted);
+        var machine = settings.Machines.FirstOrDefault(m => m.Name == held.Machine);
+        var holding = store.Slot(held.Machine!, held.Slot!);
+        if (string.IsNullOrWhiteSpace(reason) && holding.Correction == id
+            && machine?.Slots.FirstOrDefault(s => s.Name == held.Slot) is { } slot)
+        {
+            await DemandAsync(machine, slot, held, holding.ProgramSha256, cancellation);
+        }
+
+        return decisions.Release(id, by, reason);
+    }
+
+    private async Task DemandAsync(MachineSettings machine, SlotSettings slot, Correction held, string? program,
+        CancellationToken cancellation)
+    {
+        var found = await new ProgramSender(open(machine), store.Keeps).CurrentAsync(slot.Program, cancellation);
+        var hash = found is null ? null : Convert.ToHexStringLower(SHA256.HashData(found));
+        if (hash == program)
+        {
+            return;
+        }
+
+        var sentence = Recorded.ChangedWhileHeld.With(slot.Program, machine.Name, held.Id, hash ?? "missing");
+        store.Audit(CellFlow.ByCell, CellCodes.ChangedAtMachine, sentence, Recorded.Slot.With(slot.Name, machine.Name), found);
+        throw new DecisionException(DecisionException.ChangedAtMachine, sentence);
+    }
+}

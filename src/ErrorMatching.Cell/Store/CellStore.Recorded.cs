@@ -1,0 +1,78 @@
+namespace ErrorMatching.Cell;
+
+/// <content>Whether the rows are what the cell left.</content>
+public sealed partial class CellStore
+{
+    private const int MostLooked = 500;
+    private readonly AuditLedger _ledger;
+
+    /// <summary>Makes sure that a correction may go to its machine: by the audit trail it is what the row says, was approved by who may,
+    /// and has the program that was computed; its slot is as the cell left it, and so is the form of the database.</summary>
+    /// <remarks>Without a key nobody can tell, and nothing is demanded. The first call looks at the whole trail, each further one at what
+    /// was added.</remarks>
+    /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if it is not so.</exception>
+    internal void DemandRecorded(Correction correction)
+    {
+        if (Database.Snapshot((connection, transaction) => _ledger.Fault(Database, connection, transaction, correction)) is { } fault)
+        {
+            throw new StoreException(StoreError.Tampered, Recorded.NotSent.With(fault.Message));
+        }
+    }
+
+    /// <summary>What a quick look finds that the cell did not write: users, slots, corrections that are not at their end (the first 500),
+    /// and the form of the database. What it does not find, <c>audit verify</c> may.</summary>
+    public IReadOnlyList<string> Tampered() => Database.Snapshot((connection, transaction) =>
+    {
+        var found = new List<string>();
+        if (Database.FormFault(connection, transaction) is { } form) found.Add(form.Message);
+        foreach (var (person, fault) in Look(Person.SelectKept + " ORDER BY name_key", Person.ReadKept, "user"))
+        {
+            if (fault is not null) found.Add(fault.Message);
+            else if (Person.Looked(person!, _auditKey).Problem is { } problem) found.Add(problem.Message);
+        }
+
+        foreach (var (slot, fault) in Look(SlotRow.SelectKept + " ORDER BY machine, slot", SlotRow.ReadKept, "slot"))
+        {
+            if (fault is not null) found.Add(fault.Message);
+            else if (!slot!.Holds(_auditKey)) found.Add(SlotRow.Tampered(slot).Message);
+        }
+
+        var open = Enum.GetValues<CorrectionState>().Where(s => !CorrectionSteps.IsEnd(s) && s != CorrectionState.Released);
+        foreach (var (correction, fault) in Look(
+            $"{CorrectionRow.SelectKept} WHERE {CorrectionRow.IsIn("state", open)} ORDER BY id LIMIT {CodedRow.Number(MostLooked)}",
+                CorrectionRow.ReadKept, "correction"))
+        {
+            if (fault is not null) found.Add(fault.Message);
+            else if (!correction!.Holds(_auditKey)) found.Add(Recorded.CorrectionTampered.With(correction.Value.Id));
+        }
+
+        return found;
+
+        IReadOnlyList<(KeptRow<T>? Row, AuditFault? Fault)> Look<T>(string sql, Func<System.Data.Common.DbDataReader, KeptRow<T>> read,
+            string kind) =>
+            Rows.Query(connection, sql, r => RecordedRows.Read(r, read, kind), null, transaction);
+    });
+
+    // A step starts from the row that the cell left. One that ends a correction without sending it may start from any: that is how a person
+    // gets rid of it, and the trail says what was found.
+    private static void DemandKept(StoreTransaction transaction, Correction from, Correction after)
+    {
+        if (transaction.Key is not { } key || transaction.First(CorrectionRow.SelectKept + " WHERE id = @Id", CorrectionRow.ReadKept,
+            new { from.Id }) is not { } row
+            || row.Value.Version != from.Version || row.Value.State != from.State)
+        {
+            // What is not there, or not as it was read, is a conflict, which the change itself finds.
+            return;
+        }
+
+        if (row.Holds(key) && CorrectionRow.Coded(from).Code(key) == row.Code) return;
+        var message = Recorded.CorrectionTampered.With(from.Id);
+        var isEnded = after.State is CorrectionState.Rejected or CorrectionState.Refused or CorrectionState.Superseded;
+        if (!isEnded && after is not { State: CorrectionState.Failed, ProgramSha256: null })
+        {
+            throw new StoreException(StoreError.Tampered, message);
+        }
+
+        transaction.Audit(CellFlow.ByCell, AuditLedger.Tampered, Recorded.Correction.With(from.Id), message);
+    }
+}

@@ -1,0 +1,66 @@
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Hmi;
+
+/// <content>The versions of the job: each that was saved can be brought back into the form, and is saved from there as any other.</content>
+public sealed partial class JobEditing
+{
+    /// <summary>The saved versions of the job, the latest first; none before they are read.</summary>
+    public RowList<VersionRow> Versions { get; } = [];
+
+    /// <summary>Done when a version that was tapped is in the form.</summary>
+    internal Task Restoring { get; private set; } = Task.CompletedTask;
+
+    // A store that is away leaves the list empty; the banner says so.
+    private async Task ReadVersionsAsync(CellJobSettings job)
+    {
+        IReadOnlyList<JobVersion> versions = [];
+        if (await Failures.OfAsync(() => versions = Edits.Versions(job), _station.Clock) is null && job == Job)
+        {
+            ShowVersions(versions);
+        }
+    }
+
+    private JobEdits Edits => new(_station.Settings, _station.Store, _station.Users);
+
+    private void ShowVersions(IReadOnlyList<JobVersion> versions) => Versions.Show([.. versions.Select(Row)]);
+
+    private VersionRow Row(JobVersion version)
+    {
+        var time = Hmi.Shown.Time(version.At, _station.Clock);
+        return new(version, time, new(() => Restoring = RestoreAsync(Job!, version, time).Watched(), () => CanEdit));
+    }
+
+    private async Task RestoreAsync(CellJobSettings job, JobVersion version, string time)
+    {
+        MatingDraft? draft = null;
+        string? refusal = null;
+        var isRead = await TryAsync(() =>
+        {
+            try
+            {
+                draft = Edits.Open(job, version);
+            }
+            catch (Exception e) when (e is JobException or MeasurementException or DraftException)
+            {
+                refusal = Failures.Of(e, _station.Clock);
+            }
+        });
+        if (!isRead || job != Job)
+        {
+            return;
+        }
+
+        if (refusal is not null)
+        {
+            Message = Texts.Current.With("Setup.NotOpened", refusal);
+            return;
+        }
+
+        Change("", _ => draft!);
+        Note(() => Texts.Current.With("Setup.Restored", time));
+    }
+}

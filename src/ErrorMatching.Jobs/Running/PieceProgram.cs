@@ -1,0 +1,86 @@
+using ErrorMatching.Freeform;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>
+/// Looks for the program that cut the measured piece. One that follows a measurement left only what its correction did not reach: a program
+/// that compensates this from the nominal surface would be nearly nominal, and give the correction up.
+/// </summary>
+/// <param name="files">The job's files.</param>
+/// <param name="request">What it is run with.</param>
+/// <param name="syntax">How programs that cut are spelled.</param>
+internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, NcSyntax syntax)
+{
+    /// <summary>Code of the refusal.</summary>
+    public const string Code = "piece-compensated";
+
+    private const string WhatToDo =
+        "The error of such a piece is small because of that correction, and a program made of this measurement would give the correction up. "
+        + "Measure a piece that the nominal program cut (errormatch surface toolpath, or the program of the CAM): corrections of a surface do not add up yet. "
+        + "How good this piece is, errormatch surface evaluate says.";
+
+    private readonly List<string> _measurements = [];
+
+    /// <summary>What the report says of it; once no refusal was found.</summary>
+    public MeasuredPieceProgram Found { get; private set; } = new(null, null);
+
+    /// <summary>Why the measured piece cannot be compensated; null if nothing speaks against it.</summary>
+    /// <param name="measured">What was measured.</param>
+    /// <param name="made">The file that will be written, where a program of an earlier run may be; null if nobody knows where.</param>
+    /// <param name="baseSha256">What a program of this job is made of, by its marker.</param>
+    /// <exception cref="InputException">A program cannot be opened.</exception>
+    public ErrorItem? Refusal(IReadOnlyList<MeasuredPoints> measured, string? made, string baseSha256)
+    {
+        _measurements.AddRange(measured.Select(m => m.Sha256));
+        _measurements.Add(SurfaceRun.MeasurementSha256(measured));
+        if (Named() is { } refused)
+        {
+            return refused;
+        }
+
+        return measured.FirstOrDefault(m => m.CutByMeasurement is not null) is { } log
+            ? Refuse(log.File, "the log says that the piece was cut just before by a program that follows a measurement already.", null, 0)
+            : Found.File is null && made is not null ? Beside(made, baseSha256) : null;
+    }
+
+    private ErrorItem? Named()
+    {
+        if ((request.CutBy is { } given ? files.Given(FreeformFiles.CutByRole, given) : files.CutBy()) is not { Bytes: { } bytes } named)
+        {
+            return null;
+        }
+
+        var program = NcProgram.Read(bytes, syntax);
+        Found = new(named.File, files.Inputs.Last(i => i.Role == FreeformFiles.CutByRole).Sha256);
+        return Marker.Find(program) is [var (block, _), ..]
+            ? Refuse(named.File, "the program that cut the measured piece carries a marker, so it follows a measurement already.", program, block)
+            : null;
+    }
+
+    // A piece without stock was cut by a finishing program, and the last one lies where this run will write. The same measurement once more is
+    // no new piece.
+    private ErrorItem? Beside(string made, string baseSha256)
+    {
+        if (files.Job.Stock.Of(files.Job.Measuring.After) > 0 || !File.Exists(made))
+        {
+            return null;
+        }
+
+        var program = NcProgram.Read(InputFile.Program(made), syntax);
+        var others = Marker.Find(program).Where(m => m.Marker is null
+            || (m.Marker.BaseSha256 == baseSha256 && !_measurements.Contains(m.Marker.MeasurementSha256, StringComparer.Ordinal)));
+        return others.ToArray() is not [var other, ..] ? null : Refuse(
+            made,
+            "the program here follows another measurement of this surface. If it cut the measured piece:",
+            program,
+            other.Block,
+            " If another one did, name that by --cut-by, or as \"cutBy\" under \"measuring\".");
+    }
+
+    private static ErrorItem Refuse(string file, string found, NcProgram? program, int block, string more = "")
+    {
+        var (name, line) = program is null ? ("", 0) : (program.NameOf(program[block]), program[block].Line);
+        return ErrorItems.Of([new NcRefusal(Code, name, line, $"{(name.Length > 0 ? name + ": " : "")}{found} {WhatToDo}{more}")], file)[0];
+    }
+}

@@ -1,0 +1,62 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Finds closed contours inside a run of cuts: a ring between its lead-in and lead-out comes back to a joint of the run.</summary>
+internal static class Rings
+{
+    /// <summary>Sine of the angle from which a joint is a corner: 5.7 degrees.</summary>
+    private const double CornerSine = 0.0995;
+
+    /// <summary>
+    /// Pairs of joints of a run, without its ends, that are one place and of which at least one is a corner, or that are both ends of a
+    /// full circle. Where both are smooth, two paths cross each other: they need not go on doing so in one joint.
+    /// </summary>
+    /// <param name="motions">The path.</param>
+    /// <param name="first">First motion of the run.</param>
+    /// <param name="last">Last motion of the run.</param>
+    public static IEnumerable<(int Start, int End)> Inside(NcMotions motions, int first, int last)
+    {
+        var corners = new HashSet<Point3>();
+        for (var joint = first + 1; joint <= last; joint++)
+        {
+            if (IsCorner(motions[joint - 1], motions[joint]) || motions.StartOf(joint) == motions.EndOf(joint))
+            {
+                corners.Add(motions.StartOf(joint));
+            }
+        }
+
+        var seen = new Dictionary<Point3, int>();
+        for (var joint = first + 1; joint <= last && corners.Count > 0; joint++)
+        {
+            var place = motions.StartOf(joint);
+            if (!corners.Contains(place))
+            {
+                continue;
+            }
+
+            if (seen.TryGetValue(place, out var before))
+            {
+                yield return (before, joint);
+            }
+
+            seen[place] = joint;
+        }
+    }
+
+    private static bool IsCorner(in NcMotion before, in NcMotion behind)
+    {
+        if (!HasDirection(before) || !HasDirection(behind) || before.Plane != behind.Plane)
+        {
+            return false;
+        }
+
+        var (a, b) = (before.TangentAt(1), behind.TangentAt(0));
+        return Math.Abs(a.Cross(b)) > CornerSine || a.Dot(b) < 0;
+    }
+
+    // A damaged arc may begin or end in its own center.
+    private static bool HasDirection(in NcMotion motion) =>
+        motion is { MovesInPlane: true, IsCut: true }
+        && !(motion.IsArc && (motion.PlaneStart == motion.Center || motion.PlaneEnd == motion.Center));
+}

@@ -1,0 +1,179 @@
+using Avalonia;
+using Avalonia.Automation;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.VisualTree;
+using ErrorMatching.Cell;
+using ErrorMatching.Hmi.Cairo;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>No message moves a target: what is about to be tapped stays where it is, whatever is said.</summary>
+[Trait("Length", "Long")]
+public sealed class TargetTests
+{
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    public async Task No_message_of_the_cell_moves_a_target_on_any_screen(double scaling)
+    {
+        await Drawing.Needed().RunAsync(() => OffScreenSession.Scaling = scaling);
+        try
+        {
+            await Seat.AtAsync(Around);
+        }
+        finally
+        {
+            await Drawing.Needed().RunAsync(() => OffScreenSession.Scaling = 1);
+        }
+    }
+
+    private static void Around(Seat seat)
+    {
+        var moved = new List<string>();
+        new Tour(seat).Deliver();
+        Look(seat, "login", moved);
+        seat.SignIn(DemoCell.Administrator);
+        foreach (var screen in seat.Shell.Items.Select(i => i.Screen))
+        {
+            seat.Tap(screen.AutomationId);
+            if (screen.Key is Screens.Points or Screens.System)
+            {
+                new SetupSeat(seat).Settle();
+            }
+
+            seat.User.Settle();
+            Look(seat, screen.Key, moved);
+        }
+
+        Assert.True(moved.Count == 0, string.Join('\n', moved.Distinct()));
+    }
+
+    [Fact]
+    public Task A_store_that_goes_moves_no_target_and_no_screen_says_that_there_is_nothing() => Seat.AtAsync(seat =>
+    {
+        string[] nothing = ["Freeform.Empty", "Verify.Empty", "Compensation.Empty", "Messages.Quiet", "Overview.Well"];
+        var found = new List<string>();
+        seat.RunCell().SignIn(DemoCell.Administrator);
+        foreach (var item in seat.Shell.Items)
+        {
+            seat.Tap(item.Screen.AutomationId).WaitFor(() => seat.Shell.Chosen == item, "The screen does not open.");
+            if (item.Screen.Key is Screens.Points or Screens.System)
+            {
+                new SetupSeat(seat).Settle();
+            }
+
+            seat.User.Settle();
+            var before = Targets(seat);
+            LostConnectionTests.Move(seat, "", ".away");
+            seat.WaitFor(() => seat.Station.State.StoreTrouble is not null, "Nobody sees that the store is away.").User.Settle();
+            found.AddRange(Moved(seat, before).Select(m => $"{item.Screen.Key}: moves {m}"));
+            found.AddRange(Said($"{item.Screen.Key}"));
+
+            // Opened while it is away.
+            seat.Tap("nav-settings").Tap(item.Screen.AutomationId);
+            seat.WaitFor(() => seat.Shell.Chosen == item, "The screen does not open again.");
+            seat.User.Settle();
+            found.AddRange(Said($"{item.Screen.Key} opened"));
+            LostConnectionTests.Move(seat, ".away", "");
+            seat.WaitFor(() => seat.Shell.Banner is null, "The banner stays.");
+        }
+
+        // Where it is known, it is said.
+        seat.Tap("nav-freeform").See("freeform-empty");
+        Assert.True(found.Count == 0, string.Join('\n', found));
+
+        IEnumerable<string> Said(string where)
+        {
+            foreach (var language in Enum.GetValues<Language>().Reverse())
+            {
+                Texts.Current.Language = language;
+                seat.User.Settle();
+                var texts = seat.Window.GetVisualDescendants().OfType<TextBlock>();
+                var shown = texts.Where(t => t.IsEffectivelyVisible).Select(t => t.Text).ToHashSet();
+                foreach (var key in nothing.Where(k => shown.Contains(Texts.Current[k])))
+                {
+                    yield return $"{where} {language}: says {key}";
+                }
+            }
+        }
+    });
+
+    // Each kind of message in both languages, with the smallest and the largest targets, compared with where each target is with none.
+    private static void Look(Seat seat, string screen, List<string> moved)
+    {
+        var calm = seat.Station.State;
+        foreach (var touch in new[] { TouchSize.Standard, TouchSize.Largest })
+        {
+            seat.Shell.Preferences.TouchSize = touch;
+            foreach (var language in Enum.GetValues<Language>())
+            {
+                Texts.Current.Language = language;
+                Show(seat, calm, null);
+                var before = Targets(seat);
+                Assert.NotEmpty(before);
+                foreach (var (name, state, notice) in Messages(calm))
+                {
+                    Show(seat, calm, null);
+                    seat.Clock.Advance(AimKeeper.OnItsWay);
+                    Show(seat, state, notice);
+                    Assert.NotNull(seat.Find(notice is null ? "banner" : "notice"));
+                    moved.AddRange(Moved(seat, before).Select(m => $"{screen} {touch} {language}: {name} moves {m}"));
+                }
+
+                Show(seat, calm, null);
+            }
+        }
+
+        seat.Shell.Preferences.TouchSize = TouchSize.Standard;
+        Texts.Current.Language = Language.English;
+        seat.User.Settle();
+    }
+
+    private static IEnumerable<(string Name, StationState State, string? Notice)> Messages(StationState calm)
+    {
+        var (status, words) = (calm.Status!, string.Join(' ', Enumerable.Repeat("something is not as it should be", 12)));
+        var slot = CellTrouble.OfSlot("vmc1", "A");
+        var trouble = new CellTrouble(slot, CellCodes.Of(TransportError.Denied), words, DateTimeOffset.UnixEpoch);
+        yield return ("a store that is away", calm with { StoreTrouble = new StoreException(StoreError.Away, "away") }, null);
+        yield return ("a cell that stands", calm with { Status = status with { IsRunning = false } }, null);
+        yield return ("a trouble", With(trouble), null);
+        yield return ("troubles", With(trouble, trouble with { Where = "store", Code = CellCodes.NotKept }), null);
+        yield return ("a notice", calm, words);
+
+        StationState With(params CellTrouble[] troubles) =>
+            calm with { Status = status with { Heartbeat = status.Heartbeat! with { Troubles = troubles } } };
+    }
+
+    private static void Show(Seat seat, StationState state, string? notice)
+    {
+        seat.Shell.Preferences.Notice = notice;
+        seat.Station.Pretend(state);
+        seat.User.Settle();
+    }
+
+    // A tile of a list may go on where a tap at the place that it left does nothing else. Nobody misses by two pixels: a line of
+    // another script is as much higher.
+    private static IEnumerable<string> Moved(Seat seat, Dictionary<string, Rect> before)
+    {
+        var now = Targets(seat);
+        return before
+            .Where(b => now.TryGetValue(b.Key, out var place) && Distance(place, b.Value) > 2)
+            .Where(b => seat.Find(b.Key) is not Button tile || !TapKeeper.IsKept(tile) || IsTaken(seat, b.Key, b.Value.Center))
+            .Select(b => $"{b.Key} from {b.Value} to {now[b.Key]}");
+    }
+
+    private static bool IsTaken(Seat seat, string id, Point place) =>
+        seat.Window.InputHitTest(place) is Visual under && !seat.Window.Aim.IsMissed(under, place)
+        && under.GetSelfAndVisualAncestors().OfType<Control>().FirstOrDefault(Layout.IsTouched) is { IsEffectivelyEnabled: true } other
+        && AutomationProperties.GetAutomationId(other) != id;
+
+    private static double Distance(Rect one, Rect two) => Math.Max(Math.Abs(one.X - two.X), Math.Abs(one.Y - two.Y));
+
+    private static Dictionary<string, Rect> Targets(Seat seat) => seat.Window.GetVisualDescendants().OfType<Control>()
+        .Where(c => c.IsEffectivelyVisible && Layout.IsTouched(c) && !Layout.IsPart(c) && !seat.Window.Stage.IsVisualAncestorOf(c))
+        .Select(c => (Id: AutomationProperties.GetAutomationId(c), Place: Layout.In(c, seat.Window)))
+        .Where(c => !string.IsNullOrEmpty(c.Id))
+        .GroupBy(c => c.Id!, StringComparer.Ordinal)
+        .ToDictionary(g => g.Key, g => g.First().Place, StringComparer.Ordinal);
+}
