@@ -18,6 +18,7 @@ internal sealed class ConfiguredCell : IAsyncDisposable
     {
         Configuration = configuration;
         Directory.CreateDirectory(PathOf("incoming"));
+        Directory.CreateDirectory(PathOf("m1"));
     }
 
     public string Folder { get; } = Directory.CreateTempSubdirectory("errormatch-cells-").FullName;

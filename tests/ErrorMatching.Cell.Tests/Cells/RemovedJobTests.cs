@@ -51,6 +51,8 @@ public sealed class RemovedJobTests
         cell.Configuration = Right;
         cell.Start();
         await cell.Until(1, isApproved ? CorrectionState.Verified : CorrectionState.Proposed);
-        await ConfiguredCell.Until(() => Heartbeat.Read(cell.PathOf("logs")) is { Troubles: [] });
+        await ConfiguredCell.Until(
+            () => Heartbeat.Read(cell.PathOf("logs")) is { Troubles: [] },
+            () => string.Join(" ", cell.Troubles));
     }
 }
