@@ -9,7 +9,7 @@ using Microsoft.Data.Sqlite;
 namespace ErrorMatching.Cell;
 
 /// <summary>A store in a file of its own, by SQLite: write-ahead log, every change on the disk before it is reported.</summary>
-internal sealed class SqliteDatabase : CellDatabase
+internal sealed partial class SqliteDatabase : CellDatabase
 {
     internal const int ApplicationId = 0x45724D43;
     private const int NoRoomForIndex = 4874;
@@ -21,8 +21,6 @@ internal sealed class SqliteDatabase : CellDatabase
     private SqliteConnection? _writer;
     private bool _disposed;
     private int _losses;
-    private volatile FileIdentity? _identity;
-    private (FileIdentity Identity, StoreException Reason)? _refused;
     private StoreException? _readOnly;
 
     static SqliteDatabase() => SQLitePCL.Batteries_V2.Init();
@@ -229,74 +227,6 @@ internal sealed class SqliteDatabase : CellDatabase
         ForeignKeys = true,
         DefaultTimeout = (int)Patience.TotalSeconds,
     }.ConnectionString;
-
-    // A file that was taken away stays usable for a process that has it open, and what is written into it is lost when the last one closes it.
-    // So the identity of the file is checked before each use and after each change. Another file in its place is used only if it has all that was seen here.
-    private void DemandFile()
-    {
-        var now = FileIdentity.Of(_file);
-        if (now is not null && now == _identity) return;
-        lock (_writing)
-        {
-            if (now is null)
-            {
-                Close();
-                throw new StoreException(
-                    StoreError.Away, $"The store {_file} is gone. Nothing was changed. Bring its disk back; programs that have it open then continue by themselves.");
-            }
-
-            if (now == _identity) return;
-            if (_identity is not null)
-            {
-                if (_refused is not { } refused || refused.Identity != now)
-                {
-                    Close();
-                    _refused = WhyNotTheSame() is { } reason ? (now, reason) : null;
-                }
-
-                if (_refused is { } still) throw new StoreException(still.Reason.Error, still.Reason.Message, still.Reason);
-            }
-
-            _identity = now;
-        }
-    }
-
-    private void Close()
-    {
-        Interlocked.Increment(ref _losses);
-        while (_readers.TryTake(out var reader)) reader.Dispose();
-        _writer?.Dispose();
-        _writer = null;
-    }
-
-    // Why the file that has the store's name now is not the store as it was last seen here; null if it is. It is only read, never changed.
-    private StoreException? WhyNotTheSame()
-    {
-        // The log of the file before would be read into this one.
-        if (new FileInfo(_file + "-wal") is { Exists: true, Length: > 0 }) return Replaced("the log beside it belongs to the file before");
-        if (Seen is not { } seen) return null;
-        try
-        {
-            var how = new SqliteConnectionStringBuilder { DataSource = _file, Mode = SqliteOpenMode.ReadOnly, Pooling = false };
-            using var connection = new SqliteConnection(how.ConnectionString);
-            connection.Open();
-            if (connection.QuerySingle<int>("PRAGMA application_id") != ApplicationId) return Replaced("it is no store of a cell");
-            var head = AuditRow.Head(connection, null, "");
-            var hash = connection.QueryFirstOrDefault<string>("SELECT hash FROM audit WHERE seq = @Seq", new { seen.Seq });
-            return head.Seq < seen.Seq ? Replaced(FormattableString.Invariant($"it lacks entries {head.Seq + 1} to {seen.Seq} of the audit trail"))
-                : hash != seen.Hash ? Replaced(FormattableString.Invariant($"entry {seen.Seq} of its audit trail is another one"))
-                : null;
-        }
-        catch (SqliteException e)
-        {
-            return Replaced($"it cannot be read: {e.Message}");
-        }
-    }
-
-    private StoreException Replaced(string why) => new(
-        StoreError.Replaced,
-        $"Another file replaced the store {_file} while it was open: {why}. Nothing is written into it. Stop the cell and its stations, "
-        + "bring the right file back or restore the latest backup (errormatch cell restore), then start them again.");
 
     private SqliteConnection Connect() => _readOnly is not null ? ConnectToRead()
         : Prepared(new SqliteConnection(ConnectionString(_file)), connection =>
