@@ -17,7 +17,7 @@ public sealed class ProbedPieceRestartTests
     [InlineData("Approved", true)]
     [InlineData("Uploading", true)]
     [InlineData("write", true)]
-    [InlineData("rename FINISH.MPF", true)]
+    [InlineData("replace FINISH.MPF", true)]
     public async Task Wherever_the_process_ends_the_next_one_comes_to_the_same_end(string at, bool isDone)
     {
         await using var cell = await ProbedCell.OfFolderAsync(keeps: false);

@@ -7,6 +7,9 @@ namespace ErrorMatching.Peers.Tests;
 /// <summary>Stands between sftp and an SSH server, whose stream it cannot read: cuts it after so many bytes, holds it, or changes one.</summary>
 internal sealed class CutProxy : IDisposable
 {
+    /// <summary>In place of a connection's number: whichever is the first to pass so many bytes.</summary>
+    public const int Any = -1;
+
     // IPPROTO_TCP and TCP_QUICKACK of Linux; see tcp(7).
     private const int Tcp = 6;
     private const int QuickAck = 12;
@@ -60,7 +63,7 @@ internal sealed class CutProxy : IDisposable
         try
         {
             await server.ConnectAsync(IPAddress.Loopback, _server, cut.Token);
-            var fault = Volatile.Read(ref _fault) is { } armed && armed.Connection == number ? armed : null;
+            var fault = Volatile.Read(ref _fault) is { } armed && (armed.Connection == Any || armed.Connection == number) ? armed : null;
             await Task.WhenAny(PumpAsync(client, server, fault is { IsUp: true } ? fault : null, true, cut), PumpAsync(server, client, fault is { IsUp: false } ? fault : null, false, cut));
         }
         catch (Exception e) when (IsEnd(e))
