@@ -22,6 +22,11 @@ public sealed class SurfaceToolTests
             Assert.Contains("\nM0\nSETAL(65000,", File.ReadAllText(folder["out/finishing.nc"]), StringComparison.Ordinal);
         }
 
+        // Nothing in the report looks like a program to cut with.
+        var report = File.ReadAllText(folder["out/report.html"]);
+        Assert.DoesNotContain("class=\"verdict holds\"", report, StringComparison.Ordinal);
+        Assert.InRange(report.IndexOf("has no tool call", StringComparison.Ordinal), 0, report.IndexOf("moved by at most", StringComparison.Ordinal));
+
         Assert.Equal(0, Shell.Json(0, "errormatch/nc-check/1", "nc", "check", folder["out/finishing.nc"], "--dialect", "siemens-840d").GetProperty("problems").GetArrayLength());
         Assert.False(Shell.Json(0, "errormatch/surface-toolpath/1", "surface", "toolpath", job).GetProperty("toolCall").GetBoolean());
     }

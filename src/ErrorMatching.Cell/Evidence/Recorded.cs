@@ -161,11 +161,11 @@ public static class Recorded
     internal static readonly SentenceForm UserTampered = new(
         "user-tampered",
         "The user {0} is not as the cell left it: somebody else wrote to its row of the store. This user may do nothing "
-        + "until another administrator sets the password anew (errormatch user password).");
+        + "until another administrator sets a new password (errormatch user password).");
     internal static readonly SentenceForm UserOfNoRole = new(
         "user-of-no-role",
         "The store says that the user {0} is \"{1}\", and there is no such role: it is operator, setter or administrator. This user may "
-        + "do nothing until another administrator sets role and password anew (errormatch user role, errormatch user password).");
+        + "do nothing until another administrator sets the role and a new password (errormatch user role, errormatch user password).");
     internal static readonly SentenceForm NotSent = new("not-sent", "It is not sent: {0:any}");
     internal static readonly SentenceForm NoCorrection = new(
         "no-correction",

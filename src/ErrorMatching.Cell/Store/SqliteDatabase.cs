@@ -171,7 +171,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
                 var result = change(writer, transaction);
                 transaction.Commit();
 
-                // What was kept in a file that lost its name meanwhile is lost: whoever asked for it must not take it for kept.
+                // What was kept in a file that lost its name meanwhile is lost: the caller must not treat it as kept.
                 if (FileIdentity.Of(_file) != _identity)
                 {
                     throw new StoreException(StoreError.Away, $"The store {_file} was taken away while a change was kept. Look again whether it was.");

@@ -44,7 +44,7 @@ internal static class OutcomeWriter
         return stream.ToArray();
     }
 
-    /// <summary>Writes such a document into a stream; whoever writes a long one flushes the writer on the way.</summary>
+    /// <summary>Writes such a document into a stream. A long one flushes its writer part by part.</summary>
     public static void Json(Stream stream, string schema, Action<Utf8JsonWriter> write)
     {
         using (var json = new Utf8JsonWriter(stream, Options))

@@ -36,10 +36,17 @@ public static class CompensationReportHtml
             }
         }
 
-        using (html.In("p", ("class", result.LargestMoveMm > 0 ? "verdict holds" : "verdict fails")))
+        // A check mark beside an alarm would say "cut it" again.
+        var isReady = report.CallsTool && result.LargestMoveMm > 0;
+        using (html.In("p", ("class", isReady ? "verdict holds" : "verdict fails")))
         {
-            html.Put("strong", result.LargestMoveMm > 0 ? $"✓ {report.Program.File} cuts a surface that is moved by at most {Micrometres.OfMm(result.LargestMoveMm)} µm." : "○ Nothing is compensated: the finishing program cuts the nominal surface.");
-            html.Text($" Expected: standard deviation {Micrometres.OfMm(before.StandardDeviationMm)} µm becomes {Micrometres.OfMm(after.StandardDeviationMm)} µm, profile {Micrometres.OfMm(before.ProfileIsoMm)} µm becomes {Micrometres.OfMm(after.ProfileIsoMm)} µm.");
+            var moved = $"a surface that is moved by at most {Micrometres.OfMm(result.LargestMoveMm)} µm.";
+            html.Put("strong", isReady ? $"✓ {report.Program.File} cuts {moved}"
+                : result.LargestMoveMm > 0 ? $"○ Once the tool call is in, it cuts {moved}"
+                : "○ Nothing is compensated: the finishing program cuts the nominal surface.");
+            html.Text($" Expected: standard deviation {Micrometres.OfMm(before.StandardDeviationMm)} µm becomes "
+                + $"{Micrometres.OfMm(after.StandardDeviationMm)} µm, profile {Micrometres.OfMm(before.ProfileIsoMm)} µm becomes "
+                + $"{Micrometres.OfMm(after.ProfileIsoMm)} µm.");
         }
 
         ReportFacts.WriteWarnings(html, result.Warnings);
