@@ -1,4 +1,5 @@
 using System.Text;
+using System.Text.Json;
 using System.Xml.Linq;
 using ErrorMatching.Testing;
 
@@ -65,6 +66,19 @@ public sealed class HouseTests
     {
         var solution = File.ReadAllText(Repository.PathTo("ErrorMatching.sln"));
         Assert.All(Sources().Where(f => f.EndsWith(".csproj", StringComparison.Ordinal)), f => Assert.Contains(Path.GetFileName(f), solution, StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Solution_filters_name_projects_that_are_there()
+    {
+        var filters = Directory.GetFiles(Repository.Root, "*.slnf");
+        Assert.Equal(3, filters.Length);
+        Assert.All(filters, f =>
+        {
+            using var filter = JsonDocument.Parse(File.ReadAllText(f));
+            var projects = filter.RootElement.GetProperty("solution").GetProperty("projects").EnumerateArray().Select(p => p.GetString()!);
+            Assert.All(projects, p => Assert.True(File.Exists(Repository.PathTo(p.Split('\\'))), $"{f} names {p}"));
+        });
     }
 
     private static string ShortName(string project) => Path.GetFileNameWithoutExtension(project.Replace('\\', '/')).Replace("ErrorMatching.", "", StringComparison.Ordinal);
