@@ -35,7 +35,7 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
                 }
             }
 
-            if (machine.Transport is SftpSettings { KeyFile: { } key } && !File.Exists(key))
+            if (machine.Transport.SignInKey is { } key && !File.Exists(key))
             {
                 return Problem(KeyMissing, $"{machine.Name}: there is no key {key} to sign in with. Name the private key whose public half the server knows.");
             }

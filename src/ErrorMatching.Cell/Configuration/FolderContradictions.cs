@@ -29,7 +29,7 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
     }
 
     private IEnumerable<(JsonItem Item, MachineSettings Machine, string Folder)> MachineFolders =>
-        settings.Machines.Select((m, i) => (root["machines"].Items[i], m, (m.Transport as FolderSettings)?.Folder)).Where(m => m.Folder is not null)!;
+        settings.Machines.Select((m, i) => (Item: root["machines"].Items[i], Machine: m, Folder: m.Transport.LocalFolder)).Where(m => m.Folder is not null)!;
 
     private void CheckGauges()
     {
@@ -65,7 +65,7 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
         for (var i = 0; i < settings.Machines.Count; i++)
         {
             var machine = settings.Machines[i];
-            if (settings.Machines.Take(i).FirstOrDefault(m => IsSamePlace(m.Transport, machine.Transport)) is { } other)
+            if (settings.Machines.Take(i).FirstOrDefault(m => m.Transport.IsSamePlace(machine.Transport)) is { } other)
             {
                 problems.Refuse(root["machines"].Items[i]["transport"], "folder-of-two-machines", $"the folder of {other.Name} again", "a folder of this machine alone");
             }
@@ -91,7 +91,7 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
         Check(root.Find("logs") ?? root, "the folder of logs", settings.LogFolder);
         for (var i = 0; i < settings.Machines.Count; i++)
         {
-            Check(root["machines"].Items[i]["transport"].Find("keyFile") ?? root, "the login's key", (settings.Machines[i].Transport as SftpSettings)?.KeyFile);
+            Check(root["machines"].Items[i]["transport"].Find("keyFile") ?? root, "the login's key", settings.Machines[i].Transport.SignInKey);
         }
     }
 
@@ -132,14 +132,4 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
 
     private static bool IsSameSource(GaugeSettings a, GaugeSettings b) =>
         a.Incoming is { } x && b.Incoming is { } y ? CellPaths.AreSame(x, y) : a.Machine is not null && a.Machine == b.Machine;
-
-    private static bool IsSamePlace(TransportSettings a, TransportSettings b) => (a, b) switch
-    {
-        (FolderSettings x, FolderSettings y) => CellPaths.IsInside(x.Folder, y.Folder) || CellPaths.IsInside(y.Folder, x.Folder),
-        (FtpSettings x, FtpSettings y) => x.Host.Equals(y.Host, NoCase) && x.Port == y.Port && IsSameFolder(x.Folder, y.Folder),
-        (SftpSettings x, SftpSettings y) => x.Host.Equals(y.Host, NoCase) && x.Port == y.Port && IsSameFolder(x.Folder, y.Folder),
-        _ => false,
-    };
-
-    private static bool IsSameFolder(string a, string b) => a.Trim('/').Equals(b.Trim('/'), NoCase);
 }

@@ -16,7 +16,7 @@ internal sealed class MachineReader(JsonItem list, CellPaths paths, CellProblems
     {
         Name = item["name"].Text,
         Dialect = ReadDialect(item["dialect"]),
-        Transport = new TransportReader(item["transport"], paths, problems).Read(),
+        Transport = TransportKinds.Read(item["transport"], paths, problems),
         Slots = ReadSlots(item["slots"]),
         Timeout = TimeSpan.FromSeconds(item.Find("timeoutS")?.Number ?? 30),
         Attempts = (int)(item.Find("attempts")?.Number ?? 3),

@@ -19,7 +19,7 @@ public sealed record MachineSettings
     public required TimeSpan Timeout { get; init; }
 
     /// <summary>True if its transport signs in by a password.</summary>
-    public bool NeedsPassword => Transport is FtpSettings or SftpSettings { KeyFile: null };
+    public bool NeedsPassword => Transport.NeedsPassword;
 
     /// <summary>How often a transfer is tried in a row before the slot waits a while.</summary>
     public required int Attempts { get; init; }

@@ -12,7 +12,7 @@ internal static class MachineAnswer
             await folder.ListAsync(cancellation);
 
             // Programs are written there. A server tells only when one is.
-            return machine is { Transport: FolderSettings { Folder: var path }, Slots.Count: > 0 } && OperatingSystem.IsLinux()
+            return machine is { Transport.LocalFolder: { } path, Slots.Count: > 0 } && OperatingSystem.IsLinux()
                 && LinuxCalls.WhyNotWritable(path) is { } why
                 ? Problem(TransportFailure.Of(TransportError.Denied, machine.Name, $"looking whether programs may be written into {path}",
                     why.Message))

@@ -9,12 +9,6 @@ public static class MachineFolders
     public static IMachineFolder Open(MachineSettings machine, Func<string?> secret)
     {
         ArgumentNullException.ThrowIfNull(machine);
-        return machine.Transport switch
-        {
-            FolderSettings folder => new FolderTransport(machine.Name, folder.Folder, machine.Timeout),
-            FtpSettings ftp => new FtpTransport(machine.Name, ftp, secret, machine.Timeout),
-            SftpSettings sftp => new SftpTransport(machine.Name, sftp, secret, machine.Timeout),
-            _ => throw new ArgumentException($"No transport is known for {machine.Transport.GetType().Name}.", nameof(machine)),
-        };
+        return machine.Transport.Open(machine.Name, secret, machine.Timeout);
     }
 }

@@ -33,7 +33,7 @@ public sealed class DemoCell : IAsyncDisposable
     public CellSettings Settings { get; }
 
     /// <summary>The folder that stands for the machine.</summary>
-    public string MachineFolder => ((FolderSettings)Settings.Machines[0].Transport).Folder;
+    public string MachineFolder => Settings.Machines[0].Transport.LocalFolder!;
 
     /// <summary>The folder of what its job is set up with: drawing, program and a measured part, and nothing that could be taken for one of them.</summary>
     public string SamplesFolder => SamplesIn(_samples);
@@ -49,7 +49,7 @@ public sealed class DemoCell : IAsyncDisposable
         Copy(Path.Combine(samples, "surface-one"), Path.Combine(folder, "surface-one"));
         CopySetup(Path.Combine(samples, "complex-mating"), SamplesIn(folder));
         var settings = CellSettingsReader.Read(Path.Combine(folder, "cell", "cell.json"));
-        foreach (var made in settings.Gauges.Select(g => g.Incoming!).Concat(settings.Machines.Select(m => ((FolderSettings)m.Transport).Folder)))
+        foreach (var made in settings.Gauges.Select(g => g.Incoming!).Concat(settings.Machines.Select(m => m.Transport.LocalFolder!)))
         {
             Directory.CreateDirectory(made);
         }
@@ -110,7 +110,7 @@ public sealed class DemoCell : IAsyncDisposable
     public void FinishPiece(string? machine = null)
     {
         var settings = machine is null ? Settings.Machines[0] : Settings.Machines.First(m => m.Name == machine);
-        File.WriteAllText(Path.Combine(((FolderSettings)settings.Transport).Folder, settings.Slots[0].ReadyFile!), "");
+        File.WriteAllText(Path.Combine(settings.Transport.LocalFolder!, settings.Slots[0].ReadyFile!), "");
     }
 
     /// <inheritdoc/>

@@ -204,13 +204,8 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
 
     private static string Where(GaugeSettings gauge) => gauge.Incoming is { } folder ? Shown(folder) : $"{gauge.Files} at {gauge.Machine}";
 
-    private static string Transport(TransportSettings transport, Func<string, string> shown) => transport switch
-    {
-        FolderSettings folder => shown(folder.Folder),
-        FtpSettings ftp => string.Create(CultureInfo.InvariantCulture, $"{(ftp.Tls == FtpTls.None ? "ftp" : "ftps")}://{ftp.User}@{ftp.Host}:{ftp.Port}/{ftp.Folder.TrimStart('/')}"),
-        SftpSettings sftp => string.Create(CultureInfo.InvariantCulture, $"sftp://{sftp.User}@{sftp.Host}:{sftp.Port}/{sftp.Folder.TrimStart('/')}"),
-        _ => "",
-    };
+    private static string Transport(TransportSettings transport, Func<string, string> shown) =>
+        transport.LocalFolder is { } folder ? shown(folder) : transport.Address;
 
     // What lies below the folder that the user works in reads better without the way there.
     private static string Shown(string path) => Path.GetRelativePath(Directory.GetCurrentDirectory(), path) is var relative && !relative.StartsWith("..", StringComparison.Ordinal) ? relative : path;

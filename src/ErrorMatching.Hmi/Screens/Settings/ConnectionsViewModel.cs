@@ -103,14 +103,6 @@ public sealed class ConnectionsViewModel : ScreenViewModel
     private static string Words(ErrorItem e) =>
         CodeText.Whole(e.Code) is { } text ? Sentence.Joined(text, e.Message) : CodeText.Of(e.Code, e.Message);
 
-    private static string Where(TransportSettings transport) => transport switch
-    {
-        FolderSettings { Folder: var folder } => folder,
-        FtpSettings f => string.Create(CultureInfo.InvariantCulture, $"ftp {f.Host}:{f.Port} {f.Folder}"),
-        SftpSettings s => string.Create(CultureInfo.InvariantCulture, $"sftp {s.Host}:{s.Port} {s.Folder}"),
-        _ => "",
-    };
-
     private async Task TestAsync(CancellationToken cancellation)
     {
         (Message, Progress, _check) = (null, 0, null);
@@ -144,7 +136,7 @@ public sealed class ConnectionsViewModel : ScreenViewModel
         Rows.Show(
         [
             Row("store", settings.Store is SqliteSettings ? "SQLite" : "PostgreSQL", store, _check?.Store.Problem, _check is null ? null : texts["Connection.StoreAnswers"]),
-            .. settings.Machines.Select((m, i) => Row("machine", m.Name, Where(m.Transport), _check?.Machines[i].Problem, _check is null ? null : texts.With("Connection.Listed", Shown.Count(_check.Machines[i].Names?.Count ?? 0)))),
+            .. settings.Machines.Select((m, i) => Row("machine", m.Name, m.Transport.Address, _check?.Machines[i].Problem, _check is null ? null : texts.With("Connection.Listed", Shown.Count(_check.Machines[i].Names?.Count ?? 0)))),
             .. settings.Gauges.Select((g, i) => Row("gauge", g.Name, g.Incoming ?? texts.With("Overview.AtMachine", g.Machine!), _check?.Gauges[i].Problem, _check is null ? null : texts.With("Connection.Waiting", Shown.Count(_check.Gauges[i].Files.Count + _check.Gauges[i].More)))),
             .. settings.Jobs.Select((j, i) => Row("job", j.Name, j.File, _check?.Jobs[i].Problem, _check is null ? null : texts["Connection.JobReads"])),
         ]);

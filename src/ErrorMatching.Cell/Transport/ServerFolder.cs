@@ -1,0 +1,26 @@
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>A programs' folder as its server names it.</summary>
+internal static class ServerFolder
+{
+    /// <summary>The member <c>folder</c>.</summary>
+    /// <param name="item">The transport.</param>
+    /// <param name="usual">The folder where none is named.</param>
+    /// <param name="problems">Where a folder that leads up is refused.</param>
+    public static string Read(JsonItem item, string usual, CellProblems problems)
+    {
+        if (item.Find("folder") is not { } folder)
+            return usual;
+        if (folder.Text.Split('/').Contains(".."))
+            problems.Refuse(folder, "folder-leads-up", $"the folder \"{folder.Text}\"", "a folder without ..");
+        return folder.Text;
+    }
+
+    /// <summary>True if both are one folder of one server.</summary>
+    public static bool AreSame((string Host, int Port, string Folder) a, (string Host, int Port, string Folder) b) =>
+        a.Port == b.Port
+        && a.Host.Equals(b.Host, StringComparison.OrdinalIgnoreCase)
+        && a.Folder.Trim('/').Equals(b.Folder.Trim('/'), StringComparison.OrdinalIgnoreCase);
+}
