@@ -99,7 +99,7 @@ internal sealed class FreeformJobReader(JsonItem root)
     private JobFit ReadFit() => root.Find("fit") is not { } item
         ? JobFit.Default
         : new(
-            item.Find("method") is { } method ? FitMethods.Named(method.Text)!.Value : JobFit.Default.Method,
+            item.Find("method") is { } method ? FitMethod.Named(method.Text)! : JobFit.Default.Method,
             item.Find("of")?.Text != "points",
             item.Find("curveToleranceMm")?.Number ?? JobFit.Default.CurveToleranceMm);
 

@@ -93,7 +93,7 @@ public static class CompensationReportHtml
         var field = result.Systematic as FittedField;
         ReportFacts.Write(html,
             ("Systematic?", result.Structure is { Verdict: not SpatialVerdict.Undetermined } s ? string.Create(CultureInfo.InvariantCulture, $"{(s.Verdict == SpatialVerdict.Systematic ? "Yes" : "No")}: Moran's I {s.I:0.###} (no structure: {s.Expectation:0.###}), z {s.Z:0.0}, p {FieldWords.Probability(s.P)}.") : "Too few points to tell, or all errors are the same."),
-            ("Fit", $"{FitMethods.NameOf(result.Input.Job.Fit.Method)} of the {(result.Input.Job.Fit.OfError ? "error over (u, v), added to the exact nominal surface" : "compensation points")}."),
+            ("Fit", $"{result.Input.Job.Fit.Method.Name} of the {(result.Input.Job.Fit.OfError ? "error over (u, v), added to the exact nominal surface" : "compensation points")}."),
             ("Model", field is null ? result.Systematic is ConstantField ? "A constant." : "The surface fit of that name." : FieldWords.Sentence(field.Kind)),
             ("Breaks", field is null || field.BreaksU.Count + field.BreaksV.Count == 0 ? "None of the curvature found." : string.Create(CultureInfo.InvariantCulture, $"u: {string.Join(", ", field.BreaksU.Select(b => b.ToString("0.####", CultureInfo.InvariantCulture)))}; v: {string.Join(", ", field.BreaksV.Select(b => b.ToString("0.####", CultureInfo.InvariantCulture)))}.")),
             ("With lines left out", field is null ? "–" : double.IsNaN(field.LeaveLineOutMm) ? "Too few lines to leave one out." : $"{Micrometres.OfMm(field.LeaveLineOutMm)} µm: the mean error where whole grid lines are predicted from the others."),

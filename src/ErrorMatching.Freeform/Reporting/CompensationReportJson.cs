@@ -58,7 +58,7 @@ public static class CompensationReportJson
             json.Number("gain", job.Compensation.Gain);
             json.Number("limitMm", job.Compensation.LimitMm);
             json.Text("of", job.Fit.OfError ? "error" : "points");
-            json.Text("fit", FitMethods.NameOf(job.Fit.Method));
+            json.Text("fit", job.Fit.Method.Name);
             json.Number("largestMoveUm", result.LargestMoveMm * 1000);
             Field(json, result.Systematic);
         });

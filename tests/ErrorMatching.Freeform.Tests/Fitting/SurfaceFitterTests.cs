@@ -7,9 +7,9 @@ public sealed class SurfaceFitterTests
     private const double UmPerMm = 1000;
     private const double ToleranceMm = 0.001;
 
-    public static TheoryData<string> Methods => [.. FitMethods.Names];
+    public static TheoryData<string> Methods => [.. FitMethod.All.Select(m => m.Name)];
 
-    public static TheoryData<string> Fives => [.. FitMethods.Names.Where(n => n != "best")];
+    public static TheoryData<string> Fives => [.. FitMethod.All.Select(m => m.Name).Where(n => n != "best")];
 
     [Theory]
     [MemberData(nameof(Methods))]
@@ -46,7 +46,7 @@ public sealed class SurfaceFitterTests
         // Lee 2019, table 1: lowest d2 for Surface two and three, and no worse than the others but one for Surface one.
         foreach (var design in new[] { "one", "two", "three" })
         {
-            var d2 = FitMethods.Names.Where(n => n != "best").ToDictionary(n => n, n => Enumerable.Range(1, 5).Average(seed => Errors(design, n, 0.3, seed).D2));
+            var d2 = FitMethod.All.Select(m => m.Name).Where(n => n != "best").ToDictionary(n => n, n => Enumerable.Range(1, 5).Average(seed => Errors(design, n, 0.3, seed).D2));
             Assert.All(d2, d => Assert.True(d2["through-curve-mesh"] <= d.Value, $"{design}: {d.Key} {d.Value}, mesh {d2["through-curve-mesh"]}"));
         }
     }
@@ -55,7 +55,7 @@ public sealed class SurfaceFitterTests
     public void Fixed_net_is_the_worst_where_it_has_too_few_poles()
     {
         // Lee 2019, table 1: Fit Surface has the largest d1 and d2 of all.
-        var errors = FitMethods.Names.Where(n => n != "best").ToDictionary(n => n, n => Errors("waves", n, 0.3));
+        var errors = FitMethod.All.Select(m => m.Name).Where(n => n != "best").ToDictionary(n => n, n => Errors("waves", n, 0.3));
         Assert.All(errors, e => Assert.True(errors["fit-surface"].D1 >= e.Value.D1 && errors["fit-surface"].D2 >= e.Value.D2));
         Assert.All(errors.Where(e => e.Key != "fit-surface"), e => Assert.InRange(e.Value.D2, 0, 5));
     }
@@ -92,7 +92,7 @@ public sealed class SurfaceFitterTests
     {
         int[] counts = [10, 7, 12, 9, 8, 11, 10];
         PointGrid ragged = new([.. counts.Select((n, j) => (IReadOnlyList<GridPoint>)[.. Enumerable.Range(0, n).Select(i => new GridPoint(i, j, On(Designs.Width * i / (n - 1), Designs.Depth * j / 6)))])]);
-        var fit = SurfaceFitter.Fit(ragged, FitMethods.Named(method)!.Value, ToleranceMm);
+        var fit = SurfaceFitter.Fit(ragged, FitMethod.Named(method)!, ToleranceMm);
         var distance = new SurfaceDistance(fit.Surface);
         Assert.InRange(distance.Of(ragged.Points.Select(p => p.Position)).MaxMm * UmPerMm, 0, method == "studio-surface" ? 0.05 : 1e-6);
         Assert.InRange(distance.Of(Designs.Truth(Designs.Three)).MeanMm * UmPerMm, 0, method == "studio-surface" ? 0.05 : 1e-6);
@@ -108,7 +108,7 @@ public sealed class SurfaceFitterTests
         // x, y, z become y, z, x: what was a height over XY stands over YZ.
         var grid = Designs.Grid(Designs.Waves, noiseMm: 0.0003);
         PointGrid turned = new([.. grid.Curves.Select(c => (IReadOnlyList<GridPoint>)[.. c.Select(p => p with { Position = new(p.Position.Z, p.Position.X, p.Position.Y) })])]);
-        var kind = FitMethods.Named(method)!.Value;
+        var kind = FitMethod.Named(method)!;
         Assert.Equal(SurfaceFitter.Fit(grid, kind, ToleranceMm).LeaveLineOutMm, SurfaceFitter.Fit(turned, kind, ToleranceMm).LeaveLineOutMm, 1e-7);
     }
 
@@ -118,7 +118,7 @@ public sealed class SurfaceFitterTests
     {
         // Three quarters of a tube of radius 20: 5.5 mm from point to point.
         PointGrid tube = new([.. Enumerable.Range(0, 6).Select(j => (IReadOnlyList<GridPoint>)[.. Enumerable.Range(0, 18).Select(i => new GridPoint(i, j, Round(1.5 * Math.PI * i / 17, 8 * j)))])]);
-        var fit = SurfaceFitter.Fit(tube, FitMethods.Named(method)!.Value, ToleranceMm);
+        var fit = SurfaceFitter.Fit(tube, FitMethod.Named(method)!, ToleranceMm);
         var truth = Enumerable.Range(0, 400).Select(k => Round(1.5 * Math.PI * k / 399, 40.0 * (k * 7 % 400) / 399));
         // A cubic through points a = 0.277 rad apart leaves some 20 a^4 / 384 = 0.3 um, more beside the ends; one bicubic patch cannot follow three quarters of a circle.
         Assert.InRange(new SurfaceDistance(fit.Surface).Of(truth).MeanMm, 0, method == "fit-surface" ? 3 : 0.003);
@@ -130,7 +130,7 @@ public sealed class SurfaceFitterTests
     public void Two_lines_have_no_line_to_leave_out()
     {
         PointGrid strip = new([[new(0, 0, new(0, 0, 0)), new(1, 0, new(10, 0, 1))], [new(0, 1, new(0, 8, 0)), new(1, 1, new(10, 8, 2))]]);
-        foreach (var method in Fives.Select(row => FitMethods.Named(row.Data)!.Value))
+        foreach (var method in Fives.Select(row => FitMethod.Named(row.Data)!))
         {
             var fit = SurfaceFitter.Fit(strip, method, ToleranceMm);
             Assert.True(double.IsNaN(fit.LeaveLineOutMm), $"{method} {fit.LeaveLineOutMm}");
@@ -159,7 +159,7 @@ public sealed class SurfaceFitterTests
     {
         var height = Designs.Named(design);
         var grid = Designs.Grid(height, noiseMm: noiseUm / UmPerMm, seed: seed);
-        var fit = SurfaceFitter.Fit(grid, FitMethods.Named(method)!.Value, ToleranceMm);
+        var fit = SurfaceFitter.Fit(grid, FitMethod.Named(method)!, ToleranceMm);
         var distance = new SurfaceDistance(fit.Surface);
         return (
             distance.Of(grid.Points.Select(p => p.Position)).MeanMm * UmPerMm,

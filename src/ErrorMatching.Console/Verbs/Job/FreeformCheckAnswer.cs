@@ -25,7 +25,7 @@ internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
         json.WriteString("toolpathDialect", job.Toolpath.Dialect);
         json.WriteString("method", Method);
         json.WriteNumber("gain", job.Compensation.Gain);
-        json.WriteString("fit", FitMethods.NameOf(job.Fit.Method));
+        json.WriteString("fit", job.Fit.Method.Name);
         json.WriteString("of", job.Fit.OfError ? "error" : "points");
         json.WriteEndObject();
         new NamedFiles(Files).WriteJson(json);
@@ -42,7 +42,7 @@ internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
             ["stock", $"roughing {Mm(job.Stock.RoughingMm)}, semi-finishing {Mm(job.Stock.SemiFinishingMm)}"],
             ["tool", $"ball {Mm(job.Tool.DiameterMm)}, {Number(job.Tool.SpindleRpm)} rpm, {Number(job.Tool.FeedMmPerMin)} mm/min"],
             ["tool path", $"along {(job.Toolpath.AlongU ? "u" : "v")}, scallop {Mm(job.Toolpath.ScallopMm)}, chord {Mm(job.Toolpath.ChordMm)}, dialect {job.Toolpath.Dialect}"],
-            ["compensation", $"{Method}, gain {Number(job.Compensation.Gain)}, at most {Mm(job.Compensation.LimitMm)}; {FitMethods.NameOf(job.Fit.Method)} fit of the {(job.Fit.OfError ? "error" : "points")}"],
+            ["compensation", $"{Method}, gain {Number(job.Compensation.Gain)}, at most {Mm(job.Compensation.LimitMm)}; {job.Fit.Method.Name} fit of the {(job.Fit.OfError ? "error" : "points")}"],
         ]);
         page.Line();
         new NamedFiles(Files).WriteText(page);

@@ -12,9 +12,9 @@ internal sealed class SurfaceFit : Verb
 
     private readonly Option<string> _method = new("--method")
     {
-        Description = "The way of fitting: " + string.Join(", ", FitMethods.Names) + ".",
+        Description = "The way of fitting: " + string.Join(", ", FitMethod.All) + ".",
         HelpName = "M",
-        DefaultValueFactory = _ => FitMethods.NameOf(FitMethod.Best),
+        DefaultValueFactory = _ => FitMethod.Best.Name,
     };
 
     private readonly Option<string> _check = FileOption("--check", "Points of the true surface to compare the fit with: a header with x, y and z, then one line per point.");
@@ -29,7 +29,7 @@ internal sealed class SurfaceFit : Verb
         Options.Add(_method);
         Options.Add(_check);
         Options.Add(_out);
-        Demand(_method, name => FitMethods.Named(name) is not null, string.Join(", ", FitMethods.Names));
+        Demand(_method, name => FitMethod.Named(name) is not null, string.Join(", ", FitMethod.All));
     }
 
     /// <inheritdoc/>
@@ -41,7 +41,7 @@ internal sealed class SurfaceFit : Verb
         cancellation.ThrowIfCancellationRequested();
         try
         {
-            var fit = SurfaceFitter.Fit(grid, FitMethods.Named(arguments.GetRequiredValue(_method))!.Value, JobFit.Default.CurveToleranceMm);
+            var fit = SurfaceFitter.Fit(grid, FitMethod.Named(arguments.GetRequiredValue(_method))!, JobFit.Default.CurveToleranceMm);
             cancellation.ThrowIfCancellationRequested();
             var distance = new SurfaceDistance(fit.Surface);
             var folder = arguments.GetValue(_out);

@@ -29,7 +29,7 @@ internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit
         }
     }
 
-    private string Method => FitMethods.NameOf(fit.Method);
+    private string Method => fit.Method.Name;
 
     /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
