@@ -9,7 +9,7 @@ public class FormatTests
     {
         Assert.Same(MeasurementFormat.Points, Text.Format("\"points\""));
         Assert.Same(MeasurementFormat.FeatureTable, Text.Format("\"feature-table\""));
-        Assert.Equal(MeasurementKind.FeatureTable, MeasurementFormat.FeatureTable.Kind);
+        Assert.Equal("feature-table", MeasurementFormat.FeatureTable.Kind);
     }
 
     [Fact]

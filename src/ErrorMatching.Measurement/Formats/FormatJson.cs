@@ -12,20 +12,22 @@ internal static class FormatJson
 
     public static JsonDocumentOptions Options { get; } = new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip, AllowDuplicateProperties = false };
 
-    public static MeasurementFormat Embedded(string name)
+    // The ways of arranging points. Which columns they have is data, in a file of the same name.
+    private static readonly MeasurementColumns[] Kinds = [new PointColumns(default, default, default, null), new FeatureTableColumns(default, default, default, default, null)];
+
+    /// <summary>The format of a kind that comes with the library.</summary>
+    public static MeasurementFormat Embedded(string kind)
     {
-        using var stream = typeof(FormatJson).Assembly.GetManifestResourceStream($"ErrorMatching.Measurement.Formats.{name}.json")!;
+        using var stream = typeof(FormatJson).Assembly.GetManifestResourceStream($"ErrorMatching.Measurement.Formats.{kind}.json")!;
         using var document = JsonDocument.Parse(stream, Options);
-        var root = document.RootElement;
-        var columns = root.GetProperty("columns");
-        return Apply(root, new MeasurementFormat
+        return Apply(document.RootElement, new MeasurementFormat
         {
             Encoding = "",
             Delimiter = '\0',
             DecimalComma = false,
             SkipLines = 0,
             Unit = default,
-            Columns = Kind(root) == MeasurementKind.Points ? Columns(columns, new PointColumns(default, default, default, null)) : Columns(columns, new FeatureTableColumns(default, default, default, default, null)),
+            Columns = Kinds.Single(k => k.Kind == kind),
             MaxBytes = 0,
             MaxPoints = 0,
         });
@@ -37,10 +39,9 @@ internal static class FormatJson
         {
             return format.ValueKind switch
             {
-                JsonValueKind.String when format.ValueEquals("points") => MeasurementFormat.Points,
-                JsonValueKind.String when format.ValueEquals("feature-table") => MeasurementFormat.FeatureTable,
-                JsonValueKind.Object => Apply(format, Kind(format) == MeasurementKind.Points ? MeasurementFormat.Points : MeasurementFormat.FeatureTable),
-                _ => throw Bad("$", format, "the name of a format (points or feature-table) or an object that describes one"),
+                JsonValueKind.String when Named(format) is { } named => named,
+                JsonValueKind.Object => Apply(format, Kind(format)),
+                _ => throw Bad("$", format, $"the name of a format ({Names(k => k)}) or an object that describes one"),
             };
         }
         catch (InvalidOperationException e)
@@ -50,13 +51,13 @@ internal static class FormatJson
         }
     }
 
-    private static MeasurementKind Kind(JsonElement format) => !format.TryGetProperty("kind", out var kind) ? MeasurementKind.Points
-        : Text(kind) switch
-        {
-            "points" => MeasurementKind.Points,
-            "feature-table" => MeasurementKind.FeatureTable,
-            _ => throw Bad("$.kind", kind, "\"points\" or \"feature-table\""),
-        };
+    private static MeasurementFormat? Named(JsonElement name) => MeasurementFormat.All.FirstOrDefault(f => name.ValueEquals(f.Kind));
+
+    private static string Names(Func<string, string> shown) => string.Join(" or ", Kinds.Select(k => shown(k.Kind)));
+
+    private static MeasurementFormat Kind(JsonElement format) => !format.TryGetProperty("kind", out var kind)
+        ? MeasurementFormat.All[0]
+        : (kind.ValueKind == JsonValueKind.String ? Named(kind) : null) ?? throw Bad("$.kind", kind, Names(k => $"\"{k}\""));
 
     private static MeasurementFormat Apply(JsonElement json, MeasurementFormat format)
     {
@@ -91,20 +92,12 @@ internal static class FormatJson
         foreach (var member in json.EnumerateObject())
         {
             var (path, value) = ("$.columns." + member.Name, member.Value);
-            columns = (columns, member.Name) switch
+            if (columns.Members.FirstOrDefault(m => m.Name == member.Name) is not { Name: not null } known)
             {
-                (PointColumns c, "label") => c with { Label = Column(path, value) },
-                (PointColumns c, "x") => c with { X = Column(path, value) },
-                (PointColumns c, "y") => c with { Y = Column(path, value) },
-                (PointColumns c, "z") => c with { Z = Optional(path, value) },
-                (FeatureTableColumns c, "feature") => c with { Feature = Column(path, value) },
-                (FeatureTableColumns c, "item") => c with { Item = Column(path, value) },
-                (FeatureTableColumns c, "nominal") => c with { Nominal = Column(path, value) },
-                (FeatureTableColumns c, "actual") => c with { Actual = Column(path, value) },
-                (FeatureTableColumns c, "deviation") => c with { Deviation = Optional(path, value) },
-                (PointColumns, _) => throw Unknown(path, "label, x, y or z"),
-                _ => throw Unknown(path, "feature, item, nominal, actual or deviation"),
-            };
+                throw Unknown(path, string.Join(", ", columns.Members.SkipLast(1).Select(m => m.Name)) + " or " + columns.Members[^1].Name);
+            }
+
+            columns = columns.With(known.Name, known.IsOptional ? Optional(path, value) : Column(path, value));
         }
 
         return columns;

@@ -24,6 +24,9 @@ public sealed record MeasurementFormat
     /// <summary>One line per coordinate under the header <c>feature,item,nominal,actual,deviation</c>; other columns, such as the tolerance, are ignored.</summary>
     public static MeasurementFormat FeatureTable { get; } = FormatJson.Embedded("feature-table");
 
+    /// <summary>The formats that come with the library; what a description leaves out is the first one's where it names no kind.</summary>
+    internal static IReadOnlyList<MeasurementFormat> All { get; } = [Points, FeatureTable];
+
     /// <summary>Name of one of <see cref="EncodingNames"/>.</summary>
     public required string Encoding { get; init; }
 
@@ -48,8 +51,8 @@ public sealed record MeasurementFormat
     /// <summary>The most points that a file may have.</summary>
     public required int MaxPoints { get; init; }
 
-    /// <summary>How the file arranges its points.</summary>
-    public MeasurementKind Kind => Columns.Kind;
+    /// <summary>How the file arranges its points: the name of one of the formats that come with the library.</summary>
+    public string Kind => Columns.Kind;
 
     /// <summary>The names of the encodings that can be read.</summary>
     public static IReadOnlyList<string> EncodingNames => SourceText.EncodingNames;

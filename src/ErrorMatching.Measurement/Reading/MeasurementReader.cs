@@ -21,17 +21,9 @@ public static class MeasurementReader
         FileBytes.ThrowIfTooLarge(fileName, bytes.Length, format.MaxBytes);
         var text = SourceText.Decode(bytes.Span, fileName, format.Encoding, format.Delimiter);
         var table = Table.Read(text, fileName, format, format.Columns.NeedHeader);
-        IReadOnlyList<LabelledPoint> nominals = [];
-        var (points, labels) = format.Columns is PointColumns columns ? PointRows.Read(table, format, columns) : Features();
+        var (points, nominals, labels) = format.Columns.Read(table, format);
         return points.Count > 0
             ? new(Convert.ToHexStringLower(SHA256.HashData(bytes.Span)), format.Unit, table, labels, points, nominals)
             : throw labels.Fail(MeasurementError.NoPoints, "a table without points", "at least one point: export the measurement again");
-
-        (IReadOnlyList<LabelledPoint>, Place) Features()
-        {
-            var (actuals, theirNominals, place) = FeatureRows.Read(table, format, (FeatureTableColumns)format.Columns);
-            nominals = theirNominals;
-            return (actuals, place);
-        }
     }
 }

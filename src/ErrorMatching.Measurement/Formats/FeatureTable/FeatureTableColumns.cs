@@ -10,7 +10,22 @@ public sealed record FeatureTableColumns(ColumnSelector Feature, ColumnSelector 
     : MeasurementColumns
 {
     /// <inheritdoc/>
-    public override MeasurementKind Kind => MeasurementKind.FeatureTable;
+    public override string Kind => "feature-table";
 
     internal override IEnumerable<ColumnSelector> Required => Deviation is { } d ? [Feature, Item, Nominal, Actual, d] : [Feature, Item, Nominal, Actual];
+
+    internal override IReadOnlyList<(string Name, bool IsOptional)> Members =>
+        [("feature", false), ("item", false), ("nominal", false), ("actual", false), ("deviation", true)];
+
+    internal override MeasurementColumns With(string member, ColumnSelector? column) => member switch
+    {
+        "feature" => this with { Feature = column!.Value },
+        "item" => this with { Item = column!.Value },
+        "nominal" => this with { Nominal = column!.Value },
+        "actual" => this with { Actual = column!.Value },
+        _ => this with { Deviation = column },
+    };
+
+    internal override (IReadOnlyList<LabelledPoint> Points, IReadOnlyList<LabelledPoint> Nominals, Place Labels) Read(Table table, MeasurementFormat format) =>
+        FeatureRows.Read(table, format, this);
 }
