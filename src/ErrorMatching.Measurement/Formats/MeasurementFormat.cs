@@ -24,6 +24,9 @@ public sealed record MeasurementFormat
     /// <summary>One line per coordinate under the header <c>feature,item,nominal,actual,deviation</c>; other columns, such as the tolerance, are ignored.</summary>
     public static MeasurementFormat FeatureTable { get; } = FormatJson.Embedded("feature-table");
 
+    /// <summary>How the table is laid out in the file.</summary>
+    internal TableLayout Layout => new(SkipLines, Delimiter, DecimalComma, Columns.NeedHeader);
+
     /// <summary>The formats that come with the library; what a description leaves out is the first one's where it names no kind.</summary>
     internal static IReadOnlyList<MeasurementFormat> All { get; } = [Points, FeatureTable];
 

@@ -20,7 +20,7 @@ public static class MeasurementReader
     {
         FileBytes.ThrowIfTooLarge(fileName, bytes.Length, format.MaxBytes);
         var text = SourceText.Decode(bytes.Span, fileName, format.Encoding, format.Delimiter);
-        var table = Table.Read(text, fileName, format, format.Columns.NeedHeader);
+        var table = Table.Read(text, fileName, format.Layout);
         var (points, nominals, labels) = format.Columns.Read(table, format);
         return points.Count > 0
             ? new(Convert.ToHexStringLower(SHA256.HashData(bytes.Span)), format.Unit, table, labels, points, nominals)

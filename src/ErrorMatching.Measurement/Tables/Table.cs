@@ -23,7 +23,7 @@ internal sealed class Table
 
     /// <summary>Reads a table whose rows all have the width of its first line.</summary>
     /// <exception cref="MeasurementException">The text is empty, or a row has too few or too many cells.</exception>
-    public static Table Read(string text, string file, MeasurementFormat format, bool hasHeader)
+    public static Table Read(string text, string file, TableLayout layout)
     {
         if (string.IsNullOrWhiteSpace(text))
         {
@@ -32,17 +32,17 @@ internal sealed class Table
 
         var start = 0;
         var fields = new List<HeaderField>();
-        for (var line = 1; line <= format.SkipLines; line++)
+        for (var line = 1; line <= layout.SkipLines; line++)
         {
             var end = LineBreaks.NextLine(text, start);
-            AddField(fields, text[start..end].Trim(), line, format.Delimiter);
+            AddField(fields, text[start..end].Trim(), line, layout.Delimiter);
             start = end;
         }
 
-        List<CsvRow> rows = [.. CsvRows.Read(text[start..], file, format.SkipLines + 1, format.Delimiter)];
+        List<CsvRow> rows = [.. CsvRows.Read(text[start..], file, layout.SkipLines + 1, layout.Delimiter)];
         if (rows.Count == 0)
         {
-            throw Place.Start(file).Fail(MeasurementError.MissingHeader, $"nothing behind the {format.SkipLines} lines that the format skips", "a table: correct skipLines in its format");
+            throw Place.Start(file).Fail(MeasurementError.MissingHeader, $"nothing behind the {layout.SkipLines} lines that the format skips", "a table: correct skipLines in its format");
         }
 
         foreach (var row in rows)
@@ -50,7 +50,7 @@ internal sealed class Table
             CheckWidth(row, rows[0]);
         }
 
-        return new(file, fields, hasHeader ? rows[0] : null, hasHeader ? rows[1..] : rows, format.Delimiter, format.DecimalComma);
+        return new(file, fields, layout.HasHeader ? rows[0] : null, layout.HasHeader ? rows[1..] : rows, layout.Delimiter, layout.DecimalComma);
     }
 
     /// <summary>The index of a column that must be there.</summary>
