@@ -8,7 +8,11 @@ namespace ErrorMatching.Hmi.Tests;
 /// <summary>What a kept report says of a piece, without a station.</summary>
 public sealed class KeptPieceTests
 {
-    private static readonly Correction Part = new(1, CorrectionState.Proposed, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1) { Piece = "part" };
+    private static readonly Correction Part = new(
+        1, CorrectionState.Proposed, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1)
+    {
+        Piece = "part"
+    };
 
     [Fact]
     public void What_is_not_compensated_is_expected_to_stay_as_it_is()
@@ -22,11 +26,15 @@ public sealed class KeptPieceTests
         Assert.True(piece.IsWithin);
 
         var (before, after) = (GapDrawing.Before(piece), GapDrawing.After(piece));
-        Assert.All(before.Counterpart.Zip(after.Counterpart), lines => Assert.All(lines.First.Zip(lines.Second), p => Assert.True(p.First.DistanceTo(p.Second) < 1e-6)));
+        Assert.All(
+            before.Counterpart.Zip(after.Counterpart),
+            lines => Assert.All(lines.First.Zip(lines.Second), p => Assert.True(p.First.DistanceTo(p.Second) < 1e-6)));
 
         // And the counterpart is the outline that the program cuts; it stands upright, and is drawn lying.
         Assert.True(after.IsLong && after.IsTurned);
-        Assert.All(report.Features.Zip(after.Counterpart), f => Assert.All(f.First.Outline, p => Assert.Contains(f.Second, c => new Point2(p.Y, -p.X).DistanceTo(c) < 1e-6)));
+        Assert.All(
+            report.Features.Zip(after.Counterpart),
+            f => Assert.All(f.First.Outline, p => Assert.Contains(f.Second, c => new Point2(p.Y, -p.X).DistanceTo(c) < 1e-6)));
     }
 
     [Fact]
@@ -53,12 +61,19 @@ public sealed class KeptPieceTests
             Assert.Contains(d.Part[0], p => p.DistanceTo(first.At) < 0.02 * d.Factor);
             Assert.Contains(d.Counterpart[0], p => p.DistanceTo(first.Opposite) < 0.02 * d.Factor);
             Assert.All(d.Points, p => Assert.Equal(Math.Abs(p.GapMm), p.At.DistanceTo(p.Opposite) / d.Factor, 1e-9));
-            Assert.All(d.Points.SelectMany(p => new[] { p.At, p.Opposite }).Concat(d.Part.Concat(d.Counterpart).SelectMany(l => l)), p => Assert.True(d.Extent.Contains(p)));
+            Assert.All(
+                d.Points.SelectMany(p => new[] { p.At, p.Opposite }).Concat(d.Part.Concat(d.Counterpart).SelectMany(l => l)),
+                p => Assert.True(d.Extent.Contains(p)));
         });
 
         // What is said under the finger is not turned with the drawing, and neither are the limits of 0.05 mm.
-        Assert.Equal(piece.Result.Points.Select(p => (p.Label, -p.AfterError.NormalMm, Math.Abs(p.AfterError.NormalMm) > 0.05)), after.Points.OrderBy(p => piece.Result.Points.ToList().FindIndex(r => r.Label == p.Label)).Select(p => (p.Label, p.GapMm, p.IsOutside)));
-        Assert.True(after.Points.Max(p => p.At.X) - after.Points.Min(p => p.At.X) > 5 * (after.Points.Max(p => p.At.Y) - after.Points.Min(p => p.At.Y)));
+        Assert.Equal(
+            piece.Result.Points.Select(p => (p.Label, -p.AfterError.NormalMm, Math.Abs(p.AfterError.NormalMm) > 0.05)),
+            after.Points.OrderBy(
+                p => piece.Result.Points.ToList().FindIndex(r => r.Label == p.Label)).Select(p => (p.Label, p.GapMm, p.IsOutside)));
+        Assert.True(
+            after.Points.Max(p => p.At.X) - after.Points.Min(p => p.At.X) > 5 * (
+                after.Points.Max(p => p.At.Y) - after.Points.Min(p => p.At.Y)));
         Assert.EndsWith(" Turned by 90°.", after.Note, StringComparison.Ordinal);
     }
 
@@ -74,23 +89,28 @@ public sealed class KeptPieceTests
     }
 
     [Fact]
-    public void Where_points_stay_outside_though_all_is_as_predicted_a_person_decides_about_the_piece_and_the_set_up_is_what_can_be_changed()
+    public void Where_points_stay_outside_as_predicted_a_person_decides_about_the_piece_and_can_change_the_set_up()
     {
         var match = Report(j => j);
         var measured = KeptPiece.Predicted(Part, match) with { Counterpart = Part with { Id = 2 } };
         Assert.Equal(["2", "4"], measured.Outside);
         Assert.Equal(
-            "Somebody has to decide whether this piece is used; the station does not. It was cut as predicted: before the next one, choose other points in the set-up than 2, 4, which lie on corners, or give them other limits.",
+            "Somebody has to decide whether this piece is used; the station does not. It was cut as predicted: before the next one, "
+                + "choose other points in the set-up than 2, 4, which lie on corners, or give them other limits.",
             new PieceDetail(measured, [measured]).ToDo);
 
         // Where no warning says why, nothing is said of corners.
         var unwarned = measured with { Match = match with { Warnings = [] } };
         Assert.Equal(
-            "Somebody has to decide whether this piece is used; the station does not. It was cut as predicted: before the next one, give 2, 4 other limits in the set-up, or see in the warnings why the compensation does not reach there.",
+            "Somebody has to decide whether this piece is used; the station does not. It was cut as predicted: before the next one, give "
+                + "2, 4 other limits in the set-up, or see in the warnings why the compensation does not reach there.",
             new PieceDetail(unwarned, [unwarned]).ToDo);
 
         // The warning itself asks for nothing that cannot be done any more.
-        Assert.All(match.Warnings, w => Assert.EndsWith(" For the next pieces, choose a point further from the corner in the set-up.", w.Text, StringComparison.Ordinal));
+        Assert.All(
+            match.Warnings,
+            w => Assert.EndsWith(
+                " For the next pieces, choose a point further from the corner in the set-up.", w.Text, StringComparison.Ordinal));
     }
 
     private static KeptReport Report(Func<string, string> change)

@@ -33,7 +33,8 @@ public sealed partial class RecordedTextTests
     [Fact]
     public Task Of_several_sentences_those_that_are_known_are_said() => InChinese(() => Assert.Equal(
         "最大位移 0.3283\u00a0mm，在單節 N150。C1 在 40\u00a0mm 上有 3 個關鍵點；建議每 5\u00a0mm 一點。Somebody says more.",
-        RecordedText.Of("displaced by at most 0.3283 mm at block N150. C1 has 3 key points on 40 mm; one per 5 mm is recommended. Somebody says more.")));
+        RecordedText.Of("displaced by at most 0.3283 mm at block N150. C1 has 3 key points on 40 mm; one per 5 mm is recommended. "
+                + "Somebody says more.")));
 
     [Fact]
     public Task Nothing_that_a_cell_records_is_left_in_English_on_a_Chinese_screen() => Seat.AtAsync(async seat =>

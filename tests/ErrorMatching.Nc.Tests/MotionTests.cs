@@ -37,7 +37,8 @@ public sealed class MotionTests
     [InlineData("G19", "G2 Y10 Z10 R10", "Y0 Z0", 10, 0, -90)]
     public void Arcs_have_their_center_and_sweep_in_each_plane(string plane, string arc, string start, double cx, double cy, double degrees)
     {
-        var path = Bench.Read($"G90 G21 {plane}\nG0 X0 Y0 Z0 {start.Replace("X0", "", StringComparison.Ordinal).Replace("Y0", "", StringComparison.Ordinal).Replace("Z0", "", StringComparison.Ordinal)}\n{arc} F100\n");
+        var rest = new[] { "X0", "Y0", "Z0" }.Aggregate(start, (s, zero) => s.Replace(zero, "", StringComparison.Ordinal));
+        var path = Bench.Read($"G90 G21 {plane}\nG0 X0 Y0 Z0 {rest}\n{arc} F100\n");
         Assert.Empty(path.Problems);
         var motion = path.Motions[^1];
         Assert.Equal(0, motion.Center.DistanceTo(new(cx, cy)), 1e-12);
@@ -116,7 +117,9 @@ public sealed class MotionTests
     {
         var path = Bench.Read("G90 G0 X0 Y0 Z5\nG98 G81 X1 Y1 Z-5 R2 F100\nX2\nG80\nG0 Z6\nX3\n");
         Assert.Equal(
-            [new(0, 0, 5), new(1, 1, 5), new(1, 1, 2), new(1, 1, -5), new(1, 1, 5), new(2, 1, 5), new(2, 1, 2), new(2, 1, -5), new(2, 1, 5), new(2, 1, 6), new(3, 1, 6)],
+            [
+                new(0, 0, 5), new(1, 1, 5), new(1, 1, 2), new(1, 1, -5), new(1, 1, 5), new(2, 1, 5), new(2, 1, 2), new(2, 1, -5),
+                new(2, 1, 5), new(2, 1, 6), new(3, 1, 6)],
             Ends(path));
         Assert.Equal([MotionKind.Rapid, MotionKind.Rapid, MotionKind.Line, MotionKind.Rapid], Kinds(path)[1..5]);
         Assert.Equal([1, 1, 1, 1, 2, 2, 2, 2], path.Motions.Where(m => m.Has(MotionFlags.Cycle)).Select(m => m.Block));

@@ -29,7 +29,8 @@ internal static class PublicApi
         foreach (var type in assembly.GetExportedTypes().OrderBy(t => t.FullName, StringComparer.Ordinal))
         {
             text.Append(Kind(type)).Append(' ').Append(Name(type)).Append(Bases(type)).Append('\n');
-            var lines = type.GetMembers(BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly)
+            var lines = type.GetMembers(
+                BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly)
                 .Where(IsVisible)
                 .Select(Line)
                 .OrderBy(l => l, StringComparer.Ordinal);
@@ -56,21 +57,37 @@ internal static class PublicApi
     {
         ConstructorInfo c => $"new({Parameters(c)})",
         MethodInfo m => $"{(m.IsStatic ? "static " : "")}{Nullable(m.ReturnParameter)} {m.Name}({Parameters(m)})",
-        FieldInfo f when f.IsLiteral => $"{f.Name} = {Convert.ToString(f.GetRawConstantValue(), System.Globalization.CultureInfo.InvariantCulture)}",
+        FieldInfo f when f.IsLiteral =>
+            $"{f.Name} = {Convert.ToString(f.GetRawConstantValue(), System.Globalization.CultureInfo.InvariantCulture)}",
         FieldInfo f => $"{(f.IsStatic ? "static " : "")}{Name(f.FieldType)} {f.Name}",
-        PropertyInfo p => $"{((p.GetMethod ?? p.SetMethod)!.IsStatic ? "static " : "")}{Name(p.PropertyType)}{(Nullability.Create(p).ReadState == NullabilityState.Nullable && !p.PropertyType.IsValueType ? "?" : "")} {p.Name} {{ {(p.GetMethod is not null ? "get; " : "")}{(p.SetMethod is { IsPublic: true } ? "set; " : "")}}}",
+        PropertyInfo p => (((p.GetMethod ?? p.SetMethod)!.IsStatic ? "static " : "") + Name(p.PropertyType))
+            + (Nullability.Create(p).ReadState == NullabilityState.Nullable && !p.PropertyType.IsValueType ? "?" : "")
+            + $" {p.Name} {{ {(p.GetMethod is not null ? "get; " : "")}{(p.SetMethod is { IsPublic: true } ? "set; " : "")}}}",
         _ => member.ToString()!,
     };
 
-    private static string Parameters(MethodBase method) => string.Join(", ", method.GetParameters().Select(p => $"{Nullable(p)} {p.Name}{(p.HasDefaultValue ? " = …" : "")}"));
+    private static string Parameters(MethodBase method) =>
+        string.Join(", ", method.GetParameters().Select(p => $"{Nullable(p)} {p.Name}{(p.HasDefaultValue ? " = …" : "")}"));
 
     private static string Nullable(ParameterInfo parameter) =>
-        Name(parameter.ParameterType) + (!parameter.ParameterType.IsValueType && Nullability.Create(parameter).ReadState == NullabilityState.Nullable ? "?" : "");
+        Name(parameter.ParameterType)
+            + (!parameter.ParameterType.IsValueType && Nullability.Create(parameter).ReadState == NullabilityState.Nullable ? "?" : "");
 
     private static string Kind(Type type) =>
-        type.IsEnum ? "enum" : type.IsInterface ? "interface" : type.IsValueType ? "struct" : type is { IsAbstract: true, IsSealed: true } ? "static class" : type.IsAbstract ? "abstract class" : "class";
+        type.IsEnum
+            ? "enum"
+            : type.IsInterface
+            ? "interface"
+            : type.IsValueType
+            ? "struct"
+            : type is { IsAbstract: true, IsSealed: true }
+            ? "static class"
+            : type.IsAbstract
+            ? "abstract class"
+            : "class";
 
-    private static string Bases(Type type) => type.BaseType is { } b && b != typeof(object) && b != typeof(ValueType) && b != typeof(Enum) ? " : " + Name(b) : "";
+    private static string Bases(Type type) =>
+        type.BaseType is { } b && b != typeof(object) && b != typeof(ValueType) && b != typeof(Enum) ? " : " + Name(b) : "";
 
     private static string Name(Type type)
     {

@@ -10,7 +10,8 @@ public static class AuditChain
     /// <summary>Looks at a whole trail.</summary>
     /// <param name="entries">All its entries in the order of the store; gone through a second time if something is wrong.</param>
     /// <param name="head">Where it ends.</param>
-    /// <param name="key">The key that seals the end; null if none does. Without it, somebody who can write to the store can write the whole trail anew.</param>
+    /// <param name="key">The key that seals the end; null if none does.
+    /// Without it, somebody who can write to the store can write the whole trail anew.</param>
     /// <returns>The first fault; null if there is none.</returns>
     public static AuditFault? Verify(IEnumerable<AuditEntry> entries, AuditHead head, byte[]? key)
     {
@@ -19,10 +20,14 @@ public static class AuditChain
         var (seq, hash, ends) = Walk(entries);
         if (!ends) return Explain([.. entries], (int)seq, hash, head.Seq);
         if (head.Seq > seq) return Fault(AuditFaultKind.Removed, seq + 1, $"Entries {seq + 1} to {head.Seq} are missing at the end.");
-        if (head.Seq < seq) return Fault(AuditFaultKind.Inserted, head.Seq + 1, $"Entry {head.Seq + 1} stands after the last that was written.");
+        if (head.Seq < seq)
+            return Fault(AuditFaultKind.Inserted, head.Seq + 1, $"Entry {head.Seq + 1} stands after the last that was written.");
         if (head.Hash != hash) return Fault(AuditFaultKind.Changed, seq, $"Entry {seq} is not the one that was written last.");
         return key is not null && !head.IsSealedBy(key)
-            ? Fault(AuditFaultKind.Unsealed, seq, $"The end, entry {seq}, is not sealed by the cell's key: the trail was written to by something else, or the key is another one.")
+            ? Fault(
+                AuditFaultKind.Unsealed,
+                seq,
+                $"The end, entry {seq}, is not sealed by the cell's key: something else wrote to the trail, or the key has changed.")
             : null;
     }
 
@@ -49,7 +54,10 @@ public static class AuditChain
         {
             return written > expected
                 ? Fault(AuditFaultKind.Reordered, expected, $"Entry {written} stands where entry {expected} should, which comes later.")
-                : Fault(AuditFaultKind.Inserted, expected, $"The entry that stands as number {expected} was not written there; the one that was comes later.");
+                : Fault(
+                    AuditFaultKind.Inserted,
+                    expected,
+                    $"The entry that stands as number {expected} was not written there; the one that was comes later.");
         }
 
         // Only its number is another one.
@@ -59,7 +67,10 @@ public static class AuditChain
 
         // It followed the same entry as the one before it does: that one was put between.
         return at > 0 && written == expected - 1 && entry.Previous == entries[at - 1].Previous && entry.Hash != entries[at - 1].Hash
-            ? Fault(AuditFaultKind.Inserted, expected - 1, $"The entry that stands as number {expected - 1} was not written there; the one that was comes after it.")
+            ? Fault(
+                AuditFaultKind.Inserted,
+                expected - 1,
+                $"The entry that stands as number {expected - 1} was not written there; the one that was comes after it.")
             : Fault(AuditFaultKind.Inserted, expected, $"Entry {written} stands a second time, as number {expected}.");
     }
 
@@ -78,5 +89,6 @@ public static class AuditChain
         return null;
     }
 
-    private static AuditFault Fault(AuditFaultKind kind, long seq, FormattableString message) => new(kind, seq, message.ToString(CultureInfo.InvariantCulture));
+    private static AuditFault Fault(AuditFaultKind kind, long seq, FormattableString message) =>
+        new(kind, seq, message.ToString(CultureInfo.InvariantCulture));
 }

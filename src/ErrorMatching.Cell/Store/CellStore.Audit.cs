@@ -51,7 +51,11 @@ public sealed partial class CellStore
         if (query.WorkOrder is not null) conditions.Add(Is("COALESCE(work_order, job_work_order)", "@WorkOrder"));
         if (query.From is not null) conditions.Add("arrived_at >= @From");
         if (query.To is not null) conditions.Add("arrived_at < @To");
-        if (query.Program is not null) conditions.Add(Hash(query.Program) is null ? Is("program", "@Program") : $"({Is("program", "@Program")} OR program_sha256 BETWEEN @Hash AND @HashEnd)");
+        if (query.Program is not null)
+            conditions.Add(
+                Hash(query.Program) is null
+                    ? Is("program", "@Program")
+                    : $"({Is("program", "@Program")} OR program_sha256 BETWEEN @Hash AND @HashEnd)");
         if (query.User is not null) conditions.Add($"id IN (SELECT correction FROM step WHERE {Is("who", "@User")})");
         if (query.State is not null) conditions.Add("state = @State");
         if (query.Machine is not null) conditions.Add("machine = @Machine");
@@ -71,10 +75,15 @@ public sealed partial class CellStore
             query.Most,
         });
 
-        string Is(string column, string parameter) => query.IsLoose ? $"LOWER({column}) LIKE LOWER({parameter}) ESCAPE '!'" : $"{column} = {parameter}";
+        string Is(string column, string parameter) =>
+            query.IsLoose ? $"LOWER({column}) LIKE LOWER({parameter}) ESCAPE '!'" : $"{column} = {parameter}";
 
         string? Looked(string? name) => StoredText.NameOrNull(name) is { } text && query.IsLoose
-            ? $"%{text.Replace("!", "!!", StringComparison.Ordinal).Replace("%", "!%", StringComparison.Ordinal).Replace("_", "!_", StringComparison.Ordinal)}%"
+            ? "%"
+                + text.Replace("!", "!!", StringComparison.Ordinal)
+                    .Replace("%", "!%", StringComparison.Ordinal)
+                    .Replace("_", "!_", StringComparison.Ordinal)
+                + "%"
             : StoredText.NameOrNull(name);
     }
 

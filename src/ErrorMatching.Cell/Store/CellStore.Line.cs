@@ -5,28 +5,41 @@ namespace ErrorMatching.Cell;
 
 public sealed partial class CellStore
 {
-    /// <summary>The corrections that stand in line for a slot, in order of arrival: from recognized to approved, and those that failed there. What failed without a program has nothing to send and is not among them.
-    /// A measurement that was given again stands where it stood before, from the moment on in which it was given.</summary>
+    /// <summary>The corrections that stand in line for a slot, in order of arrival: from recognized to approved, and those that failed
+    /// there. What failed without a program has nothing to send and is not among them. A measurement that was given again stands where it
+    /// stood before, from the moment on in which it was given.</summary>
     /// <param name="machine">The machine.</param>
     /// <param name="slot">Its slot.</param>
     public IReadOnlyList<Correction> Line(string machine, string slot) => Read(
-        CorrectionRow.Select + $" WHERE machine = @machine AND slot = @slot AND ({CorrectionRow.IsIn("state", CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed, CorrectionState.Approved)} OR (state = @Failed AND program_sha256 IS NOT NULL)) ORDER BY COALESCE(measured_as, id), id",
+        CorrectionRow.Select
+            + " WHERE machine = @machine AND slot = @slot AND ("
+            + CorrectionRow.IsIn(
+                "state",
+                CorrectionState.Archived,
+                CorrectionState.Recognized,
+                CorrectionState.Computed,
+                CorrectionState.Proposed,
+                CorrectionState.Approved)
+            + " OR (state = @Failed AND program_sha256 IS NOT NULL)) ORDER BY COALESCE(measured_as, id), id",
         CorrectionRow.Read,
         new { machine, slot, Failed = CorrectionRow.Word(CorrectionState.Failed) });
 
-    /// <summary>The first corrections in a state, in order of arrival, of the gauges or of the jobs that are asked for: several cells may share a store.</summary>
+    /// <summary>The first corrections in a state, in order of arrival, of the gauges or of the jobs that are asked for:
+    /// several cells may share a store.</summary>
     /// <param name="state">The state.</param>
     /// <param name="most">How many at most.</param>
     /// <param name="gauges">The gauges; null for all.</param>
     /// <param name="jobs">The cell's jobs; null for all.</param>
-    public IReadOnlyList<Correction> First(CorrectionState state, int most, IReadOnlyList<string>? gauges = null, IReadOnlyList<string>? jobs = null)
+    public IReadOnlyList<Correction> First(
+        CorrectionState state, int most, IReadOnlyList<string>? gauges = null, IReadOnlyList<string>? jobs = null)
     {
         var parameters = new DynamicParameters(new { State = CorrectionRow.Word(state), most });
         var where = " WHERE state = @State" + IsOneOf("gauge", gauges, parameters) + IsOneOf("job", jobs, parameters);
         return Read(CorrectionRow.Select + where + " ORDER BY id LIMIT @most", CorrectionRow.Read, parameters);
     }
 
-    /// <summary>The latest corrections of some jobs that have a report, the last to arrive first: what a series of pieces is shown from.</summary>
+    /// <summary>The latest corrections of some jobs that have a report, the last to arrive first:
+    /// what a series of pieces is shown from.</summary>
     /// <param name="jobs">The cell's jobs.</param>
     /// <param name="most">How many at most.</param>
     public IReadOnlyList<Correction> Reported(IReadOnlyList<string> jobs, int most)
@@ -38,9 +51,13 @@ public sealed partial class CellStore
 
     /// <summary>How many corrections there are in each state; states without any are left out.</summary>
     public IReadOnlyDictionary<CorrectionState, long> Counts() =>
-        Read("SELECT state, count(*) FROM correction GROUP BY state", r => (State: Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true), Count: r.GetInt64(1))).ToDictionary(c => c.State, c => c.Count);
+        Read(
+            "SELECT state, count(*) FROM correction GROUP BY state",
+            r => (State: Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true), Count: r.GetInt64(1)))
+            .ToDictionary(c => c.State, c => c.Count);
 
-    /// <summary>The correction of a job whose program was verified last at its machine and was not reverted; null if there is none.</summary>
+    /// <summary>The correction of a job whose program was verified last at its machine and was not reverted;
+    /// null if there is none.</summary>
     /// <param name="job">The cell's job.</param>
     /// <param name="serial">Of this piece alone; null for any.</param>
     public Correction? LastSent(string job, string? serial)
@@ -48,23 +65,32 @@ public sealed partial class CellStore
         var columns = string.Join(", ", CorrectionRow.Columns.Split(", ").Select(c => "correction." + c));
         var found = Read(
             $"SELECT {columns} FROM correction JOIN step ON step.correction = correction.id AND step.to_state = @Verified "
-            + $"WHERE correction.job = @job AND {CorrectionRow.IsIn("correction.state", CorrectionState.Verified, CorrectionState.Released)}" + (serial is null ? "" : " AND correction.serial = @serial") + " ORDER BY step.id DESC LIMIT 1",
+            + $"WHERE correction.job = @job AND "
+                + $"{CorrectionRow.IsIn("correction.state", CorrectionState.Verified, CorrectionState.Released)}"
+                + (serial is null ? "" : " AND correction.serial = @serial") + " ORDER BY step.id DESC LIMIT 1",
             CorrectionRow.Read,
             new { job, serial, Verified = CorrectionRow.Word(CorrectionState.Verified) });
         return found is [var last] ? last : null;
     }
 
     /// <summary>The latest measurement of a job's part that was recognized or recorded; null if there is none.</summary>
-    /// <remarks>Where a serial number or a work order is given, the part has one of them, and no other one: what it does not say itself may be anything.</remarks>
+    /// <remarks>Where a serial number or a work order is given, the part has one of them, and no other one:
+    /// what it does not say itself may be anything.</remarks>
     /// <param name="job">The cell's job.</param>
     /// <param name="serial">Serial number of the piece; null if it is not known.</param>
     /// <param name="workOrder">The work order; null if it is not known.</param>
     public Correction? LastPart(string job, string? serial, string? workOrder)
     {
+        var known = string.Join(
+            " OR ",
+            new[] { serial is null ? null : "serial = @serial", workOrder is null ? null : "work_order = @workOrder" }.OfType<string>());
         var found = Read(
-            CorrectionRow.Select + $" WHERE job = @job AND piece = 'part' AND {CorrectionRow.IsIn("state", CorrectionState.Recognized, CorrectionState.Recorded)}"
-            + (serial is null ? "" : " AND (serial = @serial OR serial IS NULL)") + (workOrder is null ? "" : " AND (work_order = @workOrder OR work_order IS NULL)")
-            + (serial is null && workOrder is null ? "" : $" AND ({string.Join(" OR ", new[] { serial is null ? null : "serial = @serial", workOrder is null ? null : "work_order = @workOrder" }.OfType<string>())})")
+            CorrectionRow.Select
+                + $" WHERE job = @job AND piece = 'part' AND "
+                    + $"{CorrectionRow.IsIn("state", CorrectionState.Recognized, CorrectionState.Recorded)}"
+            + (serial is null ? "" : " AND (serial = @serial OR serial IS NULL)")
+                + (workOrder is null ? "" : " AND (work_order = @workOrder OR work_order IS NULL)")
+            + (known.Length == 0 ? "" : $" AND ({known})")
             + " ORDER BY COALESCE(measured_as, id) DESC, id DESC LIMIT 1",
             CorrectionRow.Read,
             new { job, serial, workOrder });
@@ -72,19 +98,35 @@ public sealed partial class CellStore
     }
 
     /// <summary>The corrections whose file has a content, in order of arrival.</summary>
-    public IReadOnlyList<Correction> OfMeasurement(string sha256) => Read(CorrectionRow.Select + " WHERE measurement_sha256 = @sha256 ORDER BY id", CorrectionRow.Read, new { sha256 });
+    public IReadOnlyList<Correction> OfMeasurement(string sha256) =>
+        Read(CorrectionRow.Select + " WHERE measurement_sha256 = @sha256 ORDER BY id", CorrectionRow.Read, new { sha256 });
 
     /// <summary>A job's corrections whose compensated program has a content, in order of arrival.</summary>
     /// <param name="job">The cell's job.</param>
     /// <param name="sha256">The program.</param>
-    public IReadOnlyList<Correction> OfProgram(string job, string sha256) => Read(CorrectionRow.Select + " WHERE program_sha256 = @sha256 AND job = @job ORDER BY id", CorrectionRow.Read, new { sha256, job });
+    public IReadOnlyList<Correction> OfProgram(string job, string sha256) =>
+        Read(CorrectionRow.Select + " WHERE program_sha256 = @sha256 AND job = @job ORDER BY id", CorrectionRow.Read, new { sha256, job });
 
     /// <summary>What has not come to its end and is not at its machine, by what it waits for.</summary>
     internal IReadOnlyList<WaitingCorrections> Waiting() => Read(
         "SELECT state, gauge, job, machine, slot, count(*), min(id) FROM correction WHERE "
-        + CorrectionRow.IsIn("state", CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Uploading)
+        + CorrectionRow.IsIn(
+            "state",
+            CorrectionState.Archived,
+            CorrectionState.Recognized,
+            CorrectionState.Computed,
+            CorrectionState.Proposed,
+            CorrectionState.Approved,
+            CorrectionState.Uploading)
         + " GROUP BY state, gauge, job, machine, slot",
-        r => new WaitingCorrections(Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true), r.GetString(1), r.TextOrNull(2), r.TextOrNull(3), r.TextOrNull(4), r.GetInt64(5), r.GetInt64(6)));
+        r => new WaitingCorrections(
+            Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true),
+            r.GetString(1),
+            r.TextOrNull(2),
+            r.TextOrNull(3),
+            r.TextOrNull(4),
+            r.GetInt64(5),
+            r.GetInt64(6)));
 
     // A parameter for each: the two engines take a list as one parameter in different ways.
     private static string IsOneOf(string column, IReadOnlyList<string>? names, DynamicParameters parameters)

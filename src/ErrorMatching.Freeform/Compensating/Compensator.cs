@@ -16,7 +16,8 @@ public static class Compensator
     private const double FarMore = 4;
 
     /// <summary>Makes the compensated surface, or says why not.</summary>
-    /// <exception cref="FreeformException">A measured point has no foot on the surface, or there are too few for the job's fit or alignment.</exception>
+    /// <exception cref="FreeformException">A measured point has no foot on the surface,
+    /// or there are too few for the job's fit or alignment.</exception>
     public static CompensationOutcome Compensate(CompensationInput input)
     {
         ArgumentNullException.ThrowIfNull(input);
@@ -24,8 +25,12 @@ public static class Compensator
         var (job, nominal) = (input.Job, input.Surface);
         var stock = job.Stock.Of(job.Measuring.After);
         var file = input.Measured[0].File;
-        var alignment = job.Measuring.BestFit ? SurfaceAlignment.BestFit(nominal, [.. input.Measured.SelectMany(m => m.Points).Select(p => (p.Planned, p.Contact))], stock, file) : null;
-        var repeats = input.Measured.Select(m => SurfaceErrors.Of(nominal, m.Points.Select(p => (p.Planned, alignment?.Apply(p.Contact) ?? p.Contact)), stock, m.File)).ToArray();
+        var alignment = job.Measuring.BestFit
+            ? SurfaceAlignment.BestFit(
+                nominal, [.. input.Measured.SelectMany(m => m.Points).Select(p => (p.Planned, p.Contact))], stock, file)
+            : null;
+        var repeats = input.Measured.Select(m => SurfaceErrors.Of(
+            nominal, m.Points.Select(p => (p.Planned, alignment?.Apply(p.Contact) ?? p.Contact)), stock, m.File)).ToArray();
         var notes = new List<string>();
         List<string> warnings = [.. input.Measured.SelectMany(m => m.Warnings)];
         for (var k = 0; k < repeats.Length; k++)
@@ -51,7 +56,8 @@ public static class Compensator
         var structure = SpatialStructure.Of(samples);
         var systematic = Systematic(job, samples, statistics, structure, notes, warnings);
         // Where nothing but noise was found, the mean was judged already: it is what is systematic, or nothing is.
-        var mean = systematic as ConstantField ?? new ConstantField(statistics.MeanMm, statistics.StandardDeviationMm / Math.Sqrt(samples.Count));
+        var mean = systematic as ConstantField
+            ?? new ConstantField(statistics.MeanMm, statistics.StandardDeviationMm / Math.Sqrt(samples.Count));
         var compensated = job.Compensation.Mirror ? systematic : mean;
         if (CompensatedSurface.Refusal(nominal, job, samples, compensated) is { } lost)
         {
@@ -63,7 +69,9 @@ public static class Compensator
         {
             return CompensationOutcome.Refused("beyond-limit", string.Create(
                 CultureInfo.InvariantCulture,
-                $"The compensated surface would lie up to {Beyond(surface.LargestMoveMm, job.Compensation.LimitMm).TrimStart('+')} mm from the nominal one; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm. Between the points the fit goes further than they do: measure more points, or raise the limit if that is meant."));
+                $"The compensated surface would lie up to {Beyond(surface.LargestMoveMm, job.Compensation.LimitMm).TrimStart('+')} mm "
+                    + $"from the nominal one; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm. Between the points the fit "
+                    + $"goes further than they do: measure more points, or raise the limit if that is meant."));
         }
 
         var result = new CompensationResult
@@ -85,18 +93,23 @@ public static class Compensator
             Warnings = warnings,
             Notes = notes,
         };
-        if (systematic is FittedField { LeaveLineOutMm: > RidgeMm } fitted && fitted.LeaveLineOutMm > FarMore * result.Mirror.PointUncertaintyMm)
+        if (systematic is FittedField { LeaveLineOutMm: > RidgeMm } fitted
+            && fitted.LeaveLineOutMm > FarMore * result.Mirror.PointUncertaintyMm)
         {
             notes.Add(string.Create(
                 CultureInfo.InvariantCulture,
-                $"Where a line of points is left out, the error fitted without it is {fitted.LeaveLineOutMm * 1000:0.00} um off in the mean, and {result.Mirror.PointUncertaintyMm * 1000:0.00} um are expected at the points: the error changes much from one to the next, and between them more may be left. Measure more points to know."));
+                $"Where a line of points is left out, the error fitted without it is {fitted.LeaveLineOutMm * 1000:0.00} um off in the "
+                    + $"mean, and {result.Mirror.PointUncertaintyMm * 1000:0.00} um are expected at the points: the error changes much "
+                        + $"from "
+                    + $"one to the next, and between them more may be left. Measure more points to know."));
         }
 
         return new(result.ThroughPoints is null ? result : result with { Mirror = ThroughPoints(result, surface.Between, warnings) }, []);
     }
 
     // What the surface through the points really leaves: it may miss the nominal one, and what was measured, by any amount.
-    private static SurfacePrediction ThroughPoints(CompensationResult result, IReadOnlyList<(double U, double V, double MovedMm)> places, List<string> warnings)
+    private static SurfacePrediction ThroughPoints(
+        CompensationResult result, IReadOnlyList<(double U, double V, double MovedMm)> places, List<string> warnings)
     {
         var (samples, systematic) = (result.Samples, result.Systematic);
         double[] left = [.. samples.Select(s => systematic.At(s.U, s.V) + result.MovedMmAt(s.U, s.V))];
@@ -112,7 +125,11 @@ public static class Compensator
         {
             warnings.Add(string.Create(
                 CultureInfo.InvariantCulture,
-                $"Between the points the surface that was fitted to them leaves up to {there.ProfileIsoMm * 500:0.00} um, with a standard deviation of {there.StandardDeviationMm * 1000:0.00} um; at the points {here * 1000:0.00} um are expected. It does not know the nominal surface between them: fit the error instead (\"of\": \"error\"), or measure more points."));
+                $"Between the points the surface that was fitted to them leaves up to {there.ProfileIsoMm * 500:0.00} um, with a "
+                    + $"standard deviation of {there.StandardDeviationMm * 1000:0.00} um; at the points {here * 1000:0.00} um are "
+                        + $"expected. "
+                    + $"It does not know the nominal surface between them: fit the error instead (\"of\": \"error\"), or measure more "
+                    + $"points."));
         }
 
         return SurfacePrediction.Of("mirror", samples, systematic, left, between);
@@ -125,7 +142,10 @@ public static class Compensator
         var found = MeasuredStage.Of(job, mean + stock);
         return found == job.Measuring.After ? null : new("other-stage", string.Create(
             CultureInfo.InvariantCulture,
-            $"The points of {file} lie {mean:+0.0000;-0.0000} mm from the surface after {MeasuredStage.Name(job.Measuring.After)}, in the mean, and so on the surface after {MeasuredStage.Name(found)}: the stock of {job.Stock.SemiFinishingMm:0.###} mm would be taken for an error. Give what was measured after {MeasuredStage.Name(job.Measuring.After)}, or change measuring.measuredAfter."));
+            $"The points of {file} lie {mean:+0.0000;-0.0000} mm from the surface after {MeasuredStage.Name(job.Measuring.After)}, in "
+                + $"the mean, and so on the surface after {MeasuredStage.Name(found)}: the stock of {job.Stock.SemiFinishingMm:0.###} mm "
+                + $"would be taken for an error. Give what was measured after {MeasuredStage.Name(job.Measuring.After)}, or change "
+                + $"measuring.measuredAfter."));
     }
 
     private static FreeformRefusal? BeyondLimit(IReadOnlyList<ErrorSample> samples, FreeformJob job, double stock)
@@ -138,15 +158,21 @@ public static class Compensator
 
         var worst = beyond.MaxBy(s => Math.Abs(s.ErrorMm))!;
         var hint = beyond.Length > samples.Count / 2
-            ? $" Most points are off: check the work offset, measuring.reports, and measuring.measuredAfter, which says that {(stock > 0 ? string.Create(CultureInfo.InvariantCulture, $"{stock:0.###} mm of stock lie") : "no stock lies")} on the surface."
+            ? $" Most points are off: check the work offset, measuring.reports, and measuring.measuredAfter, which says that "
+                + $"{(stock > 0 ? string.Create(CultureInfo.InvariantCulture, $"{stock:0.###} mm of stock lie") : "no stock lies")} on "
+                + $"the surface."
             : " Touch it again, or look for a chip or a wrong probe.";
         return new("beyond-limit", string.Create(
             CultureInfo.InvariantCulture,
-            $"Point {worst.Point} is {Beyond(worst.ErrorMm, job.Compensation.LimitMm)} mm off along the normal{(beyond.Length > 1 ? $", and {beyond.Length - 1} more points are too" : "")}; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm.{hint}"));
+            $"Point {worst.Point} is {Beyond(worst.ErrorMm, job.Compensation.LimitMm)} mm off along the "
+                + $"normal{(beyond.Length > 1 ? $", and {beyond.Length - 1} more points are too" : "")}; compensation.limitMm allows "
+                + $"{job.Compensation.LimitMm:0.####} mm.{hint}"));
     }
 
-    // Before anything is fitted: neither the fit nor the test for noise knows one bad touch from an error of the surface, and it would be cut into the piece.
-    private static FreeformRefusal? Outlying(IReadOnlyList<ErrorSample> samples, IReadOnlyList<ErrorSample>[] repeats, IReadOnlyList<MeasuredPoints> measured)
+    // Before anything is fitted: neither the fit nor the test for noise knows one bad touch from an error of the surface,
+    // and it would be cut into the piece.
+    private static FreeformRefusal? Outlying(
+        IReadOnlyList<ErrorSample> samples, IReadOnlyList<ErrorSample>[] repeats, IReadOnlyList<MeasuredPoints> measured)
     {
         var points = OutlyingPoints.Of(samples);
         if (points.Count == 0)
@@ -156,8 +182,14 @@ public static class Compensator
 
         var worst = OutlyingPoint.Furthest(points);
         var off = Array.ConvertAll(repeats, r => Math.Abs(r.First(s => s.Point == worst.Sample.Point).ErrorMm - worst.SaidMm));
-        var (place, mean) = repeats.Length == 1 ? ("", "") : ($" {measured[Array.IndexOf(off, off.Max())].File} is furthest off there.", ", in the mean of all measurements");
-        return new("outlying-point", $"{OutlyingPoint.Words(points)}{mean}: a chip, or a touch gone wrong, and it would be cut into the piece.{place} Clean the place and the stylus and measure again. If it stays, the error changes there from one point to the next: plan more points.");
+        var (place, mean) = repeats.Length == 1
+            ? ("", "")
+            : ($" {measured[Array.IndexOf(off, off.Max())].File} is furthest off there.", ", in the mean of all measurements");
+        return new(
+            "outlying-point",
+            $"{OutlyingPoint.Words(points)}{mean}: a chip, or a touch gone wrong, and it would be cut into the piece.{place} Clean the "
+                + $"place and the stylus and measure again. If it stays, the error changes there from one point to the next: plan more "
+                + $"points.");
     }
 
     // As many digits as it takes to see that a length is beyond its limit.
@@ -176,13 +208,21 @@ public static class Compensator
         return mm.ToString("R", CultureInfo.InvariantCulture);
     }
 
-    private static ErrorField Systematic(FreeformJob job, IReadOnlyList<ErrorSample> samples, DeviationStatistics statistics, SpatialStructure structure, List<string> notes, List<string> warnings)
+    private static ErrorField Systematic(
+        FreeformJob job,
+        IReadOnlyList<ErrorSample> samples,
+        DeviationStatistics statistics,
+        SpatialStructure structure,
+        List<string> notes,
+        List<string> warnings)
     {
         if (structure.Verdict != SpatialVerdict.Noise)
         {
             if (structure.Verdict == SpatialVerdict.Undetermined)
             {
-                warnings.Add($"{samples.Count} points that are too few or all alike do not tell whether neighbors are alike: the error was taken as systematic.");
+                warnings.Add(
+                    $"{samples.Count} points that are too few or all alike do not tell whether neighbors are alike: the error was taken "
+                        + $"as systematic.");
             }
 
             return ErrorFit.Of(job, samples);
@@ -190,9 +230,13 @@ public static class Compensator
 
         var standardError = statistics.StandardDeviationMm / Math.Sqrt(samples.Count);
         var isReal = Math.Abs(statistics.MeanMm) > Significant * standardError;
+        var decided = isReal
+            ? string.Create(CultureInfo.InvariantCulture, $"The mean of {statistics.MeanMm * 1000:+0.00;-0.00} um is compensated.")
+            : "The mean is not significant either: nothing is compensated.";
         warnings.Add(string.Create(
             CultureInfo.InvariantCulture,
-            $"Errors of neighboring points are not alike (Moran's I {structure.I:0.###}, p {FieldWords.Probability(structure.P)}): what differs from the mean looks like noise and is not mirrored. {(isReal ? $"The mean of {statistics.MeanMm * 1000:+0.00;-0.00} um is compensated." : "The mean is not significant either: nothing is compensated.")}"));
+            $"Errors of neighboring points are not alike (Moran's I {structure.I:0.###}, p {FieldWords.Probability(structure.P)}): what "
+                + $"differs from the mean looks like noise and is not mirrored. {decided}"));
         return isReal ? new ConstantField(statistics.MeanMm, standardError) : new ConstantField(0, standardError);
     }
 
@@ -201,12 +245,15 @@ public static class Compensator
         var mean = RepeatedMeasurement.Of(repeats);
         notes.Add(string.Create(
             CultureInfo.InvariantCulture,
-            $"Each point was measured {repeats.Length} times; their mean is used. One measurement repeats to {mean.RepeatabilityMm * 1000:0.00} um, their mean to {mean.RepeatabilityMm * 1000 / Math.Sqrt(repeats.Length):0.00} um."));
+            $"Each point was measured {repeats.Length} times; their mean is used. One measurement repeats to "
+                + $"{mean.RepeatabilityMm * 1000:0.00} um, their mean to {mean.RepeatabilityMm * 1000 / Math.Sqrt(repeats.Length):0.00} "
+                + $"um."));
         foreach (var outlier in mean.Outliers)
         {
             warnings.Add(string.Create(
                 CultureInfo.InvariantCulture,
-                $"Point {outlier.Point} was {outlier.DifferenceMm * 1000:+0.00;-0.00} um off its other measurements in measurement {outlier.Measurement + 1}. It counts all the same: measure again if that was a chip or a touch gone wrong."));
+                $"Point {outlier.Point} was {outlier.DifferenceMm * 1000:+0.00;-0.00} um off its other measurements in measurement "
+                    + $"{outlier.Measurement + 1}. It counts all the same: measure again if that was a chip or a touch gone wrong."));
         }
 
         // Pieces that were mixed up, or clamped anew, look like this.
@@ -215,7 +262,8 @@ public static class Compensator
         {
             warnings.Add(string.Create(
                 CultureInfo.InvariantCulture,
-                $"The measurements differ among themselves by {mean.RepeatabilityMm * 1000:0.00} um, more than the error that they show differs from place to place ({spread * 1000:0.00} um): are they of one piece in one clamping?"));
+                $"The measurements differ among themselves by {mean.RepeatabilityMm * 1000:0.00} um, more than the error that they show "
+                    + $"differs from place to place ({spread * 1000:0.00} um): are they of one piece in one clamping?"));
         }
 
         return mean.Means;

@@ -21,8 +21,13 @@ internal sealed record OutlyingPoint(ErrorSample Sample, double SaidMm)
         var others = points.Where(p => p != worst).Select(p => p.Sample.Point.ToString(CultureInfo.InvariantCulture)).ToArray();
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"Point {sample.Point} (near {PlaceText.Words(at)}) is {sample.ErrorMm * 1000:+0.0;-0.0;0.0} um off along the normal, where the points around it say {worst.SaidMm * 1000:+0.0;-0.0;0.0} um")
-            + (others.Length == 0 ? "" : $"; likewise off {(others.Length == 1 ? "is point " : "are points ")}{string.Join(", ", others.Take(MostNamed))}{(others.Length > MostNamed ? ", ..." : "")}");
+            $"Point {sample.Point} (near {PlaceText.Words(at)}) is {sample.ErrorMm * 1000:+0.0;-0.0;0.0} um off along the normal, where "
+                + $"the points around it say {worst.SaidMm * 1000:+0.0;-0.0;0.0} um")
+            + (
+                others.Length == 0
+                    ? ""
+                    : $"; likewise off {(others.Length == 1 ? "is point" : "are points")} {string.Join(", ", others.Take(MostNamed))}"
+                        + (others.Length > MostNamed ? ", ..." : ""));
     }
 
     /// <summary>The one that is furthest off.</summary>

@@ -20,8 +20,19 @@ public static class CompensationReportHtml
                 new("plots", "Error by point", html => WritePlots(html, report.Result)),
                 new("fit", "How the error was fitted", html => WriteFit(html, report.Result)),
                 new("path", "Tool path", html => WritePath(html, report)),
-                new("points", "Points", html => SurfaceTables.WritePoints(html, "points-table", "Measured points: their feet on the nominal surface, and their errors", report.Result.Samples)),
-                new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "surface compensate", ("--measured", "measured"), ("--cut-by", "cut-by"))),
+                new(
+                    "points",
+                    "Points",
+                    html => SurfaceTables.WritePoints(
+                        html,
+                        "points-table",
+                        "Measured points: their feet on the nominal surface, and their errors",
+                        report.Result.Samples)),
+                new(
+                    "inputs",
+                    "Files",
+                    html => ReportInputs.Write(
+                        html, report.Job, report.Inputs, "surface compensate", ("--measured", "measured"), ("--cut-by", "cut-by"))),
             ]);
     }
 
@@ -53,36 +64,84 @@ public static class CompensationReportHtml
         ReportFacts.WriteNotes(html, result.Notes);
         ReportFacts.Write(html,
             ("Measured piece", report.CutBy.Sentence),
-            ("Errors", "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
+            (
+                "Errors",
+                "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
             ("Alignment", AlignmentWords.Of(result.Alignment)),
-            ("Compensation", string.Create(CultureInfo.InvariantCulture, $"{(result.Input.Job.Compensation.Mirror ? "Each place is moved by its own error to the other side" : "The whole surface is moved by the mean error, as by a modified tool radius")}, gain {result.Input.Job.Compensation.Gain:0.###}, at most {result.Input.Job.Compensation.LimitMm:0.###} mm.")),
-            ("Calculated in", report.CalculatingS is { } s ? string.Create(CultureInfo.InvariantCulture, $"{s:0.00} s (the paper's CAD system: about 30 s).") : "Not timed."));
+            (
+                "Compensation",
+                (
+                    result.Input.Job.Compensation.Mirror
+                        ? "Each place is moved by its own error to the other side"
+                        : "The whole surface is moved by the mean error, as by a modified tool radius")
+                + string.Create(
+                    CultureInfo.InvariantCulture,
+                    $", gain {result.Input.Job.Compensation.Gain:0.###}, at most {result.Input.Job.Compensation.LimitMm:0.###} mm.")),
+            (
+                "Calculated in",
+                report.CalculatingS is { } s
+                    ? string.Create(CultureInfo.InvariantCulture, $"{s:0.00} s (the paper's CAD system: about 30 s).")
+                    : "Not timed."));
     }
 
     private static void WritePredictions(HtmlText html, CompensationResult result)
     {
-        SurfaceTables.WriteStatistics(html, "predictions", "Measured, and expected by either way of compensating", [("Measured", result.Before), ("Expected, mirrored", result.Mirror.Statistics), ("Expected, tool radius", result.ToolRadius.Statistics)]);
-        html.Put("p", $"Standard uncertainty of the expected error: {Micrometres.OfMm(result.Mirror.PointUncertaintyMm)} µm at a point, {Micrometres.OfMm(result.Mirror.MeanUncertaintyMm)} µm for the mean. The noise is expected to come again, because cutting and probing do not repeat exactly, and the field to be off by its uncertainty; both are in the spread.");
+        SurfaceTables.WriteStatistics(
+            html,
+            "predictions",
+            "Measured, and expected by either way of compensating",
+            [
+                ("Measured", result.Before),
+                ("Expected, mirrored", result.Mirror.Statistics),
+                ("Expected, tool radius", result.ToolRadius.Statistics)]);
+        html.Put(
+            "p",
+            $"Standard uncertainty of the expected error: {Micrometres.OfMm(result.Mirror.PointUncertaintyMm)} µm at a point, "
+                + $"{Micrometres.OfMm(result.Mirror.MeanUncertaintyMm)} µm for the mean. The noise is expected to come again, because "
+                + $"cutting and probing do not repeat exactly, and the field to be off by its uncertainty; both are in the spread.");
     }
 
     private static void WriteMaps(HtmlText html, CompensationResult result)
     {
         var limit = 1000 * result.Samples.Max(s => Math.Abs(s.ErrorMm));
         var map = new HeatMap(result.Input.Surface, limit);
-        Figure(html, () => map.Write(html, "measured", "Measured error", (u, v) => 1000 * result.Systematic.At(u, v), Labels(result, s => s.ErrorMm)), "Colors are the field that is taken as systematic; numbers are what was measured.");
+        Figure(
+            html,
+            () => map.Write(
+                html, "measured", "Measured error", (u, v) => 1000 * result.Systematic.At(u, v), Labels(result, s => s.ErrorMm)),
+            "Colors are the field that is taken as systematic; numbers are what was measured.");
         var gain = result.Input.Job.Compensation.Gain;
-        Figure(html, () => map.Write(html, "left", "Expected systematic error after compensation", (u, v) => 1000 * (result.Systematic.At(u, v) - (gain * result.Compensated.At(u, v))), []), "The same colors. Nothing of it is measured yet.");
+        Figure(
+            html,
+            () => map.Write(
+                html,
+                "left",
+                "Expected systematic error after compensation",
+                (u, v) => 1000 * (result.Systematic.At(u, v) - (gain * result.Compensated.At(u, v))),
+                []),
+            "The same colors. Nothing of it is measured yet.");
         var uncertain = new HeatMap(map, 1000 * result.Samples.Max(s => result.Systematic.StandardUncertaintyAt(s.U, s.V)));
-        Figure(html, () => uncertain.Write(html, "uncertain", "Standard uncertainty of the field", (u, v) => 1000 * result.Systematic.StandardUncertaintyAt(u, v), []), "How well the field is known; colors of their own.");
+        Figure(
+            html,
+            () => uncertain.Write(
+                html, "uncertain", "Standard uncertainty of the field", (u, v) => 1000 * result.Systematic.StandardUncertaintyAt(u, v), []),
+            "How well the field is known; colors of their own.");
     }
 
     private static void WritePlots(HtmlText html, CompensationResult result)
     {
-        foreach (var (id, name, prediction) in new[] { ("mirror-plot", "mirror", result.Mirror), ("radius-plot", "tool radius", result.ToolRadius) })
+        foreach (var (id, name, prediction) in new[]
+        {
+            ("mirror-plot", "mirror", result.Mirror),
+            ("radius-plot", "tool radius", result.ToolRadius)
+        })
         {
             Figure(
                 html,
-                () => new ErrorByPointPlot([.. result.Samples.Zip(prediction.Errors).Select(p => new PlottedError(ReportNumber.Count(p.First.Point), 1000 * p.First.ErrorMm, 1000 * p.Second))])
+                () => new ErrorByPointPlot(
+                    [
+                        .. result.Samples.Zip(prediction.Errors).Select(p => new PlottedError(
+                            ReportNumber.Count(p.First.Point), 1000 * p.First.ErrorMm, 1000 * p.Second))])
                     .Write(html, id, $"Error by point, {name}", "measured", $"expected, {name}"),
                 "As figures 10 to 12 of the paper; after is expected, without scatter.");
         }
@@ -92,13 +151,50 @@ public static class CompensationReportHtml
     {
         var field = result.Systematic as FittedField;
         ReportFacts.Write(html,
-            ("Systematic?", result.Structure is { Verdict: not SpatialVerdict.Undetermined } s ? string.Create(CultureInfo.InvariantCulture, $"{(s.Verdict == SpatialVerdict.Systematic ? "Yes" : "No")}: Moran's I {s.I:0.###} (no structure: {s.Expectation:0.###}), z {s.Z:0.0}, p {FieldWords.Probability(s.P)}.") : "Too few points to tell, or all errors are the same."),
-            ("Fit", $"{result.Input.Job.Fit.Method.Name} of the {(result.Input.Job.Fit.OfError ? "error over (u, v), added to the exact nominal surface" : "compensation points")}."),
-            ("Model", field is null ? result.Systematic is ConstantField ? "A constant." : "The surface fit of that name." : FieldWords.Sentence(field.Kind)),
-            ("Breaks", field is null || field.BreaksU.Count + field.BreaksV.Count == 0 ? "None of the curvature found." : string.Create(CultureInfo.InvariantCulture, $"u: {string.Join(", ", field.BreaksU.Select(b => b.ToString("0.####", CultureInfo.InvariantCulture)))}; v: {string.Join(", ", field.BreaksV.Select(b => b.ToString("0.####", CultureInfo.InvariantCulture)))}.")),
-            ("With lines left out", field is null ? "–" : double.IsNaN(field.LeaveLineOutMm) ? "Too few lines to leave one out." : $"{Micrometres.OfMm(field.LeaveLineOutMm)} µm: the mean error where whole grid lines are predicted from the others."),
+            (
+                "Systematic?",
+                result.Structure is { Verdict: not SpatialVerdict.Undetermined } s
+                    ? string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"{(s.Verdict == SpatialVerdict.Systematic ? "Yes" : "No")}: Moran's I {s.I:0.###} (no structure: "
+                            + $"{s.Expectation:0.###}), z {s.Z:0.0}, p {FieldWords.Probability(s.P)}.")
+                    : "Too few points to tell, or all errors are the same."),
+            (
+                "Fit",
+                $"{result.Input.Job.Fit.Method.Name} of the "
+                    + (result.Input.Job.Fit.OfError ? "error over (u, v), added to the exact nominal surface." : "compensation points.")),
+            (
+                "Model",
+                field is null
+                    ? result.Systematic is ConstantField
+                    ? "A constant."
+                    : "The surface fit of that name."
+                    : FieldWords.Sentence(field.Kind)),
+            (
+                "Breaks",
+                field is null || field.BreaksU.Count + field.BreaksV.Count == 0
+                    ? "None of the curvature found."
+                    : string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"u: {string.Join(", ", field.BreaksU.Select(b => b.ToString("0.####", CultureInfo.InvariantCulture)))}; v: "
+                            + $"{string.Join(", ", field.BreaksV.Select(b => b.ToString("0.####", CultureInfo.InvariantCulture)))}.")),
+            (
+                "With lines left out",
+                field is null
+                    ? "–"
+                    : double.IsNaN(field.LeaveLineOutMm)
+                    ? "Too few lines to leave one out."
+                    : $"{Micrometres.OfMm(field.LeaveLineOutMm)} µm: the mean error where whole grid lines are predicted from the others."),
             ("Residuals", field is null ? "–" : $"{Micrometres.OfMm(field.ResidualStandardDeviationMm)} µm."),
-            ("Surface as written", $"{ReportNumber.Count(result.Surface.Spline.CountU)} × {ReportNumber.Count(result.Surface.Spline.CountV)} poles, degrees {ReportNumber.Count(result.Surface.Spline.KnotsU.Degree)} and {ReportNumber.Count(result.Surface.Spline.KnotsV.Degree)}; {(result.ThroughPoints is null ? $"within {(result.ApproximationMm * 1e6).ToString("0.0", CultureInfo.InvariantCulture)} nm of the nominal surface moved by the field, with its parametrization and limits" : "laid through the compensation points")}."));
+            (
+                "Surface as written",
+                $"{ReportNumber.Count(result.Surface.Spline.CountU)} × {ReportNumber.Count(result.Surface.Spline.CountV)} poles, degrees "
+                    + $"{ReportNumber.Count(result.Surface.Spline.KnotsU.Degree)} and "
+                    + $"{ReportNumber.Count(result.Surface.Spline.KnotsV.Degree)}; "
+                + (result.ThroughPoints is null
+                    ? $"within {(result.ApproximationMm * 1e6).ToString("0.0", CultureInfo.InvariantCulture)} nm of the nominal surface "
+                        + $"moved by the field, with its parametrization and limits."
+                    : "laid through the compensation points.")));
     }
 
     private static void WritePath(HtmlText html, CompensationReport report)
@@ -106,10 +202,25 @@ public static class CompensationReportHtml
         var (path, certificate) = (report.ToolPath, report.ToolPath.Certificate);
         ReportFacts.Write(html,
             ("Program", $"{report.Program.File}, SHA-256 {ReportInputs.ShortHash(report.Program.Sha256)}…"),
-            ("Passes", $"{ReportNumber.Count(path.Passes)} passes of {ReportNumber.Count(path.Points)} points, {path.LengthMm.ToString("0", CultureInfo.InvariantCulture)} mm."),
+            (
+                "Passes",
+                $"{ReportNumber.Count(path.Passes)} passes of {ReportNumber.Count(path.Points)} points, "
+                    + $"{path.LengthMm.ToString("0", CultureInfo.InvariantCulture)} mm."),
             ("Chordal error", $"At most {Micrometres.OfMm(certificate.ChordMm)} µm, found by checking the rounded polyline densely."),
             ("Scallop", $"At most {Micrometres.OfMm(certificate.ScallopMm)} µm."),
-            ("Gouges", certificate.RaisedPoints == 0 ? $"None{(certificate.HasNoGouge ? "" : $" beyond the chord, by which a straight cut may lie up to {Micrometres.OfMm(certificate.ChordMm)} µm inside")}: checked against the whole surface, nowhere does the ball cut deeper into it than {Micrometres.OfMm(certificate.GougeMm)} µm, chords and rounding included." : $"{ReportNumber.Count(certificate.RaisedPoints)} points were raised by up to {Micrometres.OfMm(certificate.RaisedMm)} µm where the ball does not fit: there material is left."));
+            (
+                "Gouges",
+                certificate.RaisedPoints == 0
+                    ? "None"
+                        + (
+                            certificate.HasNoGouge
+                                ? ""
+                                : $" beyond the chord, by which a straight cut may lie up to {Micrometres.OfMm(certificate.ChordMm)} µm "
+                                    + $"inside")
+                        + $": checked against the whole surface, nowhere does the ball cut deeper into it than "
+                            + $"{Micrometres.OfMm(certificate.GougeMm)} µm, chords and rounding included."
+                    : $"{ReportNumber.Count(certificate.RaisedPoints)} points were raised by up to "
+                        + $"{Micrometres.OfMm(certificate.RaisedMm)} µm where the ball does not fit: there material is left."));
     }
 
     private static IReadOnlyList<PlottedPoint> Labels(CompensationResult result, Func<ErrorSample, double> valueMm) =>

@@ -45,7 +45,7 @@ public static class EvaluationReportHtml
             ("Errors", "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
             ("Improvement", Improvement(report)),
             ("Alignment", Alignment(report)),
-            ("Profile", "By ISO 1101 with a zone centred on the nominal surface: twice the largest absolute error. Standard deviations use n − 1."));
+            ("Profile", "By ISO 1101 with a zone about the nominal surface: twice the largest absolute error. Standard deviations use n − 1."));
     }
 
     private static string Improvement(EvaluationReport report)

@@ -24,8 +24,10 @@ internal static partial class NumberDefect
         return (code, example + advice);
     }
 
-    /// <summary>True if a spreadsheet would take the text for a formula. Numbers with a sign are such texts too; a lone dash is not.</summary>
-    public static bool IsFormula(string text) => text.Length > 1 && (text[0] is '=' or '@' || (text[0] is '+' or '-' && text.AsSpan(1).ContainsAnyExcept('-', '+', ' ')));
+    /// <summary>True if a spreadsheet would take the text for a formula. Numbers with a sign are such texts too;
+    /// a lone dash is not.</summary>
+    public static bool IsFormula(string text) =>
+        text.Length > 1 && (text[0] is '=' or '@' || (text[0] is '+' or '-' && text.AsSpan(1).ContainsAnyExcept('-', '+', ' ')));
 
     [GeneratedRegex(
         @"^[+-]?nan(\(.*\))?$|#QNAN|#SNAN|#IND",
@@ -41,7 +43,8 @@ internal static partial class NumberDefect
 
     // A single group behind the other decimal sign (1,234) is no thousand but a decimal: millimeters have three of them.
     [GeneratedRegex(
-        @"^[+-]?[0-9]{1,3}(([ '\u2019\u00a0\u202f_][0-9]{3})+([.,][0-9]*)?|(,[0-9]{3}){2,}|(\.[0-9]{3}){2,}|(,[0-9]{3})+\.[0-9]*|(\.[0-9]{3})+,[0-9]*)$",
+        @"^[+-]?[0-9]{1,3}(([ '\u2019\u00a0\u202f_][0-9]{3})+([.,][0-9]*)?|(,[0-9]{3}){2,}|(\.[0-9]{3}){2,}"
+            + @"|(,[0-9]{3})+\.[0-9]*|(\.[0-9]{3})+,[0-9]*)$",
         RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture,
         Timeout.Infinite)]
     private static partial Regex Grouped();

@@ -1,14 +1,16 @@
 using System.Text;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>What holds of the sources as a whole.</summary>
-public sealed class HouseTests
+public sealed partial class HouseTests
 {
     private const int MostLines = 400;
+    private const int MostColumns = 140;
 
     // What each project may refer to. Whoever adds an arrow here turns the architecture round, or says in ARCHITECTURE.md why not.
     private static readonly Dictionary<string, string[]> Below = new(StringComparer.Ordinal)
@@ -30,7 +32,8 @@ public sealed class HouseTests
         ["Hmi.Desktop"] = ["Hmi", "Hmi.Cairo"],
     };
 
-    private static readonly string[] TextEndings = [".cs", ".csproj", ".props", ".json", ".md", ".html", ".axaml", ".nc", ".csv", ".yml", ".txt", ".sln", ".sh"];
+    private static readonly string[] TextEndings = [
+        ".cs", ".csproj", ".props", ".json", ".md", ".html", ".axaml", ".nc", ".csv", ".yml", ".txt", ".sln", ".sh"];
 
     [Fact]
     public void References_point_one_way()
@@ -39,7 +42,10 @@ public sealed class HouseTests
         {
             var name = ShortName(file);
             Assert.True(Below.ContainsKey(name), $"{name} has no place in the architecture.");
-            var references = XDocument.Load(file).Descendants("ProjectReference").Select(r => ShortName(r.Attribute("Include")!.Value)).ToArray();
+            var references = XDocument.Load(file)
+                .Descendants("ProjectReference")
+                .Select(r => ShortName(r.Attribute("Include")!.Value))
+                .ToArray();
             Assert.All(references, r => Assert.True(Below[name].Contains(r), $"{name} must not refer to {r}."));
         }
     }
@@ -50,14 +56,46 @@ public sealed class HouseTests
         f => Assert.True(File.ReadLines(f).Count() <= MostLines, $"{f} has more than {MostLines} lines."));
 
     [Fact]
+    public void No_line_has_more_than_140_columns()
+    {
+        var long140 = from file in Sources().Where(f => f.EndsWith(".cs", StringComparison.Ordinal))
+                      from line in LinesOutsideRawTexts(file)
+                      where line.Text.Length > MostColumns
+                      select $"{file}:{line.Number}";
+        Assert.Empty(long140);
+    }
+
+    // A raw text is another language's: JSON, a program, a page.
+    private static IEnumerable<(string Text, int Number)> LinesOutsideRawTexts(string file)
+    {
+        var isRaw = false;
+        var number = 0;
+        foreach (var line in File.ReadLines(file))
+        {
+            number++;
+            var marks = RawMark().Count(line);
+            if (!isRaw && marks == 0)
+                yield return (line, number);
+            isRaw ^= marks % 2 == 1;
+        }
+    }
+
+    [Fact]
     public void No_file_knows_a_place_on_somebody_s_machine()
     {
         // Put together here, or this file would name them itself.
-        string[] places = [.. new[] { "home", "Users", "root", "work", "mnt" }.Select(f => "/" + f + "/"), "C:" + "\\Users", "C:" + "/Users"];
+        string[] places = [
+            .. new[] { "home", "Users", "root", "work", "mnt" }.Select(f => "/" + f + "/"), "C:" + "\\Users", "C:" + "/Users"];
         foreach (var file in Sources())
         {
             var text = File.ReadAllText(file, Encoding.Latin1);
-            Assert.All(places, p => Assert.False(text.Contains(" " + p, StringComparison.Ordinal) || text.Contains("\"" + p, StringComparison.Ordinal) || text.Contains("`" + p, StringComparison.Ordinal), $"{file} names {p}"));
+            Assert.All(
+                places,
+                p => Assert.False(
+                    text.Contains(" " + p, StringComparison.Ordinal)
+                        || text.Contains("\"" + p, StringComparison.Ordinal)
+                        || text.Contains("`" + p, StringComparison.Ordinal),
+                    $"{file} names {p}"));
         }
     }
 
@@ -65,7 +103,9 @@ public sealed class HouseTests
     public void Each_project_is_in_the_solution()
     {
         var solution = File.ReadAllText(Repository.PathTo("ErrorMatching.sln"));
-        Assert.All(Sources().Where(f => f.EndsWith(".csproj", StringComparison.Ordinal)), f => Assert.Contains(Path.GetFileName(f), solution, StringComparison.Ordinal));
+        Assert.All(
+            Sources().Where(f => f.EndsWith(".csproj", StringComparison.Ordinal)),
+            f => Assert.Contains(Path.GetFileName(f), solution, StringComparison.Ordinal));
     }
 
     [Fact]
@@ -81,7 +121,8 @@ public sealed class HouseTests
         });
     }
 
-    private static string ShortName(string project) => Path.GetFileNameWithoutExtension(project.Replace('\\', '/')).Replace("ErrorMatching.", "", StringComparison.Ordinal);
+    private static string ShortName(string project) =>
+        Path.GetFileNameWithoutExtension(project.Replace('\\', '/')).Replace("ErrorMatching.", "", StringComparison.Ordinal);
 
     private static IEnumerable<string> Sources() => Folders(Repository.Root)
         .SelectMany(Directory.EnumerateFiles)
@@ -91,4 +132,7 @@ public sealed class HouseTests
         .Where(f => Path.GetFileName(f) is not ("artifacts" or "bin" or "obj" or ".git" or "out" or "TestResults"))
         .SelectMany(Folders)
         .Prepend(folder);
+
+    [GeneratedRegex("\"{3,}", RegexOptions.None, Timeout.Infinite)]
+    private static partial Regex RawMark();
 }

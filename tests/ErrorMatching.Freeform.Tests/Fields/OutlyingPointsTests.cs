@@ -5,7 +5,10 @@ public sealed class OutlyingPointsTests
     private const int Seeds = 20;
 
     /// <summary>Points along u and v; noise in millimeters.</summary>
-    public static TheoryData<int, int, double> Grids => new(from size in new[] { (10, 7), (7, 7), (6, 5), (15, 2) } from noise in new[] { 0, 0.00025, 0.001 } select (size.Item1, size.Item2, noise));
+    public static TheoryData<int, int, double> Grids => new(
+        from size in new[] { (10, 7), (7, 7), (6, 5), (15, 2) }
+            from noise in new[] { 0, 0.00025, 0.001 }
+            select (size.Item1, size.Item2, noise));
 
     // Fields that are no touch gone wrong: the sizes of their figures do not matter to the test, but the largest is 1.
     private static (string Name, Func<Random, Func<double, double, double>> Of)[] Fields { get; } =
@@ -19,7 +22,11 @@ public sealed class OutlyingPointsTests
         ("oblique kink", r => Plane(r) is var p ? (x, y) => Math.Abs(p(x, y)) : null!),
         ("bend behind an oblique line", r => Plane(r) is var p ? (x, y) => Math.Max(0, p(x, y)) : null!),
         ("cone", r => At(r) is var at ? (x, y) => Math.Sqrt(((x - at.X) * (x - at.X)) + ((y - at.Y) * (y - at.Y))) : null!),
-        ("hump", r => At(r) is var at ? (x, y) => Math.Exp(-(((x - at.X) * (x - at.X)) + ((y - at.Y) * (y - at.Y))) / (2 * 0.27 * 0.27)) : null!),
+        (
+            "hump",
+            r => At(r) is var at
+                ? (x, y) => Math.Exp(-(((x - at.X) * (x - at.X)) + ((y - at.Y) * (y - at.Y))) / (2 * 0.27 * 0.27))
+                : null!),
         ("falling off from an edge", _ => (x, _) => Math.Exp(-x / 0.15)),
         ("falling off from a corner", _ => (x, y) => Math.Exp(-(x + y) / 0.4)),
         ("step along v", r => At(r) is var at ? (_, y) => y > at.Y ? 1 : 0 : null!),
@@ -53,7 +60,13 @@ public sealed class OutlyingPointsTests
     {
         for (var seed = 1; seed <= Seeds; seed++)
         {
-            foreach (var shape in new[] { RandomShape.Break(seed), RandomShape.ObliqueBreak(seed), RandomShape.Waves(seed), RandomShape.BreakAmongWaves(seed) })
+            foreach (var shape in new[]
+            {
+                RandomShape.Break(seed),
+                RandomShape.ObliqueBreak(seed),
+                RandomShape.Waves(seed),
+                RandomShape.BreakAmongWaves(seed)
+            })
             {
                 Assert.True(OutlyingPoints.Of(shape.Samples(noise: 0.001, seed: seed)).Count == 0, shape.Name);
                 Assert.True(OutlyingPoints.Of(shape.Samples(noise: 0.001, seed: seed, ragged: true)).Count == 0, shape.Name);
@@ -71,7 +84,8 @@ public sealed class OutlyingPointsTests
         }
     }
 
-    // Where the field spans 25 um: in the middle, at edges, in corners and beside them. In a corner where the field is steep 20 um more may bring a point to just what two of its neighbors have, and it does not stand alone.
+    // Where the field spans 25 um: in the middle, at edges, in corners and beside them. In a corner where the field is steep 20 um more may
+    // bring a point to just what two of its neighbors have, and it does not stand alone.
     [Theory]
     [InlineData(0.02, 2)]
     [InlineData(-0.02, 2)]
@@ -122,7 +136,8 @@ public sealed class OutlyingPointsTests
         }
     }
 
-    // The formula against a fit of the same columns with unknown coefficients and all weights, and the variance against points that are moved one by one.
+    // The formula against a fit of the same columns with unknown coefficients and all weights,
+    // and the variance against points that are moved one by one.
     [Fact]
     public void Prediction_and_leverage_are_those_of_the_local_fit()
     {
@@ -130,7 +145,10 @@ public sealed class OutlyingPointsTests
         var prediction = new NeighborPrediction(samples);
         foreach (var k in new[] { 0, 5, 34, 69 })
         {
-            var others = samples.Select((s, m) => (Dx: (s.I - samples[k].I) * 1.0, Dy: (s.J - samples[k].J) * 1.0, s.ErrorMm, m)).Where(o => o.m != k).OrderBy(o => (o.Dx * o.Dx) + (o.Dy * o.Dy)).ToArray();
+            var others = samples.Select((s, m) => (Dx: (s.I - samples[k].I) * 1.0, Dy: (s.J - samples[k].J) * 1.0, s.ErrorMm, m))
+                .Where(o => o.m != k)
+                .OrderBy(o => (o.Dx * o.Dx) + (o.Dy * o.Dy))
+                .ToArray();
             var far = Distance(others[NeighborPrediction.Neighbors - 1]);
 
             // No tie at the border, or which points count would be a matter of order: that is left to the other tests.
@@ -142,9 +160,16 @@ public sealed class OutlyingPointsTests
             var near = others[..NeighborPrediction.Neighbors];
             var roots = near.Select(o => Math.Pow(1 - Math.Pow(Distance(o) / (1.2 * far), 3), 1.5)).ToArray();
             double[] Column(Func<double, double, double> term) => [.. near.Select((o, m) => roots[m] * term(o.Dx, o.Dy))];
-            double[][] columns = [Column((_, _) => 1), Column((x, _) => x), Column((_, y) => y), Column((x, _) => x * x), Column((x, y) => x * y), Column((_, y) => y * y)];
+            double[][] columns = [
+                Column((_, _) => 1),
+                Column((x, _) => x),
+                Column((_, y) => y),
+                Column((x, _) => x * x),
+                Column((x, y) => x * y),
+                Column((_, y) => y * y)];
             var said = LeastSquares.Solve(columns, [.. near.Select((o, m) => roots[m] * o.ErrorMm)])!.Coefficients[0];
-            var leverage = Enumerable.Range(0, near.Length).Sum(n => Math.Pow(LeastSquares.Solve(columns, [.. near.Select((_, m) => m == n ? roots[m] : 0)])!.Coefficients[0], 2));
+            var leverage = Enumerable.Range(0, near.Length).Sum(n => Math.Pow(
+                LeastSquares.Solve(columns, [.. near.Select((_, m) => m == n ? roots[m] : 0)])!.Coefficients[0], 2));
 
             Assert.Equal(samples[k].ErrorMm - said, prediction.Residuals[k], 12);
             Assert.Equal(prediction.Residuals[k] / Math.Sqrt(1 + leverage), prediction.Standardized[k], 12);
@@ -159,14 +184,18 @@ public sealed class OutlyingPointsTests
     [InlineData(6, 7)]
     public void A_quadratic_is_predicted_exactly_on_any_grid(int countU, int countV)
     {
-        var samples = new TrueShape("quadratic", (x, y) => 0.01 + (0.0003 * x) - (0.0002 * y) + (0.00001 * x * x) + (0.00002 * x * y) - (0.00001 * y * y)).Samples(countU, countV);
+        var samples = new TrueShape(
+            "quadratic",
+            (x, y) => 0.01 + (0.0003 * x) - (0.0002 * y) + (0.00001 * x * x) + (0.00002 * x * y) - (0.00001 * y * y))
+            .Samples(countU, countV);
         Assert.All(new NeighborPrediction(samples).Residuals, r => Assert.Equal(0, r, 11));
     }
 
     [Fact]
     public void Few_points_are_not_judged_and_points_in_one_place_do_no_harm()
     {
-        ErrorSample[] Line(int count) => [.. new TrueShape("nothing", (_, _) => 0).Samples(count, 2, 0.0001).Take(count).Select(s => s with { V = 0 })];
+        ErrorSample[] Line(int count) =>
+            [.. new TrueShape("nothing", (_, _) => 0).Samples(count, 2, 0.0001).Take(count).Select(s => s with { V = 0 })];
         var few = Line(29);
         Assert.Empty(OutlyingPoints.Of(With(few, (14, 1))));
         var enough = Line(30);
@@ -179,8 +208,13 @@ public sealed class OutlyingPointsTests
     public void Words_name_the_furthest_with_its_place_and_the_others_by_number()
     {
         var samples = Spanning(1, 0.025).Samples();
-        Assert.Matches(@"^Point 35 \(near X33\.333 Y31\.5 Z0\) is \+\d+\.\d um off along the normal, where the points around it say [+-]\d+\.\d um; likewise off is point 1$", OutlyingPoint.Words(OutlyingPoints.Of(With(samples, (34, 0.15), (0, 0.06)))));
-        Assert.EndsWith("likewise off are points 1, 60", OutlyingPoint.Words(OutlyingPoints.Of(With(samples, (34, 0.15), (0, 0.06), (59, 0.09)))), StringComparison.Ordinal);
+        Assert.Matches(@"^Point 35 \(near X33\.333 Y31\.5 Z0\) is \+\d+\.\d um off along the normal, "
+            + @"where the points around it say [+-]\d+\.\d um; likewise off is point 1$",
+            OutlyingPoint.Words(OutlyingPoints.Of(With(samples, (34, 0.15), (0, 0.06)))));
+        Assert.EndsWith(
+            "likewise off are points 1, 60",
+            OutlyingPoint.Words(OutlyingPoints.Of(With(samples, (34, 0.15), (0, 0.06), (59, 0.09)))),
+            StringComparison.Ordinal);
     }
 
     // Errors of a machine whose largest less smallest is what is asked for.

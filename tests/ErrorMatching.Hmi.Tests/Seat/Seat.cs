@@ -9,7 +9,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>A person in front of a station at a cell of their own: finds what is on the screen by its AutomationId, taps, types, waits.</summary>
+/// <summary>A person in front of a station at a cell of their own:
+/// finds what is on the screen by its AutomationId, taps, types, waits.</summary>
 internal sealed class Seat : IAsyncDisposable
 {
     /// <summary>Generous: a test waits for the event and not for the clock.</summary>
@@ -32,7 +33,11 @@ internal sealed class Seat : IAsyncDisposable
         Copy(Template.Value, _folder.Path);
         prepare?.Invoke(_folder.Path);
         Cell = DemoCell.At(_folder.Path, TimeProvider.System);
-        Station = new(Cell.Settings, clock, idle) { Preferences = new(Path.Combine(_folder.Path, "preferences")), SamplesFolder = hasSamples ? Cell.SamplesFolder : null };
+        Station = new(Cell.Settings, clock, idle)
+        {
+            Preferences = new(Path.Combine(_folder.Path, "preferences")),
+            SamplesFolder = hasSamples ? Cell.SamplesFolder : null
+        };
         Shell = new(Station);
         Window = new() { DataContext = Shell, Width = size.Width, Height = size.Height };
         Window.Show();
@@ -57,7 +62,9 @@ internal sealed class Seat : IAsyncDisposable
     /// <param name="idle">After how long the station locks.</param>
     /// <param name="prepare">Does something to the cell's folder before it is opened.</param>
     /// <param name="hasSamples">True for a demonstration's place for the samples.</param>
-    public static Task AtAsync(Func<Seat, Task> test, Size? size = null, TimeSpan? idle = null, Action<string>? prepare = null, bool hasSamples = false) => Drawing.Needed().RunAsync(async () =>
+    public static Task AtAsync(
+        Func<Seat, Task> test, Size? size = null, TimeSpan? idle = null, Action<string>? prepare = null, bool hasSamples = false) =>
+        Drawing.Needed().RunAsync(async () =>
     {
         Texts.Current.Language = Language.English;
         await using var seat = new Seat(new SeatClock(), idle ?? Station.DefaultIdle, size ?? new(1280, 800), prepare, hasSamples);
@@ -65,7 +72,9 @@ internal sealed class Seat : IAsyncDisposable
     });
 
     /// <summary>Does a test at a seat, on the screen's thread.</summary>
-    public static Task AtAsync(Action<Seat> test, Size? size = null, TimeSpan? idle = null, Action<string>? prepare = null, bool hasSamples = false) => AtAsync(
+    public static Task AtAsync(
+        Action<Seat> test, Size? size = null, TimeSpan? idle = null, Action<string>? prepare = null, bool hasSamples = false) =>
+        AtAsync(
         seat =>
         {
             test(seat);
@@ -76,9 +85,11 @@ internal sealed class Seat : IAsyncDisposable
         prepare,
         hasSamples);
 
-    /// <summary>What is on the screen by that AutomationId; null if nothing is, or it is hidden, or rehearsed where nobody sees it.</summary>
+    /// <summary>What is on the screen by that AutomationId; null if nothing is, or it is hidden,
+    /// or rehearsed where nobody sees it.</summary>
     public Control? Find(string id) => Window.GetVisualDescendants().OfType<Control>()
-        .FirstOrDefault(c => c.IsEffectivelyVisible && AutomationProperties.GetAutomationId(c) == id && !Window.Stage.IsVisualAncestorOf(c));
+        .FirstOrDefault(
+            c => c.IsEffectivelyVisible && AutomationProperties.GetAutomationId(c) == id && !Window.Stage.IsVisualAncestorOf(c));
 
     /// <summary>What is on the screen by that AutomationId, waited for.</summary>
     public Control See(string id)
@@ -90,7 +101,8 @@ internal sealed class Seat : IAsyncDisposable
     /// <summary>The text that stands under an AutomationId.</summary>
     public string? TextOf(string id) => (See(id) as TextBlock)?.Text;
 
-    /// <summary>Taps with the pointer, where something is: what follows the cell may be made anew meanwhile, and then the new one is tapped, as by a person.</summary>
+    /// <summary>Taps with the pointer, where something is: what follows the cell may be made anew meanwhile,
+    /// and then the new one is tapped, as by a person.</summary>
     public Seat Tap(string id)
     {
         See(id);
@@ -98,7 +110,10 @@ internal sealed class Seat : IAsyncDisposable
         Find(id)?.BringIntoView();
         User.Settle();
         Point? place = null;
-        WaitFor(() => (place = Find(id) is { } control ? control.TranslatePoint(new Rect(control.Bounds.Size).Center, Window) : null) is not null, $"{id} is gone.");
+        WaitFor(
+            () => (
+                place = Find(id) is { } control ? control.TranslatePoint(new Rect(control.Bounds.Size).Center, Window) : null) is not null,
+            $"{id} is gone.");
         if (Window.Aim.IsMissed(Window.InputHitTest(place!.Value), place.Value))
         {
             // Where rows have just moved, a person looks again.
@@ -112,7 +127,10 @@ internal sealed class Seat : IAsyncDisposable
     /// <summary>Taps into a field and types, in place of what is there.</summary>
     public Seat Type(string id, string text)
     {
-        User.Click(See(id)).Press(Avalonia.Input.Key.A, Avalonia.Input.RawInputModifiers.Control).Press(Avalonia.Input.Key.Delete).Type(text);
+        User.Click(See(id))
+            .Press(Avalonia.Input.Key.A, Avalonia.Input.RawInputModifiers.Control)
+            .Press(Avalonia.Input.Key.Delete)
+            .Type(text);
         return this;
     }
 
@@ -143,7 +161,9 @@ internal sealed class Seat : IAsyncDisposable
         }
         catch (TimeoutException e)
         {
-            throw new TimeoutException($"{complaint} Shown: {string.Join(" | ", Window.GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible).Select(t => t.Text))}", e);
+            var shown = string.Join(
+                " | ", Window.GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible).Select(t => t.Text));
+            throw new TimeoutException($"{complaint} Shown: {shown}", e);
         }
 
         return this;

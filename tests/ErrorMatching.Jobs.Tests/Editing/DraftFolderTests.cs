@@ -42,8 +42,8 @@ public sealed class DraftFolderTests
     [InlineData("null")]
     [InlineData("{\"Job\":\"A\",\"By\":null,\"At\":\"2026-11-22T05:00:00+00:00\",\"BaseSha256\":\"\",\"Draft\":{}}")]
     [InlineData("{\"Job\":\"B\",\"By\":\"x\",\"At\":\"2026-11-22T05:00:00+00:00\",\"BaseSha256\":\"\",\"Draft\":{}}")]
-    [InlineData("{\"Job\":\"A\",\"By\":\"x\",\"At\":\"2026-11-22T05:00:00+00:00\",\"BaseSha256\":\"\",\"Draft\":{\"Program\":{\"Sha256\":\"../../x\"}}}")]
-    [InlineData("{\"Job\":\"A\",\"By\":\"x\",\"At\":\"2026-11-22T05:00:00+00:00\",\"BaseSha256\":\"\",\"Draft\":{\"Features\":[{\"Kind\":\"Line\",\"Flanks\":[]}]}}")]
+    [InlineData("{" + Head + "\"Draft\":{\"Program\":{\"Sha256\":\"../../x\"}}}")]
+    [InlineData("{" + Head + "\"Draft\":{\"Features\":[{\"Kind\":\"Line\",\"Flanks\":[]}]}}")]
     public void What_is_no_draft_is_an_error_and_can_be_forgotten(string content)
     {
         using var folder = new TemporaryFolder();
@@ -54,6 +54,8 @@ public sealed class DraftFolderTests
         drafts.Forget("A");
         Assert.Null(drafts.Find("A"));
     }
+
+    private const string Head = "\"Job\":\"A\",\"By\":\"x\",\"At\":\"2026-11-22T05:00:00+00:00\",\"BaseSha256\":\"\",";
 
     private static KeptDraft Kept(string job, MatingDraft draft) => new() { Job = job, By = "anna", At = At, BaseSha256 = "00", Draft = draft };
 }

@@ -1,6 +1,7 @@
 using System.Security.Cryptography;
 using System.Text;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using ErrorMatching.Nc;
 using ErrorMatching.Testing;
 
@@ -35,10 +36,13 @@ public sealed class SurfaceRunTests
 
         // What is compensated is said as where a program is made.
         using var made = JsonDocument.Parse(Finished(new() { Measured = [Measured] }).ReportJson());
-        Assert.All(["before", "compensation", "predicted", "points", "map"], p => Assert.Equal(made.RootElement.GetProperty(p).GetRawText(), json.RootElement.GetProperty(p).GetRawText()));
+        Assert.All(
+            ["before", "compensation", "predicted", "points", "map"],
+            p => Assert.Equal(made.RootElement.GetProperty(p).GetRawText(), json.RootElement.GetProperty(p).GetRawText()));
 
         // The first changed block as both files have it.
-        var (before, after) = (Encoding.Latin1.GetString(File.ReadAllBytes(Cam.File)).Split('\n'), Encoding.Latin1.GetString(byFile.Program.Span).Split('\n'));
+        var (before, after) = (
+            Encoding.Latin1.GetString(File.ReadAllBytes(Cam.File)).Split('\n'), Encoding.Latin1.GetString(byFile.Program.Span).Split('\n'));
         var first = before.Zip(after.Skip(1)).First(l => l.First != l.Second);
         var page = Encoding.UTF8.GetString(byFile.ReportHtml());
         Assert.Contains(first.First.TrimEnd('\r'), page, StringComparison.Ordinal);
@@ -89,7 +93,9 @@ public sealed class SurfaceRunTests
         var marker = Assert.Single(Marker.Find(NcProgram.Read(program, NcSyntax.Siemens))).Marker!;
         Assert.Equal(Sha256(Measured.File), marker.MeasurementSha256);
         Assert.Equal(Sha256(isMade ? Repository.PathTo("samples", "surface-one", "surface.igs") : Cam.File), marker.BaseSha256);
-        var refusal = Assert.Single(SurfaceRun.Displace(new(Job), new() { Measured = [Measured] }, new("again.nc", program), TestContext.Current.CancellationToken).Refusals);
+        var refusal = Assert.Single(
+            SurfaceRun.Displace(
+                new(Job), new() { Measured = [Measured] }, new("again.nc", program), TestContext.Current.CancellationToken).Refusals);
         Assert.Equal((Marker.AlreadyCompensated, "again.nc", 1), (refusal.Code, refusal.File, refusal.Line));
         Assert.Contains("line 1: the program carries a marker", refusal.Message, StringComparison.Ordinal);
     }
@@ -101,7 +107,8 @@ public sealed class SurfaceRunTests
         var (before, after) = (File.ReadAllLines(Cam.File), Encoding.Latin1.GetString(displaced.Program.Span).Split('\n'));
         var block = displaced.Displaced.Rewrite.ChangedBlocks[0];
         var page = Encoding.UTF8.GetString(displaced.ReportHtml());
-        Assert.Matches($"{System.Text.RegularExpressions.Regex.Escape(before[block])}</code></td>\\s*<td[^>]*><code>{System.Text.RegularExpressions.Regex.Escape(after[block + 1].TrimEnd('\r'))}<", page);
+        var (old, changed) = (Regex.Escape(before[block]), Regex.Escape(after[block + 1].TrimEnd('\r')));
+        Assert.Matches($"{old}</code></td>\\s*<td[^>]*><code>{changed}<", page);
         using var json = JsonDocument.Parse(displaced.ReportJson());
         Assert.Equal(after[0].TrimEnd('\r'), json.RootElement.GetProperty("proof").GetProperty("marker").GetString());
     }
@@ -119,7 +126,9 @@ public sealed class SurfaceRunTests
 
     private static GivenFile WithBytes(GivenFile file) => file with { Bytes = File.ReadAllBytes(file.File) };
 
-    private static FinishedSurface Finished(SurfaceRequest request) => SurfaceRun.Compensate(new(Job), request, TestContext.Current.CancellationToken).Result!;
+    private static FinishedSurface Finished(SurfaceRequest request) =>
+        SurfaceRun.Compensate(new(Job), request, TestContext.Current.CancellationToken).Result!;
 
-    private static DisplacedSurface Displaced(GivenFile measured, GivenFile program) => SurfaceRun.Displace(new(Job), new() { Measured = [measured] }, program, TestContext.Current.CancellationToken).Result!;
+    private static DisplacedSurface Displaced(GivenFile measured, GivenFile program) =>
+        SurfaceRun.Displace(new(Job), new() { Measured = [measured] }, program, TestContext.Current.CancellationToken).Result!;
 }

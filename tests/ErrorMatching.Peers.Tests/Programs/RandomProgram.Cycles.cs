@@ -8,7 +8,12 @@ internal sealed partial class RandomProgram
     private void WriteCycles()
     {
         var scale = _inch ? 25.4 : 1;
-        var (third, first, second) = _plane switch { CoordinatePlane.ZX => ("Y", "Z", "X"), CoordinatePlane.YZ => ("X", "Y", "Z"), _ => ("Z", "X", "Y") };
+        var (third, first, second) = _plane switch
+        {
+            CoordinatePlane.ZX => ("Y", "Z", "X"),
+            CoordinatePlane.YZ => ("X", "Y", "Z"),
+            _ => ("Z", "X", "Y")
+        };
         var plane = new[] { Grid(Uniform(-5, 5) / scale), Grid(Uniform(3, 9) / scale), Grid(Uniform(10, 30) / scale) };
 
         // Outside the plane XY the peer taps along the wrong axes.
@@ -27,7 +32,9 @@ internal sealed partial class RandomProgram
             _ => "",
         };
         var repeats = Chance(0.2) ? $" L{1 + Below(3)}" : "";
-        Block($"{(_incremental ? "G91" : "G90")} {Any("G98", "G99")} {code} {first}{Number(Place())} {second}{Number(Place())} {heights}{words}{repeats}");
+        Block(
+            $"{(_incremental ? "G91" : "G90")} {Any("G98", "G99")} {code} {first}{Number(Place())} {second}{Number(Place())} "
+                + $"{heights}{words}{repeats}");
         for (var i = Below(4); i > 0; i--)
         {
             switch (Below(5))
@@ -52,7 +59,7 @@ internal sealed partial class RandomProgram
         {
             case 0:
                 Restate();
-                Block($"{Any("G90", "G91")} {Any("G0", "G1")} {Any($"@{Number(Math.Abs(Length()))}", $"^{Number(Uniform(-200, 200))}", $"@{Number(Math.Abs(Length()))} ^{Number(Uniform(-200, 200))}")}");
+                Block($"{Any("G90", "G91")} {Any("G0", "G1")} {Any($"@{Radius()}", $"^{Angle()}", $"@{Radius()} ^{Angle()}")}");
                 Restate();
                 break;
             case 1:
@@ -154,4 +161,8 @@ internal sealed partial class RandomProgram
 
         WriteMotion();
     }
+
+    private string Radius() => Number(Math.Abs(Length()));
+
+    private string Angle() => Number(Uniform(-200, 200));
 }

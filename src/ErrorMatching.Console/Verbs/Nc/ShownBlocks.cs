@@ -5,7 +5,8 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Console;
 
 /// <summary>
-/// Two programs side by side where they differ, with <see cref="Context"/> rows around. In front of a row stands <c>~</c> where it changed, <c>-</c> where only the first program has it, <c>+</c> where only the second;
+/// Two programs side by side where they differ, with <see cref="Context"/> rows around. In front of a row stands <c>~</c> where it changed,
+/// <c>-</c> where only the first program has it, <c>+</c> where only the second;
 /// changed words are colored on a terminal and stand between braces elsewhere.
 /// </summary>
 internal static class ShownBlocks
@@ -20,8 +21,18 @@ internal static class ShownBlocks
         var (before, after) = (comparison.Before.Program, comparison.After.Program);
         var rows = SideBySide.Of(comparison);
         var shown = Shown(rows);
-        var cells = shown.Take(RowsShown).Select(i => (Index: i, Row: rows[i], Words: rows[i] is { IsSame: false, Before: >= 0, After: >= 0 } r ? SideBySide.Words(before, before[r.Before], after, after[r.After]) : ([], []))).ToArray();
-        var width = cells.Select(c => c.Row.Before < 0 ? 0 : Marked(page, before, c.Row.Before, c.Words.Item1, isOld: true).Length).DefaultIfEmpty().Max();
+        var cells = shown.Take(RowsShown)
+            .Select(
+                i => (
+                    Index: i,
+                    Row: rows[i],
+                    Words: rows[i] is { IsSame: false, Before: >= 0, After: >= 0 } r
+                        ? SideBySide.Words(before, before[r.Before], after, after[r.After])
+                        : ([], [])))
+            .ToArray();
+        var width = cells.Select(c => c.Row.Before < 0 ? 0 : Marked(page, before, c.Row.Before, c.Words.Item1, isOld: true).Length)
+            .DefaultIfEmpty()
+            .Max();
         width = Math.Min(width, WidestColumn);
         var digits = Math.Max(before.BlockCount, after.BlockCount).ToString(CultureInfo.InvariantCulture).Length;
         if (cells.Length == 0)
@@ -38,14 +49,17 @@ internal static class ShownBlocks
             }
 
             var mark = row.IsSame ? " " : row.Before < 0 ? "+" : row.After < 0 ? "-" : "~";
-            var (left, right) = (Side(page, before, row.Before, words.Item1, isOld: true), Side(page, after, row.After, words.Item2, isOld: false));
-            page.Line($"{mark} {Line(row.Before, digits)}  {left.Text}{new string(' ', Math.Max(0, width - left.Length))}  {Line(row.After, digits)}  {right.Text}".TrimEnd());
+            var (left, right) = (
+                Side(page, before, row.Before, words.Item1, isOld: true), Side(page, after, row.After, words.Item2, isOld: false));
+            var (gap, was, now) = (new string(' ', Math.Max(0, width - left.Length)), Line(row.Before, digits), Line(row.After, digits));
+            page.Line($"{mark} {was}  {left.Text}{gap}  {now}  {right.Text}".TrimEnd());
             last = index;
         }
 
         if (shown.Count > RowsShown)
         {
-            page.Line(string.Create(CultureInfo.InvariantCulture, $"... and {shown.Count - RowsShown} more rows; --html FILE writes them all."));
+            page.Line(string.Create(
+                CultureInfo.InvariantCulture, $"... and {shown.Count - RowsShown} more rows; --html FILE writes them all."));
         }
     }
 
@@ -55,7 +69,8 @@ internal static class ShownBlocks
         var shown = new List<int>();
         for (var i = 0; i < rows.Count; i++)
         {
-            for (var j = Math.Max(i - Context, shown.Count == 0 ? 0 : shown[^1] + 1); !rows[i].IsSame && j <= Math.Min(i + Context, rows.Count - 1); j++)
+            for (var j = Math.Max(i - Context, shown.Count == 0 ? 0 : shown[^1] + 1); !rows[i].IsSame
+                && j <= Math.Min(i + Context, rows.Count - 1); j++)
             {
                 shown.Add(j);
             }
@@ -64,9 +79,11 @@ internal static class ShownBlocks
         return shown;
     }
 
-    private static string Line(int block, int digits) => (block < 0 ? "" : (block + 1).ToString(CultureInfo.InvariantCulture)).PadLeft(digits);
+    private static string Line(int block, int digits) =>
+        (block < 0 ? "" : (block + 1).ToString(CultureInfo.InvariantCulture)).PadLeft(digits);
 
-    private static (string Text, int Length) Side(Page page, NcProgram program, int block, IReadOnlyList<Range> words, bool isOld) => block < 0 ? ("", 0) : Marked(page, program, block, words, isOld);
+    private static (string Text, int Length) Side(Page page, NcProgram program, int block, IReadOnlyList<Range> words, bool isOld) =>
+        block < 0 ? ("", 0) : Marked(page, program, block, words, isOld);
 
     private static (string Text, int Length) Marked(Page page, NcProgram program, int block, IReadOnlyList<Range> words, bool isOld)
     {

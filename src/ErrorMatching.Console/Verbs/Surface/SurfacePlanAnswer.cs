@@ -40,12 +40,27 @@ internal sealed class SurfacePlanAnswer(FreeformJob job, MeasuringPlan plan, str
     public static void WriteSummary(Page page, MeasuringPlan plan)
     {
         var each = plan.Points.GroupBy(p => p.J).Select(g => g.Count()).Distinct().Order().ToArray();
-        page.Line(string.Create(CultureInfo.InvariantCulture, $"{plan.Curves} curves of {(each.Length == 1 ? $"{each[0]}" : $"{each[0]} to {each[^1]}")} points; stock on the surface {plan.StockMm:0.###} mm; stylus ball {plan.Measuring.StylusDiameterMm:0.###} mm."));
-        page.Line(string.Create(CultureInfo.InvariantCulture, $"The points alone know the nominal surface to {1000 * plan.ReconstructionErrorMm:0.000} um (predicted: piecewise cubic through them, the fits are smoother)."));
+        page.Line(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{plan.Curves} curves of {(each.Length == 1 ? $"{each[0]}" : $"{each[0]} to {each[^1]}")} points; stock on the surface "
+                + $"{plan.StockMm:0.###} mm; stylus ball {plan.Measuring.StylusDiameterMm:0.###} mm."));
+        page.Line(string.Create(
+            CultureInfo.InvariantCulture,
+            $"The points alone know the nominal surface to {1000 * plan.ReconstructionErrorMm:0.000} um (predicted: piecewise cubic "
+                + $"through them, the fits are smoother)."));
         page.Line(plan.BreaksU.Count + plan.BreaksV.Count == 0
             ? "No curvature breaks."
-            : string.Create(CultureInfo.InvariantCulture, $"Curvature breaks with points of their own: {string.Join(", ", plan.BreaksU.Select(b => $"u = {b.ToString("0.####", CultureInfo.InvariantCulture)}").Concat(plan.BreaksV.Select(b => $"v = {b.ToString("0.####", CultureInfo.InvariantCulture)}")))}."));
-        page.Line(string.Create(CultureInfo.InvariantCulture, $"Points stay {plan.RimSetInMm:0.###} mm from the ends of the surface{(plan.TrimSetInMm > 0 ? $" and {plan.TrimSetInMm.ToString("0.###", CultureInfo.InvariantCulture)} mm from trimmed edges" : "")}. The ball's center travels {plan.TravelMm:0} mm, across at Z{plan.ClearanceZ:0.###}."));
+            : string.Create(
+                CultureInfo.InvariantCulture,
+                $"Curvature breaks with points of their own: "
+                    + $"{string.Join(", ", plan.BreaksU.Select(b => Break("u", b)).Concat(plan.BreaksV.Select(b => Break("v", b))))}."));
+        var trimmed = plan.TrimSetInMm > 0
+            ? $" and {plan.TrimSetInMm.ToString("0.###", CultureInfo.InvariantCulture)} mm from trimmed edges"
+            : "";
+        page.Line(string.Create(
+            CultureInfo.InvariantCulture,
+            $"Points stay {plan.RimSetInMm:0.###} mm from the ends of the surface{trimmed}. The ball's center travels {plan.TravelMm:0} "
+                + $"mm, across at Z{plan.ClearanceZ:0.###}."));
     }
 
     /// <inheritdoc/>
@@ -86,25 +101,32 @@ internal sealed class SurfacePlanAnswer(FreeformJob job, MeasuringPlan plan, str
             ["point", "i", "j", "x", "y", "z", "nx", "ny", "nz", "reason"],
             plan.Points.Take(RowsShown).Select(p => (IReadOnlyList<string>)
             [
-                Whole(p.Number), Whole(p.I), Whole(p.J), Show.Mm(p.Position.X), Show.Mm(p.Position.Y), Show.Mm(p.Position.Z), Show.Mm(p.Normal.X), Show.Mm(p.Normal.Y), Show.Mm(p.Normal.Z), PlanCsv.NameOf(p.Reason),
+                Whole(p.Number), Whole(p.I), Whole(p.J), Show.Mm(p.Position.X), Show.Mm(p.Position.Y), Show.Mm(p.Position.Z),
+                Show.Mm(p.Normal.X), Show.Mm(p.Normal.Y), Show.Mm(p.Normal.Z), PlanCsv.NameOf(p.Reason),
             ]));
         if (plan.Points.Count > RowsShown)
         {
-            page.Line(string.Create(CultureInfo.InvariantCulture, $"... and {plan.Points.Count - RowsShown} more, all of them in {FileName}."));
+            page.Line(string.Create(
+                CultureInfo.InvariantCulture, $"... and {plan.Points.Count - RowsShown} more, all of them in {FileName}."));
         }
 
         page.Line();
         WriteSummary(page, plan);
         if (plan.FacesDown)
         {
-            page.Line("The surface faces down: only a machine that reaches it from below can measure it. Turn the piece over for a probing program and a tool path.");
+            page.Line(
+                "The surface faces down: only a machine that reaches it from below can measure it. Turn the piece over for a probing "
+                    + "program and a tool path.");
         }
 
         page.Line();
         page.Line(folder is null
             ? $"Nothing was written. Add --out DIR to write {FileName}."
-            : $"Wrote {Path.Combine(folder, FileName)}." + (plan.FacesDown ? "" : $" Next: errormatch surface probe {job.File} --out {folder}"));
+            : $"Wrote {Path.Combine(folder, FileName)}."
+                + (plan.FacesDown ? "" : $" Next: errormatch surface probe {job.File} --out {folder}"));
     }
 
     private static string Whole(int value) => value.ToString(CultureInfo.InvariantCulture);
+
+    private static string Break(string parameter, double at) => $"{parameter} = {at.ToString("0.####", CultureInfo.InvariantCulture)}";
 }

@@ -19,10 +19,18 @@ internal sealed class ErrorByPointPlot(IReadOnlyList<PlottedError> points)
     /// <param name="after">What the plus signs show.</param>
     public void Write(HtmlText html, string id, string title, string before, string after)
     {
-        using (html.In("svg", ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(Height)}"), ("role", "img"), ("aria-labelledby", $"{id}-t {id}-d"), ("class", "plot")))
+        using (html.In(
+            "svg",
+            ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(Height)}"),
+            ("role", "img"),
+            ("aria-labelledby", $"{id}-t {id}-d"),
+            ("class", "plot")))
         {
             html.Put("title", title, ("id", id + "-t"));
-            html.Put("desc", $"{before}: largest {Largest(p => p.BeforeUm)}. {after}: largest {Largest(p => p.AfterUm ?? 0)}.", ("id", id + "-d"));
+            html.Put(
+                "desc",
+                $"{before}: largest {Largest(p => p.BeforeUm)}. {after}: largest {Largest(p => p.AfterUm ?? 0)}.",
+                ("id", id + "-d"));
             WriteAxes(html);
             for (var i = 0; i < points.Count; i++)
             {
@@ -62,7 +70,11 @@ internal sealed class ErrorByPointPlot(IReadOnlyList<PlottedError> points)
 
         Line(html, "axis", Left, Top, Left, Bottom);
         Text(html, "axis-label", (Left + Right) / 2, Height - 12, "middle", "Point, in the order of measuring");
-        using (html.In("text", ("class", "axis-label"), ("text-anchor", "middle"), ("transform", $"translate(16 {SvgNumber.Of((Top + Bottom) / 2)}) rotate(-90)")))
+        using (html.In(
+            "text",
+            ("class", "axis-label"),
+            ("text-anchor", "middle"),
+            ("transform", $"translate(16 {SvgNumber.Of((Top + Bottom) / 2)}) rotate(-90)")))
         {
             html.Text("Error along the normal, µm");
         }
@@ -70,7 +82,9 @@ internal sealed class ErrorByPointPlot(IReadOnlyList<PlottedError> points)
 
     private static void WritePlus(HtmlText html, double x, double y, string title)
     {
-        using (html.In("path", ("class", "after marker"), ("d", $"M{SvgNumber.Points([(x - 5, y)])}L{SvgNumber.Points([(x + 5, y)])}M{SvgNumber.Points([(x, y - 5)])}L{SvgNumber.Points([(x, y + 5)])}")))
+        var (left, right) = (SvgNumber.Points([(x - 5, y)]), SvgNumber.Points([(x + 5, y)]));
+        var (above, below) = (SvgNumber.Points([(x, y - 5)]), SvgNumber.Points([(x, y + 5)]));
+        using (html.In("path", ("class", "after marker"), ("d", $"M{left}L{right}M{above}L{below}")))
         {
             html.Put("title", title);
         }
@@ -87,7 +101,13 @@ internal sealed class ErrorByPointPlot(IReadOnlyList<PlottedError> points)
     private double Y(double um) => Bottom - ((um - _axis.Lowest) / (_axis.Highest - _axis.Lowest) * (Bottom - Top));
 
     private static void Line(HtmlText html, string cssClass, double x1, double y1, double x2, double y2) =>
-        html.Empty("line", ("class", cssClass), ("x1", SvgNumber.Of(x1)), ("y1", SvgNumber.Of(y1)), ("x2", SvgNumber.Of(x2)), ("y2", SvgNumber.Of(y2)));
+        html.Empty(
+            "line",
+            ("class", cssClass),
+            ("x1", SvgNumber.Of(x1)),
+            ("y1", SvgNumber.Of(y1)),
+            ("x2", SvgNumber.Of(x2)),
+            ("y2", SvgNumber.Of(y2)));
 
     private static void Text(HtmlText html, string cssClass, double x, double y, string anchor, string text) =>
         html.Put("text", text, ("class", cssClass), ("x", SvgNumber.Of(x)), ("y", SvgNumber.Of(y)), ("text-anchor", anchor));
