@@ -108,7 +108,8 @@ public sealed class TargetTests
         new Tour(seat).Deliver().Around(stop =>
         {
             // The higher the targets the less room, and each script has lines of its own.
-            foreach (var (touch, language) in new[] { (TouchSize.Largest, Language.TraditionalChinese), (TouchSize.Standard, Language.English) })
+            (TouchSize, Language)[] looks = [(TouchSize.Largest, Language.TraditionalChinese), (TouchSize.Standard, Language.English)];
+            foreach (var (touch, language) in looks)
             {
                 (seat.Shell.Preferences.TouchSize, Texts.Current.Language) = (touch, language);
                 seat.User.Settle();

@@ -6,7 +6,10 @@ using Avalonia.Data;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The place of what is said, whose room is there before and after: what needs more room is scrolled in it, by finger, wheel or keys, and moves no target.</summary>
+/// <summary>
+/// The place of what is said, whose room is there before and after: what needs more room is scrolled in it, by finger, wheel or keys,
+/// and moves no target.
+/// </summary>
 public sealed class SaidStrip : ScrollViewer
 {
     // Less than this is rounding.
