@@ -1,6 +1,7 @@
 using Avalonia;
 using Avalonia.Automation;
 using Avalonia.Controls;
+using Avalonia.Data;
 using Avalonia.Input;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
@@ -98,6 +99,84 @@ public sealed class TargetTests
             }
         }
     });
+
+    /// <summary>Everything that a station can show, wherever it says something by itself, says too much there.</summary>
+    [Fact]
+    public Task Nothing_that_a_screen_says_moves_a_target_of_it() => Seat.AtAsync(seat =>
+    {
+        var (moved, said) = (new List<string>(), new HashSet<string>(StringComparer.Ordinal));
+        new Tour(seat).Deliver().Around(stop =>
+        {
+            // The higher the targets the less room, and each script has lines of its own.
+            (TouchSize, Language)[] looks = [(TouchSize.Largest, Language.TraditionalChinese), (TouchSize.Standard, Language.English)];
+            foreach (var (touch, language) in looks)
+            {
+                (seat.Shell.Preferences.TouchSize, Texts.Current.Language) = (touch, language);
+                seat.User.Settle();
+                var (before, tries) = (Targets(seat), 3);
+                Assert.NotEmpty(before);
+                said.UnionWith(Saying(seat).Select(AutomationProperties.GetAutomationId).OfType<string>());
+
+                // What is still being read in another language moves by itself, once.
+                while (Moves(seat, before, Saying(seat)).Length > 0 && tries-- > 0)
+                {
+                    seat.User.Wait(TimeSpan.FromMilliseconds(100));
+                    before = Targets(seat);
+                }
+
+                if (tries < 0)
+                {
+                    moved.AddRange(Saying(seat).SelectMany(one => Moves(seat, before, [one])
+                        .Select(m => $"{stop} {touch} {language}: {AutomationProperties.GetAutomationId(one)} moves {m}")));
+                }
+            }
+        });
+        Assert.True(moved.Count == 0, string.Join('\n', moved.Distinct()));
+        string[] known =
+        [
+            "setup-notice", "setup-message", "setup-kept", "users-message", "users-problem", "connections-message", "connections-progress",
+            "history-message", "history-failed", "history-exported", "messages-message", "audit-finding", "working", "signing-message",
+            "login-message", "compensation-message", "compensation-undone", "compensation-next", "forbidden", "freeform-message",
+            "verification-message", "chooser-message", "program-message", "detail-changed-job",
+        ];
+        Assert.Empty(known.Except(said));
+    });
+
+    // What comes by itself or after a tap, and is not there yet: a screen reader reads it out, or it shows progress.
+    private static Control[] Saying(Seat seat) => [.. seat.Window.GetVisualDescendants().OfType<Control>()
+        .Where(c => c is ProgressBar || (c is TextBlock && AutomationProperties.GetLiveSetting(c) != AutomationLiveSetting.Off))
+        .Where(c => !seat.Window.Stage.IsVisualAncestorOf(c) && HiddenWith(c).All(h => !h.Classes.Contains("page") && !h.Classes.Contains("veil")))
+        .Where(c => HiddenWith(c) is [.., var outer] ? outer.GetVisualParent() is Control { IsEffectivelyVisible: true } : c is TextBlock { Text: null or "" })];
+
+    // Itself and what stands around it and is hidden with it.
+    private static List<Control> HiddenWith(Control control)
+    {
+        var chain = control.GetSelfAndVisualAncestors().OfType<Control>().ToList();
+        return chain.FindLastIndex(c => !c.IsVisible) is >= 0 and var last ? chain.GetRange(0, last + 1) : [];
+    }
+
+    // Where each says more than there is room for, with the buttons that may come with it.
+    private static string[] Moves(Seat seat, Dictionary<string, Rect> before, IReadOnlyList<Control> saying)
+    {
+        var words = string.Join(' ', Enumerable.Repeat("something is not as it should be", 20));
+        var shown = new List<IDisposable?>();
+        foreach (var one in saying)
+        {
+            var strip = one.GetVisualAncestors().OfType<Control>().FirstOrDefault(c => c.Classes.Contains("line"));
+            Control[] buttons = strip is null ? [] : [.. strip.GetVisualDescendants().OfType<Button>().Where(b => !b.IsVisible)];
+            shown.AddRange(HiddenWith(one).Concat(buttons).Select(c => c.SetValue(Visual.IsVisibleProperty, true, BindingPriority.Animation)));
+            if (one is TextBlock text)
+            {
+                shown.Add(text.SetValue(TextBlock.TextProperty, words, BindingPriority.Animation));
+            }
+        }
+
+        seat.User.Settle();
+        var moved = Moved(seat, before).ToArray();
+        shown.ForEach(s => s?.Dispose());
+        seat.User.Settle();
+        return moved;
+    }
 
     // Each kind of message in both languages, with the smallest and the largest targets, compared with where each target is with none.
     private static void Look(Seat seat, string screen, List<string> moved)

@@ -109,7 +109,7 @@ public abstract class SetupViewModel : ScreenViewModel
     public string? AnewHelp => Editing.Job is { } job ? Texts.Current.With("Setup.BeginAnewHelp", job.Name, job.Machine, job.Slot) : null;
 
     /// <summary>True where nothing is said in the place of <see cref="StateText"/>.</summary>
-    public bool IsQuiet => Trouble is null && Editing.Notice is null;
+    public bool IsQuiet => Trouble is null && Editing.Notice is null && !HasKept;
 
     /// <summary>Why nothing can be edited; null if it can.</summary>
     public string? Forbidden => Editing.Jobs.Count == 0 ? Texts.Current["Setup.NoJobs"] : Editing.MayEdit ? null : Texts.Current["Setup.TakesSetter"];
