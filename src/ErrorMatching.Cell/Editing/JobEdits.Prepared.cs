@@ -1,4 +1,6 @@
 using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Cell;
@@ -84,7 +86,7 @@ public sealed partial class JobEdits
 
     /// <summary>Puts a prepared job in the place of the one that runs, with files of its own there. The prepared one stays.</summary>
     /// <param name="job">One of <see cref="PreparedFor"/>.</param>
-    /// <param name="draft">The job as it was seen.</param>
+    /// <param name="draft">The job as it was seen: it is refused where another one was saved meanwhile.</param>
     /// <param name="baseSha256"><see cref="Sha256Of"/> of the job whose place it takes (<see cref="PlaceOf"/>).</param>
     /// <param name="by">Who does it, with the password given for this act.</param>
     /// <inheritdoc cref="Save" path="/returns|/exception"/>
@@ -92,7 +94,27 @@ public sealed partial class JobEdits
     {
         ArgumentNullException.ThrowIfNull(draft);
         var place = PlaceOf(job);
+        if (!IsSaved(job, draft))
+        {
+            throw new JobEditException(JobEditException.ChangedMeanwhile, $"{job.File} was changed since it was opened. Open it again.");
+        }
+
         return Save(place, WithOwnFiles(place, Moved(draft, job, place) with { IsBegunAnew = true }), baseSha256, by);
+    }
+
+    // As both would be written: numbers are typed in several ways.
+    private static bool IsSaved(CellJobSettings job, MatingDraft draft)
+    {
+        try
+        {
+            var saved = MatingDraftFiles.Open(job.File);
+            return MatingDraftFiles.Job(saved).AsSpan().SequenceEqual(MatingDraftFiles.Job(draft))
+                && MatingDraftFiles.Theoretical(saved).AsSpan().SequenceEqual(MatingDraftFiles.Theoretical(draft));
+        }
+        catch (Exception e) when (e is JobException or MeasurementException or DraftException)
+        {
+            return false;
+        }
     }
 
     private static string FolderOf(CellJobSettings place) => place.File + FolderEnding;

@@ -80,6 +80,24 @@ public sealed class PreparedJobTests : PeopleTest
         Assert.Null(new AuditTrail(Store, Keys).Verify().Fault);
     }
 
+    [Fact]
+    public void Only_what_was_seen_is_put_in_use()
+    {
+        var (settings, edits, by) = Begin();
+        var (running, sha256) = (settings.Jobs[0], JobEdits.Sha256Of(settings.Jobs[0]));
+        var prepared = edits.Prepare(running, Anew(running), by);
+        var seen = MatingDraftFiles.Open(prepared.File);
+
+        // Another station moves a point: the job's own file stays the same.
+        edits.Save(prepared, seen with { OtherPoints = [new("O", "1", "0")] }, JobEdits.Sha256Of(prepared), by);
+        Refused(JobEditException.ChangedMeanwhile, () => edits.PutInUse(prepared, seen, sha256, Anna()));
+        File.Delete(Path.Combine(Path.GetDirectoryName(prepared.File)!, "theoretical.csv"));
+        Assert.Throws<InputException>(() => edits.PutInUse(prepared, seen, sha256, Anna()));
+        File.WriteAllText(prepared.File, "{}");
+        Refused(JobEditException.ChangedMeanwhile, () => edits.PutInUse(prepared, seen, sha256, Anna()));
+        Assert.Equal(sha256, JobEdits.Sha256Of(running));
+    }
+
     [Theory]
     [InlineData("", JobEditException.NotAName)]
     [InlineData("../x", JobEditException.NotAName)]
