@@ -85,7 +85,7 @@ public sealed partial class CodeTextTests
                 .Where(c => Raw().IsMatch(c) || (t.Name.EndsWith("Codes", StringComparison.Ordinal) && c.Length > 0)))
             .Except(NoCodes)
             .Where(c => !c.Contains(' ', StringComparison.Ordinal))
-            .Except([JobEdits.Edited, JobEdits.EditFailed, JobEdits.Found]),
+            .Except([JobEdits.Edited, JobEdits.EditFailed, JobEdits.Found, JobEdits.Prepared]),
         .. Enum.GetValues<StoreError>().Select(CellCodes.Of),
         .. Enum.GetValues<TransportError>().Select(CellCodes.Of),
         .. Enum.GetValues<NcErrorCode>().Select(c => ErrorItems.Of(new NcException(c, "")).Code),

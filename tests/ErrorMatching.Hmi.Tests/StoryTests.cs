@@ -95,8 +95,14 @@ public sealed class StoryTests
         seat.Tap("side-gauge").Type("edit-gauge.uncertaintyMm", "0.0054").Type("edit-gauge.measuring.touches", "14");
         here.Settle();
         Assert.Equal("", string.Join('\n', here.Shell.Editing.Problems));
-        // It takes the place of the job that is there, which is asked once.
-        seat.Save().WaitFor(() => here.Shell.Editing.Notice is not null, "It is not saved.");
+
+        // It is saved beside the job that runs, and takes its place once somebody signs that.
+        var editing = here.Shell.Editing;
+        seat.Tap("setup-save").WaitFor(() => editing.Notice is not null && editing.IsBeside, "It is not saved.");
+        here.Settle();
+        seat.User.Wait(TimeSpan.FromMilliseconds(600));
+        seat.Tap("setup-put-in-use").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
+        seat.WaitFor(() => editing.Notice is not null && !editing.IsBeside, "It is not put in use.");
         Assert.StartsWith(isChinese ? "已儲存" : "Saved", seat.TextOf("setup-notice"), StringComparison.Ordinal);
 
         void Fill(string id, string text)

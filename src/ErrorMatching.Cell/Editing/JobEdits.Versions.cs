@@ -14,20 +14,23 @@ public sealed partial class JobEdits
     public const string Found = "job-found";
 
     /// <summary>All versions of a job, the latest first.</summary>
-    /// <param name="job">The job in the cell.</param>
+    /// <param name="job">The job in the cell, or one of <see cref="PreparedFor"/>.</param>
     /// <exception cref="StoreException">The store is away.</exception>
     public IReadOnlyList<JobVersion> Versions(CellJobSettings job)
     {
         ArgumentNullException.ThrowIfNull(job);
-        var names = settings.Jobs.Where(j => CellPaths.AreSame(j.File, job.File)).Select(j => j.Name).Append(job.Name).ToHashSet();
+        var (place, word) = (PlaceOf(job), IsInUse(job) ? Edited : Prepared);
+        var names = settings.Jobs.Where(j => CellPaths.AreSame(j.File, place.File))
+            .Select(j => word == Edited ? j.Name : At(j, NameOf(job)).Name).Append(job.Name).ToHashSet();
         return
         [
             .. store
-                .Read(AuditRow.Select + " WHERE what = @Edited OR what = @Found ORDER BY seq DESC", AuditRow.Read, new { Edited, Found })
+                .Read(AuditRow.Select + " WHERE what = @word OR what = @Found ORDER BY seq DESC", AuditRow.Read, new { word, Found })
                 .Where(e => e.Subject is { } subject && names.Contains(subject))
                 .Select(Version)
                 .OfType<JobVersion>()
-                .Where(v => v.Files.All(f => IsKept(f.Sha256))),
+                .Where(v => v.Files.All(f => IsKept(f.Sha256)))
+                .Select(v => v with { Name = NameIn(v) }),
         ];
     }
 
@@ -97,7 +100,21 @@ public sealed partial class JobEdits
         var list = Recorded.JobInPlace.Read(entry.Basis) is [var written, ..] ? written : entry.Basis;
         var found = FileAndHash().Matches(list);
         (string Name, string Sha256)[] files = [.. found.Select(m => (m.Groups["name"].Value, m.Groups["hash"].Value))];
-        return files is [.., var job] ? new(entry.Seq, entry.At, entry.Who, job.Sha256, files) : null;
+        return files is [.., var job] ? new(entry.Seq, entry.At, entry.Who, "", job.Sha256, files) : null;
+    }
+
+    // As it is written there: a version that cannot be used any more has its name all the same.
+    private string NameIn(JobVersion version)
+    {
+        try
+        {
+            var root = JsonInput.Read(store.Content(version.Sha256), version.Files[^1].Name);
+            return root.Kind == JsonItemKind.Object && root.Find("name") is { Kind: JsonItemKind.Text } name ? name.Text : "";
+        }
+        catch (JsonDocumentException)
+        {
+            return "";
+        }
     }
 
     // What stands there now; nothing where that is no job: it cannot be opened again.
@@ -164,7 +181,8 @@ public sealed partial class JobEdits
             }
 
             var written = Told(after);
-            t.Audit(by.Name, Edited, job.Name, before.Count > 0 ? Recorded.JobInPlace.With(written, HashOf(before[^1].Bytes)) : written);
+            var basis = before.Count > 0 ? Recorded.JobInPlace.With(written, HashOf(before[^1].Bytes)) : written;
+            t.Audit(by.Name, IsInUse(job) ? Edited : Prepared, job.Name, basis);
             return true;
         });
     }

@@ -8,6 +8,7 @@ namespace ErrorMatching.Cell;
 /// <summary>Puts edited mating jobs in the place of those of a cell: all files of a job or none, with an entry in the audit trail before the first of them appears.</summary>
 /// <remarks>
 /// Every saved version is kept by content in the store, and so is what stood there before and was not saved here (<see cref="Versions"/>).
+/// A new job is saved beside the one that runs (<see cref="Prepare"/>) and is used once it is put in use (<see cref="PutInUse"/>).
 /// </remarks>
 /// <remarks>A running cell reads a job's files at each computation, so the next measurement uses them. What it read when it started (whose files are the job's, machine and slot, dialect) an edit cannot change.</remarks>
 /// <param name="settings">The cell's configuration.</param>
@@ -22,7 +23,7 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
     public const string EditFailed = "job-edit-failed";
 
     /// <summary>Says what is wrong with an edited job, as a job and as one of this cell.</summary>
-    /// <param name="job">The job in the cell.</param>
+    /// <param name="job">The job in the cell, or one of <see cref="PreparedFor"/>.</param>
     /// <param name="draft">The edited job.</param>
     public DraftCheck Check(CellJobSettings job, MatingDraft draft)
     {
@@ -40,10 +41,10 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
     }
 
     /// <summary>Replaces a job's files, and keeps them and those that stood there before.</summary>
-    /// <param name="job">The job in the cell.</param>
+    /// <param name="job">The job in the cell, or one of <see cref="PreparedFor"/>.</param>
     /// <param name="draft">The edited job.</param>
     /// <param name="baseSha256">SHA-256 of the job's file that the edit started from (<see cref="Sha256Of"/>).</param>
-    /// <param name="by">Who does it, with the password given for this act.</param>
+    /// <param name="by">Who does it, with the password given for this act where the job is in use.</param>
     /// <returns>SHA-256 of the job's new file.</returns>
     /// <exception cref="PeopleException">That user may not edit jobs, or has not signed this.</exception>
     /// <exception cref="JobEditException">The edited job must not take that place.</exception>
@@ -66,12 +67,18 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
         }
 
         var files = FilesOf(job, draft);
+        var isInUse = IsInUse(job);
+        if (!isInUse)
+        {
+            DemandInside(job, files);
+        }
+
         DemandOwn(job, draft, files);
         var (before, after) = (VersionFiles(job), VersionFiles(job, draft, files));
         var hash = HashOf(files[^1].Bytes);
 
         // A signature is good for one act: nothing is in the way of it any more.
-        users.Demand(by, Act.EditJobs);
+        users.Demand(by, isInUse ? Act.EditJobs : Act.PrepareJobs);
         var isToldOf = false;
         try
         {
@@ -160,7 +167,7 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
             yield return new("$.counterpart.dialect", "other-dialect", edited.Counterpart.Dialect, $"a job for the dialect {edited.Counterpart.Dialect}; {machine.Name} has {machine.Dialect}");
         }
 
-        if (StandingFrom(job) is { } from && from != edited.Compensation.From)
+        if (StandingFrom(PlaceOf(job)) is { } from && from != edited.Compensation.From)
         {
             yield return new("$.compensation.from", "from-fixed", "", "the cell decides by it when it starts whose measurements these are; change it in the job's file and start the cell again");
         }

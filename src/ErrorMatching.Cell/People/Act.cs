@@ -18,8 +18,11 @@ public enum Act
     /// <summary>Bringing back the program that a slot held before.</summary>
     Revert,
 
-    /// <summary>Changing jobs.</summary>
+    /// <summary>Changing jobs that are in use, and putting others in their place.</summary>
     EditJobs,
+
+    /// <summary>Saving jobs that are not in use.</summary>
+    PrepareJobs,
 
     /// <summary>Adding users, changing their roles and passwords, disabling them.</summary>
     ManageUsers,

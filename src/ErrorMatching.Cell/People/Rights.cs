@@ -11,6 +11,7 @@ public static class Rights
         [Act.Approve] = (Role.Setter, true),
         [Act.Revert] = (Role.Setter, true),
         [Act.EditJobs] = (Role.Setter, true),
+        [Act.PrepareJobs] = (Role.Setter, false),
         [Act.ManageUsers] = (Role.Administrator, true),
         [Act.ManageMachines] = (Role.Administrator, true),
         [Act.ManagePolicy] = (Role.Administrator, true),

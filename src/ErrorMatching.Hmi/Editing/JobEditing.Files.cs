@@ -26,6 +26,7 @@ public sealed partial class JobEditing
         _checking.Give(new(job, _base, _base, sha256, "", default));
         Changed?.Invoke();
         Refresh();
+        await ReadJobsAsync();
         await ReadVersionsAsync(job);
     }
 
@@ -69,7 +70,8 @@ public sealed partial class JobEditing
     }
 
     // Changes may have been kept under the name of another of the cell's jobs with the same file.
-    private IEnumerable<string> NamesOf(CellJobSettings job) => _station.Settings.Jobs.Where(j => j.File == job.File).OrderBy(j => j.Name != job.Name).Select(j => j.Name);
+    private IEnumerable<string> NamesOf(CellJobSettings job) =>
+        _station.Settings.Jobs.Where(j => j.File == job.File).Select(j => j.Name).Prepend(job.Name).Distinct(StringComparer.Ordinal);
 
     private void Forget(CellJobSettings job)
     {
@@ -93,7 +95,7 @@ public sealed partial class JobEditing
     internal void SaveSigned(SignedIn by)
     {
         _signed = by;
-        Save.Execute(null);
+        (IsBeside ? PutInUse : Save).Execute(null);
     }
 
     private async Task SaveAsync()
@@ -110,14 +112,20 @@ public sealed partial class JobEditing
             return;
         }
 
+        // A new job leaves the one before as it is.
+        if (draft.IsBegunAnew)
+        {
+            await SaveBesideAsync(job, draft);
+            return;
+        }
+
         // What a gauge runs changes by a signature alone.
-        if (signed is not { } by)
+        if ((IsBeside ? _who() : signed) is not { } by)
         {
             var undecided = 0;
             if (await TryAsync(() => undecided = Undecided(job).Length))
             {
-                var isNew = draft.IsBegunAnew && _base.Features.Count > 0;
-                Asked?.Invoke(new(job, draft.Name.Trim(), _base.Name.Trim(), undecided, HasComments, isNew));
+                Asked?.Invoke(new(job, draft.Name.Trim(), _base.Name.Trim(), undecided, HasComments, IsNew: false));
             }
 
             return;
@@ -126,38 +134,40 @@ public sealed partial class JobEditing
         var (saved, isOtherProgram) = ("", false);
         if (await TryAsync(() =>
         {
-            // A new job leaves the files of the one before as they are.
-            draft = draft.IsBegunAnew ? JobEdits.WithOwnFiles(job, draft) : draft;
             isOtherProgram = IsOtherProgram(job, draft);
-            saved = new JobEdits(_station.Settings, _station.Store, _station.Users).Save(job, draft, sha256, by);
+            saved = Edits.Save(job, draft, sha256, by);
         }))
         {
             // The imported program is the job's own now.
-            (_base, _baseSha256, HasComments) = (draft with { Program = null, IsBegunAnew = false }, saved, false);
+            (_base, _baseSha256, HasComments) = (draft with { Program = null }, saved, false);
             _history.Begin(_base);
             await _keeping.Running;
-            IReadOnlyList<Correction> waiting = [];
-            await TryAsync(() =>
+            var isForgotten = await TryAsync(() => Forget(job));
+            if (IsBeside)
             {
-                try
-                {
-                    waiting = MadeBefore(job);
-                }
-                finally
-                {
-                    Forget(job);
-                }
-            });
-            (_waiting, _first) = (waiting, waiting is [var first, ..] ? first.Id : null);
-            _notice = () => Sentence.Joined(
-                Texts.Current["Setup.Saved"],
-                isOtherProgram ? Texts.Current["Setup.SavedProgram"] : "",
-                waiting.Count > 0 ? Texts.Current.With("Setup.SavedWaiting", waiting.Count) : "");
+                Note(SavedBeside(job));
+            }
+            else if (isForgotten)
+            {
+                await TellSavedAsync(job, isOtherProgram);
+            }
+
             Changed?.Invoke();
             await ReadVersionsAsync(job);
         }
 
         Refresh();
+    }
+
+    private async Task TellSavedAsync(CellJobSettings job, bool isOtherProgram)
+    {
+        IReadOnlyList<Correction> waiting = [];
+        await TryAsync(() => waiting = MadeBefore(job));
+        (_waiting, _first) = (waiting, waiting is [var first, ..] ? first.Id : null);
+        _notice = () => Sentence.Joined(
+            Texts.Current["Setup.Saved"],
+            isOtherProgram ? Texts.Current["Setup.SavedProgram"] : "",
+            waiting.Count > 0 ? Texts.Current.With("Setup.SavedWaiting", waiting.Count) : "");
     }
 
     // By its bytes: the same program imported again is the same.

@@ -61,6 +61,6 @@ public sealed partial class JobEditing
         }
 
         Change("", _ => draft!);
-        Note(() => Texts.Current.With("Setup.Restored", time));
+        Note(() => Texts.Current.With(IsBeside ? "Setup.RestoredBeside" : "Setup.Restored", time));
     }
 }

@@ -31,7 +31,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         _who = who;
         _screen = SynchronizationContext.Current ?? throw new InvalidOperationException("Jobs are edited on the screen's thread.");
         _drafts = new(Path.Combine(Path.GetDirectoryName(Path.GetFullPath(station.Settings.File))!, "drafts"));
-        Jobs = [.. station.Settings.Jobs.Where(j => !j.IsFreeform).GroupBy(j => j.File, StringComparer.Ordinal).Select(g => g.FirstOrDefault(j => j.Piece != "counterpart") ?? g.First())];
+        Jobs.Show([.. InUse(station.Settings)]);
         _checking = new(LookThrough);
         _keeping = new(KeepAway);
         Undo = new(() => Go(_history.Undo), () => CanEdit && _history.CanUndo);
@@ -41,10 +41,12 @@ public sealed partial class JobEditing : Observable, IDisposable
         ContinueKept = new(TakeKept, () => Kept is not null && MayEdit);
         DiscardKept = new(_ => ForgetKeptAsync(), () => (Kept is not null || IsKeptBroken) && MayEdit);
         Save = new(_ => SaveAsync(), () => CanEdit && IsChanged);
+        PutInUse = new(_ => PutInUseAsync(), () => CanEdit && IsBeside && !IsChanged);
         ComputeAnew = new(_ => ComputeAnewAsync(), () => CanComputeAnew);
 
         // While it is saved nothing can be edited.
         Save.PropertyChanged += (_, _) => Refresh();
+        PutInUse.PropertyChanged += (_, _) => Refresh();
     }
 
     /// <summary>Said on the screen's thread when the draft is another one.</summary>
@@ -59,11 +61,11 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>Said when a new job was begun.</summary>
     public event Action? Begun;
 
-    /// <summary>Said when a job is to be saved: a person signs that, and then <see cref="SaveSigned"/> saves it.</summary>
+    /// <summary>Said when what a gauge runs is to change: a person signs that, and then <see cref="SaveSigned"/> saves it.</summary>
     public event Action<JobReplacement>? Asked;
 
-    /// <summary>The cell's mating jobs, each file once: where several take their measurements by the same file, as those of part and counterpart do, by the name of the first that is not the counterpart's.</summary>
-    public IReadOnlyList<CellJobSettings> Jobs { get; }
+    /// <summary>The cell's mating jobs, each file once: where several take their measurements by the same file, as those of part and counterpart do, by the name of the first that is not the counterpart's. Behind each those that are saved beside it.</summary>
+    public RowList<CellJobSettings> Jobs { get; } = [];
 
     /// <summary>The job that is edited; null before one is chosen.</summary>
     public CellJobSettings? Job { get; private set; }
@@ -135,7 +137,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     public bool MayEdit => _who() is { } who && Rights.Allows(who.Role, Act.EditJobs);
 
     /// <summary>True if the draft can be edited now.</summary>
-    public bool CanEdit => MayEdit && _isLoaded && Kept is null && !IsKeptBroken && !Save.IsRunning;
+    public bool CanEdit => MayEdit && _isLoaded && Kept is null && !IsKeptBroken && !Save.IsRunning && !PutInUse.IsRunning;
 
     /// <summary>A step back.</summary>
     public Command Undo { get; }
@@ -155,7 +157,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>Forgets the unsaved changes from before.</summary>
     public LongCommand DiscardKept { get; }
 
-    /// <summary>Puts the draft in the place of the job, if nothing is wrong with it.</summary>
+    /// <summary>Saves the draft, if nothing is wrong with it: in the place of the job, by a signature where that is in use; a new job beside it.</summary>
     public LongCommand Save { get; }
 
     /// <summary>Done when a job that was chosen is opened.</summary>
@@ -224,6 +226,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         }
 
         Save.Refresh();
+        PutInUse.Refresh();
         ComputeAnew.Refresh();
         Say();
         Shown?.Invoke();

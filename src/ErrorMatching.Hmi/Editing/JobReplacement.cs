@@ -2,13 +2,13 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A job that is to be saved: what its gauge runs from then on. It takes a signature.</summary>
+/// <summary>A job that is to be saved where it is in use, or to be put in use: what its gauge runs from then on. It takes a signature.</summary>
 /// <param name="Place">The cell's job in whose place it comes: its machine and slot stay.</param>
 /// <param name="Name">Its name.</param>
 /// <param name="Before">Name of the one that is used.</param>
 /// <param name="Undecided">How many corrections of that one still wait, are approved or failed.</param>
 /// <param name="HasComments">True if its file has comments, which are not taken over.</param>
-/// <param name="IsNew">True for a new job in the place of another one.</param>
+/// <param name="IsNew">True for another job that is put in its place.</param>
 public sealed record JobReplacement(CellJobSettings Place, string Name, string Before, int Undecided, bool HasComments, bool IsNew)
 {
     /// <summary>Whose place it takes, from when on and where, in words.</summary>

@@ -51,8 +51,9 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>What the job is called, as it is on the screen; by its name in the cell while it has none.</summary>
     public string JobTitle => Editing.Job is not { } job ? "" : Editing.Draft.Name.Trim() is { Length: > 0 } name ? name : Editing.Draft.IsBegunAnew ? Texts.Current["Setup.NewJob"] : job.Name;
 
-    /// <summary>In which of the cell's jobs it stands, and whether it is saved there.</summary>
-    public string JobState => Editing.Job is not { } job ? "" : Editing.IsChanged ? Texts.Current.With("Setup.JobUnsaved", job.Name) : job.Name;
+    /// <summary>In which of the cell's jobs it stands or may come, and whether it is saved and in use there.</summary>
+    public string JobState => Editing.Place is not { } job ? "" : Editing.IsChanged ? Texts.Current.With("Setup.JobUnsaved", job.Name)
+        : Editing.IsBeside ? Texts.Current.With("Setup.JobBeside", job.Name) : job.Name;
 
     /// <summary>To the other one of both screens: they are two steps of one thing.</summary>
     public Command Step { get; }
@@ -102,11 +103,15 @@ public abstract class SetupViewModel : ScreenViewModel
     public bool HasProblems => Editing.Problems.Count > 0;
 
     /// <summary>Whether the draft is what stands there.</summary>
-    public string StateText => Editing.Job is not { } job ? "" : !Editing.IsChanged ? Texts.Current.With("Setup.AsSaved", job.Machine, job.Slot)
+    public string StateText => Editing.Place is not { } job ? ""
+        : !Editing.IsChanged ? Texts.Current.With(Editing.IsBeside ? "Setup.Beside" : "Setup.AsSaved", job.Machine, job.Slot, job.Name)
         : Sentence.Joined(Texts.Current.With("Setup.Unsaved", job.Machine, job.Slot, job.Name), Editing.HasComments && !Editing.Draft.IsBegunAnew ? Texts.Current["Setup.CommentsLost"] : "");
 
     /// <summary>What a new job is for, and what becomes of the one that is there.</summary>
-    public string? AnewHelp => Editing.Job is { } job ? Texts.Current.With("Setup.BeginAnewHelp", job.Name, job.Machine, job.Slot) : null;
+    public string? AnewHelp => Editing.Place is { } job ? Texts.Current.With("Setup.BeginAnewHelp", job.Name, job.Machine, job.Slot) : null;
+
+    /// <summary>In whose place the job comes where it is put in use; null before one is chosen.</summary>
+    public string? PutInUseHelp => Editing.Place is { } job ? Texts.Current.With("Setup.ReplaceHelp", job.Name, job.Machine, job.Slot) : null;
 
     /// <summary>True where nothing is said in the place of <see cref="StateText"/>.</summary>
     public bool IsQuiet => Trouble is null && Editing.Notice is null && !HasKept;

@@ -10,8 +10,8 @@ public sealed record VersionRow(JobVersion Version, string Time, Command Restore
 {
     private const int Digits = 8;
 
-    /// <summary>When, by whom, and the first digits of its hash.</summary>
-    public string Text => $"{Time} · {Version.By} · {Version.Sha256[..Digits]}…";
+    /// <summary>When, what it was called, by whom, and the first digits of its hash.</summary>
+    public string Text => $"{Time} · {Version.Name} · {Version.By} · {Version.Sha256[..Digits]}…";
 
     /// <summary>What the button does, with which version, for those who do not see the row.</summary>
     public string Name => $"{Texts.Current["System.Restore"]} {Text}";

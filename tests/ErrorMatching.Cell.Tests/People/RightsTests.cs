@@ -2,7 +2,7 @@ namespace ErrorMatching.Cell.Tests;
 
 public sealed class RightsTests
 {
-    // Issue and manual: operator (see, release, reject), setter (approve, revert, edit jobs), administrator (users, machines, policy).
+    // Issue and manual: operator (see, release, reject), setter (approve, revert, edit and prepare jobs), administrator (users, machines, policy).
     private const string Table = """
                        operator setter administrator signed
         See            yes      yes    yes           no
@@ -11,6 +11,7 @@ public sealed class RightsTests
         Approve        no       yes    yes           yes
         Revert         no       yes    yes           yes
         EditJobs       no       yes    yes           yes
+        PrepareJobs    no       yes    yes           no
         ManageUsers    no       no     yes           yes
         ManageMachines no       no     yes           yes
         ManagePolicy   no       no     yes           yes

@@ -1,10 +1,12 @@
+using System.Security.Cryptography;
+using Avalonia;
 using Avalonia.Controls;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>A new job is begun at the beginning, is called what it is, and takes the place of one that is used only where somebody says so.</summary>
+/// <summary>A new job is begun at the beginning, is called what it is, is saved under that name beside the one that runs, and takes its place only where somebody signs that.</summary>
 public sealed class NewJobTests
 {
     [Fact]
@@ -35,21 +37,67 @@ public sealed class NewJobTests
     });
 
     [Fact]
-    public Task Another_job_takes_the_place_of_one_that_is_used_only_where_somebody_says_so() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task A_new_job_is_saved_beside_the_one_that_runs_without_a_signature() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        var (here, editing, folder) = (seat.Seat, seat.Shell.Editing, Path.GetDirectoryName(seat.JobFile)!);
+        var before = Contents(folder);
+        SetUp(seat);
+        var places = Places();
+        here.Tap("setup-save").WaitFor(() => editing.Notice is not null, "It is not saved.");
+        Assert.Null(here.Find("signing-subject"));
+        Assert.Equal(before, Contents(folder));
+        seat.Settle();
+        Assert.Equal(places, Places());
+        Assert.Equal(("Bracket", "Not in use · complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
+        Assert.Equal(
+            "Saved as complex-mating/Bracket. It is not in use: complex-mating still runs at vmc1, slot A.", seat.TextOf("setup-notice"));
+        BothLanguages.Take(here, "setup-saved-beside");
+
+        // It is opened, changed and saved as any other, and both of its versions are kept.
+        editing.Change("", d => d with { WorkOrder = "WO-9" });
+        seat.Settle();
+        Assert.Equal("Not saved: complex-mating still runs at vmc1, slot A.", seat.TextOf("setup-state"));
+        Assert.False(here.See("setup-put-in-use").IsEffectivelyEnabled);
+        here.User.Wait(TimeSpan.FromMilliseconds(600));
+        here.Tap("setup-save").WaitFor(() => editing.Notice is not null && editing.Versions.Count == 2, "A change is not saved.");
+        Assert.Null(here.Find("signing-subject"));
+        editing.Choose(editing.Jobs[0]);
+        seat.Settle();
+        Assert.Equal("Complex mating", editing.Draft.Name);
+        editing.Choose(Beside(editing));
+        seat.Settle();
+        Assert.Equal(("Bracket", "WO-9"), (editing.Draft.Name, editing.Draft.WorkOrder));
+        here.Tap("side-gauge").Tap(editing.Versions[1].AutomationId);
+        here.WaitFor(() => editing.Draft.WorkOrder != "WO-9", "The first version is not brought back.");
+        seat.Settle();
+        Assert.Contains(" · Bracket · ", editing.Versions[1].Text, StringComparison.Ordinal);
+        Assert.Equal(before, Contents(folder));
+        var entries = here.Station.Store.AuditEntries(0, 1000).Where(e => e.What.StartsWith("job-", StringComparison.Ordinal));
+        Assert.Equal([("job-prepared", "complex-mating/Bracket"), ("job-prepared", "complex-mating/Bracket")], entries.Select(e => (e.What, e.Subject)));
+
+        (int X, int Y)[] Places() =>
+        [
+            .. new[] { "setup-undo", "setup-save", "setup-step", "side-gauge", "points-paste", "dry-run-file", "dry-run" }
+                .Select(id => here.See(id).TranslatePoint(default, here.Window)!.Value).Select(p => ((int)p.X, (int)p.Y)),
+        ];
+    });
+
+    [Fact]
+    public Task It_takes_the_place_of_the_one_that_runs_only_where_somebody_signs_that() => SetupSeat.AtAsync(Screens.System, seat =>
     {
         var (job, here) = (File.ReadAllBytes(seat.JobFile), seat.Seat);
         here.Cell.Run();
         here.Cell.Deliver(1, 0);
         here.WaitFor(1, CorrectionState.Proposed);
-        SetUp(seat);
-        here.Tap("setup-save").See("signing-subject");
+        SaveBeside(seat);
+        here.Tap("setup-put-in-use").See("signing-subject");
         Assert.Equal("Bracket", here.TextOf("signing-subject"));
         Assert.Equal(
             "The old one is kept, with its files, and can be restored. "
             + "From the next measurement on, vmc1, slot A uses Bracket instead of Complex mating.",
             here.TextOf("signing-consequence"));
         Assert.Equal(
-            [new Fact("Corrections of the old job that wait: 1. Once saved, they can be computed anew.", Severity.Attention), new("Saving drops the comments in its file.", Severity.Attention)], here.Shell.Signing!.Facts);
+            [new Fact("Corrections of the old job that wait: 1. Once the new one is in use, they can be computed anew.", Severity.Attention), new("Saving drops the comments in its file.", Severity.Attention)], here.Shell.Signing!.Facts);
 
         // What a gauge runs changes by a signature alone, as a program does at its machine.
         Assert.NotNull(here.Find("signing-password"));
@@ -57,33 +105,50 @@ public sealed class NewJobTests
         BothLanguages.Take(here, "setup-replace");
         here.Tap("signing-leave");
         seat.Settle();
-        Assert.Equal((true, null), (seat.Shell.Editing.IsChanged, seat.Shell.Editing.Notice));
         Assert.Equal(job, File.ReadAllBytes(seat.JobFile));
 
         here.User.Wait(TimeSpan.FromMilliseconds(600));
-        here.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
+        PutInUse(seat);
         Assert.Equal("Bracket", InputFile.Job(seat.JobFile).Name);
         Assert.Equal(("Bracket", "complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
+        Assert.NotNull(here.Find("setup-compute-anew"));
 
         // From now on it is the one that is used, and edited as any other.
         seat.Shell.Editing.Change("", d => d with { WorkOrder = "WO-9" });
         seat.Settle();
         here.User.Wait(TimeSpan.FromMilliseconds(600));
-        here.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "An ordinary change is asked about.");
+        here.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "An ordinary change is not saved.");
         Assert.Equal("WO-9", InputFile.Job(seat.JobFile).WorkOrder);
     });
 
     [Fact]
-    public Task Where_the_station_locks_while_it_is_asked_nothing_is_saved_and_it_can_be_saved_again() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task Where_the_station_locks_while_it_is_asked_nothing_is_put_in_use_and_it_can_be_later() => SetupSeat.AtAsync(Screens.System, seat =>
     {
         var job = File.ReadAllBytes(seat.JobFile);
-        SetUp(seat);
-        seat.Seat.Tap("setup-save").See("signing-subject");
+        SaveBeside(seat);
+        seat.Seat.Tap("setup-put-in-use").See("signing-subject");
         seat.Shell.SignOut.Execute(null);
         seat.Seat.WaitFor(() => seat.Shell.IsLocked, "The station does not lock.").SignIn(DemoCell.Setter);
         Assert.Equal(job, File.ReadAllBytes(seat.JobFile));
-        seat.Seat.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
+        PutInUse(seat);
         Assert.Equal("Bracket", InputFile.Job(seat.JobFile).Name);
+    });
+
+    [Fact]
+    public Task A_name_that_is_taken_or_is_none_is_refused_in_words() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        var (here, editing) = (seat.Seat, seat.Shell.Editing);
+        SaveBeside(seat);
+        SetUp(seat);
+        here.Tap("setup-save").WaitFor(() => seat.TextOf("setup-message") is not null, "It is not refused.");
+        Assert.Equal("A saved job has this workpiece name already. Give the new one another name, or open the saved one and change it.", seat.TextOf("setup-message"));
+        BothLanguages.Take(here, "setup-name-taken");
+        editing.Change("", d => d with { Name = "../Bracket" });
+        seat.Settle();
+        here.User.Wait(TimeSpan.FromMilliseconds(600));
+        here.Tap("setup-save").WaitFor(() => seat.TextOf("setup-message") is not null, "It is not refused.");
+        Assert.StartsWith("A saved job cannot be called so: ", seat.TextOf("setup-message"), StringComparison.Ordinal);
+        Assert.True(editing.IsChanged);
     });
 
     [Fact]
@@ -111,7 +176,10 @@ public sealed class NewJobTests
         var imported = DraftProgram.Of(programWas.Append((byte)'\n').ToArray());
         editing.Change("", d => d with { OtherPoints = [new("O", "0", "0")], Program = imported });
         seat.Settle();
-        here.Save().WaitFor(() => editing.Notice is not null && editing.Versions.Count == 2, "It is not saved.");
+        here.Tap("setup-save").WaitFor(() => editing.Notice is not null, "It is not saved.");
+        seat.Settle();
+        PutInUse(seat);
+        here.WaitFor(() => editing.Versions.Count == 2, "The versions are not read.");
         Assert.Equal("Bracket", InputFile.Job(seat.JobFile).Name);
         Assert.Equal(pointsWere, File.ReadAllBytes(points));
         Assert.Equal(programWas, File.ReadAllBytes(program));
@@ -124,7 +192,7 @@ public sealed class NewJobTests
         here.Save().WaitFor(() => InputFile.Job(seat.JobFile).Name == before.Name && editing.Versions.Count == 3, "It is not restored.");
         Assert.Equal(programWas, File.ReadAllBytes(program));
         var words = here.Station.Store.AuditEntries(0, 1000).Select(e => e.What).Where(w => w.StartsWith("job-", StringComparison.Ordinal));
-        Assert.Equal([JobEdits.Found, JobEdits.Edited, JobEdits.Edited], words);
+        Assert.Equal(["job-prepared", JobEdits.Found, JobEdits.Edited, JobEdits.Edited], words);
     });
 
     // What the sample has, set up anew under another name.
@@ -136,4 +204,28 @@ public sealed class NewJobTests
         seat.Settle();
         Assert.Empty(seat.Shell.Editing.Problems);
     }
+    private static void SaveBeside(SetupSeat seat)
+    {
+        SetUp(seat);
+        seat.Seat.Tap("setup-save").WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
+        seat.Settle();
+        seat.Seat.User.Wait(TimeSpan.FromMilliseconds(600));
+    }
+
+    private static void PutInUse(SetupSeat seat)
+    {
+        var (here, editing) = (seat.Seat, seat.Shell.Editing);
+        here.Tap("setup-put-in-use").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
+        here.WaitFor(() => editing.Notice is not null && editing.Job == editing.Jobs[0], "It is not put in use.");
+        seat.Settle();
+    }
+
+    private static CellJobSettings Beside(JobEditing editing) => editing.Jobs.Single(j => j.Name == "complex-mating/Bracket");
+
+    // Of the running job: what lies in its folder itself.
+    private static List<(string Name, string Sha256)> Contents(string folder) =>
+    [
+        .. Directory.EnumerateFiles(folder).Order(StringComparer.Ordinal)
+            .Select(f => (Path.GetFileName(f), Convert.ToHexString(SHA256.HashData(File.ReadAllBytes(f))))),
+    ];
 }

@@ -16,6 +16,9 @@ public static partial class ProgramNames
     public static bool Allows(string name) =>
         Allowed().IsMatch(name) && !Reserved().IsMatch(name) && !HasSuffix(name, NewSuffix) && !HasSuffix(name, OldSuffix);
 
+    /// <summary>True for a name that Windows keeps for a device.</summary>
+    internal static bool IsReserved(string name) => Reserved().IsMatch(name);
+
     /// <summary>True if a file in a machine's folder may be asked for by this name: printable ASCII that leads nowhere else and that no protocol takes for something else.</summary>
     internal static bool IsPlain(string name) => Plain().IsMatch(name);
 

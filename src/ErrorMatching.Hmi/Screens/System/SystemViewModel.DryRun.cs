@@ -58,7 +58,7 @@ public sealed partial class SystemViewModel
         Editing.ForgetNotice();
         var piece = Editing.Draft.Compensation.From;
         (Correction Correction, byte[] Bytes, GivenFile? Part)? last = null;
-        var job = Editing.Job!;
+        var job = Editing.Place!;
         if (!await TryAsync(() =>
         {
             if (Station.Store.Search(new() { Most = Latest }).Where(c => c.Job == job.Name && c.Piece == piece).MaxBy(c => c.Turn) is { } c)
@@ -92,7 +92,7 @@ public sealed partial class SystemViewModel
         if (await TryAsync(() => bytes = InputFile.Bytes(path, JsonLimits.Default.MaxBytes)))
         {
             var name = Path.GetFileName(path);
-            var given = new Correction(0, CorrectionState.Computed, 0, "", name, Station.Clock.GetUtcNow(), "", bytes.Length) { Job = Editing.Job!.Name };
+            var given = new Correction(0, CorrectionState.Computed, 0, "", name, Station.Clock.GetUtcNow(), "", bytes.Length) { Job = Editing.Place!.Name };
             await TryOutAsync(given, new(name, bytes), null, cancellation);
         }
 

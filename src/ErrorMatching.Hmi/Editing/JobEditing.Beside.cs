@@ -1,0 +1,131 @@
+using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
+using ErrorMatching.Json;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Hmi;
+
+/// <content>Jobs that are saved beside the one that runs: changed without touching it, and put in its place by a signature.</content>
+public sealed partial class JobEditing
+{
+    // Of the job that runs, when a person was asked: what is signed is that this very one is replaced.
+    private string _replacedSha256 = "";
+
+    /// <summary>True while the job that is edited is saved beside the one that runs.</summary>
+    public bool IsBeside => Job is { } job && !Edits.IsInUse(job);
+
+    /// <summary>The cell's job in whose place the one that is edited stands or may come; null before one is chosen.</summary>
+    public CellJobSettings? Place => Job is { } job ? Edits.PlaceOf(job) : null;
+
+    /// <summary>Puts the job in the place of the one that runs, once all of it is saved.</summary>
+    public LongCommand PutInUse { get; }
+
+    // Where several take their measurements by the same file, as those of part and counterpart do, by the first that is not the
+    // counterpart's.
+    private static IEnumerable<CellJobSettings> InUse(CellSettings settings) => settings.Jobs.Where(j => !j.IsFreeform)
+        .GroupBy(j => j.File, StringComparer.Ordinal).Select(g => g.FirstOrDefault(j => j.Piece != "counterpart") ?? g.First());
+
+    // What cannot be listed now is not there to be chosen; each that runs is.
+    private async Task ReadJobsAsync()
+    {
+        IReadOnlyList<CellJobSettings> jobs = [];
+        var read = () => { jobs = [.. InUse(_station.Settings).SelectMany(j => Edits.PreparedFor(j).Prepend(j))]; };
+        if (await Failures.OfAsync(read, _station.Clock) is { } failure)
+        {
+            Message = failure;
+            return;
+        }
+
+        Jobs.Show(jobs);
+    }
+
+    private async Task SaveBesideAsync(CellJobSettings job, MatingDraft draft)
+    {
+        var by = _who()!;
+        CellJobSettings? prepared = null;
+        if (await TryAsync(() => prepared = Edits.Prepare(job, draft, by)))
+        {
+            await _keeping.Running;
+            await ReadJobsAsync();
+            Choose(prepared);
+            await Loading;
+            await TryAsync(() => Forget(job));
+            Note(SavedBeside(prepared!));
+        }
+
+        Refresh();
+    }
+
+    private Func<string> SavedBeside(CellJobSettings prepared)
+    {
+        var place = Edits.PlaceOf(prepared);
+        return () => Texts.Current.With("Setup.SavedBeside", prepared.Name, place.Name, place.Machine, place.Slot);
+    }
+
+    private async Task PutInUseAsync()
+    {
+        var (job, place, draft, signed) = (Job!, Place!, Draft, _signed);
+        _signed = null;
+        await _checking.Running;
+        await Task.Yield();
+        if (Problems.Count > 0)
+        {
+            Tell();
+            Note(() => Problems.Count > 0 ? Texts.Current.With("Setup.NotSaved", CountText) : "");
+            return;
+        }
+
+        if (signed is not { } by)
+        {
+            JobReplacement? replacement = null;
+            if (await TryAsync(() => replacement = Replacing(place, draft)))
+            {
+                Asked?.Invoke(replacement!);
+            }
+
+            return;
+        }
+
+        var isOtherProgram = false;
+        if (await TryAsync(() =>
+        {
+            isOtherProgram = IsOtherProgram(Running(place), InputFile.Program(PathOf(job, draft.Counterpart.Program)));
+            Edits.PutInUse(job, draft, _replacedSha256, by);
+        }))
+        {
+            Choose(place);
+            await Loading;
+            await TellSavedAsync(place, isOtherProgram);
+        }
+
+        Refresh();
+    }
+
+    private JobReplacement Replacing(CellJobSettings place, MatingDraft draft)
+    {
+        _replacedSha256 = JobEdits.Sha256Of(place);
+        var hasComments = _replacedSha256.Length > 0
+            && MatingDraftFiles.HasComments(InputFile.Bytes(place.File, JsonLimits.Default.MaxBytes));
+        return new(place, draft.Name.Trim(), Running(place)?.Name ?? "", Undecided(place).Length, hasComments, IsNew: true);
+    }
+
+    // Null where what stands there can be used by nobody: it is replaced all the same.
+    private static MatingJob? Running(CellJobSettings place)
+    {
+        try
+        {
+            return InputFile.Job(place.File);
+        }
+        catch (Exception e) when (e is InputException or JobException)
+        {
+            return null;
+        }
+    }
+
+    private static bool IsOtherProgram(MatingJob? before, ReadOnlyMemory<byte> program) =>
+        before?.PathOf(before.Counterpart.Program) is not { } file || !File.Exists(file)
+        || !InputFile.Program(file).Span.SequenceEqual(program.Span);
+
+    private static string PathOf(CellJobSettings job, string name) =>
+        Path.GetFullPath(Path.Combine(Path.GetDirectoryName(job.File)!, name));
+}
