@@ -48,7 +48,7 @@ public sealed class NewJobTests
         Assert.Equal(before, Contents(folder));
         seat.Settle();
         Assert.Equal(places, Places());
-        Assert.Equal(("Bracket", "Not in use · complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
+        Assert.Equal(("Bracket", "Not used · complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
         Assert.Equal(
             "Saved as complex-mating/Bracket. It is not in use: complex-mating still runs at vmc1, slot A.", seat.TextOf("setup-notice"));
         BothLanguages.Take(here, "setup-saved-beside");

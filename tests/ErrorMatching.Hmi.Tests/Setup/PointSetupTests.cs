@@ -56,10 +56,10 @@ public sealed class PointSetupTests
     });
 
     [Fact]
-    public Task A_new_job_says_whose_place_it_takes_and_that_nothing_is_in_use_before_it_is_saved() => At(seat =>
+    public Task A_new_job_says_for_which_place_it_is_and_that_the_one_there_runs_until_it_is_put_in_use() => At(seat =>
     {
         var anew = seat.Seat.See("setup-anew");
-        Assert.Equal("A new job from an empty form, for vmc1, slot A. It takes the place of complex-mating once it is saved.", AutomationProperties.GetHelpText(anew));
+        Assert.Equal("A new job from an empty form, for vmc1, slot A. It is saved under its own name; complex-mating runs until you put the new one in use.", AutomationProperties.GetHelpText(anew));
         Assert.Equal(AutomationProperties.GetHelpText(anew), ToolTip.GetTip(anew));
         seat.Seat.Tap("setup-anew");
         seat.Settle();
