@@ -31,9 +31,9 @@ internal sealed class PostgresDatabase : CellDatabase
     /// <inheritdoc/>
     protected override string ForUpdate => " FOR UPDATE";
 
-    /// <summary>Opens a store in a database that is there.</summary>
+    /// <summary>Opens a store in an existing database.</summary>
     /// <param name="settings">Where it is.</param>
-    /// <param name="prepare">Looks whether it is whole and takes it to the present form.</param>
+    /// <param name="prepare">Checks its integrity and migrates it to the current schema.</param>
     public static PostgresDatabase Open(PostgresSettings settings, Action<CellDatabase> prepare) => Prepared<PostgresDatabase>(new(settings), prepare);
 
     /// <inheritdoc/>
@@ -52,7 +52,7 @@ internal sealed class PostgresDatabase : CellDatabase
     /// <summary>Name of the function that keeps a table append-only.</summary>
     internal static string Keeper(string table) => table + "_is_append_only";
 
-    /// <summary>What that function does.</summary>
+    /// <summary>The body of that function.</summary>
     internal static string KeeperBody(string table) => $"BEGIN RAISE EXCEPTION '{table} is append-only'; END";
 
     /// <inheritdoc/>
@@ -62,7 +62,7 @@ internal sealed class PostgresDatabase : CellDatabase
     /// <inheritdoc/>
     public override void Inspect() => Read(connection =>
     {
-        // The server looks after its own files; contents and the audit trail are proved by their hashes.
+        // The server checks its own files; hashes verify contents and the audit trail.
         if (connection.QuerySingle<string>("SHOW server_encoding") != "UTF8")
         {
             throw new StoreException(StoreError.NotSupported, $"{Place} cannot keep every text: make its database with createdb --encoding=UTF8 --template=template0.");
@@ -135,7 +135,7 @@ internal sealed class PostgresDatabase : CellDatabase
             _ => (StoreError.Unknown, $"says: {failure.Message}"),
         };
 
-        // Other idle connections are as dead; the next call begins with a fresh one.
+        // Other idle connections are dead too; the next call opens a new one.
         if (error == StoreError.Away) _source.Clear();
         return new StoreException(error, $"{Place} {words}", failure);
     }

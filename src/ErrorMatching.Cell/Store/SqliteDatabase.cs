@@ -8,7 +8,7 @@ using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A store in a file of its own, by SQLite: write-ahead log, every change on the disk before it is reported.</summary>
+/// <summary>A store in its own SQLite file, with a write-ahead log; every change is on disk before it is reported.</summary>
 internal sealed partial class SqliteDatabase : CellDatabase
 {
     internal const int ApplicationId = 0x45724D43;
@@ -33,10 +33,10 @@ internal sealed partial class SqliteDatabase : CellDatabase
     /// <inheritdoc/>
     protected override string ForUpdate => "";
 
-    /// <summary>Opens a store, or makes one where there is none: under another name, so that there is a whole one or none.</summary>
+    /// <summary>Opens a store, or creates it under another name first, so that it exists completely or not at all.</summary>
     /// <param name="file">Its file.</param>
-    /// <param name="prepare">Looks whether it is whole and takes it to the present form.</param>
-    /// <param name="toRead">True if it need not be one that can be written.</param>
+    /// <param name="prepare">Checks its integrity and migrates it to the current schema.</param>
+    /// <param name="toRead">True if the store need not be writable.</param>
     public static SqliteDatabase Open(string file, Action<CellDatabase> prepare, bool toRead = false)
     {
         var database = new SqliteDatabase(file);
@@ -55,7 +55,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
     public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) =>
         DatabaseForm.FaultOfFile(connection, transaction);
 
-    /// <summary>SQLite's words for the tokens of a migration.</summary>
+    /// <summary>Translates a migration's tokens for SQLite.</summary>
     internal static string WordOf(string token, string argument) => token switch
     {
         "blob" => "BLOB",
@@ -82,7 +82,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
     /// <inheritdoc/>
     public override void WaitForMigration(DbConnection connection, DbTransaction transaction)
     {
-        // The transaction of a writer is the lock.
+        // The writer's transaction is the lock.
     }
 
     /// <inheritdoc/>
@@ -108,7 +108,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
                 copy.Open();
                 SqliteCopy.Copy((SqliteConnection)connection, copy, progress, cancellation);
 
-                // One file, without a log beside it.
+                // A single file without a separate log.
                 copy.Execute("PRAGMA journal_mode = DELETE");
                 progress?.Report(new("looking at each page of the copy", 0, 0));
                 var found = SqliteCopy.Check(copy, cancellation);
@@ -145,7 +145,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
             }
             catch (SqliteException)
             {
-                // The log stays beside the file, and the next one who opens it reads on from there.
+                // The log stays next to the file, and the next process that opens it continues from there.
             }
 
             _writer?.Dispose();
@@ -171,7 +171,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
                 var result = change(writer, transaction);
                 transaction.Commit();
 
-                // What was kept in a file that lost its name meanwhile is lost: the caller must not treat it as kept.
+                // A change written to a file that has lost its name meanwhile is lost: the caller must not treat it as stored.
                 if (FileIdentity.Of(_file) != _identity)
                 {
                     throw new StoreException(StoreError.Away, $"The store {_file} was taken away while a change was kept. Look again whether it was.");
@@ -181,7 +181,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
             }
             catch (SqliteException)
             {
-                // Whatever state it is in: the next change begins with a fresh one.
+                // Its state is unknown: the next change opens a new one.
                 _writer = null;
                 writer.Dispose();
                 throw;
@@ -241,8 +241,8 @@ internal sealed partial class SqliteDatabase : CellDatabase
         connection.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     });
 
-    // In a folder that nobody can write SQLite finds no room for its index of the log. Where there is no log and no index, nobody writes,
-    // and the file is all there is. Source: sqlite.org/wal.html, read-only databases.
+    // In a read-only folder SQLite has no place for its index of the log. Without a log and an index there is no writer, and the file is
+    // complete. Source: sqlite.org/wal.html, read-only databases.
     private SqliteConnection ConnectToRead()
     {
         var isAlone = !File.Exists(_file + "-shm") && (new FileInfo(_file + "-wal") is { Exists: false } or { Length: 0 });
@@ -252,7 +252,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
             connection => connection.Open());
     }
 
-    // A store has hashes of passwords: whoever else may read it is its owner's decision, not the umask's. Its log follows it.
+    // A store contains password hashes: its owner decides who else may read it, not the umask. Its log gets the same permissions.
     internal static void MakeForOwner(string file)
     {
         var options = new FileStreamOptions { Mode = FileMode.Create, Access = FileAccess.Write };
@@ -266,7 +266,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    // A log without its file is the sign of a lost store, and would be read into a new one.
+    // A log without its file indicates a lost store, and would be read into a new one.
     private void Make(Action<CellDatabase> prepare)
     {
         var folder = Path.GetDirectoryName(Path.GetFullPath(_file))!;
@@ -288,7 +288,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
                 prepare(made);
             }
 
-            // If another process was faster, its store is as good.
+            // If another process was faster, its store is just as good.
             _ = FirstFile.TryPut(temporary, _file);
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
@@ -301,8 +301,9 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    // What SQLite itself would take for a new and empty database, or would only find when it first writes. The file itself must never be opened here: where locks belong to processes, as on Linux,
-    // closing it would take away those that SQLite has on it, and another process would take itself for the last one and delete the log.
+    // Finds files that SQLite would treat as a new, empty database, or would reject only on the first write. The database file itself must
+    // never be opened here: where locks belong to processes, as on Linux, closing it would release SQLite's locks on it, and another
+    // process would think it is the last one and delete the log.
     private void Prove(bool toRead)
     {
         if (new FileInfo(_file).Length == 0) throw new StoreException(StoreError.Damaged, $"The store {_file} is empty. Restore the latest backup.");
