@@ -25,7 +25,7 @@ public enum CorrectionState
     /// <summary>The machine holds the program: it was read back and is identical to the last bit. The slot is taken.</summary>
     Verified,
 
-    /// <summary>The piece is cut and the slot is free. Final.</summary>
+    /// <summary>The piece is cut and the slot is free. Only a revert can follow.</summary>
     Released,
 
     /// <summary>A newer measurement of the same piece replaced it before it was sent. Final.</summary>
