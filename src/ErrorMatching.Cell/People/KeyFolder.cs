@@ -25,11 +25,9 @@ internal sealed class KeyFolder : IXmlRepository
         Try("made", folder, () => Own(folder));
     }
 
-    /// <inheritdoc/>
     public IReadOnlyCollection<XElement> GetAllElements() =>
         [.. Try("listed", _folder, () => Directory.EnumerateFiles(_folder, "*.xml").Order(StringComparer.Ordinal).ToArray()).Select(f => Try("read", f, () => XElement.Load(f)))];
 
-    /// <inheritdoc/>
     public void StoreElement(XElement element, string friendlyName)
     {
         using var text = new MemoryStream();

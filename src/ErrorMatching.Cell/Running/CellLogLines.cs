@@ -11,7 +11,6 @@ internal sealed class CellLogLines : ITextFormatter
 {
     private readonly MessageTemplateTextFormatter _line = new("{Timestamp:HH:mm:ss} {Level:w3} {Message:l}", CultureInfo.InvariantCulture);
 
-    /// <inheritdoc/>
     public void Format(LogEvent logEvent, TextWriter output)
     {
         using var line = new StringWriter(CultureInfo.InvariantCulture);

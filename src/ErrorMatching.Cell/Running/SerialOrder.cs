@@ -7,7 +7,6 @@ internal sealed class SerialOrder : IComparer<string?>
     /// <summary>The shared instance.</summary>
     public static SerialOrder Instance { get; } = new();
 
-    /// <inheritdoc/>
     public int Compare(string? x, string? y)
     {
         if (x is null || y is null)

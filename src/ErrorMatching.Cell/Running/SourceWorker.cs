@@ -42,7 +42,6 @@ internal sealed class SourceWorker : IDisposable
         return TimeSpan.Zero;
     }
 
-    /// <inheritdoc/>
     public void Dispose() => _files?.Dispose();
 
     private void Archive(Arrival arrival)

@@ -6,7 +6,6 @@ internal sealed class Sources(CellFlow flow, Func<MachineSettings, IMachineFolde
     /// <summary>Each gauge's name and worker.</summary>
     public IReadOnlyList<(string Gauge, SourceWorker Source)> All { get; } = [.. flow.Settings.Gauges.Select(g => (g.Name, new SourceWorker(flow, g, open)))];
 
-    /// <inheritdoc/>
     public void Dispose()
     {
         foreach (var (_, source) in All)

@@ -76,7 +76,6 @@ internal abstract class CellDatabase : IDisposable
     /// <summary>Writes a full copy while others continue to work.</summary>
     public abstract void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation);
 
-    /// <inheritdoc/>
     public abstract void Dispose();
 
     /// <summary>Translates a failure of this engine for a setter.</summary>

@@ -8,7 +8,6 @@ internal sealed class FileLock : ISlotLock
 
     private FileLock(FileStream file) => _file = file;
 
-    /// <inheritdoc/>
     public bool IsHeld => !_disposed;
 
     /// <summary>Name of a lock file next to the store.</summary>
@@ -42,7 +41,6 @@ internal sealed class FileLock : ISlotLock
         }
     }
 
-    /// <inheritdoc/>
     public void Dispose()
     {
         _disposed = true;

@@ -16,7 +16,6 @@ internal sealed class PostgresLock : ISlotLock
         _name = name;
     }
 
-    /// <inheritdoc/>
     public bool IsHeld
     {
         get
@@ -60,7 +59,6 @@ internal sealed class PostgresLock : ISlotLock
         }
     }
 
-    /// <inheritdoc/>
     public void Dispose()
     {
         lock (_connection)

@@ -27,10 +27,8 @@ internal sealed partial class SqliteDatabase : CellDatabase
 
     private SqliteDatabase(string file) => _file = file;
 
-    /// <inheritdoc/>
     public override string Place => $"The store {_file}";
 
-    /// <inheritdoc/>
     protected override string ForUpdate => "";
 
     /// <summary>Opens a store, or creates it under another name first, so that it exists completely or not at all.</summary>
@@ -48,10 +46,8 @@ internal sealed partial class SqliteDatabase : CellDatabase
         });
     }
 
-    /// <inheritdoc/>
     public override string Word(string token, string argument) => WordOf(token, argument);
 
-    /// <inheritdoc/>
     public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) =>
         DatabaseForm.FaultOfFile(connection, transaction);
 
@@ -67,7 +63,6 @@ internal sealed partial class SqliteDatabase : CellDatabase
         _ => throw new ArgumentOutOfRangeException(nameof(token), token, "No such token of migrations."),
     };
 
-    /// <inheritdoc/>
     public override void Inspect() => Read(connection =>
     {
         var check = new FileInfo(_file).Length <= WholeCheckBytes ? "integrity_check" : "quick_check";
@@ -75,24 +70,20 @@ internal sealed partial class SqliteDatabase : CellDatabase
         return found == "ok" ? true : throw Damaged(found, null);
     });
 
-    /// <inheritdoc/>
     public override bool HasTable(DbConnection connection, string name) =>
         connection.QuerySingle<long>("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = @name", new { name }) == 1;
 
-    /// <inheritdoc/>
     public override void WaitForMigration(DbConnection connection, DbTransaction transaction)
     {
         // The writer's transaction is the lock.
     }
 
-    /// <inheritdoc/>
     public override ISlotLock? TryLock(string name)
     {
         var hash = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(name)))[..16];
         return FileLock.TryTake(FileLock.NameBeside(_file, hash));
     }
 
-    /// <inheritdoc/>
     public override void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         if (Path.GetFullPath(file) == Path.GetFullPath(_file)) throw new StoreException(StoreError.Denied, $"{file} is the store itself: name another file for its backup.");
@@ -131,7 +122,6 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    /// <inheritdoc/>
     public override void Dispose()
     {
         lock (_writing)
@@ -153,10 +143,8 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    /// <inheritdoc/>
     protected override StoreException Name(DbException failure) => failure is SqliteException sqlite ? Named(sqlite) : new StoreException(StoreError.Unknown, $"{Place}: {failure.Message}", failure);
 
-    /// <inheritdoc/>
     protected override T InTransaction<T>(Func<DbConnection, DbTransaction, T> change)
     {
         lock (_writing)
@@ -189,7 +177,6 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    /// <inheritdoc/>
     protected override T OnReader<T>(Func<DbConnection, T> read)
     {
         ObjectDisposedException.ThrowIf(_disposed, this);
@@ -216,7 +203,6 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    /// <inheritdoc/>
     protected override DbTransaction BeginSnapshot(DbConnection connection) => ((SqliteConnection)connection).BeginTransaction(deferred: true);
 
     private static string ConnectionString(string file) => new SqliteConnectionStringBuilder
