@@ -34,7 +34,7 @@ internal sealed unsafe class CairoContext : IDrawingContextImpl
         {
             _transform = value;
             var m = value * _post;
-            // Cairo refuses (and then ignores everything after) a matrix that cannot be inverted, e.g. a zero scale.
+            // Cairo refuses a singular matrix, e.g. a zero scale, and then ignores everything after it.
             if (!m.HasInverse) m = Matrix.CreateScale(1e-6, 1e-6) * Matrix.CreateTranslation(m.M31, m.M32);
             LibCairo.cairo_set_matrix(_cr, BrushPattern.ToCairo(m));
         }
