@@ -95,7 +95,7 @@ internal static class Application
         {
             return new Failure(ExitCode.Cancelled, new ErrorItem("cancelled", "Cancelled. No output is half-written."));
         }
-#pragma warning disable CA1031 // Whatever a defect throws must become an exit code of the contract, not the runtime's own.
+#pragma warning disable CA1031 // A defect's exception must give a documented exit code, not the runtime's.
         catch (Exception e)
         {
             return FailureOf.Defect(e);

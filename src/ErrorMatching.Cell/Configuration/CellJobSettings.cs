@@ -18,7 +18,8 @@ public sealed record CellJobSettings
     /// <summary>True for a free-form job, false for a mating.</summary>
     public bool IsFreeform { get; init; }
 
-    /// <summary>What its files measure: <c>part</c>, <c>counterpart</c> or <c>surface</c>; null if the rules in the job's file decide for each file.</summary>
+    /// <summary>What its files measure: <c>part</c>, <c>counterpart</c> or <c>surface</c>; null if the rules in the job's file decide for
+    /// each file.</summary>
     public string? Piece { get; init; }
 
     /// <summary>The machine.</summary>
@@ -30,7 +31,8 @@ public sealed record CellJobSettings
     /// <summary>True if pieces are processed by serial number instead of in order of arrival.</summary>
     public required bool InOrderOfSerial { get; init; }
 
-    /// <summary>True if each correction starts from the program that cut the measured piece, so that corrections add up; only for feedback.</summary>
+    /// <summary>True if each correction starts from the program that cut the measured piece, so that corrections add up; only for
+    /// feedback.</summary>
     public required bool Accumulates { get; init; }
 
     /// <summary>An existing finishing program to displace, for free-form jobs whose tool path comes from a CAM system; else null.</summary>

@@ -37,7 +37,6 @@ internal static class LinuxCalls
     private static readonly int FolderOnly = IsArm ? 0x4000 : 0x10000;
 
     /// <summary>Gets a handle to a file or folder without opening it, or to a link itself: this never blocks and follows no link.</summary>
-    /// <param name="path">Its path.</param>
     /// <exception cref="IOException">It cannot be reached; its HResult is the system's error.</exception>
     /// <exception cref="UnauthorizedAccessException">Access is denied.</exception>
     public static SafeFileHandle Hold(string path) => Opened(path, PathOnly | NoLink | CloseOnExec);

@@ -14,7 +14,6 @@ internal sealed class PinnedFolder : IDisposable
     public string Path { get; }
 
     /// <summary>Pins a folder.</summary>
-    /// <param name="path">Its path.</param>
     /// <returns>Null if nothing has this name.</returns>
     /// <exception cref="NotPlainFolderException">It is a link or a file.</exception>
     public static PinnedFolder? Open(string path)

@@ -48,7 +48,8 @@ public static class AuditKey
     }
 
     /// <summary>The key; null if there is none.</summary>
-    /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/> or <see cref="PeopleError.SecretUnreadable"/>.</exception>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/> or
+    /// <see cref="PeopleError.SecretUnreadable"/>.</exception>
     public static byte[]? Find(string keysFolder)
     {
         var file = Path.Combine(keysFolder, FileName);

@@ -46,7 +46,8 @@ public sealed class MachineSecrets(CellStore store, string keysFolder)
     });
 
     /// <summary>The password of a machine; null if none was set.</summary>
-    /// <exception cref="PeopleException">With <see cref="PeopleError.SecretUnreadable"/> or <see cref="PeopleError.KeysUnusable"/>.</exception>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.SecretUnreadable"/> or
+    /// <see cref="PeopleError.KeysUnusable"/>.</exception>
     public string? Get(string machine) =>
         store.Read("SELECT bytes FROM machine_secret WHERE machine = @Machine", r => (byte[])r.GetValue(0), new { Machine = machine }) is [var bytes]
             ? _keys.Value.Unprotect(PurposesOf(machine), bytes, $"The password of machine {machine}")

@@ -50,7 +50,6 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
             CodedRow.Number(StoredTime.Of(p.PasswordAt))]);
 
     /// <summary>The row's name among coded rows.</summary>
-    /// <param name="key">The name's key.</param>
     public static string NameOf(string key) => RowPrefix + key;
 
     /// <summary>The role for a word of the audit trail or the store; null if the word is not a role.</summary>

@@ -30,9 +30,6 @@ internal static class CorrectionRequests
     }
 
     /// <summary>The request of a computed correction, to determine whether its measurement would now give a different one.</summary>
-    /// <param name="store">The store.</param>
-    /// <param name="correction">The correction.</param>
-    /// <param name="job">Its job.</param>
     /// <exception cref="StoreException">Its inputs are not in the store.</exception>
     public static CorrectionRequest Again(CellStore store, Correction correction, CellJobSettings job) => new()
     {

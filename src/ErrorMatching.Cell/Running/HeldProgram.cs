@@ -4,10 +4,6 @@ namespace ErrorMatching.Cell;
 
 /// <summary>Reads the program of a taken slot again: it was verified, and the piece cut next is assumed to be cut by it. A difference is
 /// stored and reported as a trouble and in the audit trail. The report ends when the program is back or a person decides.</summary>
-/// <param name="flow">State shared by the workers.</param>
-/// <param name="machine">The machine.</param>
-/// <param name="slot">The slot.</param>
-/// <param name="sender">Reads the machine's programs.</param>
 internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSettings slot, ProgramSender sender)
 {
     private const string Missing = "missing";

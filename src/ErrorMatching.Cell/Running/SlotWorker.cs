@@ -124,7 +124,7 @@ internal sealed class SlotWorker(
     {
         var holding = flow.Store.Slot(machine.Name, slot.Name);
         return hash is null || hash == holding.ProgramSha256 || hash == holding.PreviousSha256 || hash == approved.ProgramSha256
-            || hash == approved.PreviousSha256 // Found before: either it was known then, or a person approved again who had been told.
+            || hash == approved.PreviousSha256 // Found earlier: it was known then, or a person was warned and approved again.
             || originals.Hashes(machine.Name, slot.Name).Contains(hash);
     }
 
@@ -308,7 +308,7 @@ internal sealed class SlotWorker(
         var now = flow.Clock.GetTimestamp();
         if (_seen != (held.Id, held.State))
         {
-            // Only listings from now on show this program's ready file: whoever sent or restored it had removed the file before.
+            // Only listings from now on show this program's ready file: the ready file was removed before the program was sent or restored.
             (_seen, _seenAt) = ((held.Id, held.State), now);
         }
 

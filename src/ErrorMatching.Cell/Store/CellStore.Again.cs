@@ -1,6 +1,6 @@
 namespace ErrorMatching.Cell;
 
-/// <content>Measurements that are given again.</content>
+/// <content>Resubmitted measurements.</content>
 public sealed partial class CellStore
 {
     /// <summary>Resubmits the measurement of a correction that is not at its machine, in the same place in line, and ends that correction.

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Cell;
 
-/// <content>Whether the rows are what the cell left.</content>
+/// <content>Detection of changes from outside the cell.</content>
 public sealed partial class CellStore
 {
     private const int MostLooked = 500;

@@ -3,7 +3,7 @@ using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
 
-/// <content>Which file the store is.</content>
+/// <content>The identity of the store's file.</content>
 internal sealed partial class SqliteDatabase
 {
     private volatile FileIdentity? _identity;

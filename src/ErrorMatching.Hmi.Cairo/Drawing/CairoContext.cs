@@ -153,7 +153,7 @@ internal sealed unsafe class CairoContext : IDrawingContextImpl
         if (frame.Kind == Frame.OpaqueOpacity) return;
         if (frame.Kind != Frame.Clip)
         {
-            LibCairo.cairo_pop_group_to_source(_cr); // also back to the matrix of the push
+            LibCairo.cairo_pop_group_to_source(_cr); // also restores the matrix of the push
             if (frame.Kind == Frame.Mask)
             {
                 var mask = BrushPattern.Of(frame.Mask, frame.Bounds);

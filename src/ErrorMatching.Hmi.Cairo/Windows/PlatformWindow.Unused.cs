@@ -9,7 +9,7 @@ using Avalonia.Rendering.Composition;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <content>Callbacks that are only kept, answers that are always the same, and requests that a station's window does not heed.</content>
+/// <content>Callbacks that are only stored, constant answers, and requests that a station's window ignores.</content>
 internal abstract partial class PlatformWindow
 {
     public IPlatformHandle? Handle { get; } = new PlatformHandle(0, "window");

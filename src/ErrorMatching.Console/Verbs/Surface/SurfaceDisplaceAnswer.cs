@@ -5,7 +5,6 @@ using ErrorMatching.Jobs;
 namespace ErrorMatching.Console;
 
 /// <summary>A finishing program displaced by the compensation.</summary>
-/// <param name="report">The report.</param>
 internal sealed class SurfaceDisplaceAnswer(DisplacedSurface report) : Answer
 {
     public override byte[] ToJson() => report.ReportJson();
