@@ -34,7 +34,7 @@ internal static class FileReading
 
     /// <summary>SHA-256 of a file of any length, as 64 lowercase hexadecimal digits; null if it changed while being read or its writer
     /// still has it open.</summary>
-    /// <exception cref="OperationCanceledException">Cancelled. Long files are slow to hash.</exception>
+    /// <exception cref="OperationCanceledException">Canceled. Long files are slow to hash.</exception>
     public static string? Hash(FileInfo file, CancellationToken cancellation)
     {
         var piece = ArrayPool<byte>.Shared.Rent(Piece);

@@ -36,7 +36,7 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
     /// <param name="cancellation">Checked between files.</param>
     /// <returns>How many were taken.</returns>
     /// <exception cref="SourceException">The folder cannot be read.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled; files already handed over stay handed over.</exception>
+    /// <exception cref="OperationCanceledException">Canceled; files already handed over stay handed over.</exception>
     public int Take(Action<Arrival> archive, Action<UnreadArrival> archiveUnread, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(archive);
@@ -112,7 +112,7 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
 
     /// <summary>Waits until another look may be worthwhile: until the system reports a change, but no longer than the gauge's polling
     /// interval.</summary>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
     public Task WaitAsync(CancellationToken cancellation) => _hint.WaitAsync(gauge.Every, cancellation);
 
     /// <summary>Stops listening for changes.</summary>

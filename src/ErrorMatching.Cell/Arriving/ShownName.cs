@@ -6,7 +6,7 @@ namespace ErrorMatching.Cell;
 /// <summary>File names in the form that databases store and screens display.</summary>
 internal static class ShownName
 {
-    /// <summary>Replaces every character that is invisible or would change how others look with the replacement character: line breaks,
+    /// <summary>Puts the replacement character in place of every character that is invisible or changes how others look: line breaks,
     /// escapes, direction marks, unpaired surrogates.</summary>
     public static string Of(string name)
     {

@@ -20,7 +20,7 @@ public sealed record CellCheck(IReadOnlyList<CheckedGauge> Gauges, IReadOnlyList
     /// <summary>Checks everything that a configuration names. All machines are queried concurrently.</summary>
     /// <param name="settings">The configuration.</param>
     /// <param name="cancellation">Stops waiting for machines.</param>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static Task<CellCheck> OfAsync(CellSettings settings, CancellationToken cancellation) => OfAsync(settings, null, cancellation);
 
     /// <summary>Checks everything that a configuration names and reports progress. All machines are queried concurrently.</summary>
@@ -28,7 +28,7 @@ public sealed record CellCheck(IReadOnlyList<CheckedGauge> Gauges, IReadOnlyList
     /// <param name="progress">Receives the completed fraction, up to 1, after each gauge, machine, job and the store; null for no progress
     /// reports.</param>
     /// <param name="cancellation">Stops waiting for machines.</param>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static async Task<CellCheck> OfAsync(CellSettings settings, IProgress<double>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(settings);

@@ -24,7 +24,7 @@ public sealed class CorrectionComputer(PolicySettings policy)
     /// <returns><see cref="Computed"/>, <see cref="NothingToSend"/> or <see cref="RefusedComputation"/>. No measurement, whatever its
     /// content, causes an exception.</returns>
     /// <exception cref="ArgumentException">The request contradicts itself.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
     public Computation Compute(CorrectionRequest request, CancellationToken cancellation) => Guarded(request, isAll: true, cancellation);
 
     private Computation Guarded(CorrectionRequest request, bool isAll, CancellationToken cancellation)

@@ -35,7 +35,7 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
     /// <summary>The waiting times.</summary>
     public FlowPace Pace => pace;
 
-    /// <summary>Cancelled some seconds after the cell was told to stop: work in progress may finish until then.</summary>
+    /// <summary>Canceled some seconds after the cell was told to stop: work in progress may finish until then.</summary>
     public CancellationToken Finish => finish;
 
     /// <summary>What prevents workers from working.</summary>

@@ -23,7 +23,7 @@ internal sealed class HeartbeatWorker(CellFlow flow, Action? alive)
         return Task.FromResult(flow.Pace.Heartbeat);
     }
 
-    // A full disk for logs or keys is reported as a trouble. It must not slow the heartbeat, or the cell would look dead and be ended.
+    // A full disk for logs or keys is reported as a trouble. It must not slow the heartbeat, or the cell would look dead and be killed.
     private void Try(string what, Action work)
     {
         try

@@ -11,7 +11,7 @@ internal static class SqliteCopy
 
     /// <summary>Copies all pages.</summary>
     /// <exception cref="SqliteException">Either database cannot be read or written.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled; the copy is unusable.</exception>
+    /// <exception cref="OperationCanceledException">Canceled; the copy is unusable.</exception>
     public static void Copy(SqliteConnection from, SqliteConnection to, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         // This view excludes concurrent changes. Without it, each of them would restart the copy.
@@ -40,7 +40,7 @@ internal static class SqliteCopy
 
     /// <summary>Checks each page of a database.</summary>
     /// <returns>The problem; <c>ok</c> if there is none.</returns>
-    /// <exception cref="OperationCanceledException">Cancelled before all of it was checked.</exception>
+    /// <exception cref="OperationCanceledException">Canceled before all of it was checked.</exception>
     public static string Check(SqliteConnection database, CancellationToken cancellation)
     {
         using var interrupt = cancellation.UnsafeRegister(_ => raw.sqlite3_interrupt(database.Handle), null);

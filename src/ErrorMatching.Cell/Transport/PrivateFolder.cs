@@ -34,7 +34,7 @@ internal sealed class PrivateFolder : IDisposable
         {
             try
             {
-                // Without a lock file, it is empty because its process was killed early, or it is just being created.
+                // A folder without a lock file is skipped: it is empty, or just being created.
                 using (new FileStream(Path.Combine(left, Lock), FileMode.Open, FileAccess.ReadWrite, FileShare.None))
                 {
                 }

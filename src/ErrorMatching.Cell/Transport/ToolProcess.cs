@@ -15,7 +15,7 @@ internal static class ToolProcess
     private static readonly string[] Inherited = ["PATH", "SystemRoot", "SystemDrive", "windir", "TEMP", "TMP", "TMPDIR", "ProgramData", "USERPROFILE"];
 
     /// <summary>Runs a program to its end.</summary>
-    /// <exception cref="OperationCanceledException">Cancelled; the program was killed.</exception>
+    /// <exception cref="OperationCanceledException">Canceled; the program was killed.</exception>
     public static async Task<ToolResult> RunAsync(ToolRun run, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();

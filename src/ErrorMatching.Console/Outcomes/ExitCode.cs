@@ -15,6 +15,6 @@ internal enum ExitCode
     /// <summary>Something outside failed: a disk, a network.</summary>
     Outside = 3,
 
-    /// <summary>Cancelled, with no partial output (128 + SIGINT, as in shells).</summary>
+    /// <summary>Canceled, with no partial output (128 + SIGINT, as in shells).</summary>
     Cancelled = 130,
 }
