@@ -106,7 +106,7 @@ public sealed partial class CellStore
     public IReadOnlyList<Correction> OfProgram(string job, string sha256) =>
         Read(CorrectionRow.Select + " WHERE program_sha256 = @sha256 AND job = @job ORDER BY id", CorrectionRow.Read, new { sha256, job });
 
-    /// <summary>The corrections that have neither ended nor reached their machine, grouped by what they wait for.</summary>
+    /// <summary>The corrections from archived to uploading, without failed ones, grouped by what they wait for.</summary>
     internal IReadOnlyList<WaitingCorrections> Waiting() => Read(
         "SELECT state, gauge, job, machine, slot, count(*), min(id) FROM correction WHERE "
         + CorrectionRow.IsIn(
