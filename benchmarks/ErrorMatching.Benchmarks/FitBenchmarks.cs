@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>Polynomial fits of the sizes that occur, and a large one.</summary>
+/// <summary>Polynomial fits of typical sizes, and a large one.</summary>
 [MemoryDiagnoser]
 public class FitBenchmarks
 {

@@ -2,7 +2,7 @@ using ErrorMatching.Freeform;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>Heights over 75 x 63 mm of the kinds that fits of surfaces are held to.</summary>
+/// <summary>Heights over 75 x 63 mm of the kinds that surface fits are tested with.</summary>
 public static class FitShape
 {
     private const double Width = 75;
@@ -34,6 +34,6 @@ public static class FitShape
 
     private static double Square(double x) => x * x;
 
-    // Box and Muller.
+    // Box-Muller transform.
     private static double Normal(Random random) => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
 }

@@ -4,7 +4,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>Files at the limits: as long as one may be, lines of a million bytes that close nothing, and nothing at all. Each must be read, and none may take longer than its length explains.</summary>
+/// <summary>Files at the limits: the maximum length, lines of a million bytes without an end, and an empty file. Each must be read, in a
+/// time that its length explains.</summary>
 internal static class HugeFiles
 {
     private const int LineBytes = 1_000_000;

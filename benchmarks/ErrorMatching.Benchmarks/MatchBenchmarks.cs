@@ -5,7 +5,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>The paper's 14-point job (section 4.3, with the three flank points that the sample adds), in process. The paper needed 1 s.</summary>
+/// <summary>The paper's 14-point job (section 4.3, with the three flank points that the sample adds), in process. The paper needed 1
+/// s.</summary>
 [MemoryDiagnoser]
 public class MatchBenchmarks
 {

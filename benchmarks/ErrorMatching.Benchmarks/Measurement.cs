@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>How long something took at best, and how much memory it had at most.</summary>
+/// <summary>The shortest duration of an operation, and its peak memory.</summary>
 internal sealed record Measurement(string Name, double Seconds, long PeakBytes)
 {
     /// <summary>Runs a process several times, from its start to its exit.</summary>
@@ -47,7 +47,7 @@ internal sealed record Measurement(string Name, double Seconds, long PeakBytes)
         }
         catch (IOException)
         {
-            // It ended between the two calls; the marks before stand.
+            // It exited between the two calls; the earlier readings stand.
             return 0;
         }
     }

@@ -5,7 +5,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>A program of a million blocks, a tenth of them displaced: whole processes as a user runs them, with their peak memory as a multiple of the file.</summary>
+/// <summary>A program of a million blocks, a tenth of them displaced: whole processes as a user runs them, with their peak memory as a
+/// multiple of the file size.</summary>
 internal static class MillionBlocks
 {
     private const int Runs = 7;
@@ -58,7 +59,7 @@ internal static class MillionBlocks
         }
     }
 
-    /// <summary>Writes a densely posted wave, about 38 bytes a block.</summary>
+    /// <summary>Writes a wave of closely spaced points, about 38 bytes per block.</summary>
     private static long Write(string file, int blocks)
     {
         using var text = new StreamWriter(file, append: false, new UTF8Encoding(false)) { NewLine = "\n" };

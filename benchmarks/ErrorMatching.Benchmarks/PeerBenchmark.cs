@@ -6,7 +6,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>The same program, interpreted by LinuxCNC's own interpreter and by ours, in one run: wall time and peak memory of whole processes, and of the library from memory.</summary>
+/// <summary>The same program, interpreted by LinuxCNC's interpreter and by ours, in one run: wall time and peak memory of whole processes,
+/// and of the library working from memory.</summary>
 internal static class PeerBenchmark
 {
     private const int DefaultBlocks = 1_000_000;
@@ -56,7 +57,8 @@ internal static class PeerBenchmark
         }
     }
 
-    /// <summary>A program of straight cuts in three axes as a post-processor writes it, about 38 bytes a block, in words that both interpreters read.</summary>
+    /// <summary>A program of straight cuts in three axes in the style of a postprocessor, about 38 bytes per block, in words that both
+    /// interpreters read.</summary>
     private static byte[] Program(int blocks)
     {
         var text = new StringBuilder(blocks * 40);
@@ -70,7 +72,7 @@ internal static class PeerBenchmark
         return Encoding.ASCII.GetBytes(text.Append("M2\n").ToString());
     }
 
-    // In memory the peak is what one run allocates: nothing of it is collected before the end.
+    // In memory, the peak is what one run allocates: nothing of it is collected before the end.
     private static Measurement Memory(string name, Action work)
     {
         var best = double.MaxValue;

@@ -17,7 +17,7 @@ public class ProgramBenchmarks
     private DisplacementWish _wish = null!;
     private Rewrite _rewrite = null!;
 
-    /// <summary>A densely posted wave, 0.2 mm a block, in the spelling of a usual post-processor.</summary>
+    /// <summary>A wave of closely spaced points, 0.2 mm per block, in the style of a common postprocessor.</summary>
     public static byte[] Wave(int blocks)
     {
         var text = new StringBuilder("%\nO1000\nN10 G21 G17 G40 G90 G54\nN20 G0 X0. Y0. Z5.\nN30 G1 Z-2. F500.\n");

@@ -11,7 +11,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>What the operator station's thread of the screen does with a program of a million blocks and a plot of 100,000 points: opening, and frames, off the screen and drawn by the processor.</summary>
+/// <summary>The work of the station's UI thread with a program of a million blocks and a plot of 100,000 points: opening, and frames, off
+/// screen with software rendering.</summary>
 internal static class StationFrames
 {
     private const int Points = 100_000, Warm = 20, Frames = 100;
@@ -47,7 +48,7 @@ internal static class StationFrames
 
     private static async Task MeasureAsync(Size size, string file)
     {
-        // Text is on the screen before a program is, and a small program was rehearsed: the station begins with its login.
+        // Text is on the screen before a program is, and a small program was rehearsed: the station starts with its login.
         var window = new Window { Width = size.Width, Height = size.Height, Content = new TextBlock { Text = "Sample cell" } };
         window.Show();
         var user = new ScreenUser(window).Settle();

@@ -8,14 +8,15 @@ using ErrorMatching.Hmi.Cairo;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>How long a key has to wait at the operator station while a screen is opened, for the first time in the process and again: at the demonstration's cell, off the screen and drawn by the processor.</summary>
+/// <summary>How long a key press waits at the station while a screen opens, for the first time in the process and again: with the
+/// demonstration's cell, off screen with software rendering.</summary>
 internal static class StationScreens
 {
     private const int Again = 5;
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(30), Look = TimeSpan.FromMilliseconds(500), Pause = TimeSpan.FromMilliseconds(1);
 
     /// <summary>Runs the figures.</summary>
-    /// <param name="keys">Which screens; none for all.</param>
+    /// <param name="keys">The screens; none for all.</param>
     public static async Task<int> RunAsync(string[] keys)
     {
         var folder = Directory.CreateTempSubdirectory("errormatch-station-").FullName;
@@ -51,7 +52,7 @@ internal static class StationScreens
         {
             user.WaitFor(() => station.State.Status is not null && station.Store.Search(new()) is [{ State: CorrectionState.Proposed }, { State: CorrectionState.Proposed }], Patience);
 
-            // As the station does while somebody signs in.
+            // As the station does while a user signs in.
             using var end = new CancellationTokenSource();
             var asking = Task.Run(() => AskAsync(end.Token));
             var (rehearsing, rehearsal) = (Stopwatch.StartNew(), window.RehearseAsync(CancellationToken.None));
@@ -86,7 +87,8 @@ internal static class StationScreens
         }
     }
 
-    // As somebody who taps and looks for a moment, while another thread asks again and again whether a key would be taken: what that waits for longest is what a person waits for.
+    // Like a user who taps and then looks for a moment. Meanwhile another thread keeps checking whether a key would be accepted; its
+    // longest wait is the user's longest wait.
     private static async Task<double> OpenAsync(ShellViewModel shell, ScreenUser user, string screen)
     {
         using var end = new CancellationTokenSource();

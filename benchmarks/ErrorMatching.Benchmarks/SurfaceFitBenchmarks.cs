@@ -3,7 +3,7 @@ using ErrorMatching.Freeform;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>The fit <c>best</c> where the process is warm: aims 100 ms for 70 points, 2 s for 5,000.</summary>
+/// <summary>The fit <c>best</c> in a warm process: goals 100 ms for 70 points, 2 s for 5,000.</summary>
 [MemoryDiagnoser]
 [SimpleJob(warmupCount: 3, iterationCount: 7)]
 public class SurfaceFitBenchmarks

@@ -6,7 +6,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>The fit <c>best</c> as a user meets it: the first call of a process, the later ones, and the console from start to exit.</summary>
+/// <summary>The fit <c>best</c> as a user sees it: the first call of a process, the later ones, and the console from start to
+/// exit.</summary>
 internal static class SurfaceFitTimes
 {
     private const int Runs = 5;
@@ -40,7 +41,7 @@ internal static class SurfaceFitTimes
         }
     }
 
-    /// <summary>Times of one process: its first call and the median of those after it, in milliseconds.</summary>
+    /// <summary>Times of one process in milliseconds: its first call, and the median of the later ones.</summary>
     public static int Once(string name, string points, string noise)
     {
         var grid = FitShape.Grid(name, int.Parse(points, CultureInfo.InvariantCulture), double.Parse(noise, CultureInfo.InvariantCulture));

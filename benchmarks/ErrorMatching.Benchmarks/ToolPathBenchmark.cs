@@ -6,7 +6,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>The paper's Surface three with a scallop and a chordal error of 1 um, and the same ten times as large, whose path has more than a million points: planned, and written to the disk.</summary>
+/// <summary>The paper's Surface three with a scallop height and a chordal error of 1 um, and the same surface ten times as large, whose
+/// path has more than a million points: planned, and written to disk.</summary>
 internal static class ToolPathBenchmark
 {
     private const int Runs = 5;

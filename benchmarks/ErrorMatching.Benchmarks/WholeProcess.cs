@@ -4,13 +4,13 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>Times the built console as a user runs it: start of the process to its exit.</summary>
+/// <summary>Times the built console as a user runs it, from the start of the process to its exit.</summary>
 internal static class WholeProcess
 {
     private const int Runs = 21;
 
     /// <summary>Runs the figures.</summary>
-    /// <param name="executable">The console to time; null for the one that the build made.</param>
+    /// <param name="executable">The console to time; null for the one from the build.</param>
     public static int Run(string? executable)
     {
         var console = executable ?? Repository.PathTo("artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");

@@ -8,11 +8,11 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>Runs one command line and turns whatever comes of it into output and an exit code.</summary>
+/// <summary>Runs one command line and turns its result into output and an exit code.</summary>
 internal static class Application
 {
     /// <summary>Runs a command line.</summary>
-    /// <param name="args">The words behind the program's name.</param>
+    /// <param name="args">The arguments after the program's name.</param>
     /// <param name="terminal">Where to write.</param>
     /// <param name="cancellation">Set by Ctrl+C.</param>
     /// <returns>The exit code of the process.</returns>
@@ -35,7 +35,7 @@ internal static class Application
         }
         catch (IOException e)
         {
-            // The reader of a pipe has gone, or the disk behind a redirection is full. There may be no stream left to say so but this one.
+            // The reader of a pipe has gone, or the disk of a redirection is full. This stream may be the only one left for the message.
             terminal.Error.Write($"errormatch: the output cannot be written: {e.Message}\n");
             return (int)ExitCode.Outside;
         }
@@ -95,7 +95,7 @@ internal static class Application
         {
             return new Failure(ExitCode.Cancelled, new ErrorItem("cancelled", "Cancelled. No output is half-written."));
         }
-#pragma warning disable CA1031 // Whatever a defect throws must become an exit code of the contract, not the runtime's own.
+#pragma warning disable CA1031 // A defect's exception must give a documented exit code, not the runtime's.
         catch (Exception e)
         {
             return FailureOf.Defect(e);

@@ -4,20 +4,21 @@ using Avalonia.Platform;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>Avalonia on Linux without Skia: drawn by Cairo, text by HarfBuzz, FreeType and fontconfig, all by P/Invoke; windows off the screen or on X11.</summary>
+/// <summary>Avalonia on Linux without Skia: drawing with Cairo, text with HarfBuzz, FreeType and fontconfig, all by P/Invoke; windows off
+/// screen or on X11.</summary>
 public static class CairoPlatform
 {
-    /// <summary>The font that comes with the station. Characters that it lacks, such as Chinese, come from the system's fonts.</summary>
+    /// <summary>The font shipped with the station. Characters that it lacks, such as Chinese, come from the system's fonts.</summary>
     public const string FontFamily = "fonts:Inter#Inter";
 
-    /// <summary>Windows without a screen; frames come only when <see cref="ScreenUser"/> asks for them.</summary>
+    /// <summary>Windows without a screen; <see cref="ScreenUser"/> requests each frame.</summary>
     /// <exception cref="PlatformNotSupportedException">A native library is missing; the message names the packages to install.</exception>
     public static AppBuilder UseOffScreen(this AppBuilder builder) => builder.UseCairo()
         .UseWindowingSubsystem(() => Windowing.Initialize(OffScreenClock.Current, () => new OffScreenWindow(), new MemoryClipboard()), "off-screen");
 
     /// <summary>Windows on the X server that <c>DISPLAY</c> names, with the same drawing.</summary>
     /// <param name="builder">The application.</param>
-    /// <param name="scaling">Pixels a device-independent unit, 1 to 4.</param>
+    /// <param name="scaling">Pixels per device-independent unit, 1 to 4.</param>
     /// <exception cref="PlatformNotSupportedException">A native library is missing; the message names the packages to install.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The scaling is not from 1 to 4.</exception>
     public static AppBuilder UseX11(this AppBuilder builder, double scaling = 1)

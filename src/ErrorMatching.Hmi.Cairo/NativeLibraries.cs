@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>The native libraries that drawing and windows need, and the Debian packages that bring them.</summary>
+/// <summary>The native libraries for drawing and windows, and the Debian packages that contain them.</summary>
 public static class NativeLibraries
 {
     private static readonly (string Library, string Package)[] Drawing =
@@ -10,16 +10,16 @@ public static class NativeLibraries
         (LibCairo.Library, "libcairo2"), (HarfBuzz.Library, "libharfbuzz0b"), (FreeType.Library, "libfreetype6"), (FontConfig.Library, "libfontconfig1"),
     ];
 
-    /// <summary>What drawing off the screen needs.</summary>
+    /// <summary>The libraries for drawing off screen.</summary>
     internal static IReadOnlyList<(string Library, string Package)> ForDrawing => Drawing;
 
-    /// <summary>What a window on X11 needs.</summary>
+    /// <summary>The libraries for a window on X11.</summary>
     internal static IReadOnlyList<(string Library, string Package)> ForWindows { get; } = [.. Drawing, (Xlib.Library, "libx11-6")];
 
-    /// <summary>The Debian packages without which nothing can be drawn on this computer; empty if all are there.</summary>
+    /// <summary>The missing Debian packages without which nothing can be drawn on this computer; empty if none is missing.</summary>
     public static IReadOnlyList<string> MissingForDrawing => Missing(ForDrawing);
 
-    /// <summary>Makes sure that libraries can be loaded.</summary>
+    /// <summary>Ensures that libraries can be loaded.</summary>
     /// <exception cref="PlatformNotSupportedException">One cannot; the message names the packages to install.</exception>
     internal static void Demand(IReadOnlyList<(string Library, string Package)> libraries)
     {

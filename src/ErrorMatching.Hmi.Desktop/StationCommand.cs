@@ -11,10 +11,10 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Hmi.Desktop;
 
-/// <summary>The station's command line: the cell to sit at, or the demonstration.</summary>
+/// <summary>The station's command line: the cell to connect to, or the demonstration.</summary>
 internal static class StationCommand
 {
-    // As the console's: the command line or the configuration is wrong, or something outside failed, as a store or a screen.
+    // As in the console: the command line or the configuration is wrong, or something outside failed, such as a store or a screen.
     private const int WrongInput = 1, Outside = 3;
     private const int Least = 100, Most = 200;
 
@@ -53,7 +53,7 @@ internal static class StationCommand
 
         try
         {
-            // The demonstration makes its cell while the window is made ready: both take a second.
+            // The demonstration creates its cell while the window is prepared: both take a second.
             var demonstration = isDemo ? Task.Run(() => Demonstration.Start(TimeProvider.System)) : null;
             var settings = isDemo ? null : CellSettingsReader.Read(config!);
             using var stop = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Leave);
@@ -91,17 +91,17 @@ internal static class StationCommand
         };
     }
 
-    // A demonstration leaves nothing behind. A service without a home of its own keeps nothing.
+    // A demonstration leaves nothing behind. A service without a home folder stores no preferences.
     private static PreferenceFiles? Preferences(CellSettings settings, bool isDemo)
     {
         var folder = isDemo ? Path.GetDirectoryName(Path.GetFullPath(settings.File)) : Environment.GetFolderPath(Environment.SpecialFolder.ApplicationData, Environment.SpecialFolderOption.DoNotVerify);
         return string.IsNullOrEmpty(folder) ? null : new(Path.Combine(folder, "errormatch"));
     }
 
-    // In the log of whatever runs the station: somebody waited, and this is when.
+    // For the log of the service manager: a user had to wait, and this is when.
     private static void TellBusy(TimeSpan time) => Console.Error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{TimeProvider.System.GetLocalNow():HH:mm:ss} wrn The screen was busy for {time.TotalMilliseconds:0} ms"));
 
-    // As if the window were closed: the seat is left in order, and the demonstration takes its folder away.
+    // As if the window were closed: the session ends properly, and the demonstration deletes its folder.
     private static void Leave(PosixSignalContext signal)
     {
         signal.Cancel = true;

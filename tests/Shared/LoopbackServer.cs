@@ -3,23 +3,25 @@ using System.Net.Sockets;
 
 namespace ErrorMatching.Testing;
 
-/// <summary>A server on a free loopback port: each connection is served beside the others until its client, its serving or the server ends.</summary>
+/// <summary>A server on a free loopback port. Connections are served concurrently, each until its client, its handler or the server
+/// ends.</summary>
 internal sealed class LoopbackServer : IDisposable
 {
     private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
     private readonly CancellationTokenSource _end = new();
     private readonly Func<TcpClient, Task> _serve;
 
-    /// <summary>Makes it; nothing is accepted before <see cref="Start"/>.</summary>
-    /// <param name="serve">Serves one connection. It is closed when this ends, or fails because somebody hung up.</param>
+    /// <summary>Creates the server; it accepts connections only after <see cref="Start"/>.</summary>
+    /// <param name="serve">Serves one connection. The connection is closed when this ends, or fails because the client
+    /// disconnected.</param>
     public LoopbackServer(Func<TcpClient, Task> serve) => _serve = serve;
 
     public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
 
-    /// <summary>Tells what serves that the server ends.</summary>
+    /// <summary>Signals the end of the server to the handlers.</summary>
     public CancellationToken End => _end.Token;
 
-    /// <summary>True for what is thrown when somebody hangs up or the server ends.</summary>
+    /// <summary>True for exceptions caused by a disconnected client or the end of the server.</summary>
     public static bool IsEnd(Exception e) => e is OperationCanceledException or IOException or SocketException or ObjectDisposedException;
 
     public void Start()

@@ -3,10 +3,8 @@ using System.Text;
 
 namespace ErrorMatching.Testing;
 
-/// <summary>
-/// The public surface of a library as text, one member a line, in ordinal order. A test compares it with the
-/// PublicApi.txt beside the library's project; with UPDATE_PUBLIC_API=1 in the environment the test writes that file instead.
-/// </summary>
+/// <summary>The public surface of a library as text, one member per line, in ordinal order. A test compares it with the PublicApi.txt next
+/// to the library's project; with UPDATE_PUBLIC_API=1 in the environment, the test writes that file instead.</summary>
 internal static class PublicApi
 {
     private static readonly NullabilityInfoContext Nullability = new();

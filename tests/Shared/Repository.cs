@@ -1,9 +1,9 @@
 namespace ErrorMatching.Testing;
 
-/// <summary>Places in the checkout that tests read: samples, READMEs, public API snapshots.</summary>
+/// <summary>Locations in the checkout that tests read: samples, READMEs, public API snapshots.</summary>
 internal static class Repository
 {
-    /// <summary>The folder with the solution file, found upwards from the test's own place.</summary>
+    /// <summary>The folder with the solution file, searched upward from the test's own location.</summary>
     public static string Root { get; } = FindRoot();
 
     /// <summary>A path inside the checkout.</summary>

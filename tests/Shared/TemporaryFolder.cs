@@ -1,6 +1,6 @@
 namespace ErrorMatching.Testing;
 
-/// <summary>A folder of its own for each test, removed behind it.</summary>
+/// <summary>A separate folder for each test, deleted afterward.</summary>
 internal sealed class TemporaryFolder : IDisposable
 {
     public string Path { get; } = Directory.CreateTempSubdirectory("errormatch-").FullName;

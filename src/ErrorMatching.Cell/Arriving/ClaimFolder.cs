@@ -1,12 +1,9 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// The folder inside an incoming folder that a file is moved to before it is read. What a gauge writes under the same name meanwhile is another file, and cannot be removed unread; what a kill leaves here is
-/// taken up again.
-/// </summary>
+/// <summary>The claim folder inside an incoming folder: files are moved here before they are read. A file that a gauge then writes under
+/// the same name is separate and cannot be deleted unread. Files that a killed process left here are processed later.</summary>
 internal sealed class ClaimFolder(string incoming)
 {
-    /// <summary>Its name.</summary>
     public const string Name = ".errormatch";
 
     private const string TooLarge = "too-large";
@@ -14,25 +11,25 @@ internal sealed class ClaimFolder(string incoming)
     private readonly string _folder = Path.Combine(incoming, Name);
     private PinnedFolder? _pinned;
 
-    /// <summary>Takes hold of the folder for one look: until its end everything is done in that very folder. No longer, or its share could
-    /// not be unmounted.</summary>
-    /// <exception cref="NotPlainFolderException">A link has its name: files elsewhere would be archived and deleted.</exception>
+    /// <summary>Pins the folder for one look, so that all operations act on this very folder. It is not held longer, because that would
+    /// block unmounting its share.</summary>
+    /// <exception cref="NotPlainFolderException">The name is a link: files elsewhere would be archived and deleted.</exception>
     public void Begin() => _pinned = PinnedFolder.Open(_folder);
 
-    /// <summary>Lets go of it.</summary>
+    /// <summary>Releases the folder.</summary>
     public void End()
     {
         _pinned?.Dispose();
         _pinned = null;
     }
 
-    /// <summary>The files in it, in order of time of change and name; none where the folder is not there.</summary>
+    /// <summary>The files in it, ordered by modification time and name; none if the folder does not exist.</summary>
     public IReadOnlyList<FileInfo> Files() => _pinned is not { } folder
         ? []
         : [.. new DirectoryInfo(folder.Path).EnumerateFiles("*", All).OrderBy(f => f.LastWriteTimeUtc).ThenBy(f => f.Name,
             StringComparer.Ordinal)];
 
-    /// <summary>Moves a file here; null if it cannot be moved yet, or another of its name is still here.</summary>
+    /// <summary>Moves a file here; null if it cannot be moved yet, or if another file of that name is still here.</summary>
     public FileInfo? Claim(string name)
     {
         _pinned ??= Made(_folder);
@@ -49,7 +46,7 @@ internal sealed class ClaimFolder(string incoming)
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            // Its writer still has it, or has just replaced or withdrawn it; or this folder is gone, and is made again next time.
+            // The writer still has it open, or has just replaced or withdrawn it. Or this folder is gone; the next look creates it again.
             return null;
         }
     }
@@ -57,8 +54,8 @@ internal sealed class ClaimFolder(string incoming)
     /// <summary>True if a file of this name is here.</summary>
     public bool Has(string name) => _pinned is { } folder && File.Exists(Path.Combine(folder.Path, name));
 
-    /// <summary>Removes a file of this folder; none of this name is no error.</summary>
-    /// <returns>False if something still has it open; the next look sees it again.</returns>
+    /// <summary>Removes a file from this folder; succeeds if there is none of this name.</summary>
+    /// <returns>False if the file is still open elsewhere; the next look sees it again.</returns>
     public bool Remove(string name)
     {
         try
@@ -76,7 +73,7 @@ internal sealed class ClaimFolder(string incoming)
         }
     }
 
-    /// <summary>Lays a file of this folder aside that is kept nowhere else, under its hash.</summary>
+    /// <summary>Sets aside a file of this folder that is stored nowhere else, named by its hash.</summary>
     public void LayAside(FileInfo file, string sha256)
     {
         _pinned ??= Made(_folder);

@@ -5,10 +5,10 @@ namespace ErrorMatching.Cell;
 /// <summary>Looks for the mark in the last line of a file.</summary>
 internal static class EndMark
 {
-    // The line and the blank ones behind it; a file with more blanks at its end is not finished yet.
+    // Room for the last line and the blank ones after it; a file with more blanks at its end counts as unfinished.
     private const int Tail = 4096;
 
-    /// <summary>The same of a file; false too if the file cannot be opened yet.</summary>
+    /// <summary>The same for a file; also false if the file cannot be opened yet.</summary>
     public static bool Ends(FileInfo file, string mark)
     {
         try
@@ -25,7 +25,7 @@ internal static class EndMark
         }
     }
 
-    /// <summary>True if the last line that is not blank is the mark. The percent sign that a control closes a file with is no line.</summary>
+    /// <summary>True if the last nonblank line is the mark. The percent sign that a control closes a file with is not a line.</summary>
     public static bool Ends(ReadOnlySpan<byte> bytes, string mark)
     {
         var line = bytes.TrimEnd(mark.EndsWith('%') ? " \t\r\n\0"u8 : " \t\r\n\0%"u8);

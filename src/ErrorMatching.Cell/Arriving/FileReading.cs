@@ -3,19 +3,19 @@ using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Reads a file that somebody may still be writing.</summary>
+/// <summary>Reads files that may still be in use by their writer.</summary>
 internal static class FileReading
 {
     private const int Piece = 1 << 20;
 
-    /// <summary>The whole file; null if it changed meanwhile or is still held by its writer.</summary>
+    /// <summary>The whole file; null if it changed while being read or its writer still has it open.</summary>
     public static byte[]? Whole(FileInfo file)
     {
         try
         {
             var (length, changed) = (file.Length, file.LastWriteTimeUtc);
 
-            // Who may still write is not shared with: on Windows this fails until the writer has closed it.
+            // Write sharing is not allowed: on Windows this fails until the writer has closed the file.
             using var handle = PlainFile.Open(file.FullName, FileShare.Read | FileShare.Delete);
             var bytes = GC.AllocateUninitializedArray<byte>((int)length + 1);
             var count = 0;
@@ -32,8 +32,9 @@ internal static class FileReading
         }
     }
 
-    /// <summary>SHA-256 of a file of any length, as 64 lower-case hexadecimal digits; null if it changed meanwhile or is still held by its writer.</summary>
-    /// <exception cref="OperationCanceledException">Cancelled: a long file takes its time.</exception>
+    /// <summary>SHA-256 of a file of any length, as 64 lowercase hexadecimal digits; null if it changed while being read or its writer
+    /// still has it open.</summary>
+    /// <exception cref="OperationCanceledException">Canceled. Long files are slow to hash.</exception>
     public static string? Hash(FileInfo file, CancellationToken cancellation)
     {
         var piece = ArrayPool<byte>.Shared.Rent(Piece);

@@ -2,18 +2,17 @@ using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// A gauge's folder. A finished file is moved aside, read, handed over to be archived, and only then removed: the store has its content, and a second copy would fill the disk and be taken for the truth by somebody. A kill
-/// at any instant loses nothing; at worst the same arrival is handed over again, with the same key.
-/// </summary>
+/// <summary>A gauge's folder. A finished file is moved aside, read, handed over for archiving, and only then removed: the store has its
+/// content, and a second copy would fill the disk and might be taken for the original. A kill at any instant loses nothing; at worst the
+/// same arrival is handed over again, with the same key.</summary>
 /// <param name="gauge">The gauge, with a folder.</param>
-/// <param name="clock">Tells how long a file has been at rest.</param>
+/// <param name="clock">Measures how long a file has been at rest.</param>
 public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDisposable
 {
-    /// <summary>Code of an arrival that is larger than the gauge's files may be.</summary>
+    /// <summary>Code of an arrival that exceeds the gauge's size limit.</summary>
     public const string TooLarge = "file-too-large";
 
-    // Even its hash takes too long to be waited for: some seconds a gigabyte.
+    // Above this even the hash takes too long: some seconds per gigabyte.
     private const long MostHashed = 4_000_000_000;
     private const int Attempts = 3;
 
@@ -28,16 +27,16 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
     private readonly List<LeftFile> _held = [];
     private bool _mayHaveClaims = true;
 
-    /// <summary>What fits the gauge's pattern and was left where it is at the last look.</summary>
+    /// <summary>Files that match the gauge's pattern and that the last look left where they are.</summary>
     public IReadOnlyList<LeftFile> Left => [.. _finished.Left, .. _held];
 
-    /// <summary>Takes the files that are finished, in order of their time of change.</summary>
-    /// <param name="archive">Keeps an arrival for good before it returns; whatever it throws leaves the file to the next look.</param>
-    /// <param name="archiveUnread">The same for a file that is too large to be kept.</param>
-    /// <param name="cancellation">Looked at between files.</param>
+    /// <summary>Takes the finished files, in order of modification time.</summary>
+    /// <param name="archive">Stores an arrival permanently before it returns. If it throws, the file is left for the next look.</param>
+    /// <param name="archiveUnread">The same for a file that is too large to store.</param>
+    /// <param name="cancellation">Checked between files.</param>
     /// <returns>How many were taken.</returns>
-    /// <exception cref="SourceException">The folder cannot be looked into.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled; what was handed over is handed over.</exception>
+    /// <exception cref="SourceException">The folder cannot be read.</exception>
+    /// <exception cref="OperationCanceledException">Canceled; files already handed over stay handed over.</exception>
     public int Take(Action<Arrival> archive, Action<UnreadArrival> archiveUnread, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(archive);
@@ -76,7 +75,7 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
         {
             cancellation.ThrowIfCancellationRequested();
 
-            // Whatever happens from here on, the next look begins with what lies aside.
+            // Whatever happens from here on, the next look starts with the claimed files.
             var before = _mayHaveClaims;
             _mayHaveClaims = true;
             if (Guarded(() => Claim(file.Name)) is not { } claimed)
@@ -111,14 +110,15 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
         }
     }
 
-    /// <summary>Waits until another look may be worth it: until the system tells of a change, at most as long as the gauge's settings say.</summary>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    /// <summary>Waits until another look may be worthwhile: until the system reports a change, but no longer than the gauge's polling
+    /// interval.</summary>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
     public Task WaitAsync(CancellationToken cancellation) => _hint.WaitAsync(gauge.Every, cancellation);
 
-    /// <summary>Stops listening to the system.</summary>
+    /// <summary>Stops listening for changes.</summary>
     public void Dispose() => _hint.Dispose();
 
-    // What an earlier run, or another gauge of this folder, moved aside. A marker that lies here alone says that its file is finished.
+    // Files that an earlier run, or another gauge of this folder, moved aside. A marker that is here alone shows that its file is finished.
     private List<FileInfo> Claimed()
     {
         var files = _claims.Files();
@@ -130,12 +130,12 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
                 var name = marker[..^suffix.Length];
                 if (!File.Exists(Path.Combine(_folder, name)))
                 {
-                    // Somebody withdrew the file.
+                    // The file was withdrawn.
                     _claims.Remove(marker);
                 }
                 else if (_claims.Claim(name) is null)
                 {
-                    // The marker stays: without it nobody would know that the file is finished.
+                    // The marker stays: it is the only sign that the file is finished.
                     Hold(new(Path.Combine(_folder, name)), NotMoved);
                 }
             }
@@ -146,7 +146,8 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
         return [.. files.Where(f => _finished.IsOurs(f.Name))];
     }
 
-    // The marker first: from then on nothing that is written under the file's name counts as finished. While another file of this name still lies aside, the marker would be taken for that one's.
+    // The marker first: from then on, nothing written under the file's name counts as finished. While another file of this name is still
+    // claimed, the marker would be taken for that file's.
     private FileInfo? Claim(string name) =>
         gauge.Finished is FinishedByMarker marker && (_claims.Has(name) || _claims.Claim(name + marker.Suffix) is null) ? null : _claims.Claim(name);
 
@@ -196,7 +197,7 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
         return Hold(file, "it changes while it is read, or cannot be opened. It is read as soon as it can be.");
     }
 
-    // Before the file: a marker that outlived it would say of the next file of this name that it is finished.
+    // Before the file: a marker that outlived it would make the next file of this name look finished.
     private bool RemoveMarker(string name) => gauge.Finished is not FinishedByMarker marker || _claims.Remove(name + marker.Suffix);
 
     private bool Hold(FileInfo file, string reason)

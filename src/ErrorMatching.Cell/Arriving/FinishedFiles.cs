@@ -1,19 +1,19 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Tells which files of a gauge's folder are finished.</summary>
+/// <summary>Determines which files in a gauge's folder are finished.</summary>
 internal sealed class FinishedFiles(GaugeSettings gauge, TimeProvider clock)
 {
     private Dictionary<string, (long Length, DateTime Changed, long Since, bool HasMark)> _seen = new(StringComparer.Ordinal);
 
-    /// <summary>What fits the pattern and is left where it is.</summary>
+    /// <summary>Files that match the pattern and are left where they are.</summary>
     public IReadOnlyList<LeftFile> Left { get; private set; } = [];
 
-    /// <summary>True if a file fits the pattern and is not finished yet.</summary>
+    /// <summary>True if a file matches the pattern and is not finished yet.</summary>
     public bool IsWaiting { get; private set; }
 
-    /// <summary>Names of the finished files of a listing, in order of time of change and name.</summary>
+    /// <summary>The finished files in a listing, ordered by modification time and name.</summary>
     /// <exception cref="IOException">The folder cannot be listed.</exception>
-    /// <exception cref="UnauthorizedAccessException">The folder must not be listed.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access to the folder is denied.</exception>
     public IReadOnlyList<FileInfo> Of(DirectoryInfo folder)
     {
         var finished = new List<FileInfo>();
@@ -26,7 +26,7 @@ internal sealed class FinishedFiles(GaugeSettings gauge, TimeProvider clock)
         {
             if (!item.Exists)
             {
-                // It has gone meanwhile, or no text can name it.
+                // The file has disappeared, or its name cannot be represented as text.
                 if (item.Name.Contains('\uFFFD', StringComparison.Ordinal))
                 {
                     left.Add(new(ShownName.Of(item.Name), "its name is not written in UTF-8, so it cannot be opened. Rename it."));
@@ -50,7 +50,8 @@ internal sealed class FinishedFiles(GaugeSettings gauge, TimeProvider clock)
         return [.. finished.OrderBy(f => f.LastWriteTimeUtc).ThenBy(f => f.Name, StringComparer.Ordinal)];
     }
 
-    /// <summary>True if a name fits the gauge's pattern and is no marker and no hidden name, under which other programs write what is not finished.</summary>
+    /// <summary>True if a name matches the gauge's pattern and is neither a marker nor hidden. Other programs use hidden names for
+    /// unfinished files.</summary>
     public bool IsOurs(string name) =>
         FileNamePattern.Fits(gauge.Files, name)
         && (name[0] != '.' || gauge.Files[0] == '.')

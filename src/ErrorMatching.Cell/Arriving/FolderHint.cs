@@ -1,9 +1,10 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Says when a look into a folder may be worth it: what the system tells by itself, and the folder's time of change. Neither is believed for long.</summary>
+/// <summary>Decides when a look into a folder may be worthwhile, from the system's change notifications and the folder's modification time.
+/// Neither is trusted for long.</summary>
 internal sealed class FolderHint : IDisposable
 {
-    // File systems count time in steps of up to two seconds: a change within the step of the last look does not show.
+    // File systems record time in steps of up to two seconds: a change within the same step as the last look does not show.
     private static readonly TimeSpan Step = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan Longest = TimeSpan.FromSeconds(5);
     private static readonly TimeSpan Pause = TimeSpan.FromMilliseconds(10);
@@ -19,7 +20,7 @@ internal sealed class FolderHint : IDisposable
 
     public FolderHint(string folder, TimeProvider clock) => (_folder, _clock) = (folder, clock);
 
-    /// <summary>True unless the folder is surely as it was at the last look.</summary>
+    /// <summary>False only if the folder certainly has not changed since the last look.</summary>
     public bool IsWorthALook()
     {
         var changed = Directory.GetLastWriteTimeUtc(_folder);
@@ -32,10 +33,10 @@ internal sealed class FolderHint : IDisposable
         return !same;
     }
 
-    /// <summary>Makes the next look happen whatever the folder's time says.</summary>
+    /// <summary>Forces the next look, regardless of the folder's modification time.</summary>
     public void Forget() => _looked = null;
 
-    /// <summary>Waits until something is told, at most for a time.</summary>
+    /// <summary>Waits for a change notification, up to a time limit.</summary>
     public async Task WaitAsync(TimeSpan most, CancellationToken cancellation)
     {
         Watch();
@@ -46,7 +47,7 @@ internal sealed class FolderHint : IDisposable
         cancellation.ThrowIfCancellationRequested();
         if (first == told)
         {
-            // Files come in bunches, and each tells several times.
+            // Files arrive in bursts, and each causes several notifications.
             await Task.Delay(Pause, _clock, cancellation).ConfigureAwait(false);
         }
     }
@@ -78,7 +79,8 @@ internal sealed class FolderHint : IDisposable
         }
         catch (Exception e) when (e is IOException or ArgumentException or UnauthorizedAccessException)
         {
-            // A share that tells nothing, a folder that is away, no more watches: looking from time to time does it alone, and the next wait tries again.
+            // The share sends no notifications, the folder is gone, or there are no watches left. Polling alone is enough, and the next
+            // wait tries again.
             _watcher?.Dispose();
             _watcher = null;
         }

@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What patterns have read about a piece.</summary>
+/// <summary>What patterns have captured about a piece.</summary>
 internal sealed class FoundWords
 {
     private const int Most = 100;
@@ -11,10 +11,11 @@ internal sealed class FoundWords
 
     public string? WorkOrder { get; private set; }
 
-    /// <summary>What two places say differently, or what nobody can take for a serial number or work order; null if nothing is wrong.</summary>
+    /// <summary>Values from two places that differ, or a value that is not usable as a serial number or work order; null if nothing is
+    /// wrong.</summary>
     public string? Contradiction { get; private set; }
 
-    /// <summary>Adds what a match has read.</summary>
+    /// <summary>Adds what a match captured.</summary>
     public void Add(Match match)
     {
         Serial = Joined(Serial, match.Groups[RecognitionReader.Serial], "serial number");

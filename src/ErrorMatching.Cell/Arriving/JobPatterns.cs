@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The patterns of a job, ready to be matched.</summary>
+/// <summary>The compiled patterns of a job.</summary>
 internal sealed class JobPatterns
 {
     private readonly Regex? _fileName;
@@ -19,8 +19,8 @@ internal sealed class JobPatterns
 
     public CellJobSettings Job { get; }
 
-    /// <summary>What the patterns read; null if one of them does not match. The file is looked into only if its name matches.</summary>
-    /// <exception cref="Measurement.MeasurementException">The file must be looked into and cannot be read.</exception>
+    /// <summary>What the patterns capture; null if one of them does not match. The content is read only if the name matches.</summary>
+    /// <exception cref="Measurement.MeasurementException">The content is needed and cannot be read.</exception>
     public FoundWords? Match(LookInside file)
     {
         var found = new FoundWords();
@@ -39,7 +39,7 @@ internal sealed class JobPatterns
 
     private static (string, Regex)? Named((string Name, string Pattern)? rule) => rule is { } r ? (r.Name, RecognitionReader.Expression(r.Pattern)) : null;
 
-    // A column says the same in each of its rows: what has been read once is not read again.
+    // A column repeats the same value in its rows; each distinct value is matched once.
     private static bool Matches(Regex pattern, IReadOnlyList<string> texts, FoundWords found)
     {
         string? last = null;

@@ -2,10 +2,10 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A file that is read once, and only if a pattern asks for what is in it.</summary>
+/// <summary>A file whose content is read at most once, and only if a pattern needs it.</summary>
 /// <param name="name">Its name.</param>
 /// <param name="bytes">Its content.</param>
-/// <param name="format">Its form; null for a probing log.</param>
+/// <param name="format">Its format; null for a probing log.</param>
 internal sealed class LookInside(string name, ReadOnlyMemory<byte> bytes, MeasurementFormat? format)
 {
     private MeasurementFile? _table;
@@ -13,7 +13,7 @@ internal sealed class LookInside(string name, ReadOnlyMemory<byte> bytes, Measur
 
     public string Name => name;
 
-    /// <summary>The values of a header field; none where the file has no such field.</summary>
+    /// <summary>The values of a header field; none if the file does not have it.</summary>
     /// <exception cref="MeasurementException">The file cannot be read.</exception>
     public IReadOnlyList<string> HeaderField(string field)
     {
@@ -21,7 +21,7 @@ internal sealed class LookInside(string name, ReadOnlyMemory<byte> bytes, Measur
         return [.. _fields.Where(f => string.Equals(f.Name, field, StringComparison.OrdinalIgnoreCase)).Select(f => f.Value)];
     }
 
-    /// <summary>The values of a column; none where the file has no such column.</summary>
+    /// <summary>The values of a column; none if the file does not have it.</summary>
     /// <exception cref="MeasurementException">The file cannot be read.</exception>
     public IReadOnlyList<string> Column(string column) => format is null ? [] : Table().ColumnTexts(column) ?? [];
 

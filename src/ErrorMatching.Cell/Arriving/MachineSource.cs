@@ -2,26 +2,26 @@ using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// Logs at a machine, fetched over the way that programs are sent. A log is finished when its content has stayed the same, or carries its end mark. Where it is not kept at the machine it is renamed, read once more and
-/// then deleted, so that nothing is deleted that was not read.
-/// </summary>
+/// <summary>Logs at a machine, fetched over the same transport that sends programs. A log is finished when its content has stayed the same
+/// or has its end mark. A log that is not kept at the machine is renamed, read once more and then deleted, so that nothing is deleted
+/// unread.</summary>
 /// <param name="gauge">The gauge, with a machine.</param>
 /// <param name="folder">The machine's folder.</param>
-/// <param name="clock">Tells how long a log has been the same.</param>
+/// <param name="clock">Measures how long a log has been unchanged.</param>
 public sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, TimeProvider clock)
 {
-    /// <summary>What the name of a log has behind it while it is taken.</summary>
+    /// <summary>Suffix of a log's name while it is being taken.</summary>
     public const string Suffix = ".taken";
 
     private readonly Dictionary<string, (string Sha256, long Since, bool IsArchived)> _seen = new(StringComparer.Ordinal);
     private List<LeftFile> _left = [];
 
-    /// <summary>What fits the gauge's pattern and was left at the last look.</summary>
+    /// <summary>Files that match the gauge's pattern and that the last look left where they are.</summary>
     public IReadOnlyList<LeftFile> Left => _left;
 
-    /// <summary>Takes the logs that are finished.</summary>
-    /// <param name="archive">Keeps an arrival for good before it returns; whatever it throws leaves the log to the next look. The store knows by its key a log that it has.</param>
+    /// <summary>Takes the finished logs.</summary>
+    /// <param name="archive">Stores an arrival permanently before it returns. If it throws, the log is left for the next look. The store
+    /// recognizes a log that it already has by its key.</param>
     /// <param name="cancellation">Cancels the transfers.</param>
     /// <returns>How many were taken.</returns>
     /// <exception cref="TransportException">The machine cannot be reached.</exception>
@@ -32,7 +32,7 @@ public sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, Ti
         var names = (await folder.ListAsync(cancellation).ConfigureAwait(false)).Order(StringComparer.Ordinal).ToArray();
         var taken = 0;
 
-        // What an earlier run renamed is finished, and comes first: its name must be free for the next.
+        // Logs that an earlier run renamed are finished and come first: the name must be free for the next one.
         var renamed = names.Where(n => n.EndsWith(Suffix, StringComparison.Ordinal) && FileNamePattern.Fits(gauge.Files, n[..^Suffix.Length])).ToArray();
         var ours = names.Where(n => FileNamePattern.Fits(gauge.Files, n) && !n.EndsWith(Suffix, StringComparison.Ordinal)).ToArray();
         foreach (var name in renamed.Concat(ours))
@@ -112,7 +112,7 @@ public sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, Ti
         return taken;
     }
 
-    // What the control wrote between the reading and the renaming is archived too before it is deleted.
+    // What the control wrote between the reading and the renaming is also archived before the log is deleted.
     private async Task<int> FinishAsync(string name, byte[]? renamed, string? archived, Action<Arrival> archive, CancellationToken cancellation)
     {
         var taken = 0;

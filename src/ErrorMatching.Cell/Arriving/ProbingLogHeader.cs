@@ -3,10 +3,11 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What the log of a probing program says about its piece: the plan in its first line, and what the shop's template writes as comments, such as <c>; SERIAL: 4711</c>.</summary>
+/// <summary>What the log of a probing program tells about its piece: the plan number in its first line, and comments from the shop's
+/// template, such as <c>; SERIAL: 4711</c>.</summary>
 internal static class ProbingLogHeader
 {
-    /// <summary>Name of the field that holds the number of the plan.</summary>
+    /// <summary>Name of the field with the plan's number.</summary>
     public const string Plan = "PLAN";
 
     private const int MostLines = 200;

@@ -3,21 +3,22 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Tells which job a file belongs to, and which piece it measures. Its time grows with the file's length, whatever the file holds. Safe for use by several threads.</summary>
+/// <summary>Determines which job a file belongs to and which piece it measures. Time grows with the file's length, regardless of content.
+/// Thread-safe.</summary>
 public sealed class Recognizer
 {
     private const int MostShown = 100;
     private readonly CellSettings _settings;
     private readonly IReadOnlyList<JobPatterns> _patterns;
 
-    /// <summary>A recognizer for the jobs of a cell.</summary>
+    /// <summary>Creates a recognizer for the jobs of a cell.</summary>
     public Recognizer(CellSettings settings)
     {
         ArgumentNullException.ThrowIfNull(settings);
         (_settings, _patterns) = (settings, [.. settings.Jobs.Select(j => new JobPatterns(j))]);
     }
 
-    /// <summary>Whose measurement a file is.</summary>
+    /// <summary>Recognizes a file.</summary>
     /// <param name="gauge">The gauge that it came from.</param>
     /// <param name="fileName">Its name.</param>
     /// <param name="bytes">Its content.</param>
@@ -62,7 +63,7 @@ public sealed class Recognizer
         return new() { Job = job, Piece = piece, Serial = found.Serial, WorkOrder = found.WorkOrder };
     }
 
-    // The file is read as the job reads it, for the job's rules may ask for columns of its own format.
+    // The job reads the file itself, because its rules may need columns of its own format.
     private static string Decide(CellJobSettings job, string fileName, ReadOnlyMemory<byte> bytes) => NamedJob.Read(job.File).Mating switch
     {
         { Recognition: { } rules } mating => rules.Decide(MeasurementReader.Read(bytes, fileName, mating.Gauge.Format)) == SourceSide.Part ? "part" : "counterpart",

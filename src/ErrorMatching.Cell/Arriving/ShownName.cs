@@ -3,10 +3,11 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Names of files as databases keep them and screens show them.</summary>
+/// <summary>File names in the form that databases store and screens display.</summary>
 internal static class ShownName
 {
-    /// <summary>The name with a replacement character for everything that is no visible character or would change how others look: line breaks, escapes, marks of direction, halves of characters.</summary>
+    /// <summary>Puts the replacement character in place of every character that is invisible or changes how others look: line breaks,
+    /// escapes, direction marks, unpaired surrogates.</summary>
     public static string Of(string name)
     {
         var shown = new StringBuilder(name.Length);

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Looks at what waits at gauges, and asks whose it is.</summary>
+/// <summary>Examines the files waiting at gauges and finds the job of each.</summary>
 internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMachine> machines)
 {
     private const int MostLookedAt = 50;
@@ -37,7 +37,8 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
         }
     }
 
-    // Whether files can be taken out says no attribute for sure: rights of shares, quotas, a disk that is mounted to be read. So an empty folder is made and removed again, which no gauge and no cell takes for a measurement.
+    // No attribute shows reliably whether files can be moved out: share permissions, quotas and read-only mounts matter too. So this
+    // creates and removes an empty folder, which no gauge or cell mistakes for a measurement.
     internal static CheckProblem? Denied(GaugeSettings gauge, string folder)
     {
         var aside = Path.Combine(folder, ClaimFolder.Name);

@@ -3,7 +3,7 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Reads what a job names, and follows the program that it starts from.</summary>
+/// <summary>Reads the files that a job names and follows its base program.</summary>
 internal static class JobCheck
 {
     public static CheckedJob Of(CellJobSettings job, CancellationToken cancellation)

@@ -8,7 +8,7 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
 
     public async Task<IReadOnlyList<CheckedMachine>> OfAllAsync(Action<CheckedMachine> looked, CancellationToken cancellation)
     {
-        // A store of an earlier form would be changed by opening it.
+        // Opening a store with an earlier schema version would change it.
         using var opened = store.IsThere && store.Form == store.Latest && settings.Machines.Any(m => m.NeedsPassword) ? CellStore.Open(settings.Store, TimeProvider.System, inspect: false) : null;
         return await Task.WhenAll(settings.Machines.Select(Ask)).ConfigureAwait(false);
 

@@ -5,7 +5,7 @@ using Npgsql;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Looks at a store without making it, and without taking it to another form.</summary>
+/// <summary>Examines a store without creating or migrating it.</summary>
 internal static class StoreCheck
 {
     private const string FormOf = "SELECT max(number) FROM migration";

@@ -1,4 +1,5 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>What a measurement came to: <see cref="Identified"/> before it is computed, then a <see cref="Computed"/> program or <see cref="NothingToSend"/>; at any time a <see cref="RefusedComputation"/>.</summary>
+/// <summary>The result of a measurement: <see cref="Identified"/> before it is computed, then a <see cref="Computed"/> program or
+/// <see cref="NothingToSend"/>; at any time a <see cref="RefusedComputation"/>.</summary>
 public abstract record Computation;

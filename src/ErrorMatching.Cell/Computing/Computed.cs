@@ -1,15 +1,15 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>A program that may be proposed, with what people decide by. The same inputs give the same bytes.</summary>
+/// <summary>A program that may be proposed, with the data that people need for a decision. The same inputs give the same bytes.</summary>
 public sealed record Computed : Computation
 {
-    /// <summary>What it stands on.</summary>
+    /// <summary>The inputs that it is based on.</summary>
     public required CorrectionBasis Basis { get; init; }
 
-    /// <summary>Name of the program in the job, without folders. At the machine it has its slot's.</summary>
+    /// <summary>Name of the program in the job, without folders. At the machine it has the slot's program name.</summary>
     public required string ProgramName { get; init; }
 
-    /// <summary>The bytes to send: those of the base program where nothing is to be compensated.</summary>
+    /// <summary>The bytes to send; those of the base program if there is nothing to compensate.</summary>
     public required ReadOnlyMemory<byte> Program { get; init; }
 
     /// <summary>The report as JSON.</summary>
@@ -18,25 +18,27 @@ public sealed record Computed : Computation
     /// <summary>The report as a page.</summary>
     public required ReadOnlyMemory<byte> Page { get; init; }
 
-    /// <summary>The largest displacement of this step in mm: at a key point, or between and beside them where a block is asked to move further.</summary>
+    /// <summary>The largest displacement of this step in mm, at a key point, or between or next to key points if a block must move further
+    /// there.</summary>
     public required double LargestMm { get; init; }
 
-    /// <summary>Where that is: <c>point 5 of C1</c>, <c>block N170</c>; empty where nothing moves.</summary>
+    /// <summary>Where that is: <c>point 5 of C1</c>, <c>block N170</c>; empty if nothing moves.</summary>
     public required string LargestAt { get; init; }
 
-    /// <summary>What this step moves at each measured point, in the order of the job.</summary>
+    /// <summary>The displacement of this step at each measured point, in the job's order.</summary>
     public required IReadOnlyList<PointCorrection> Corrections { get; init; }
 
-    /// <summary>Where the job accumulates, the sums since the original program, this step included; else this step alone.</summary>
+    /// <summary>If the job accumulates, the sums since the original program, including this step; else this step alone.</summary>
     public required CorrectionSums Sums { get; init; }
 
-    /// <summary>Where the job accumulates, the largest distance from the original program in mm: a sum at a point, or further between and beside them; else <see cref="LargestMm"/>.</summary>
+    /// <summary>If the job accumulates, the largest distance from the original program in mm: a sum at a point, or a larger distance
+    /// between or next to points; else <see cref="LargestMm"/>.</summary>
     public required double SumMm { get; init; }
 
-    /// <summary>Number of blocks that differ from the base program; null where the program is made anew.</summary>
+    /// <summary>Number of blocks that differ from the base program; null if the program is generated.</summary>
     public required int? ChangedBlocks { get; init; }
 
-    /// <summary>Number of words that were changed or inserted; null where the program is made anew.</summary>
+    /// <summary>Number of words that were changed or inserted; null if the program is generated.</summary>
     public required int? ChangedWords { get; init; }
 
     /// <summary>Sentences that a person must not overlook before approving.</summary>

@@ -4,27 +4,27 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// From a recognized measurement to a program that may be proposed: what the console does with the same inputs, within the limits of the policy. It reads the job's own files, has no clock, and keeps nothing from one
-/// call to the next; it may be called by several threads.
-/// </summary>
+/// <summary>Turns a recognized measurement into a program that may be proposed: the console's calculation for the same inputs, within the
+/// limits of the policy. It reads the job's own files, uses no clock, and keeps no state between calls. Thread-safe.</summary>
 /// <param name="policy">The cell's policy, for jobs without one of their own.</param>
 public sealed class CorrectionComputer(PolicySettings policy)
 {
     private const int MostReasons = 3;
 
-    /// <summary>What a correction will stand on, and its identity, without computing it.</summary>
+    /// <summary>Determines the inputs of a correction, and its identity, without computing it.</summary>
     /// <param name="request">What it is computed from.</param>
-    /// <returns><see cref="Identified"/>, or <see cref="RefusedComputation"/> where the job's files cannot be used or the part is not measured.</returns>
+    /// <returns><see cref="Identified"/>, or <see cref="RefusedComputation"/> if the job's files cannot be used or the part is not
+    /// measured.</returns>
     /// <exception cref="ArgumentException">The request contradicts itself.</exception>
     public Computation Identify(CorrectionRequest request) => Guarded(request, isAll: false, CancellationToken.None);
 
     /// <summary>Computes a correction.</summary>
     /// <param name="request">What it is computed from.</param>
-    /// <param name="cancellation">Looked at between the stages of the calculation.</param>
-    /// <returns><see cref="Computed"/>, <see cref="NothingToSend"/> or <see cref="RefusedComputation"/>. Whatever a measurement holds, it is no exception.</returns>
+    /// <param name="cancellation">Checked between the stages of the calculation.</param>
+    /// <returns><see cref="Computed"/>, <see cref="NothingToSend"/> or <see cref="RefusedComputation"/>. No measurement, whatever its
+    /// content, causes an exception.</returns>
     /// <exception cref="ArgumentException">The request contradicts itself.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
     public Computation Compute(CorrectionRequest request, CancellationToken cancellation) => Guarded(request, isAll: true, cancellation);
 
     private Computation Guarded(CorrectionRequest request, bool isAll, CancellationToken cancellation)
@@ -60,7 +60,7 @@ public sealed class CorrectionComputer(PolicySettings policy)
         }
     }
 
-    /// <summary>A refusal by what is wrong: the first code, and the reasons in their order.</summary>
+    /// <summary>A refusal for a list of errors: the first code, and the reasons in order.</summary>
     internal static RefusedComputation Refused(IReadOnlyList<ErrorItem> items) => new(
         items[0].Code,
         string.Join(' ', items.Take(MostReasons).Select(i => i.Message)) + (items.Count > MostReasons ? " " + Recorded.AndMore.With(items.Count - MostReasons) : ""))

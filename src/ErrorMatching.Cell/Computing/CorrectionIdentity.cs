@@ -5,11 +5,10 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The identity of a correction: two of the same identity are the same program, and one of them is enough.</summary>
-/// <remarks>
-/// SHA-256 over lines of UTF-8 text, each ended by a line feed: <c>errormatch/correction/1</c>, <c>measurement HASH</c> for each measurement in their order, <c>job HASH</c>, <c>base HASH</c> or <c>base -</c>, and
-/// <c>gain NUMBER</c> or <c>gain -</c>.
-/// </remarks>
+/// <summary>The identity of a correction. Two corrections with the same identity have the same program, and one of them is
+/// enough.</summary>
+/// <remarks>SHA-256 over lines of UTF-8 text, each ended by a line feed: <c>errormatch/correction/1</c>, <c>measurement HASH</c> for each
+/// measurement in their order, <c>job HASH</c>, <c>base HASH</c> or <c>base -</c>, and <c>gain NUMBER</c> or <c>gain -</c>.</remarks>
 public static class CorrectionIdentity
 {
     private const int Digits = 64;
@@ -17,9 +16,9 @@ public static class CorrectionIdentity
     /// <summary>The identity as 64 lower-case hexadecimal digits.</summary>
     /// <param name="measurements">SHA-256 of each measurement, the compensated one first.</param>
     /// <param name="jobSha256">SHA-256 of the job (<see cref="OfJob"/>).</param>
-    /// <param name="baseSha256">SHA-256 of the program that it starts from; null where a program is made anew.</param>
-    /// <param name="gain">The gain that takes the place of the job's; null if none does.</param>
-    /// <exception cref="ArgumentException">There is no measurement, or a hash is none.</exception>
+    /// <param name="baseSha256">SHA-256 of the base program; null if the program is generated.</param>
+    /// <param name="gain">The gain that replaces the job's; null for the job's own.</param>
+    /// <exception cref="ArgumentException">There is no measurement, or a hash is malformed.</exception>
     public static string Of(IReadOnlyList<string> measurements, string jobSha256, string? baseSha256, double? gain)
     {
         ArgumentNullException.ThrowIfNull(measurements);
@@ -40,9 +39,11 @@ public static class CorrectionIdentity
         return Sha256(text);
     }
 
-    /// <summary>SHA-256 over a job's file and the files that it names, so that changing any of them makes another correction: lines <c>job HASH</c> and <c>ROLE HASH</c>.</summary>
+    /// <summary>SHA-256 over a job's file and the files that it names, so that a change to any of them gives another correction: lines
+    /// <c>job HASH</c> and <c>ROLE HASH</c>.</summary>
     /// <param name="jobSha256">SHA-256 of the job's file.</param>
-    /// <param name="inputs">What was read; measurements and programs count for themselves and not here.</param>
+    /// <param name="inputs">The files that were read; measurements and programs are excluded because the identity covers them
+    /// separately.</param>
     internal static string OfJob(string jobSha256, IEnumerable<ReportInput> inputs)
     {
         var text = new StringBuilder("job ").Append(Hash(jobSha256)).Append('\n');

@@ -1,12 +1,12 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>What a correction is computed from, beside the job's own files.</summary>
+/// <summary>The inputs of a correction, except for the job's own files.</summary>
 public sealed record CorrectionRequest
 {
     /// <summary>The cell's job.</summary>
     public required CellJobSettings Job { get; init; }
 
-    /// <summary>What is measured: <c>part</c>, <c>counterpart</c> or <c>surface</c>.</summary>
+    /// <summary>The measured piece: <c>part</c>, <c>counterpart</c> or <c>surface</c>.</summary>
     public required string Piece { get; init; }
 
     /// <summary>The measurement.</summary>
@@ -15,15 +15,16 @@ public sealed record CorrectionRequest
     /// <summary>The part's measurement, for a counterpart that is compared with it; null while there is none.</summary>
     public KeptFile? Part { get; init; }
 
-    /// <summary>Where the job accumulates: the program that cut the measured counterpart; null for the original one.</summary>
+    /// <summary>If the job accumulates: the program that cut the measured counterpart; null for the original one.</summary>
     public ReadOnlyMemory<byte>? Base { get; init; }
 
-    /// <summary>Where the job accumulates: the sums of all corrections that led from the original program to <see cref="Base"/>.</summary>
+    /// <summary>If the job accumulates: the sums of all corrections from the original program to <see cref="Base"/>.</summary>
     public CorrectionSums Sums { get; init; } = CorrectionSums.None;
 
-    /// <summary>Of a surface: the program that was sent last, which may have cut the measured piece; null while none was sent.</summary>
+    /// <summary>For a surface: the last program sent, which may have cut the measured piece; null if none was sent.</summary>
     public KeptFile? LastSent { get; init; }
 
-    /// <summary>The identity that the correction was recognized by; null if it has none yet. Another one at the end refuses it: the job's files were changed meanwhile.</summary>
+    /// <summary>The correction's identity from recognition; null if it has none yet. If the final identity differs, the correction is
+    /// refused: the job's files have changed.</summary>
     public string? Identity { get; init; }
 }

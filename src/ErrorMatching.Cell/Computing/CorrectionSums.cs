@@ -11,16 +11,16 @@ public sealed class CorrectionSums
 
     private CorrectionSums(IReadOnlyList<PointCorrection> points) => Points = points;
 
-    /// <summary>Nothing was corrected yet.</summary>
+    /// <summary>No corrections yet.</summary>
     public static CorrectionSums None { get; } = new([]);
 
-    /// <summary>The sums, each point once, in the order in which points were corrected first.</summary>
+    /// <summary>The sums, each point once, in the order in which points were first corrected.</summary>
     public IReadOnlyList<PointCorrection> Points { get; }
 
     /// <summary>The point of the largest sum; null if there is none.</summary>
     public PointCorrection? Largest => Points.MaxBy(p => p.LengthMm);
 
-    /// <summary>These sums and one correction more. A point that is not among its points keeps its sum.</summary>
+    /// <summary>These sums plus one more correction. A point that the correction does not contain keeps its sum.</summary>
     /// <exception cref="ArgumentException">The correction names a point twice.</exception>
     public CorrectionSums Plus(IReadOnlyList<PointCorrection> corrections)
     {
@@ -49,7 +49,8 @@ public sealed class CorrectionSums
         return new(sums);
     }
 
-    /// <summary>The sums as a document that the store keeps: the same sums give the same bytes, and <see cref="FromJson"/> gives them back to the last bit.</summary>
+    /// <summary>The sums as a document for the store: the same sums give the same bytes, and <see cref="FromJson"/> restores them to the
+    /// last bit.</summary>
     public byte[] ToJson()
     {
         using var stream = new MemoryStream();
@@ -76,8 +77,8 @@ public sealed class CorrectionSums
         return stream.ToArray();
     }
 
-    /// <summary>The sums of a document that <see cref="ToJson"/> wrote.</summary>
-    /// <exception cref="InvalidDataException">It is none.</exception>
+    /// <summary>Reads the sums from a document that <see cref="ToJson"/> wrote.</summary>
+    /// <exception cref="InvalidDataException">It is not such a document.</exception>
     public static CorrectionSums FromJson(ReadOnlyMemory<byte> json)
     {
         try

@@ -5,14 +5,16 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>How well a counterpart that was cut with a correction fits its part: what <c>errormatch verify</c> says of the same measurements.</summary>
-/// <param name="Report">What came of it; null if nothing was compared.</param>
-/// <param name="Otherwise">Why not, in a setter's words; empty if there is a report.</param>
+/// <summary>How well a counterpart that was cut with a correction fits its part: the result of <c>errormatch verify</c> for the same
+/// measurements.</summary>
+/// <param name="Report">The result; null if nothing was compared.</param>
+/// <param name="Otherwise">Why not, in a setter's terms; empty if there is a report.</param>
 internal sealed record CounterpartVerification(VerifyReport? Report, string Otherwise)
 {
-    /// <summary>Compares a counterpart with its part. Before is the job's measured counterpart, or where it names none, the one as designed.</summary>
+    /// <summary>Compares a counterpart with its part. The state before is the job's measured counterpart or, if it names none, the nominal
+    /// one.</summary>
     /// <param name="files">The job's files.</param>
-    /// <param name="part">The part's measurement; null where none is known that a program was sent for.</param>
+    /// <param name="part">The part's measurement; null if none is known for which a program was sent.</param>
     /// <param name="counterpart">The counterpart.</param>
     public static CounterpartVerification Of(JobFiles files, KeptFile? part, MeasurementFile counterpart)
     {
@@ -38,6 +40,6 @@ internal sealed record CounterpartVerification(VerifyReport? Report, string Othe
         }
     }
 
-    // A measurement is evidence, whatever it can be compared with.
+    // A measurement is evidence even if it cannot be compared.
     private static CounterpartVerification Failed(string why) => new(null, Recorded.NotComparable.With(why));
 }

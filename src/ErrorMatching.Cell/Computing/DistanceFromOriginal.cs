@@ -3,13 +3,15 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>How far the features of a program that was corrected several times lie from those of the original one, measured on the programs themselves: between the points and beside them, rounding included.</summary>
+/// <summary>How far the features of a repeatedly corrected program are from those of the original one, measured on the programs themselves:
+/// between and next to the points, including rounding.</summary>
 internal static class DistanceFromOriginal
 {
-    // A circle that goes off its center is furthest somewhere on the way.
+    // An arc that moves off its center may have its largest distance anywhere along the way.
     private const int Places = 16;
 
-    /// <summary>The largest distance in mm and the block that has it; null if the two programs do not have the same motions, so that nobody can tell.</summary>
+    /// <summary>The largest distance in mm and its block; null if the two programs do not have the same motions, so that they cannot be
+    /// compared.</summary>
     /// <param name="original">The original program.</param>
     /// <param name="now">The corrected one.</param>
     /// <param name="maps">The features on it.</param>
@@ -31,7 +33,7 @@ internal static class DistanceFromOriginal
                     return null;
                 }
 
-                // What has no length has no side to be displaced to.
+                // A motion without length has no side to be displaced to.
                 if (was is { MovesInPlane: true, IsKnownInPlane: true } && Between(was, isNow) is var mm && !(mm <= largest.Mm))
                 {
                     largest = (mm, isNow.Block);
@@ -42,7 +44,7 @@ internal static class DistanceFromOriginal
         return largest;
     }
 
-    // Across the cut: by how much a corner slides along it is no displacement of its wall.
+    // Across the cut: a corner that slides along it does not displace the wall.
     private static double Between(NcMotion was, NcMotion now)
     {
         if (!was.IsArc)

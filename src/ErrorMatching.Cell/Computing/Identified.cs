@@ -1,5 +1,5 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>What a correction will stand on, before it is computed.</summary>
-/// <param name="Basis">What it stands on.</param>
+/// <summary>The inputs of a correction, before it is computed.</summary>
+/// <param name="Basis">The inputs that it is based on.</param>
 public sealed record Identified(CorrectionBasis Basis) : Computation;

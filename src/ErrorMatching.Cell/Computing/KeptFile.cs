@@ -2,8 +2,8 @@ using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A file that the cell keeps: nothing of it is read from a disk again.</summary>
-/// <param name="Name">The name that it arrived by, without folders.</param>
+/// <summary>A file that the cell stores, held in memory: it is not read from disk again.</summary>
+/// <param name="Name">Its name on arrival, without folders.</param>
 /// <param name="Bytes">Its content.</param>
 public sealed record KeptFile(string Name, ReadOnlyMemory<byte> Bytes)
 {

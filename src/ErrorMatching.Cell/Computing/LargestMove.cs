@@ -2,13 +2,15 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Where a correction moves its program most, by which it is judged: computed for a trial as well as for what is kept, so that both say the same.</summary>
-/// <param name="Mm">The largest displacement in mm; 0 where nothing moves.</param>
-/// <param name="At">Where that is: <c>point 5 of C1</c>, <c>block N170</c>; empty where nothing moves.</param>
-/// <param name="Block">The block concerned; null if none is.</param>
+/// <summary>The largest displacement of a correction, by which the correction is judged. A trial and a stored correction use the same
+/// calculation and so agree.</summary>
+/// <param name="Mm">The largest displacement in mm; 0 if nothing moves.</param>
+/// <param name="At">Where that is: <c>point 5 of C1</c>, <c>block N170</c>; empty if nothing moves.</param>
+/// <param name="Block">The block concerned; null for none.</param>
 public sealed record LargestMove(double Mm, string At, string? Block)
 {
-    /// <summary>The largest move of a match: at a key point, or between and beside them where a block is asked to move further.</summary>
+    /// <summary>The largest displacement of a match: at a key point, or between or next to key points if a block must move further
+    /// there.</summary>
     /// <param name="matched">The match.</param>
     public static LargestMove Of(MatchedProgram matched)
     {
@@ -25,7 +27,7 @@ public sealed record LargestMove(double Mm, string At, string? Block)
             largest = mm > largest.Mm ? new(mm, Recorded.AtPointOf.With(point.Point, point.Feature), point.Blocks.Count > 0 ? point.Blocks[0] : null) : largest;
         }
 
-        // Between and beside the points a block may be asked to move further than they do. Rounding alone is no further.
+        // Between and next to the points a block may have to move further than they do. Rounding alone does not count.
         var (before, increment) = (matched.Match.Before, MatingCorrection.LeastIncrement(matched.Match));
         foreach (var element in matched.Match.Wish!.Elements)
         {

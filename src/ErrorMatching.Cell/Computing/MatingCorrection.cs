@@ -4,7 +4,8 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A correction of a mating: the part's measurement makes the counterpart's program, or in feedback the counterpart's own does.</summary>
+/// <summary>A correction of a mating. The counterpart's program results from the part's measurement, or in feedback from the counterpart's
+/// own.</summary>
 internal sealed class MatingCorrection
 {
     private readonly CorrectionRequest _request;
@@ -14,7 +15,7 @@ internal sealed class MatingCorrection
 
     /// <summary>Reads the job.</summary>
     /// <param name="request">What is computed from it.</param>
-    /// <param name="policy">What holds for it.</param>
+    /// <param name="policy">The policy that applies to it.</param>
     /// <param name="job">The bytes of the job's file.</param>
     /// <exception cref="JobException">The job cannot be used.</exception>
     public MatingCorrection(CorrectionRequest request, PolicySettings policy, byte[] job) =>
@@ -24,12 +25,13 @@ internal sealed class MatingCorrection
 
     private bool IsOfPart => _request.Piece == "part";
 
-    // What cuts the counterpart: the part in feed-forward, the counterpart itself in feedback. The other one is evidence.
+    // The piece whose measurement makes the program: the part in feed-forward, the counterpart itself in feedback. The other piece is
+    // evidence.
     private bool MakesProgram => IsOfPart != IsFeedback;
 
     private GivenFile Base => new(_files.Job.PathOf(_files.Job.Counterpart.Program), _request.Base);
 
-    /// <summary>What the correction will stand on.</summary>
+    /// <summary>Determines the correction's inputs.</summary>
     public Computation Identify()
     {
         if (Refusal() is { } refusal)
@@ -136,11 +138,12 @@ internal sealed class MatingCorrection
         return new(CorrectionIdentity.Of(measurements, CorrectionIdentity.OfJob(_files.Job.Sha256, inputs), baseSha256, _policy.Gain), _files.Job.Sha256, _job, baseSha256, program, _files.Job.WorkOrder);
     }
 
-    // Corrections of less than half an increment change no word, and what is not in the program adds to no sum.
+    // Corrections below half an increment change no word, and what is not in the program is not added to a sum.
     private static PointCorrection[] Steps(MatchedProgram matched) =>
         [.. matched.Report.KeyPoints.Select(p => matched.Match.Rewrite is null ? new PointCorrection(p.Point, 0, 0, 0) : new(p.Point, p.Correction.X, p.Correction.Y, 0))];
 
-    // The largest distance from the original program: of the sums at the points, or between and beside them as the program itself shows it. Null if the two cannot be compared.
+    // The largest distance from the original program: of the sums at the points, or between or next to them as measured on the program
+    // itself. Null if the two programs cannot be compared.
     private (double Mm, string At, string? Block)? SinceOriginal(MatchedProgram matched, CorrectionSums sums, (double Mm, string At, string? Block) step)
     {
         if (!_request.Job.Accumulates || _request.Base is null)

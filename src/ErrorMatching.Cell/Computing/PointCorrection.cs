@@ -1,6 +1,6 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>By what the boundary or the surface is displaced at a measured point, in mm.</summary>
+/// <summary>The displacement of the boundary or the surface at a measured point, in mm.</summary>
 /// <param name="Point">The point's label in the job, or its number in the measuring plan.</param>
 /// <param name="X">Along the program's X; for a mating in another plane, along that plane's first axis.</param>
 /// <param name="Y">Along the program's Y, or the plane's second axis.</param>

@@ -1,13 +1,14 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Why no program may be made of a measurement.</summary>
-/// <param name="Code">Stable word: one of <see cref="CorrectionCodes"/>, or what the console says to the same inputs.</param>
-/// <param name="Reason">What was found and what is to be done, in a setter's words.</param>
+/// <summary>Why no program may be made from a measurement.</summary>
+/// <param name="Code">Stable code: one of <see cref="CorrectionCodes"/>, or the console's code for the same inputs.</param>
+/// <param name="Reason">The problem and what to do, in a setter's terms.</param>
 public sealed record RefusedComputation(string Code, string Reason) : Computation
 {
-    /// <summary>The block concerned as the setter knows it, such as <c>N110</c>; null if none is.</summary>
+    /// <summary>The block concerned as the setter knows it, such as <c>N110</c>; null for none.</summary>
     public string? Block { get; init; }
 
-    /// <summary>True if not the measurement is to blame but a file of the job that cannot be opened now: the same may succeed later.</summary>
+    /// <summary>True if the cause is not the measurement but a file of the job that cannot be opened now: a later attempt may
+    /// succeed.</summary>
     public bool MayPass { get; init; }
 }

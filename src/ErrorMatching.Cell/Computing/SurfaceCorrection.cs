@@ -5,7 +5,7 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A correction of a free-form surface: the measured points make the finishing program, or let an existing one follow.</summary>
+/// <summary>A correction of a free-form surface. The measured points generate the finishing program, or displace an existing one.</summary>
 internal sealed class SurfaceCorrection
 {
     private readonly CorrectionRequest _request;
@@ -15,13 +15,13 @@ internal sealed class SurfaceCorrection
 
     /// <summary>Reads the job.</summary>
     /// <param name="request">What is computed from it.</param>
-    /// <param name="policy">What holds for it.</param>
+    /// <param name="policy">The policy that applies to it.</param>
     /// <param name="job">The bytes of the job's file.</param>
     /// <exception cref="JsonDocumentException">The job cannot be used.</exception>
     public SurfaceCorrection(CorrectionRequest request, PolicySettings policy, byte[] job) =>
         (_request, _policy, _job, _files) = (request, policy, job, new(FreeformJob.Parse(job, request.Job.File)));
 
-    /// <summary>What the correction will stand on.</summary>
+    /// <summary>Determines the correction's inputs.</summary>
     public Computation Identify()
     {
         if (Refusal() is { } refusal)
@@ -47,7 +47,7 @@ internal sealed class SurfaceCorrection
             return refusal;
         }
 
-        // A piece that still has stock was cut by no finishing program yet.
+        // A piece that still has stock has not been cut by a finishing program.
         var job = _files.Job;
         var cutBy = job.Stock.Of(job.Measuring.After) > 0 || _request.LastSent is not { } sent ? null : new GivenFile(sent.Name, sent.Bytes);
         var measured = new SurfaceRequest { Measured = [new(_request.Measurement.Name, _request.Measurement.Bytes)], CutBy = cutBy, Gain = _policy.Gain };

@@ -121,10 +121,10 @@ internal sealed class CellJobReader(
         }
     }
 
-    // A dialect that is none is said once, at its machine.
+    // An unknown dialect is reported once, at its machine.
     private static bool IsKnown(string dialect) => NcDialects.IsFile(dialect) || NcDialects.Names.Contains(dialect, StringComparer.Ordinal);
 
-    // What a gauge's files never have would never match.
+    // A pattern for something that a gauge's files do not have would never match.
     private void CheckPatterns(JsonItem recognize, GaugeSettings gauge)
     {
         if (recognize.Find("column") is { } column && gauge.Format is null)

@@ -2,16 +2,16 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What is wrong in a configuration, and what is allowed but unwise.</summary>
+/// <summary>Errors in a configuration, and warnings about what is allowed but unwise.</summary>
 internal sealed class CellProblems
 {
     private readonly List<JsonProblem> _problems = [];
     private readonly List<JsonProblem> _warnings = [];
 
-    /// <summary>What is allowed but unwise, in the order of the document.</summary>
+    /// <summary>Warnings, in document order.</summary>
     public IReadOnlyList<JsonProblem> Warnings => InOrder(_warnings);
 
-    /// <summary>True if something is wrong at a path already.</summary>
+    /// <summary>True if there is already an error at a path.</summary>
     public bool Has(string path) => _problems.Exists(p => p.Path == path);
 
     public void AddRange(IEnumerable<JsonProblem> problems) => _problems.AddRange(problems.ToArray());
@@ -20,7 +20,7 @@ internal sealed class CellProblems
 
     public void Warn(JsonItem item, string code, string found, string expected) => _warnings.Add(JsonProblem.At(item, code, found, expected));
 
-    /// <summary>Refuses texts that no setter types: they would reach command lines and logs.</summary>
+    /// <summary>Rejects texts with control characters, which no setter types: they would reach command lines and logs.</summary>
     public void RefuseControlCharacters(JsonItem item)
     {
         if (item.Text.Any(char.IsControl))
@@ -34,7 +34,7 @@ internal sealed class CellProblems
         }
     }
 
-    /// <exception cref="JsonDocumentException">Something is wrong.</exception>
+    /// <exception cref="JsonDocumentException">There is at least one error.</exception>
     public void ThrowIfAny(string file)
     {
         if (_problems.Count > 0)

@@ -2,7 +2,7 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Makes settings of a document that keeps the schema, and collects what a schema cannot say.</summary>
+/// <summary>Builds settings from a document that conforms to the schema, and collects the errors that a schema cannot express.</summary>
 internal sealed class CellReader(JsonItem root, string file, CellProblems problems)
 {
     private static readonly PolicySettings Cautious = new(false, null, null, null);

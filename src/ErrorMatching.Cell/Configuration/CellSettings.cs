@@ -2,7 +2,7 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The configuration of a cell, checked as a whole. Every key of the file is described by its schema. Paths are absolute here.</summary>
+/// <summary>The configuration of a cell, checked as a whole. Its schema describes every key of the file. Paths are absolute here.</summary>
 public sealed record CellSettings
 {
     internal CellSettings()
@@ -12,13 +12,14 @@ public sealed record CellSettings
     /// <summary>The file as the caller named it.</summary>
     public required string File { get; init; }
 
-    /// <summary>What people call the cell.</summary>
+    /// <summary>The cell's name.</summary>
     public required string Name { get; init; }
 
-    /// <summary>Where everything is kept.</summary>
+    /// <summary>Where the cell stores its data.</summary>
     public required StoreSettings Store { get; init; }
 
-    /// <summary>Folder of the keys that secrets of machines are encrypted with. Whoever has it and the store can read them.</summary>
+    /// <summary>Folder of the keys that encrypt the machines' secrets. Anyone who has both this folder and the store can read the
+    /// secrets.</summary>
     public required string KeysFolder { get; init; }
 
     /// <summary>Folder of the rolling logs.</summary>
@@ -30,12 +31,12 @@ public sealed record CellSettings
     /// <summary>The machines.</summary>
     public required IReadOnlyList<MachineSettings> Machines { get; init; }
 
-    /// <summary>The jobs, in the order in which they are asked whether a file is theirs.</summary>
+    /// <summary>The jobs, in the order in which a file is tested against them.</summary>
     public required IReadOnlyList<CellJobSettings> Jobs { get; init; }
 
     /// <summary>Who approves what.</summary>
     public required PolicySettings Policy { get; init; }
 
-    /// <summary>What is allowed but unwise, in the order of the file: plain FTP, a gauge that no job listens to.</summary>
+    /// <summary>Warnings, in document order, such as plain FTP or a gauge that no job uses.</summary>
     public IReadOnlyList<JsonProblem> Warnings { get; init; } = [];
 }

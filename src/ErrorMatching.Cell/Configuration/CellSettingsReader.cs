@@ -4,23 +4,22 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Reads the configuration of a cell and everything that can be known of it without asking a machine, a store or a folder.</summary>
+/// <summary>Reads the configuration of a cell and checks everything that can be checked without a machine, a store or a folder.</summary>
 public static class CellSettingsReader
 {
     private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(Encoding.UTF8.GetBytes(CellTemplate.Schema), "cell.schema.json"));
 
-    /// <summary>The configuration in a file.</summary>
+    /// <summary>Reads the configuration from a file.</summary>
     /// <param name="file">The file.</param>
-    /// <exception cref="JsonDocumentException">As of <see cref="Parse"/>.</exception>
-    /// <exception cref="InputException">The file cannot be opened, or is larger than any that people write.</exception>
+    /// <exception cref="JsonDocumentException">As for <see cref="Parse"/>.</exception>
+    /// <exception cref="InputException">The file cannot be opened, or is implausibly large for a configuration.</exception>
     public static CellSettings Read(string file) => Parse(InputFile.Bytes(file, JsonLimits.Default.MaxBytes), file);
 
-    /// <summary>The configuration in some bytes.</summary>
+    /// <summary>Parses the configuration from bytes.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
-    /// <param name="file">Name for messages, and the place that relative paths start from. The files of the jobs are read from there.</param>
-    /// <exception cref="JsonDocumentException">
-    /// The bytes are no JSON, break the schema, or the configuration contradicts itself or its jobs, a job's file that is missing or wrong among them; all problems are in it, in the order of the document.
-    /// </exception>
+    /// <param name="file">File name for messages; relative paths start at its folder. The jobs' files are read from there.</param>
+    /// <exception cref="JsonDocumentException">The bytes are not JSON or break the schema, the configuration contradicts itself or its
+    /// jobs, or a job's file is missing or wrong. The exception lists all problems, in document order.</exception>
     public static CellSettings Parse(ReadOnlySpan<byte> bytes, string file)
     {
         var document = JsonInput.Read(bytes, file);

@@ -1,15 +1,15 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>A file's name with <c>*</c> for any characters and <c>?</c> for one; upper and lower case are alike.</summary>
+/// <summary>Matches file names against patterns: <c>*</c> is any characters, <c>?</c> is one. Case is ignored.</summary>
 internal static class FileNamePattern
 {
-    /// <summary>True if a name fits the pattern. Time grows with the product of both lengths at most.</summary>
+    /// <summary>True if a name matches the pattern. Time grows at most with the product of both lengths.</summary>
     public static bool Fits(string pattern, string name) => System.IO.Enumeration.FileSystemName.MatchesSimpleExpression(Literal(pattern), name, ignoreCase: true);
 
-    /// <summary>True if some name fits both patterns.</summary>
+    /// <summary>True if any name can match both patterns.</summary>
     public static bool Overlap(string a, string b)
     {
-        // row[j]: the rest of a from i on and the rest of b from j on have a name in common.
+        // row[j]: some name matches both the rest of a from i and the rest of b from j.
         var below = new bool[b.Length + 1];
         for (var i = a.Length; i >= 0; i--)
         {
@@ -28,7 +28,7 @@ internal static class FileNamePattern
         return below[0];
     }
 
-    // A backslash escapes in simple expressions; no name here has one.
+    // A backslash is an escape in simple expressions; no name here contains one.
     private static string Literal(string pattern) => pattern.Replace("\\", "\\\\", StringComparison.Ordinal);
 
     private static bool IsOne(char a, char b) => a == '?' || b == '?' || char.ToUpperInvariant(a) == char.ToUpperInvariant(b);

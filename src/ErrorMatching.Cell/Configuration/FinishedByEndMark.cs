@@ -1,5 +1,5 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>The last line that is not blank says that the file is finished.</summary>
-/// <param name="Mark">What the line says, without the spaces around it.</param>
+/// <summary>The file is finished when its last nonblank line is the end mark.</summary>
+/// <param name="Mark">The line's text, without surrounding spaces.</param>
 public sealed record FinishedByEndMark(string Mark) : FinishedRule;

@@ -1,4 +1,4 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>The gauge writes under another name and renames: a file whose name fits is finished.</summary>
+/// <summary>The gauge writes under another name and then renames: a file with a matching name is finished.</summary>
 public sealed record FinishedByRename : FinishedRule;

@@ -1,4 +1,5 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>How a file is known to be finished: a <see cref="FinishedByRename"/>, <see cref="FinishedByMarker"/>, <see cref="FinishedAtRest"/> or <see cref="FinishedByEndMark"/>.</summary>
+/// <summary>How to tell that a file is finished: a <see cref="FinishedByRename"/>, <see cref="FinishedByMarker"/>,
+/// <see cref="FinishedAtRest"/> or <see cref="FinishedByEndMark"/>.</summary>
 public abstract record FinishedRule;

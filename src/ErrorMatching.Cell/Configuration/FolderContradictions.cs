@@ -2,14 +2,14 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Finds folders and files that the cell would take from, write to or delete in for two purposes.</summary>
+/// <summary>Finds folders and files that the cell would use for conflicting purposes: to take from, write to or delete in.</summary>
 internal sealed class FolderContradictions(JsonItem root, CellSettings settings, CellProblems problems)
 {
     private const StringComparison NoCase = StringComparison.OrdinalIgnoreCase;
 
     /// <summary>Finds them all.</summary>
     /// <param name="own">The absolute path of the configuration.</param>
-    /// <param name="jobs">The jobs with the files that they name.</param>
+    /// <param name="jobs">The jobs and the files that they name.</param>
     public void Find(string own, IReadOnlyList<(JsonItem Item, CellJobSettings Settings, NamedJob? Job)> jobs)
     {
         CheckGauges();

@@ -50,7 +50,7 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
     {
         if (item is null)
         {
-            // From one point to the next a control takes longer than any file is at rest.
+            // A control takes longer from one point to the next than a file must be at rest.
             return isAtMachine && isLog ? new FinishedByEndMark("END") : new FinishedAtRest(TimeSpan.FromSeconds(2));
         }
 

@@ -1,26 +1,26 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>A machine and the way to it.</summary>
+/// <summary>A machine and how to reach it.</summary>
 public sealed record MachineSettings
 {
-    /// <summary>What people call it.</summary>
+    /// <summary>Its name.</summary>
     public required string Name { get; init; }
 
-    /// <summary>How its programs are reached.</summary>
+    /// <summary>The transport to its programs.</summary>
     public required TransportSettings Transport { get; init; }
 
-    /// <summary>Dialect of its control, which the jobs must have too.</summary>
+    /// <summary>The dialect of its control. The jobs must use the same one.</summary>
     public required string Dialect { get; init; }
 
     /// <summary>Its slots.</summary>
     public required IReadOnlyList<SlotSettings> Slots { get; init; }
 
-    /// <summary>How long one transfer may take.</summary>
+    /// <summary>The longest that one transfer may take.</summary>
     public required TimeSpan Timeout { get; init; }
 
-    /// <summary>True if its transport signs in by a password.</summary>
+    /// <summary>True if its transport signs in with a password.</summary>
     public bool NeedsPassword => Transport.NeedsPassword;
 
-    /// <summary>How often a transfer is tried in a row before the slot waits a while.</summary>
+    /// <summary>How many times in a row a transfer is attempted before the slot waits.</summary>
     public required int Attempts { get; init; }
 }

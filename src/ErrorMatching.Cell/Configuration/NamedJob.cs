@@ -5,7 +5,7 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A job's file as the cell needs it: a mating or a free-form job.</summary>
+/// <summary>A job's file with what the cell needs to know of it: a mating or a free-form job.</summary>
 internal sealed class NamedJob
 {
     private NamedJob(MatingJob? mating, FreeformJob? freeform) => (Mating, Freeform) = (mating, freeform);
@@ -16,13 +16,13 @@ internal sealed class NamedJob
     /// <summary>The free-form job; null for a mating.</summary>
     public FreeformJob? Freeform { get; }
 
-    /// <summary>True if each file may be the part's or the counterpart's and the job's own rules say which.</summary>
+    /// <summary>True if a file may be the part's or the counterpart's, and the job's own rules decide which.</summary>
     public bool Decides => Mating?.Recognition is not null;
 
-    /// <summary>True if what is measured is what the program cut, so that corrections may add up.</summary>
+    /// <summary>True if the measured piece is the one that the program cut, so that corrections may accumulate.</summary>
     public bool IsFeedback => Mating?.Compensation.From == CompensationSource.Counterpart;
 
-    /// <summary>The dialect of the program that goes to the machine: a name, or a shop's file as an absolute path.</summary>
+    /// <summary>The dialect of the program that goes to the machine: a name, or the absolute path of a shop's own dialect file.</summary>
     public string Dialect
     {
         get
@@ -32,19 +32,19 @@ internal sealed class NamedJob
         }
     }
 
-    /// <summary>The program that the job starts from; null for a free-form job, which makes one.</summary>
+    /// <summary>The job's base program; null for a free-form job, which generates one.</summary>
     public string? Program => Mating is null ? null : Absolute(Mating.Counterpart.Program);
 
-    /// <summary>Absolute paths of the files that the job reads, besides those of dialects.</summary>
+    /// <summary>Absolute paths of the files that the job reads, except dialect files.</summary>
     public IReadOnlyList<string> Files => Mating is { } m
         ? [.. new[] { m.File, m.Part.Theoretical, m.Part.Measured, m.Counterpart.Measured, m.Counterpart.Program }.OfType<string>().Select(Absolute)]
         : [.. new[] { Freeform!.File, Freeform.Surface.File, Freeform.Measuring.Template }.OfType<string>().Select(Absolute)];
 
-    /// <summary>The job in a file.</summary>
+    /// <summary>Reads the job from a file.</summary>
     /// <param name="file">The absolute path.</param>
-    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
-    /// <exception cref="IOException">It cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">It must not be read.</exception>
+    /// <exception cref="JsonDocumentException">The job is invalid.</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
     public static NamedJob Read(string file)
     {
         var bytes = JsonInput.Load(file);

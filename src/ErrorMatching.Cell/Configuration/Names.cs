@@ -2,15 +2,15 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Names that must differ, even for people who do not look at upper and lower case.</summary>
+/// <summary>Checks that names differ by more than case.</summary>
 internal static class Names
 {
-    /// <summary>Refuses each name that stands before it already.</summary>
-    /// <param name="items">The objects that have a name.</param>
-    /// <param name="key">The key of the name.</param>
+    /// <summary>Rejects each name that occurred earlier.</summary>
+    /// <param name="items">The objects that have names.</param>
+    /// <param name="key">The key that holds the name.</param>
     /// <param name="code">Code of the problem.</param>
-    /// <param name="what">What each is, for the sentence.</param>
-    /// <param name="problems">Where to say so.</param>
+    /// <param name="what">What each object is, for the message.</param>
+    /// <param name="problems">Receives the problems.</param>
     public static void RefuseTwins(IEnumerable<JsonItem> items, string key, string code, string what, CellProblems problems)
     {
         var seen = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
@@ -20,6 +20,6 @@ internal static class Names
         }
     }
 
-    /// <summary>How a sentence lists what there is.</summary>
+    /// <summary>Lists the existing names for a message.</summary>
     public static string Of(IEnumerable<string> names) => names.ToArray() is { Length: > 0 } all ? "one of " + string.Join(", ", all.Select(n => $"\"{n}\"")) : "none, for there is none";
 }

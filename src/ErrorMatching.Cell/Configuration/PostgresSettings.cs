@@ -4,6 +4,7 @@ namespace ErrorMatching.Cell;
 /// <param name="Host">Name or address of the server, or the folder of its socket.</param>
 /// <param name="Port">Its port.</param>
 /// <param name="Database">The database.</param>
-/// <param name="User">The database's user.</param>
-/// <param name="PasswordFile">A file in the form of PostgreSQL's <c>.pgpass</c> that only its owner may read; null where the server trusts the connection.</param>
+/// <param name="User">The database user.</param>
+/// <param name="PasswordFile">A password file in PostgreSQL's <c>.pgpass</c> format that only its owner may read; null if the server trusts
+/// the connection.</param>
 public sealed record PostgresSettings(string Host, int Port, string Database, string User, string? PasswordFile) : StoreSettings;

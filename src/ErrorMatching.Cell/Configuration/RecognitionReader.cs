@@ -3,13 +3,13 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Reads the patterns by which a job's files are told from others.</summary>
+/// <summary>Reads the patterns that recognize a job's files.</summary>
 internal sealed class RecognitionReader(JsonItem item, CellProblems problems)
 {
     public const string Serial = "serial";
     public const string WorkOrder = "workOrder";
 
-    /// <summary>True if a pattern reads the serial number.</summary>
+    /// <summary>True if a pattern captures the serial number.</summary>
     public bool HasSerial { get; private set; }
 
     public RecognitionSettings Read()
@@ -22,9 +22,9 @@ internal sealed class RecognitionReader(JsonItem item, CellProblems problems)
         return new(item.Find("fileName") is { } name ? Pattern(name) : null, Named("headerField"), Named("column"));
     }
 
-    /// <summary>The expression of a pattern. Its time grows with the text's length, whatever the text is.</summary>
-    /// <exception cref="ArgumentException">The pattern is no expression.</exception>
-    /// <exception cref="NotSupportedException">It looks around or back.</exception>
+    /// <summary>The regular expression of a pattern. Its time grows with the length of the text, regardless of content.</summary>
+    /// <exception cref="ArgumentException">The pattern is not a regular expression.</exception>
+    /// <exception cref="NotSupportedException">The pattern uses lookarounds or backreferences.</exception>
     public static Regex Expression(string pattern) =>
         new(pattern, RegexOptions.NonBacktracking | RegexOptions.CultureInvariant, Regex.InfiniteMatchTimeout);
 

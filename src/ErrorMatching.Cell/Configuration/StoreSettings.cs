@@ -1,4 +1,4 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Where everything is kept: a <see cref="SqliteSettings"/> or a <see cref="PostgresSettings"/>.</summary>
+/// <summary>Where the cell stores its data: a <see cref="SqliteSettings"/> or a <see cref="PostgresSettings"/>.</summary>
 public abstract record StoreSettings;

@@ -1,14 +1,15 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Which file has a name: another one that takes the name has another identity, even if its content is the same.</summary>
+/// <summary>The identity of the file behind a name. A file that replaces it under the same name has another identity, even with the same
+/// content.</summary>
 /// <param name="DeviceMajor">The disk's major number.</param>
 /// <param name="DeviceMinor">The disk's minor number.</param>
 /// <param name="Number">The file's number on its disk (inode).</param>
 internal sealed record FileIdentity(uint DeviceMajor, uint DeviceMinor, ulong Number)
 {
-    // Where an open file keeps its name nothing else can take it: all files are one there.
+    // Where an open file cannot lose its name to another file, a single identity is enough.
     private static readonly FileIdentity Any = new(0, 0, 0);
 
-    /// <summary>Which file a path leads to; null if it leads to none.</summary>
+    /// <summary>The identity of the file at a path; null if there is none.</summary>
     public static FileIdentity? Of(string path) => OperatingSystem.IsLinux() ? LinuxCalls.IdentityOf(path) : File.Exists(path) ? Any : null;
 }

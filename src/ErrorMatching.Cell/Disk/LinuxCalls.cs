@@ -5,11 +5,11 @@ using Microsoft.Win32.SafeHandles;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Calls of Linux that the runtime has no name for: what something is before it is opened, folders that are held fast, and
-/// renaming that overwrites nothing unseen.</summary>
+/// <summary>Linux system calls that the runtime does not offer: a file's type before it is opened, handles that pin folders, and renaming
+/// without unnoticed overwriting.</summary>
 internal static class LinuxCalls
 {
-    /// <summary>The bits of a mode that say what kind of file something is (inode(7)).</summary>
+    /// <summary>The bits of a mode that hold the file type (inode(7)).</summary>
     public const int KindMask = 0xF000;
 
     public const int PlainKind = 0x8000;
@@ -31,31 +31,30 @@ internal static class LinuxCalls
     private const uint OnlyIfFree = 1;
     private const uint InExchange = 2;
 
-    // These two are the only ones that differ between processors (fcntl(2)).
+    // Only these two differ between processors (fcntl(2)).
     private static readonly bool IsArm = RuntimeInformation.ProcessArchitecture is Architecture.Arm or Architecture.Arm64;
     private static readonly int NoLink = IsArm ? 0x8000 : 0x20000;
     private static readonly int FolderOnly = IsArm ? 0x4000 : 0x10000;
 
-    /// <summary>Takes hold of a file or folder without opening it, and of a link itself: nothing waits, and nothing is followed.</summary>
-    /// <param name="path">Its path.</param>
+    /// <summary>Gets a handle to a file or folder without opening it, or to a link itself: this never blocks and follows no link.</summary>
     /// <exception cref="IOException">It cannot be reached; its HResult is the system's error.</exception>
-    /// <exception cref="UnauthorizedAccessException">It must not be reached.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access is denied.</exception>
     public static SafeFileHandle Hold(string path) => Opened(path, PathOnly | NoLink | CloseOnExec);
 
-    /// <summary>The path of what is held, by which the runtime reaches that very thing whatever has its name meanwhile.</summary>
+    /// <summary>The path by which the runtime reaches the held file itself, even if its name now belongs to another.</summary>
     public static string PathOf(SafeFileHandle held) => FormattableString.Invariant($"/proc/self/fd/{held.DangerousGetHandle()}");
 
-    /// <summary>True if <see cref="PathOf"/> leads anywhere on this computer.</summary>
+    /// <summary>True if <see cref="PathOf"/> works on this computer.</summary>
     public static bool HasPaths { get; } = OperatingSystem.IsLinux() && Directory.Exists("/proc/self/fd");
 
-    /// <summary>What kind of file is held: one of the kinds.</summary>
+    /// <summary>The type of the held file.</summary>
     public static int KindOf(SafeFileHandle held) =>
         Kind((int)held.DangerousGetHandle(), [0], OfHandle) ?? throw Failure("", Marshal.GetLastPInvokeError());
 
-    /// <summary>What kind of file something is; null where nothing can be said.</summary>
+    /// <summary>The type of the file at a path; null if unknown.</summary>
     public static int? KindOf(string path) => Kind(CurrentFolder, Bytes(path), NotThroughLinks);
 
-    /// <summary>Which file a path leads to; null if it leads to none.</summary>
+    /// <summary>The identity of the file at a path; null if there is none.</summary>
     public static FileIdentity? IdentityOf(string path)
     {
         var status = new byte[StatusLength];
@@ -63,16 +62,15 @@ internal static class LinuxCalls
             BitConverter.ToUInt32(status, PlaceOfDevice), BitConverter.ToUInt32(status, PlaceOfDevice + 4), BitConverter.ToUInt64(status, PlaceOfNumber));
     }
 
-    /// <summary>Lets two names change what they name, in one step.</summary>
-    /// <returns>False if one of them is not there, null if the file system cannot.</returns>
+    /// <summary>Exchanges two names atomically.</summary>
+    /// <returns>False if one of them does not exist, null if the file system does not support it.</returns>
     public static bool? Exchange(string one, string other) => Renamed(one, other, InExchange, unfit: 2);
 
-    /// <summary>Gives a file another name that nothing has, in one step.</summary>
-    /// <returns>False if something has the name, null if the file system cannot.</returns>
+    /// <summary>Renames a file to a free name, atomically.</summary>
+    /// <returns>False if the name is taken, null if the file system does not support it.</returns>
     public static bool? RenameToFree(string from, string to) => Renamed(from, to, OnlyIfFree, unfit: 17);
 
-    /// <summary>Brings the names of a folder onto the disk. File systems that know no such thing do it by themselves or not at
-    /// all.</summary>
+    /// <summary>Flushes the names in a folder to disk. File systems without this operation do it on their own or not at all.</summary>
     public static void SyncFolder(string folder)
     {
         using var handle = Opened(folder, FolderOnly | CloseOnExec);
@@ -82,7 +80,7 @@ internal static class LinuxCalls
         }
     }
 
-    /// <summary>Why nothing may be written into a folder; null if it may, as far as rights and mounts tell.</summary>
+    /// <summary>Why a folder is not writable; null if it is, as far as permissions and mounts show.</summary>
     public static Exception? WhyNotWritable(string folder) =>
         Access(Bytes(folder), MayWriteAndSearch) == 0 ? null : Failure(folder, Marshal.GetLastPInvokeError());
 
@@ -97,7 +95,7 @@ internal static class LinuxCalls
         return error == unfit ? false : IsUnsupported(error) ? null : throw Failure(from, error);
     }
 
-    // What a file system answers that cannot do something: EINVAL, ENOSYS, ENOTTY and EOPNOTSUPP.
+    // Errors of a file system that does not support an operation: EINVAL, ENOSYS, ENOTTY and EOPNOTSUPP.
     private static bool IsUnsupported(int error) => error is 22 or 38 or 25 or 95;
 
     private static SafeFileHandle Opened(string path, int flags)
@@ -133,7 +131,7 @@ internal static class LinuxCalls
 
     private static byte[] Bytes(string path) => [.. Encoding.UTF8.GetBytes(path), 0];
 
-    // The layout of what statx answers is the same on every processor (statx(2)).
+    // The layout of the statx result is the same on every processor (statx(2)).
 #pragma warning disable SYSLIB1054 // Arrays of bytes need no generated code.
     [DllImport("libc", EntryPoint = "open", ExactSpelling = true, SetLastError = true)]
     [DefaultDllImportSearchPaths(DllImportSearchPath.SafeDirectories)]

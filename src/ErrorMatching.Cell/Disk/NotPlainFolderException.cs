@@ -1,6 +1,5 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Something has the name of a folder of the cell's own and is a link or a file.</summary>
-/// <param name="path">Its path.</param>
+/// <summary>The name of one of the cell's own folders belongs to a link or a file.</summary>
 internal sealed class NotPlainFolderException(string path)
     : IOException($"{path} is a link or a file; it must be a folder of its own. Remove it");

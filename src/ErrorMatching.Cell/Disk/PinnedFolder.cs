@@ -2,19 +2,18 @@ using Microsoft.Win32.SafeHandles;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A folder that is held fast and is no link: what is done by its path is done in that very folder, whatever has its name
-/// meanwhile. Elsewhere than on Linux it is only looked at first.</summary>
+/// <summary>A pinned folder that is not a link: operations by its path act on this very folder, even if its name now belongs to another.
+/// Outside Linux the folder is only checked first.</summary>
 internal sealed class PinnedFolder : IDisposable
 {
     private readonly SafeFileHandle? _held;
 
     private PinnedFolder(string path, SafeFileHandle? held) => (Path, _held) = (path, held);
 
-    /// <summary>By which path it is reached.</summary>
+    /// <summary>The path for operations.</summary>
     public string Path { get; }
 
-    /// <summary>Takes hold of a folder.</summary>
-    /// <param name="path">Its path.</param>
+    /// <summary>Pins a folder.</summary>
     /// <returns>Null if nothing has this name.</returns>
     /// <exception cref="NotPlainFolderException">It is a link or a file.</exception>
     public static PinnedFolder? Open(string path)

@@ -2,15 +2,15 @@ using Microsoft.Win32.SafeHandles;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Tells plain files from what only looks like one, and opens nothing else: opening a pipe or a device could wait for ever, and a
-/// link leads anywhere.</summary>
+/// <summary>Distinguishes plain files from everything else, and opens only plain files: opening a pipe or a device could block forever, and
+/// a link may lead anywhere.</summary>
 internal static class PlainFile
 {
     private const string Link = "it is a link";
     private const string Folder = "it is a folder";
     private const string Other = "it is a pipe, a socket or a device";
 
-    /// <summary>Why something is no plain file; null if it is one.</summary>
+    /// <summary>Why something is not a plain file; null if it is one.</summary>
     public static string? Defect(FileSystemInfo item)
     {
         var attributes = item.Attributes;
@@ -24,22 +24,22 @@ internal static class PlainFile
             return Folder;
         }
 
-        // The runtime does not tell what kind of file something is before it is opened. A name that cannot be spelled has no answer, and
-        // opening it only fails.
+        // The runtime does not tell a file's type before it is opened. A name that cannot be encoded has no type, and opening it just
+        // fails.
         return attributes.HasFlag(FileAttributes.Device)
             || (OperatingSystem.IsLinux() && LinuxCalls.KindOf(item.FullName) is not (null or LinuxCalls.PlainKind)) ? Other : null;
     }
 
-    /// <summary>Opens a plain file for reading. On Linux what is looked at and what is opened are one thing, whatever gets its name in
-    /// between.</summary>
+    /// <summary>Opens a plain file for reading. On Linux the file that is checked is the file that is opened, even if its name changes
+    /// owner in between.</summary>
     /// <param name="path">Its path.</param>
-    /// <param name="share">What others may do with it meanwhile.</param>
+    /// <param name="share">What other processes may do with it meanwhile.</param>
     /// <exception cref="NotPlainFileException">It is a link, a folder, a pipe, a socket or a device.</exception>
     public static SafeFileHandle Open(string path, FileShare share)
     {
         if (!LinuxCalls.HasPaths)
         {
-            // A name that nothing has is told by the opening.
+            // Opening reports a missing file.
             var item = new FileInfo(path);
             return (item.Exists || Directory.Exists(path)) && Defect(item) is { } defect ? throw new NotPlainFileException(path, defect)
                 : File.OpenHandle(path, FileMode.Open, FileAccess.Read, share);

@@ -2,16 +2,16 @@ using System.Globalization;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Proves an audit trail: every entry is what was written, where it was written, and none is missing.</summary>
+/// <summary>Verifies an audit trail: every entry is as written and in its place, and none is missing.</summary>
 public static class AuditChain
 {
     private const long MostMissing = 1_000_000;
 
-    /// <summary>Looks at a whole trail.</summary>
-    /// <param name="entries">All its entries in the order of the store; gone through a second time if something is wrong.</param>
-    /// <param name="head">Where it ends.</param>
-    /// <param name="key">The key that seals the end; null if none does.
-    /// Without it, somebody who can write to the store can write the whole trail anew.</param>
+    /// <summary>Verifies a whole trail.</summary>
+    /// <param name="entries">All its entries in stored order; enumerated a second time if something is wrong.</param>
+    /// <param name="head">The end of the trail.</param>
+    /// <param name="key">The key that seals the end; null for none. Without a key, anyone who can write to the store can rewrite the whole
+    /// trail.</param>
     /// <returns>The first fault; null if there is none.</returns>
     public static AuditFault? Verify(IEnumerable<AuditEntry> entries, AuditHead head, byte[]? key)
     {
@@ -31,7 +31,7 @@ public static class AuditChain
             : null;
     }
 
-    // The last entry that is as it should be, and whether the trail ends there.
+    // The last correct entry, and whether the trail ends there.
     private static (long Seq, string Hash, bool Ends) Walk(IEnumerable<AuditEntry> entries)
     {
         var (seq, hash) = (0L, AuditEntry.NoHash);
@@ -44,7 +44,7 @@ public static class AuditChain
         return (seq, hash, true);
     }
 
-    // Everything before "at" is linked as it should be; the entry there is not the next.
+    // Everything before "at" is linked correctly; the entry at "at" is not the next one.
     private static AuditFault Explain(List<AuditEntry> entries, int at, string hash, long last)
     {
         var (entry, expected) = (entries[at], at + 1L);
@@ -60,12 +60,12 @@ public static class AuditChain
                     $"The entry that stands as number {expected} was not written there; the one that was comes later.");
         }
 
-        // Only its number is another one.
+        // Only its number was changed.
         if (next == at || written is null) return Changed(expected);
         if (written > expected) return Fault(AuditFaultKind.Removed, expected, $"Entries {expected} to {written - 1} are missing.");
         if (written == expected) return Changed(at > 0 ? expected - 1 : expected);
 
-        // It followed the same entry as the one before it does: that one was put between.
+        // It has the same predecessor as the entry before it, so that one was inserted.
         return at > 0 && written == expected - 1 && entry.Previous == entries[at - 1].Previous && entry.Hash != entries[at - 1].Hash
             ? Fault(
                 AuditFaultKind.Inserted,
@@ -76,7 +76,7 @@ public static class AuditChain
 
     private static AuditFault Changed(long seq) => Fault(AuditFaultKind.Changed, seq, $"Entry {seq} is not what was written.");
 
-    // The number that an entry was written with: its own, or another under which its hash is right; null if none.
+    // The number that an entry was written with: its own, or another for which its hash is correct; null if none.
     private static long? WrittenAs(AuditEntry entry, int count, long last)
     {
         if (entry.Hash == entry.HashAs(entry.Seq)) return entry.Seq;

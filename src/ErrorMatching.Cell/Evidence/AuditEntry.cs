@@ -4,28 +4,29 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>One entry of the audit trail: who did what, when, on what basis. Its hash covers every field and the hash of the entry before it.</summary>
-/// <param name="Seq">Its number; the first is 1 and none is left out.</param>
-/// <param name="At">When, as the clock said, to the microsecond. The order of entries is that of their numbers, whatever a clock says.</param>
+/// <summary>One entry of the audit trail: who did what, when, on what basis. Its hash covers every field and the hash of the entry before
+/// it.</summary>
+/// <param name="Seq">Its number, counting from 1 without gaps.</param>
+/// <param name="At">When, by the clock, to the microsecond. The order of entries is that of their numbers, whatever the clock says.</param>
 /// <param name="Who">The user's name, or <c>cell</c> for what the cell does by its policy.</param>
 /// <param name="What">What was done, in one word.</param>
-/// <param name="Subject">What it was done to; null if it was to nothing in particular.</param>
-/// <param name="Basis">On what basis, in words.</param>
-/// <param name="Previous">Hash of the entry before; 64 zeros for the first.</param>
-/// <param name="Hash">SHA-256 over all of that, as 64 lower-case hexadecimal digits.</param>
+/// <param name="Subject">What it was done to; null if nothing in particular.</param>
+/// <param name="Basis">The basis, in words.</param>
+/// <param name="Previous">Hash of the previous entry; 64 zeros for the first.</param>
+/// <param name="Hash">SHA-256 over all other fields, as 64 lowercase hexadecimal digits.</param>
 public sealed record AuditEntry(long Seq, DateTimeOffset At, string Who, string What, string? Subject, string Basis, string Previous, string Hash)
 {
-    /// <summary>What the first entry has instead of the hash of an entry before it.</summary>
+    /// <summary>The previous hash of the first entry.</summary>
     public const string NoHash = "0000000000000000000000000000000000000000000000000000000000000000";
 
     private const string Form = "errormatch audit 1";
     private const string FormWithRows = "errormatch audit 2";
 
-    /// <summary>The rows of the store that it leaves, one a line: the row's code and its name. Null if it leaves none, and for entries of
-    /// versions that gave rows no codes.</summary>
+    /// <summary>The rows of the store that the entry wrote, one per line: the row's code and its name. Null if it wrote none, and for
+    /// entries of versions without row codes.</summary>
     public string? RowCodes { get; init; }
 
-    /// <summary>Makes the entry that follows one whose hash is given.</summary>
+    /// <summary>Creates the entry that follows the one with the given hash.</summary>
     internal static AuditEntry After(string previous, long seq, DateTimeOffset at, string who, string what, string? subject, string basis,
         string? rowCodes = null)
     {
@@ -33,11 +34,10 @@ public sealed record AuditEntry(long Seq, DateTimeOffset At, string Who, string 
         return entry with { Hash = entry.HashAs(seq) };
     }
 
-    /// <summary>
-    /// The hash that this entry has to have if its number is <paramref name="seq"/>. What is hashed cannot be read in two ways: the form's name, number and time as 8 bytes each with the highest first,
-    /// then each text as the count of its bytes (4 bytes, the highest first; -1 for none) and these in UTF-8, in the order previous, who,
-    /// what, subject, basis. An entry that leaves rows has another form's name, and their codes behind the basis.
-    /// </summary>
+    /// <summary>The correct hash of this entry if its number is <paramref name="seq"/>. The hashed bytes are unambiguous: the format's
+    /// name, then number and time as 8 big-endian bytes each, then each text as its byte count (4 bytes, big-endian; -1 for null) and its
+    /// UTF-8 bytes, in the order previous, who, what, subject, basis. An entry with row codes uses another format name, and the codes
+    /// follow the basis.</summary>
     internal string HashAs(long seq)
     {
         using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);

@@ -1,35 +1,36 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>What was done to an audit trail.</summary>
+/// <summary>What is wrong with an audit trail.</summary>
 public enum AuditFaultKind
 {
-    /// <summary>An entry is not what was written.</summary>
+    /// <summary>An entry differs from what was written.</summary>
     Changed,
 
     /// <summary>Entries are missing.</summary>
     Removed,
 
-    /// <summary>An entry stands there that was not written in its place.</summary>
+    /// <summary>An entry was inserted.</summary>
     Inserted,
 
-    /// <summary>Entries stand in another order than that in which they were written.</summary>
+    /// <summary>Entries are out of order.</summary>
     Reordered,
 
-    /// <summary>An entry is what was written and must not have come about: a step that is none, or by somebody who may not.</summary>
+    /// <summary>An entry is as written but must not exist: its step is not allowed, or its user had no right to take it.</summary>
     NotAllowed,
 
-    /// <summary>A row of the store is not what the trail says of it.</summary>
+    /// <summary>A row of the store differs from what the trail says.</summary>
     RowDiffers,
 
-    /// <summary>The database has a table, column, index, trigger or other thing that the cell did not make, or lacks one.</summary>
+    /// <summary>The database has an extra table, column, index, trigger or other object that the cell did not create, or lacks
+    /// one.</summary>
     FormDiffers,
 
     /// <summary>The end of the trail was written without the key that seals it.</summary>
     Unsealed,
 
-    /// <summary>The key that seals the trail is not there: whether its end was cut off, or all of it written again, cannot be said.</summary>
+    /// <summary>The key that seals the trail is missing, so a cut-off end or a rewritten trail cannot be detected.</summary>
     KeysMissing,
 
-    /// <summary>What says how far the trail went is not there: whether the store was set back cannot be said.</summary>
+    /// <summary>The record of how far the trail went is missing, so a rollback of the store cannot be detected.</summary>
     WitnessMissing,
 }

@@ -2,11 +2,11 @@ using System.Data.Common;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What the audit trail says, as far as this process has looked at it: each entry once.</summary>
-/// <param name="key">The key that seals the trail and codes rows; null for none: then nothing is demanded.</param>
+/// <summary>The state of the audit trail as this process has read it. Each entry is read once.</summary>
+/// <param name="key">The key that seals the trail and codes rows; null for none, in which case nothing is checked.</param>
 internal sealed class AuditLedger(byte[]? key)
 {
-    /// <summary>The word of the audit trail for what somebody else wrote to the store.</summary>
+    /// <summary>The audit trail's word for a change made outside the cell.</summary>
     public const string Tampered = "tampered";
 
     private readonly Lock _gate = new();
@@ -14,7 +14,7 @@ internal sealed class AuditLedger(byte[]? key)
     private long _seq;
     private string _hash = AuditEntry.NoHash;
 
-    /// <summary>Why a correction must not go to its machine; null if nothing stands against it.</summary>
+    /// <summary>Why a correction must not go to its machine; null if there is no objection.</summary>
     public AuditFault? Fault(CellDatabase database, DbConnection connection, DbTransaction transaction, Correction correction)
     {
         if (key is null) return null;
@@ -41,7 +41,7 @@ internal sealed class AuditLedger(byte[]? key)
         return head.Seq == _seq && head.Hash == _hash && head.IsSealedBy(key) ? null : Broken();
     }
 
-    // The next look begins from the first entry: by then a backup may be in the store's place.
+    // The next check starts from the first entry: by then a backup may have replaced the store.
     private AuditFault Broken()
     {
         var fault = new AuditFault(AuditFaultKind.Changed, _seq, Recorded.TrailBroken.With(_seq + 1));
@@ -59,7 +59,7 @@ internal sealed class AuditLedger(byte[]? key)
             : RecordedRows.Unreadable("correction", CodedRow.Number(correction.Id));
         if (rows.OfCorrection(row) is { } fault) return fault;
 
-        // What is sent is what is in memory: it was read before, and must be the row.
+        // The correction in memory is what will be sent. It was read earlier and must still match the row.
         if (CorrectionRow.Coded(correction).Code(key) != row.Code) return new(AuditFaultKind.RowDiffers, 0,
             Recorded.CorrectionDiffers.With(correction.Id, _seq));
         var (machine, name) = (correction.Machine ?? "", correction.Slot ?? "");

@@ -2,12 +2,10 @@ using System.Globalization;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// What the entries of an audit trail come to: of each correction how far it went and with which program, who may do what, and the codes of
-/// all rows. It finds what must not have happened: a step that is not in the table,
-/// an approval by nobody who may approve, a program that is another one than was computed. Entries are taken as they are; that they are
-/// what was written is <see cref="AuditChain"/>'s to prove.
-/// </summary>
+/// <summary>The state that results from the entries of an audit trail: the state and program of each correction, each user's rights, and
+/// the codes of all rows. It finds what must not have happened: a step that is not allowed, an approval without the right to approve, a
+/// program other than the computed one. It takes the entries as they are; <see cref="AuditChain"/> verifies that they are as
+/// written.</summary>
 internal sealed class AuditReplay
 {
     private const string Console = "console";
@@ -15,23 +13,23 @@ internal sealed class AuditReplay
     private readonly Dictionary<long, RecordedCorrection> _corrections = [];
     private readonly Dictionary<string, RecordedPerson> _people = new(StringComparer.Ordinal);
 
-    /// <summary>The first entry that must not have come about; null if there is none.</summary>
+    /// <summary>The first entry that must not exist; null if there is none.</summary>
     public AuditFault? Fault { get; private set; }
 
     /// <summary>The corrections by their numbers.</summary>
     public IReadOnlyDictionary<long, RecordedCorrection> Corrections => _corrections;
 
-    /// <summary>The users by the keys of their names.</summary>
+    /// <summary>The users by name key.</summary>
     public IReadOnlyDictionary<string, RecordedPerson> People => _people;
 
-    /// <summary>The names of rows that carry codes.</summary>
+    /// <summary>The names of rows with codes.</summary>
     public IEnumerable<string> CodedRows => _codes.Keys;
 
     /// <summary>Called with each step of a correction: its entry, its number, the state before and after.</summary>
     public Action<AuditEntry, long, CorrectionState?, CorrectionState>? Stepped { get; init; }
 
-    /// <summary>Replays the trail as a change finds it.</summary>
-    /// <returns>Null if it is not whole.</returns>
+    /// <summary>Replays the trail as a change sees it.</summary>
+    /// <returns>Null if the trail is not intact.</returns>
     public static AuditReplay? Of(StoreTransaction change)
     {
         var replay = new AuditReplay();
@@ -39,7 +37,7 @@ internal sealed class AuditReplay
             change.Key) is null ? replay : null;
     }
 
-    /// <summary>Adds entries while they are looked at by somebody else.</summary>
+    /// <summary>Adds entries while the caller enumerates them.</summary>
     public IEnumerable<AuditEntry> Added(IEnumerable<AuditEntry> entries)
     {
         foreach (var entry in entries)
@@ -67,7 +65,7 @@ internal sealed class AuditReplay
         }
     }
 
-    /// <summary>The code that a row must carry, and the entry that says so; null if none does.</summary>
+    /// <summary>The required code of a row, and the number of the entry that names it; null if no entry does.</summary>
     public (string Code, long Seq)? CodeOf(string row) => _codes.TryGetValue(row, out var code) ? code : null;
 
     private void AddStep(AuditEntry entry, CorrectionState to)
@@ -109,7 +107,7 @@ internal sealed class AuditReplay
 
         if (CorrectionSteps.IsEnd(to) && to != CorrectionState.Reverted)
         {
-            // What somebody else wrote to a row ends with it: nothing follows from it any more.
+            // A tampered program ends with its correction: no further step uses it.
             known.Program = program ?? known.Program;
         }
 
@@ -120,7 +118,8 @@ internal sealed class AuditReplay
     private static bool HasProgram(CorrectionState state) => state is CorrectionState.Proposed or CorrectionState.Approved
         or CorrectionState.Uploading or CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted;
 
-    // Null if the approval is one: the policy's, a person's who might then, or one from before that goes on when a slot is given back.
+    // Null if the approval is valid: by the policy, by a person who had the right at that time, or an earlier one that continues when a
+    // slot is given back.
     private string? ApprovalProblem(AuditEntry entry, CorrectionState? from)
     {
         if (entry.Who == CellFlow.ByCell)
@@ -145,7 +144,7 @@ internal sealed class AuditReplay
         var (name, key) = (entry.Subject ?? "", UserName.Key(entry.Subject ?? ""));
         if (entry is { What: "user-added", Who: Console })
         {
-            // Whoever can write the store and has its keys may begin with the people anew; that is told by the entry itself.
+            // Anyone who can write the store and has its keys may start over with new users; the entry itself shows it.
             _people.Clear();
             foreach (var row in _codes.Keys.Where(r => r.StartsWith(Person.RowPrefix, StringComparison.Ordinal) && r != Person.NameOf(key))
                 .ToArray())

@@ -3,20 +3,20 @@ using System.Globalization;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The audit trail of a store, as evidence: looked at and handed out.</summary>
+/// <summary>The audit trail of a store, for verification and export.</summary>
 /// <param name="store">The store.</param>
-/// <param name="keysFolder">The folder of the keys that sealed it. It is not made here.</param>
-/// <remarks>Failures of the store are a <see cref="StoreException"/>, those of the keys a <see cref="PeopleException"/>.</remarks>
+/// <param name="keysFolder">The folder of the keys that sealed it. It is not created here.</param>
+/// <remarks>Failures of the store throw a <see cref="StoreException"/>, failures of the keys a <see cref="PeopleException"/>.</remarks>
 public sealed class AuditTrail(CellStore store, string keysFolder)
 {
     private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash", "rows"];
 
-    /// <summary>Looks at every entry, as the trail is at one moment. What was found whole is remembered beside the keys, if they are there.</summary>
+    /// <summary>Checks every entry of one snapshot of the trail. An intact end is remembered next to the keys, if they exist.</summary>
     public AuditFinding Verify() => Verify(null, CancellationToken.None);
 
-    /// <summary>The same, for somebody who waits for it.</summary>
-    /// <param name="progress">Told how far it is; null if nobody asks.</param>
-    /// <param name="cancellation">Gives it up.</param>
+    /// <summary>The same, with progress and cancellation.</summary>
+    /// <param name="progress">Receives progress; null for no reports.</param>
+    /// <param name="cancellation">Cancels the check.</param>
     public AuditFinding Verify(IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         var (key, witness) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder));
@@ -40,7 +40,8 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         return finding;
     }
 
-    /// <summary>What is wrong with keys and end of the trail, which is seen without looking at all of it: the keys are not there, or did not seal it, or the trail does not go on from what was seen last, as in a store that was set back.</summary>
+    /// <summary>Checks keys and end of the trail without reading all of it. It finds missing keys, keys that did not seal the trail, and a
+    /// trail that does not continue from the last seen entry, as in a store that was rolled back.</summary>
     /// <returns>The fault; null if there is none, or the store never had a key.</returns>
     public AuditFault? EndFault()
     {
@@ -55,7 +56,7 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         : witness is null ? new(AuditFaultKind.WitnessMissing, head.Seq, AuditWitness.Missing(keysFolder))
         : witness.Fault(head, seen);
 
-    // What was found stands, though a disk that cannot be written keeps it from being remembered.
+    // The result is valid even if it cannot be saved on a read-only disk.
     private void Keep(AuditWitness witness)
     {
         try
@@ -67,7 +68,8 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         }
     }
 
-    /// <summary>Remembers beside the keys how far the trail goes, without looking at more than its end: the more often, the less can be cut off unseen. Nothing happens where something is wrong with it.</summary>
+    /// <summary>Remembers the trail's end next to the keys, after checking only that end. The more often this runs, the less can be cut off
+    /// unnoticed. Does nothing if the end has a fault.</summary>
     public void Remember()
     {
         var head = store.AuditHead();
@@ -77,13 +79,12 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         }
     }
 
-    /// <summary>
-    /// Takes over the end of a store that was set back on purpose, as by a restored backup, or of which nobody knows any more how far it went, and puts that on record. Nothing happens where it goes on from what was
-    /// seen last, or where its end is not the one that was sealed.
-    /// </summary>
+    /// <summary>Accepts the end of a store that was rolled back on purpose, such as by a restored backup, or whose last seen end is no
+    /// longer known, and records that. Does nothing if the trail continues from the last seen entry, or if its end is not the sealed
+    /// one.</summary>
     /// <param name="by">Who did it.</param>
     /// <param name="basis">What was done, or why.</param>
-    /// <returns>True if it was taken over.</returns>
+    /// <returns>True if it was accepted.</returns>
     public bool TakeOver(string by, string basis)
     {
         var (key, witness, head) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder), store.AuditHead());
@@ -98,16 +99,17 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         return true;
     }
 
-    /// <summary>Writes all entries as CSV by RFC 4180 that no spreadsheet executes: times in UTC, texts as they are but for an apostrophe in front of what looks like a formula.</summary>
-    /// <param name="writer">Where to.</param>
-    /// <returns>How many entries.</returns>
+    /// <summary>Writes all entries as CSV by RFC 4180 that no spreadsheet executes: times in UTC, texts unchanged except for an apostrophe
+    /// before anything that looks like a formula.</summary>
+    /// <param name="writer">The destination.</param>
+    /// <returns>The number of entries.</returns>
     public long Export(TextWriter writer) => Export(writer, null, CancellationToken.None);
 
-    /// <summary>The same, for somebody who waits for it.</summary>
-    /// <param name="writer">Where to.</param>
-    /// <param name="progress">Told how far it is; null if nobody asks.</param>
-    /// <param name="cancellation">Gives it up.</param>
-    /// <returns>How many entries.</returns>
+    /// <summary>The same, with progress and cancellation.</summary>
+    /// <param name="writer">The destination.</param>
+    /// <param name="progress">Receives progress; null for no reports.</param>
+    /// <param name="cancellation">Cancels the export.</param>
+    /// <returns>The number of entries.</returns>
     public long Export(TextWriter writer, IProgress<CellProgress>? progress, CancellationToken cancellation) => store.Database.Snapshot((connection, transaction) =>
     {
         SpreadsheetCsv.Write(writer, Columns);
@@ -148,7 +150,7 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         }
     }
 
-    // What somebody changed may be no entry any more: then it is one that has no hash.
+    // A tampered row may not be readable as an entry; then it becomes one without a hash.
     private static AuditEntry ReadOrUnreadable(DbDataReader row)
     {
         try

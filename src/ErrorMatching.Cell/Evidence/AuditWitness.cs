@@ -3,17 +3,16 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// How far the audit trail went when it was last looked at, beside the keys and not in the store. A store that was set back to an earlier state as a whole, seal and all, is found by it.
-/// </summary>
+/// <summary>The last seen end of the audit trail, stored next to the keys and not in the store. It reveals a store that was rolled back as
+/// a whole, including its seal.</summary>
 /// <param name="Seq">Number of the last entry.</param>
 /// <param name="Hash">Its hash.</param>
 internal sealed record AuditWitness(long Seq, string Hash)
 {
-    /// <summary>The file's name in the folder of the keys.</summary>
+    /// <summary>The file's name in the key folder.</summary>
     public const string FileName = "audit.seen";
 
-    /// <summary>What was seen last; null if nothing was.</summary>
+    /// <summary>The last seen end; null if there is none.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
     public static AuditWitness? Find(string keysFolder)
     {
@@ -28,17 +27,17 @@ internal sealed record AuditWitness(long Seq, string Hash)
             : throw new PeopleException(PeopleError.KeysUnusable, $"{Path.Combine(keysFolder, FileName)} is not what the cell wrote there: a number and a hash. Bring it back from a backup.");
     }
 
-    /// <summary>Begins with nothing seen, for a key that is being made. One that is there stays.</summary>
+    /// <summary>Starts an empty record for a key that is being created. An existing record is kept.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
     public static void Begin(string keysFolder) => new KeyFolder(keysFolder).Write(FileName, new AuditWitness(0, AuditEntry.NoHash).Bytes(), overwrite: false);
 
-    /// <summary>Says that it is not there.</summary>
+    /// <summary>The message that the record is missing.</summary>
     public static string Missing(string keysFolder) =>
         $"{Path.Combine(keysFolder, FileName)} is not there: whether the store was set back to an earlier state cannot be said. Bring it back from a backup of the keys' folder, or, if you are sure of the store, begin it again: errormatch audit take-over.";
 
-    /// <summary>What is wrong with a trail that is whole in itself.</summary>
-    /// <param name="head">Where it ends.</param>
-    /// <param name="seen">The entry that was the last then, or nothing.</param>
+    /// <summary>The fault of a trail that is intact in itself; null if there is none.</summary>
+    /// <param name="head">The end of the trail.</param>
+    /// <param name="seen">The entry with the remembered number, or none.</param>
     public AuditFault? Fault(AuditHead head, IReadOnlyList<AuditEntry> seen) =>
         Seq == 0 ? null :
         head.Seq < Seq ? new(AuditFaultKind.Removed, head.Seq + 1, string.Create(
@@ -46,7 +45,7 @@ internal sealed record AuditWitness(long Seq, string Hash)
         : seen is [var entry] && entry.Seq == Seq && entry.Hash == Hash ? null
         : new(AuditFaultKind.Changed, Seq, string.Create(CultureInfo.InvariantCulture, $"Entry {Seq}, or one before it with all that follow, is not what it was when the trail was last looked at."));
 
-    /// <summary>Keeps it.</summary>
+    /// <summary>Saves it.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
     public void Keep(string keysFolder) => new KeyFolder(keysFolder).Write(FileName, Bytes(), overwrite: true);
 

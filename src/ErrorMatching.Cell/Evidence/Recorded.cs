@@ -2,19 +2,17 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// The forms of what the cell writes into steps, reasons and the audit trail. What is recorded is evidence and stays as it was written; who shows it in another language reads it back by these forms.
-/// </summary>
-/// <remarks>
-/// Kinds of values: a number's format; <c>word</c> for one of a few words; <c>amount</c> for one of these or a number with its unit; <c>state</c> for a state of a correction; <c>any</c> for another sentence of the cell or a foreign one; and the beginning of a name, such as <c>at</c>, for
-/// one or several sentences (with "; " between them) whose form is called so.
-/// </remarks>
+/// <summary>The sentence forms of what the cell writes into steps, reasons and the audit trail. Recorded text is evidence and stays as
+/// written; these forms parse it for display in another language.</summary>
+/// <remarks>Kinds of values: a number's format; <c>word</c> for one of a few words; <c>amount</c> for one of these or a number with its
+/// unit; <c>state</c> for a state of a correction; <c>any</c> for another sentence, of the cell or foreign; and the prefix of a form's
+/// name, such as <c>at</c>, for one or several sentences of such forms, separated by "; ".</remarks>
 public static class Recorded
 {
-    /// <summary>How far a program moves at most, in mm, and where.</summary>
+    /// <summary>A program's largest displacement, in mm, and where it is.</summary>
     public static SentenceForm DisplacedAt { get; } = new("displaced-at", "displaced by at most {0:0.0000} mm at {1:at}.");
 
-    // How a correction goes on.
+    // Steps of a correction.
     internal static readonly SentenceForm Arrived = new("arrived", "arrived from {0} as {1}");
     internal static readonly SentenceForm OfCutAndPart = new("of-cut-and-part", "{0:word} of {1}, cut by the program of correction {2:0}, to be compared with the part of correction {3:0}");
     internal static readonly SentenceForm OfCut = new("of-cut", "{0:word} of {1}, cut by the program of correction {2:0}");
@@ -83,7 +81,7 @@ public static class Recorded
     internal static readonly SentenceForm SaysTwo = new("says-two", "the {0:word}s \"{1}\" and \"{2}\"");
     internal static readonly SentenceForm UnusableJob = new("unusable-job", "The job {0} cannot be used any more, so nobody can tell whose measurement \"{1}\" is: {2:any}");
     internal static readonly SentenceForm UnreadableInside = new("unreadable-inside", "The patterns of the jobs must look into \"{0}\", which cannot be read: {1:any}");
-    // No longer written: stores have it from when expressions had a limit by the clock.
+    // No longer written: from stores of versions whose expressions had a time limit.
     internal static readonly SentenceForm SlowPattern = new("slow-pattern", "A pattern takes too long on \"{0}\": {1}. Make it simpler.");
     internal static readonly SentenceForm TooLarge = new(
         "too-large", "The file has {0:0} bytes, and \"{1}\" takes at most {2:0}. It lies in {3} under its hash. Is it a measurement at all? If so, raise mostMB of the gauge and put it into {4} again.");
@@ -134,7 +132,7 @@ public static class Recorded
     internal static readonly SentenceForm ByHand = new("by-hand", "by hand");
     internal static readonly SentenceForm Idle = new("idle", "idle");
 
-    // The store, and what an entry is about.
+    // The store, and the subject of an entry.
     internal static readonly SentenceForm StoreMade = new("store-made", "The store was made.");
     internal static readonly SentenceForm FromBackup = new("from-backup", "from the backup {0}");
     internal static readonly SentenceForm KeptAside = new("kept-aside", "what was there before is {0}");
@@ -146,7 +144,7 @@ public static class Recorded
     internal static readonly SentenceForm Correction = new("correction", "correction {0:0}");
     internal static readonly SentenceForm Slot = new("slot", "slot {0} of {1}");
 
-    // What somebody else did to the store.
+    // Changes to the store from outside the cell.
     internal static readonly SentenceForm RowsCoded = new(
         "rows-coded",
         "{0:0} rows that had no codes are what the audit trail says of them; from here on they carry codes.");
@@ -255,7 +253,7 @@ public static class Recorded
         "The audit trail is not what was written, at entry {0:0}. Nothing is sent. See errormatch audit verify; then "
         + "restore a backup.");
 
-    /// <summary>A backup was brought back: its file.</summary>
+    /// <summary>A backup was restored: its file.</summary>
     public static SentenceForm BackupBroughtBack { get; } = new("backup-brought-back", "A backup was brought back: {0}.");
 
     /// <summary>A cell was started: SHA-256 of its configuration, and the policies in force.</summary>
@@ -270,7 +268,7 @@ public static class Recorded
     /// <summary>A cell was stopped.</summary>
     public static SentenceForm Stopped { get; } = new("stopped", "told to stop");
 
-    /// <summary>All forms; of two that fit a sentence the first is meant.</summary>
+    /// <summary>All forms; if two match a sentence, the first one applies.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } =
     [
         Arrived, OfCutAndPart, OfCut, OfPart, Of, DisplacedAt, DisplacedNothing, DisplacedInSum, Displaced, Computed, AtPointOf, AtPointAndBeside,

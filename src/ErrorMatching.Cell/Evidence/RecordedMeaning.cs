@@ -4,27 +4,27 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Whether what a whole audit trail says may have happened, and whether the store is what came of it: its form, its rows, and the
-/// steps one by one.</summary>
+/// <summary>Checks whether what an intact audit trail says is allowed, and whether the store matches it: its schema, its rows, and the
+/// individual steps.</summary>
 internal sealed class RecordedMeaning
 {
     private readonly List<(long Seq, long Digest)> _steps = [];
 
-    /// <summary>A replay that entries are to be added to.</summary>
+    /// <summary>Creates an empty replay; the caller adds the entries.</summary>
     public RecordedMeaning() => Replay = new()
     {
         Stepped = (entry, id, from, to) => _steps.Add((entry.Seq, Digest(id, from, to, entry.At, entry.Who, entry.Basis))),
     };
 
-    /// <summary>What the entries come to.</summary>
+    /// <summary>The state that results from the entries.</summary>
     public AuditReplay Replay { get; }
 
-    /// <summary>The first thing that is wrong, of a trail whose entries are all added; null if nothing is.</summary>
+    /// <summary>The first fault, after all entries have been added; null if there is none.</summary>
     public AuditFault? Fault(CellDatabase database, DbConnection connection, DbTransaction transaction, byte[]? key) =>
         database.FormFault(connection, transaction) ?? Replay.Fault ?? new RecordedRows(connection, transaction, Replay, key).Compare()
             ?? Steps(connection, transaction);
 
-    // Steps are written with their entries, one after the other.
+    // Each step is written with its entry, so both are in the same order.
     private AuditFault? Steps(DbConnection connection, DbTransaction transaction)
     {
         var count = 0;

@@ -4,18 +4,18 @@ namespace ErrorMatching.Cell;
 
 /// <summary>Compares the rows of a store with what its audit trail says of them.</summary>
 /// <param name="connection">The store.</param>
-/// <param name="transaction">One state of it.</param>
-/// <param name="replay">What the trail says.</param>
-/// <param name="key">The key of codes; null where it is not there: then codes are compared with the trail's, and not with the rows.</param>
+/// <param name="transaction">One snapshot of it.</param>
+/// <param name="replay">The state by the trail.</param>
+/// <param name="key">The key of the row codes; null if missing: then codes are compared with the trail's, but not with the rows.</param>
 internal sealed class RecordedRows(DbConnection connection, DbTransaction transaction, AuditReplay replay, byte[]? key)
 {
-    /// <summary>The same within a change.</summary>
+    /// <summary>The same, within a change.</summary>
     public RecordedRows(StoreTransaction change, AuditReplay replay, byte[]? key)
         : this(change.Connection, change.Transaction, replay, key)
     {
     }
 
-    /// <summary>The first row that is not what the trail says; null if all are.</summary>
+    /// <summary>The first row that differs from the trail; null if none does.</summary>
     public AuditFault? Compare()
     {
         var slots = Query(SlotRow.SelectKept + " ORDER BY machine, slot", SlotRow.ReadKept, "slot");
@@ -42,7 +42,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
                 CorrectionRow.Word(recorded.State)));
         }
 
-        // What ended without being sent may have lost its program, or never have had one.
+        // A correction that ended without being sent may have lost its program, or never had one.
         if (c.ProgramSha256 != recorded.Program && !(c.ProgramSha256 is null && recorded.State is CorrectionState.Failed))
         {
             return Differs(recorded.Seq, Recorded.ProgramDiffers.With(c.Id, c.ProgramSha256 ?? "none", recorded.Seq, recorded.Program
@@ -65,7 +65,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
             : OfCode(row.Coded, row.Code, seq => Recorded.SlotDiffers.With(slot.Slot, slot.Machine, seq));
     }
 
-    /// <summary>The same, and whether a correction that the slot has to have has it.</summary>
+    /// <summary>The same, and whether the slot has the correction that it must have.</summary>
     public AuditFault? OfSlotAndHolder(KeptRow<SlotHolding> row) => OfSlot(row) ?? Query(
         CorrectionRow.SelectKept + $" WHERE {CorrectionRow.IsIn("state", CorrectionState.Uploading, CorrectionState.Verified)}",
             CorrectionRow.ReadKept, "correction")
@@ -73,7 +73,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
             .Where(c => c.Machine == row.Value.Machine && c.Slot == row.Value.Slot && c.Id != row.Value.Correction)
         .Select(c => Differs(0, Recorded.SlotNotHeld.With(c.Slot, c.Machine, c.Id, CorrectionRow.Word(c.State)))).FirstOrDefault();
 
-    /// <summary>What is wrong with a slot that has no row; null if the trail knows of none either.</summary>
+    /// <summary>What is wrong with a missing slot row; null if the trail has no such row either.</summary>
     public AuditFault? OfNoSlot(string machine, string slot) =>
         replay.CodeOf(SlotRow.NameOf(machine, slot)) is { } code ? Differs(code.Seq, Recorded.SlotDiffers.With(slot, machine, code.Seq))
             : null;
@@ -98,10 +98,10 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
             : OfCode(row.Coded, row.Code, seq => Recorded.UserDiffers.With(person.Name, seq));
     }
 
-    /// <summary>A row that cannot be read as one.</summary>
+    /// <summary>The fault of a row that cannot be parsed.</summary>
     public static AuditFault Unreadable(string kind, string name) => Differs(0, Recorded.RowUnreadable.With(kind, name));
 
-    /// <summary>Reads a row, and takes what cannot be read for a fault.</summary>
+    /// <summary>Reads a row; one that cannot be parsed is a fault.</summary>
     public static (KeptRow<T>? Row, AuditFault? Fault) Read<T>(DbDataReader row, Func<DbDataReader, KeptRow<T>> read, string kind)
     {
         try
@@ -149,7 +149,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
                 .Select(p => Differs(p.Value.Seq, Recorded.UserMissing.With(p.Value.Name, p.Value.Seq))).FirstOrDefault();
     }
 
-    // Slots are known to the trail by their codes alone.
+    // The trail knows slots only by their codes.
     private AuditFault? Missing(IEnumerable<string> slots)
     {
         var there = slots.ToHashSet(StringComparer.Ordinal);

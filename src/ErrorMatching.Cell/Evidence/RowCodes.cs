@@ -2,11 +2,9 @@ using System.Data.Common;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// Gives codes to rows that have none: those of a store of an earlier form. Only to rows that are what the audit trail says of them, and
-/// only if the trail is whole; what the trail names a code of already is not given another one.
-/// What no entry of an earlier form says (the hash of a password, what a slot held before) is taken as it is.
-/// </summary>
+/// <summary>Adds codes to rows without one, which come from a store with an earlier schema. A row gets a code only if the trail is intact
+/// and the row agrees with it; a row whose code the trail already names does not get another one. Data that entries of the earlier schema
+/// do not cover (a password hash, a slot's previous program) are accepted as they are.</summary>
 internal static class RowCodes
 {
     private const int Most = 1000;
@@ -14,7 +12,7 @@ internal static class RowCodes
         "SELECT EXISTS (SELECT 1 FROM correction WHERE row_code IS NULL) OR EXISTS (SELECT 1 FROM slot WHERE row_code IS NULL) OR "
             + "EXISTS (SELECT 1 FROM person WHERE row_code IS NULL)";
 
-    /// <summary>Looks for rows without codes, and gives them theirs.</summary>
+    /// <summary>Finds rows without codes and adds the codes.</summary>
     public static void Give(CellDatabase database, TimeProvider clock, byte[] key)
     {
         if (!database.Read(connection => Rows.Query(connection, Uncoded, r =>

@@ -3,16 +3,13 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// CSV by RFC 4180 that no spreadsheet executes. What begins like a formula gets an apostrophe in front, which spreadsheets take for "this is text". Sources: OWASP, CSV Injection; OWASP ASVS 5.0, 1.2.10.
-/// </summary>
-/// <remarks>
-/// A spreadsheet set to another separator splits a quoted cell all the same, so that a formula may begin inside: what follows a semicolon, tab, bar or line end counts as a beginning too, whatever
-/// spaces and quotes stand between.
-/// </remarks>
+/// <summary>CSV by RFC 4180 that no spreadsheet executes. Text that starts like a formula gets a leading apostrophe, which marks it as text
+/// in spreadsheets. Sources: OWASP, CSV Injection; OWASP ASVS 5.0, 1.2.10.</summary>
+/// <remarks>A spreadsheet with another separator setting splits even a quoted cell, so a formula may start inside it. Therefore the text
+/// after a semicolon, tab, bar or line end counts as a start too, regardless of spaces and quotes in between.</remarks>
 internal static class SpreadsheetCsv
 {
-    // Half-width and full-width; the second set is converted to the first by some.
+    // Half-width and full-width; some programs convert the latter to the former.
     private static readonly SearchValues<char> Executed = SearchValues.Create("=+-@\u0000\uff1d\uff0b\uff0d\uff20\u2212");
 
     /// <summary>Writes a row.</summary>
@@ -28,7 +25,7 @@ internal static class SpreadsheetCsv
         writer.Write("\r\n");
     }
 
-    /// <summary>The text with an apostrophe in front of everything that a spreadsheet might execute.</summary>
+    /// <summary>The text with an apostrophe before everything that a spreadsheet might execute.</summary>
     public static string Defused(string text)
     {
         var safe = new StringBuilder(text.Length + 4);

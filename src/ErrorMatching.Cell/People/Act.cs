@@ -1,21 +1,21 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>What people do to a cell. Who may do which is said by <see cref="Rights"/>.</summary>
+/// <summary>What people do to a cell. <see cref="Rights"/> defines who may do it.</summary>
 public enum Act
 {
-    /// <summary>Looking at corrections, reports and the history.</summary>
+    /// <summary>Viewing corrections, reports and the history.</summary>
     See,
 
-    /// <summary>Saying that a piece is cut, which frees its slot.</summary>
+    /// <summary>Reporting that a piece is cut, which frees its slot.</summary>
     Release,
 
-    /// <summary>Deciding against a correction.</summary>
+    /// <summary>Rejecting a correction.</summary>
     Reject,
 
-    /// <summary>Letting a correction go to its machine.</summary>
+    /// <summary>Approving a correction for its machine.</summary>
     Approve,
 
-    /// <summary>Bringing back the program that a slot held before.</summary>
+    /// <summary>Restoring the program that a slot held before.</summary>
     Revert,
 
     /// <summary>Changing jobs that are in use, and putting others in their place.</summary>

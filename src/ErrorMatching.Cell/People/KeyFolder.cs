@@ -4,19 +4,20 @@ using Microsoft.AspNetCore.DataProtection.Repositories;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The folder of the keys: only its owner can read it or anything in it. DataProtection keeps its keys here too; the framework's own repository would leave their rights to the umask.</summary>
+/// <summary>The key folder; only its owner can read it or anything in it. DataProtection stores its keys here too, because the framework's
+/// own repository would leave their permissions to the umask.</summary>
 internal sealed class KeyFolder : IXmlRepository
 {
     private const UnixFileMode Others = UnixFileMode.GroupRead | UnixFileMode.GroupWrite | UnixFileMode.GroupExecute | UnixFileMode.OtherRead | UnixFileMode.OtherWrite | UnixFileMode.OtherExecute;
 
-    // ENOSPC of Linux; ERROR_DISK_FULL and ERROR_HANDLE_DISK_FULL of Windows.
+    // ENOSPC on Linux; ERROR_DISK_FULL and ERROR_HANDLE_DISK_FULL on Windows.
     private const int NoSpace = 28;
     private const int WindowsDiskFull = unchecked((int)0x80070070);
     private const int WindowsHandleDiskFull = unchecked((int)0x80070027);
 
     private readonly string _folder;
 
-    /// <summary>A folder of keys, which is made if it is missing.</summary>
+    /// <summary>Opens a key folder; creates it if it is missing.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
     public KeyFolder(string folder)
     {
@@ -24,11 +25,9 @@ internal sealed class KeyFolder : IXmlRepository
         Try("made", folder, () => Own(folder));
     }
 
-    /// <inheritdoc/>
     public IReadOnlyCollection<XElement> GetAllElements() =>
         [.. Try("listed", _folder, () => Directory.EnumerateFiles(_folder, "*.xml").Order(StringComparer.Ordinal).ToArray()).Select(f => Try("read", f, () => XElement.Load(f)))];
 
-    /// <inheritdoc/>
     public void StoreElement(XElement element, string friendlyName)
     {
         using var text = new MemoryStream();
@@ -39,8 +38,8 @@ internal sealed class KeyFolder : IXmlRepository
     /// <summary>The bytes of a file.</summary>
     public byte[] Read(string name) => Try("read", Path.Combine(_folder, name), () => File.ReadAllBytes(Path.Combine(_folder, name)));
 
-    /// <summary>Writes a file whole, flushed to the disk.</summary>
-    /// <returns>False if there is one of this name and it is not to be overwritten.</returns>
+    /// <summary>Writes a complete file and flushes it to disk.</summary>
+    /// <returns>False if the name is taken and must not be overwritten.</returns>
     public bool Write(string name, byte[] bytes, bool overwrite) => Try("written", Path.Combine(_folder, name), () =>
     {
         var (file, beside) = (Path.Combine(_folder, name), Path.Combine(_folder, $"{name}.{Guid.NewGuid():N}.new"));
@@ -93,7 +92,7 @@ internal sealed class KeyFolder : IXmlRepository
         return made;
     }
 
-    // A file that another process was just writing has its name by now.
+    // A file that another process was just writing has its final name by now.
     [System.Runtime.Versioning.UnsupportedOSPlatform("windows")]
     private static UnixFileMode? ModeOf(string path)
     {

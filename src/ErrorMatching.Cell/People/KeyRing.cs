@@ -6,17 +6,16 @@ using Microsoft.Extensions.DependencyInjection;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// Encrypts what is to be read in this installation only, with ASP.NET's DataProtection: authenticated, so that what was changed, moved to another purpose or encrypted elsewhere is told from what was not.
-/// On Windows the keys themselves are encrypted by DPAPI for this computer, whose services and tasks run under other accounts than the one that sets passwords; elsewhere their files are their owner's alone.
-/// </summary>
+/// <summary>Encrypts data that only this installation may read, with ASP.NET's DataProtection. Encryption is authenticated: data that was
+/// changed, moved to another purpose or encrypted elsewhere is detected. On Windows, DPAPI encrypts the keys for this computer, since
+/// services and tasks run under other accounts than the one that sets passwords; elsewhere only the owner can read the key files.</summary>
 internal sealed class KeyRing
 {
     private readonly IDataProtectionProvider _provider;
     private readonly KeyFolder _files;
     private readonly string _folder;
 
-    /// <summary>The keys of a folder, which is made with a first key if it is missing.</summary>
+    /// <summary>Opens the keys in a folder; creates the folder and a first key if it is missing.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
     public KeyRing(string folder)
     {
@@ -35,7 +34,7 @@ internal sealed class KeyRing
     }
 
     /// <summary>Encrypts a text.</summary>
-    /// <param name="purposes">What it is for: another purpose does not decrypt it.</param>
+    /// <param name="purposes">Its purpose; the text cannot be decrypted for another one.</param>
     /// <param name="text">The text.</param>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
     public byte[] Protect(IReadOnlyList<string> purposes, string text)
@@ -51,7 +50,8 @@ internal sealed class KeyRing
     }
 
     /// <summary>Decrypts a text.</summary>
-    /// <exception cref="PeopleException">With <see cref="PeopleError.SecretUnreadable"/> if these keys did not encrypt it for this purpose, or it was changed.</exception>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.SecretUnreadable"/> if these keys did not encrypt it for this purpose,
+    /// or if it was changed.</exception>
     public string Unprotect(IReadOnlyList<string> purposes, byte[] bytes, string what)
     {
         try
@@ -65,7 +65,7 @@ internal sealed class KeyRing
         }
     }
 
-    // What the folder itself threw, which the framework wraps.
+    // The folder's own exception, which the framework wraps.
     private static PeopleException? OfFolder(Exception? e)
     {
         while (e is not null and not PeopleException)
@@ -79,6 +79,6 @@ internal sealed class KeyRing
     /// <summary>The bytes of another file in the folder.</summary>
     public byte[] Read(string name) => _files.Read(name);
 
-    /// <summary>Writes another file in the folder, unless there is one of this name.</summary>
+    /// <summary>Writes another file in the folder, unless the name is taken.</summary>
     public void WriteNew(string name, byte[] bytes) => _files.Write(name, bytes, overwrite: false);
 }

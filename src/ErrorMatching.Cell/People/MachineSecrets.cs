@@ -1,8 +1,8 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Passwords of machines, encrypted in the store by keys that are not in it.</summary>
-/// <param name="store">Where they are kept.</param>
-/// <param name="keysFolder">The folder of the keys; it is made when the first password is set.</param>
+/// <summary>Passwords of machines, encrypted in the store with keys that are not in it.</summary>
+/// <param name="store">The store that holds them.</param>
+/// <param name="keysFolder">The key folder; created when the first password is set.</param>
 public sealed class MachineSecrets(CellStore store, string keysFolder)
 {
     /// <summary>The longest password, in UTF-16 units.</summary>
@@ -10,10 +10,11 @@ public sealed class MachineSecrets(CellStore store, string keysFolder)
 
     private readonly Lazy<KeyRing> _keys = new(() => new KeyRing(keysFolder));
 
-    /// <summary>Sets the password of a machine. Who may do that is <see cref="Act.ManageMachines"/>, which the caller demands.</summary>
-    /// <param name="machine">The machine's name. The password of one is no other's: moved to its row, it is not decrypted.</param>
+    /// <summary>Sets the password of a machine. The caller must check <see cref="Act.ManageMachines"/>.</summary>
+    /// <param name="machine">The machine's name. The password is bound to it: moved to another machine's row, it cannot be
+    /// decrypted.</param>
     /// <param name="secret">The password: 1 to 1024 characters, none of them a control character.</param>
-    /// <param name="by">Who sets it, for the audit trail, which does not get the password.</param>
+    /// <param name="by">The user who sets it, for the audit trail. The trail does not contain the password.</param>
     /// <exception cref="PeopleException">With <see cref="PeopleError.BadSecret"/> or <see cref="PeopleError.KeysUnusable"/>.</exception>
     public void Set(string machine, string secret, string by)
     {
@@ -45,7 +46,8 @@ public sealed class MachineSecrets(CellStore store, string keysFolder)
     });
 
     /// <summary>The password of a machine; null if none was set.</summary>
-    /// <exception cref="PeopleException">With <see cref="PeopleError.SecretUnreadable"/> or <see cref="PeopleError.KeysUnusable"/>.</exception>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.SecretUnreadable"/> or
+    /// <see cref="PeopleError.KeysUnusable"/>.</exception>
     public string? Get(string machine) =>
         store.Read("SELECT bytes FROM machine_secret WHERE machine = @Machine", r => (byte[])r.GetValue(0), new { Machine = machine }) is [var bytes]
             ? _keys.Value.Unprotect(PurposesOf(machine), bytes, $"The password of machine {machine}")

@@ -3,19 +3,17 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// Which passwords users may have: by length, and not what everybody tries first. No rules of composition and no expiry.
-/// Source: NIST SP 800-63B (2017 with updates), 5.1.1.2, whose least length is 8; 12 here, because one factor is all there is.
-/// </summary>
+/// <summary>Which passwords users may have: a minimum length, and not the first guesses. No composition rules and no expiry. Source: NIST
+/// SP 800-63B (2017 with updates), 5.1.1.2, with a minimum of 8; 12 here, because the password is the only factor.</summary>
 internal static class PasswordRule
 {
-    /// <summary>The least length, in UTF-16 units.</summary>
+    /// <summary>The minimum length, in UTF-16 units.</summary>
     public const int LeastCharacters = 12;
 
-    /// <summary>The greatest length, in UTF-16 units: more than NIST's 64, and no work for an attacker to give us.</summary>
+    /// <summary>The maximum length, in UTF-16 units: more than NIST's 64, yet too short for an attacker to cause much work.</summary>
     public const int MostCharacters = 256;
 
-    // What is left of the most common passwords when digits and signs around them are taken away and usual replacements undone.
+    // The most common passwords, without surrounding digits and signs and with the usual substitutions undone.
     private static readonly HashSet<string> Common =
     [
         "", "password", "passwort", "passphrase", "kennwort", "secret", "geheim", "letmein", "welcome", "willkommen", "changeme", "default", "iloveyou", "trustno", "monkey", "dragon", "master", "sunshine", "princess", "football",
@@ -24,7 +22,7 @@ internal static class PasswordRule
         "login", "service", "operator", "setter", "machine", "maschine", "fanuc", "siemens", "heidenhain", "sinumerik", "haas", "mazak", "error", "matching", "errormatching", "errormatch",
     ];
 
-    // What is changed with the calendar: a word of it, a year and a sign are guessed first where passwords must change.
+    // Passwords that follow the calendar: a calendar word, a year and a sign are the first guess where passwords must be changed.
     private static readonly HashSet<string> Calendar =
     [
         "spring", "summer", "autumn", "fall", "winter", "january", "february", "march", "april", "may", "june", "july", "august", "september",
@@ -33,10 +31,10 @@ internal static class PasswordRule
         "dienstag", "mittwoch", "donnerstag", "freitag", "samstag", "sonntag", "christmas", "weihnachten",
     ];
 
-    // Two such words are still guessed by machine, three that have nothing to do with each other are many more.
+    // A machine can still guess two such words; three unrelated ones are far more combinations.
     private const int FewWords = 2;
 
-    /// <summary>Refuses a password that is too short, too long, the name, or common.</summary>
+    /// <summary>Rejects a password that is too short, too long, the name, or common.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.WeakPassword"/>.</exception>
     public static void Demand(string name, string password)
     {
@@ -82,7 +80,7 @@ internal static class PasswordRule
         return Common.Contains(letters) || Common.Contains(letters[..Period(letters)]) ? "is one of those that are tried first, or one of them with digits and signs around it" : null;
     }
 
-    // True if all words of it, whatever digits and signs are between and around them, are the name or in a list, and few.
+    // True if it has few words and all are the name or in a list, regardless of digits and signs between and around them.
     private static bool IsPattern(string name, string password)
     {
         var words = new HashSet<string>(StringComparer.Ordinal);
@@ -104,7 +102,7 @@ internal static class PasswordRule
         return words.Count <= FewWords && words.All(w => w == own || Calendar.Contains(w) || Common.Contains(w)) && words.Count > 0;
     }
 
-    // The length of the shortest piece that the text repeats, the last one perhaps cut off.
+    // The length of the shortest unit that the text repeats; the last repetition may be incomplete.
     private static int Period(string text)
     {
         var period = 1;
@@ -119,7 +117,7 @@ internal static class PasswordRule
     private static bool IsRun(string text) =>
         text.Zip(text.Skip(1)).Count(p => Math.Abs(p.Second - p.First) <= 1 || (p.First == '9' && p.Second == '0')) >= text.Length - 2;
 
-    // Small letters, replacements undone; digits and signs at the ends do not count.
+    // Lowercase, with substitutions undone; digits and signs at the ends are removed.
     private static string Letters(string text)
     {
         var plain = text.ToLowerInvariant().AsSpan().Trim("0123456789 !\"#%&'()*+,-./:;<=>?[\\]^_`{|}~§€£");

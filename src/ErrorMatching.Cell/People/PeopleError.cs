@@ -1,56 +1,56 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Why somebody may not do something, or something about people cannot be done.</summary>
+/// <summary>Why a user may not do something, or why an operation on users or secrets failed.</summary>
 public enum PeopleError
 {
     /// <summary>The cell has no users yet.</summary>
     NoUsers,
 
-    /// <summary>Name or password is wrong. Which of the two is not said.</summary>
+    /// <summary>Name or password is wrong. The error does not tell which.</summary>
     SignInRefused,
 
-    /// <summary>Too many failed sign-ins in a row; the name is locked for a while.</summary>
+    /// <summary>Too many consecutive failed sign-ins; the name is locked for a while.</summary>
     LockedOut,
 
     /// <summary>The user is disabled.</summary>
     UserDisabled,
 
-    /// <summary>The store has a role for the user that is none.</summary>
+    /// <summary>The store has an unknown role for the user.</summary>
     UnknownRole,
 
-    /// <summary>Somebody else wrote to the user's row in the store.</summary>
+    /// <summary>The user's row in the store was changed outside the cell.</summary>
     Tampered,
 
     /// <summary>The user's role does not allow it.</summary>
     NotAllowed,
 
-    /// <summary>The act takes a password of its own, and the one that was given is too long ago or was used for another act.</summary>
+    /// <summary>The act requires its own password entry, and the given one is too old or was used for another act.</summary>
     NotSigned,
 
-    /// <summary>A name that no user may have.</summary>
+    /// <summary>The user name is not allowed.</summary>
     BadUserName,
 
-    /// <summary>A password that no user may have.</summary>
+    /// <summary>The password is not allowed.</summary>
     WeakPassword,
 
-    /// <summary>There is a user of this name.</summary>
+    /// <summary>A user with this name exists.</summary>
     UserExists,
 
-    /// <summary>There is no user of this name.</summary>
+    /// <summary>No user with this name exists.</summary>
     UnknownUser,
 
-    /// <summary>Nobody would be left to manage users.</summary>
+    /// <summary>No one would be left to manage users.</summary>
     LastAdministrator,
 
-    /// <summary>A password of a machine that cannot be one: empty, too long, or with line ends or other control characters.</summary>
+    /// <summary>The machine password is invalid: empty, too long, or with line ends or other control characters.</summary>
     BadSecret,
 
-    /// <summary>The keys do not decrypt it: they are those of another installation, or keys or store were changed.</summary>
+    /// <summary>The keys cannot decrypt it: they belong to another installation, or keys or store were changed.</summary>
     SecretUnreadable,
 
-    /// <summary>The folder of the keys cannot be used, or others than its owner can read it.</summary>
+    /// <summary>The key folder cannot be used, or users other than its owner can read it.</summary>
     KeysUnusable,
 
-    /// <summary>The store was sealed by a key, and the folder of the keys has none.</summary>
+    /// <summary>The store was sealed with a key that is missing from the key folder.</summary>
     KeysMissing,
 }

@@ -4,14 +4,14 @@ namespace ErrorMatching.Cell;
 
 /// <summary>A user's row in the store.</summary>
 /// <param name="Name">The name.</param>
-/// <param name="Role">What the user may do; null if the store has a word that is no role: then nothing.</param>
-/// <param name="Password">Hash of the password.</param>
+/// <param name="Role">The user's role; null if the store has an unknown one: then the user has no rights.</param>
+/// <param name="Password">The password hash.</param>
 /// <param name="IsDisabled">True if the user may not sign in.</param>
 /// <param name="AddedAt">When.</param>
 /// <param name="PasswordAt">When the password was last set.</param>
 internal sealed record Person(string Name, Role? Role, string Password, bool IsDisabled, DateTimeOffset AddedAt, DateTimeOffset PasswordAt)
 {
-    /// <summary>What the names of users' rows begin with among coded rows.</summary>
+    /// <summary>Prefix of the names of users' rows among coded rows.</summary>
     public const string RowPrefix = "person ";
 
     /// <summary>Rows with their codes, for <see cref="ReadKept"/>.</summary>
@@ -20,22 +20,22 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
     /// <summary>The role as the store has it.</summary>
     public string RoleWord { get; private init; } = Role.ToString() ?? "";
 
-    /// <summary>False if somebody else wrote the row.</summary>
+    /// <summary>False if the row was changed outside the cell.</summary>
     public bool IsAsLeft { get; private init; } = true;
 
-    /// <summary>Why the user may do nothing, whatever the role: the row is not the cell's, or the role is none. Null if that is not
-    /// so.</summary>
+    /// <summary>Why the user has no rights, regardless of role: the row was changed outside the cell, or the role is unknown. Null if
+    /// neither is the case.</summary>
     public PeopleException? Problem =>
         Role is null ? new(PeopleError.UnknownRole, Recorded.UserOfNoRole.With(Name, RoleWord))
         : !IsAsLeft ? new(PeopleError.Tampered, Recorded.UserTampered.With(Name))
         : null;
 
-    /// <summary>The user of a name, however its letters are written; null if there is none.</summary>
+    /// <summary>Finds the user with a name, ignoring case; null if there is none.</summary>
     public static Person? Find(StoreTransaction transaction, string name) =>
         transaction.Query(SelectKept + " WHERE name_key = @Key", ReadKept, new { Key = UserName.Key(name) }) is [var row]
             ? Looked(row, transaction.Key) : null;
 
-    /// <summary>All users, in the order of their names.</summary>
+    /// <summary>All users, ordered by name.</summary>
     public static IReadOnlyList<Person> All(StoreTransaction transaction) =>
         [.. transaction.Query(SelectKept, ReadKept).Select(r => Looked(r, transaction.Key))
             .OrderBy(p => UserName.Key(p.Name), StringComparer.Ordinal)];
@@ -43,22 +43,22 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
     /// <summary>The row with its code.</summary>
     public static KeptRow<Person> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(6));
 
-    /// <summary>The row as it is coded.</summary>
+    /// <summary>The row in coded form.</summary>
     public static CodedRow Coded(Person p) => new(
         NameOf(UserName.Key(p.Name)),
         [p.Name, p.RoleWord, p.Password, p.IsDisabled ? "1" : "0", CodedRow.Number(StoredTime.Of(p.AddedAt)),
             CodedRow.Number(StoredTime.Of(p.PasswordAt))]);
 
     /// <summary>The row's name among coded rows.</summary>
-    /// <param name="key">The name's key.</param>
     public static string NameOf(string key) => RowPrefix + key;
 
-    /// <summary>The user in the role that a word of the audit trail or the store says; null if it says none.</summary>
+    /// <summary>The role for a word of the audit trail or the store; null if the word is not a role.</summary>
     public static Role? RoleOf(string word) =>
         Enum.GetValues<Role>().Where(r => r.ToString().Equals(word, StringComparison.OrdinalIgnoreCase)).Select(r => (Role?)r)
         .FirstOrDefault();
 
-    /// <summary>What the row is to be if somebody else wrote it: as the audit trail says, and with a password that is none.</summary>
+    /// <summary>The correct row of a user whose row was changed outside the cell: as the audit trail says, and with a hash that no password
+    /// matches.</summary>
     public Person Mended(RecordedPerson recorded, string nobodys) =>
         this with
         {
@@ -73,13 +73,13 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
     /// <summary>The user with another role.</summary>
     public Person As(Role role) => this with { Role = role, RoleWord = role.ToString() };
 
-    /// <summary>Keeps a new user. The audit entry that follows names the row's code.</summary>
+    /// <summary>Stores a new user. The audit entry that follows names the row's code.</summary>
     public void Insert(StoreTransaction transaction) => transaction.Execute(
         "INSERT INTO person (name_key, name, role, password, is_disabled, added_at, password_at, row_code) VALUES (@Key, @Name, @Role, "
             + "@Password, @IsDisabled, @AddedAt, @PasswordAt, @Code)",
         Columns(transaction));
 
-    /// <summary>Keeps what changed of a user. The audit entry that follows names the row's code.</summary>
+    /// <summary>Stores the changes of a user. The audit entry that follows names the row's code.</summary>
     public void Update(StoreTransaction transaction) => transaction.Execute(
         "UPDATE person SET name = @Name, role = @Role, password = @Password, is_disabled = @IsDisabled, password_at = @PasswordAt, "
             + "row_code = @Code WHERE name_key = @Key",
@@ -97,7 +97,7 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
         Code = transaction.CodeOf(Coded(this)),
     };
 
-    /// <summary>The user, and whether somebody else wrote the row.</summary>
+    /// <summary>The user, and whether the row was changed outside the cell.</summary>
     public static Person Looked(KeptRow<Person> row, byte[]? key) => row.Value with { IsAsLeft = row.Holds(key) };
 
     private static Person Read(DbDataReader row) => new(

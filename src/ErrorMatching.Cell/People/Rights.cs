@@ -1,6 +1,6 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>The table of roles and acts. Whatever it does not allow does not happen.</summary>
+/// <summary>The table of roles and acts. Anything that it does not allow is refused.</summary>
 public static class Rights
 {
     private static readonly Dictionary<Act, (Role Least, bool IsSigned)> Table = new()
@@ -17,12 +17,12 @@ public static class Rights
         [Act.ManagePolicy] = (Role.Administrator, true),
     };
 
-    /// <summary>The lowest role that may do it. Every higher one may as well.</summary>
+    /// <summary>The lowest role with this right. Every higher one has it too.</summary>
     public static Role LeastFor(Act act) => Table[act].Least;
 
-    /// <summary>True if the role may do it.</summary>
+    /// <summary>True if the role has the right.</summary>
     public static bool Allows(Role role, Act act) => role >= Table[act].Least;
 
-    /// <summary>True if it takes a password given for this very act, however recently the user signed in.</summary>
+    /// <summary>True if the act requires its own password entry, however recently the user signed in.</summary>
     public static bool IsSigned(Act act) => Table[act].IsSigned;
 }

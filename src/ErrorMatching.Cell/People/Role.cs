@@ -1,6 +1,6 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>What a user may do. Each role may do what those before it may.</summary>
+/// <summary>A user's role. Each role includes the rights of those before it.</summary>
 public enum Role
 {
     /// <summary>Sees, releases and rejects.</summary>

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>One seat at a station: who sits there, until signing out or being idle for too long. Safe for use by several threads.</summary>
+/// <summary>One user's session at a station, until sign-out or a period of inactivity. Thread-safe.</summary>
 /// <param name="users">The users.</param>
-/// <param name="clock">The time.</param>
-/// <param name="idle">How long nothing may happen before the seat counts as left.</param>
+/// <param name="clock">The clock.</param>
+/// <param name="idle">The period of inactivity after which the session ends.</param>
 public sealed class Session(UserBook users, TimeProvider clock, TimeSpan idle)
 {
     private readonly Lock _lock = new();
@@ -11,14 +11,14 @@ public sealed class Session(UserBook users, TimeProvider clock, TimeSpan idle)
     private long _touched;
     private DateTimeOffset _touchedAt;
 
-    /// <summary>Who is signed in; null if nobody is, or nothing has happened for too long.</summary>
+    /// <summary>The signed-in user; null if no one is signed in or the session has timed out.</summary>
     public SignedIn? Who
     {
         get
         {
             lock (_lock)
             {
-                // By both clocks: one stands still while a computer sleeps, the other may be set back.
+                // By both clocks: one stops while a computer sleeps, the other may be set back.
                 if (_who is not null && (clock.GetElapsedTime(_touched) >= idle || clock.GetUtcNow() - _touchedAt >= idle))
                 {
                     Leave(Recorded.Idle.With());
@@ -29,8 +29,8 @@ public sealed class Session(UserBook users, TimeProvider clock, TimeSpan idle)
         }
     }
 
-    /// <summary>Signs somebody in, in place of who sat there.</summary>
-    /// <exception cref="PeopleException">As <see cref="UserBook.SignIn"/> says; nobody is signed in then.</exception>
+    /// <summary>Signs a user in, in place of the current one.</summary>
+    /// <exception cref="PeopleException">As for <see cref="UserBook.SignIn"/>; then no one is signed in.</exception>
     public SignedIn SignIn(string name, string password)
     {
         lock (_lock)
@@ -42,8 +42,9 @@ public sealed class Session(UserBook users, TimeProvider clock, TimeSpan idle)
         }
     }
 
-    /// <summary>Takes the password of who is signed in once more, for one act that must be signed.</summary>
-    /// <exception cref="PeopleException">As <see cref="UserBook.SignIn"/> says, and with <see cref="PeopleError.NotSigned"/> if nobody is signed in.</exception>
+    /// <summary>Takes the signed-in user's password again, for one act that must be signed.</summary>
+    /// <exception cref="PeopleException">As for <see cref="UserBook.SignIn"/>, and with <see cref="PeopleError.NotSigned"/> if no one is
+    /// signed in.</exception>
     public SignedIn SignAgain(string password)
     {
         lock (_lock)
@@ -55,7 +56,7 @@ public sealed class Session(UserBook users, TimeProvider clock, TimeSpan idle)
         }
     }
 
-    /// <summary>Says that a key or button was pressed. A seat that was left stays left.</summary>
+    /// <summary>Reports a key press or click. A session that has timed out stays ended.</summary>
     public void Touch()
     {
         lock (_lock)
@@ -67,7 +68,7 @@ public sealed class Session(UserBook users, TimeProvider clock, TimeSpan idle)
         }
     }
 
-    /// <summary>Signs out who is signed in, if anybody is.</summary>
+    /// <summary>Signs out the current user, if any.</summary>
     public void SignOut()
     {
         lock (_lock)

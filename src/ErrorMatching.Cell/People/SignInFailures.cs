@@ -1,20 +1,21 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Failed sign-ins in a row by name, whether it is a user's or not: a name that is none is locked like any other, so that nobody learns which are.</summary>
+/// <summary>Consecutive failed sign-ins by name, for users and unknown names alike: an unknown name is locked in the same way, so that the
+/// lock does not reveal which names exist.</summary>
 /// <param name="Failures">How many.</param>
-/// <param name="Last">When the last one was.</param>
+/// <param name="Last">Time of the last one.</param>
 internal sealed record SignInFailures(int Failures, DateTimeOffset Last)
 {
-    /// <summary>Names that are no user's are forgotten after this time,</summary>
+    /// <summary>Names that are not users' are forgotten after this time,</summary>
     private static readonly TimeSpan Memory = TimeSpan.FromDays(1);
 
-    /// <summary>and the oldest of them when there are more.</summary>
+    /// <summary>and the oldest of them beyond this number.</summary>
     private const int MostStrangers = 1000;
 
-    /// <summary>So many names that are no user's get into the audit trail in an hour; it must not be filled by guessing.</summary>
+    /// <summary>Maximum number of unknown names recorded in the audit trail per hour, so that guessing cannot fill it.</summary>
     public const int MostStrangersInTrail = 20;
 
-    /// <summary>Those of a name.</summary>
+    /// <summary>The failures for a name.</summary>
     public static SignInFailures Of(StoreTransaction transaction, string name)
     {
         var rows = transaction.Query(
@@ -22,7 +23,7 @@ internal sealed record SignInFailures(int Failures, DateTimeOffset Last)
         return rows is [var row] ? row : new(0, transaction.Now);
     }
 
-    /// <summary>Keeps those of a name.</summary>
+    /// <summary>Stores the failures for a name.</summary>
     public void Keep(StoreTransaction transaction, string name, bool isUser) => transaction.Execute(
         """
         INSERT INTO sign_in_failure (name_hash, is_user, failures, failed_at) VALUES (@Hash, @IsUser, @Failures, @Last)
@@ -30,11 +31,11 @@ internal sealed record SignInFailures(int Failures, DateTimeOffset Last)
         """,
         new { Hash = UserName.Hash(name), IsUser = isUser ? 1 : 0, Failures, Last = StoredTime.Of(Last) });
 
-    /// <summary>Forgets those of a name.</summary>
+    /// <summary>Clears the failures for a name.</summary>
     public static void Forget(StoreTransaction transaction, string name) =>
         transaction.Execute("DELETE FROM sign_in_failure WHERE name_hash = @Hash", new { Hash = UserName.Hash(name) });
 
-    /// <summary>Forgets names that are no user's, and counts those of the last hour.</summary>
+    /// <summary>Removes unknown names, and counts those of the last hour.</summary>
     public static long ForgetStrangers(StoreTransaction transaction)
     {
         transaction.Execute("DELETE FROM sign_in_failure WHERE is_user = 0 AND failed_at < @Before", new { Before = StoredTime.Of(transaction.Now - Memory) });

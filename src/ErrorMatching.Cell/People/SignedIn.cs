@@ -1,6 +1,6 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Evidence that somebody gave the right password a moment ago. Only <see cref="UserBook.SignIn"/> makes one.</summary>
+/// <summary>Evidence that a user has just given the right password. Only <see cref="UserBook.SignIn"/> creates it.</summary>
 public sealed class SignedIn
 {
     private readonly long _timestamp;
@@ -21,6 +21,7 @@ public sealed class SignedIn
     /// <summary>When the password was given.</summary>
     public DateTimeOffset At { get; }
 
-    /// <summary>True once, and not later than so long after the password was given: for acts that take a password of their own.</summary>
+    /// <summary>True once, and only within the given time after the password was given: for acts that require their own password
+    /// entry.</summary>
     internal bool Sign(TimeProvider clock, TimeSpan within) => clock.GetElapsedTime(_timestamp) <= within && Interlocked.Increment(ref _uses) == 1;
 }

@@ -1,8 +1,8 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Somebody who may sign in.</summary>
-/// <param name="Name">The name as it was given; no other user's differs from it in more than large and small letters.</param>
-/// <param name="Role">What the user may do; the lowest where <see cref="Problem"/> says that there is no such role.</param>
+/// <summary>A person who may sign in.</summary>
+/// <param name="Name">The name as given; no other user's name differs from it only in case.</param>
+/// <param name="Role">The user's role; the lowest one if <see cref="Problem"/> says that the role is unknown.</param>
 /// <param name="IsDisabled">True if the user may not sign in. Users are not deleted: the audit trail names them.</param>
 /// <param name="AddedAt">When.</param>
 /// <param name="PasswordAt">When the password was last set.</param>
@@ -11,13 +11,13 @@ public sealed record User(string Name, Role Role, bool IsDisabled, DateTimeOffse
     /// <summary>The role as the store has it.</summary>
     public string RoleWord { get; init; } = Role.ToString().ToLowerInvariant();
 
-    /// <summary>Why the user may do nothing, whatever the role says: somebody else wrote to the row, or there is no such role. Null if that
-    /// is not so.</summary>
+    /// <summary>Why the user has no rights, regardless of role: the row was changed outside the cell, or the role is unknown. Null if
+    /// neither is the case.</summary>
     public (PeopleError Error, string Message)? Problem { get; init; }
 
-    /// <summary>Failed sign-ins since the last one that succeeded.</summary>
+    /// <summary>Failed sign-ins since the last successful one.</summary>
     public int Failures { get; init; }
 
-    /// <summary>When the name may be tried again after them; null if it may now.</summary>
+    /// <summary>When the resulting lock ends; null if the name is not locked.</summary>
     public DateTimeOffset? LockedUntil { get; init; }
 }

@@ -2,11 +2,12 @@ using System.Globalization;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The users of a cell: who they are, what they may do, and whether it is they who ask. Everything here leaves an entry in the audit trail. Safe for use by several threads.</summary>
-/// <remarks>Failures of the store are a <see cref="StoreException"/>.</remarks>
+/// <summary>The users of a cell: their identities, their rights, and their sign-in. Every operation here leaves an entry in the audit
+/// trail. Thread-safe.</summary>
+/// <remarks>Failures of the store throw a <see cref="StoreException"/>.</remarks>
 public sealed class UserBook
 {
-    /// <summary>How long a password is good for the act that it was given for.</summary>
+    /// <summary>How long a password entry is valid for the act that it was made for.</summary>
     private static readonly TimeSpan Signing = TimeSpan.FromMinutes(2);
 
     private readonly CellStore _store;
@@ -22,14 +23,16 @@ public sealed class UserBook
 
     internal PasswordHashes Hashes { get; }
 
-    /// <summary>True if nobody can sign in yet, and the first administrator is to be made by <see cref="AddFirst"/>.</summary>
+    /// <summary>True if there are no users yet, and <see cref="AddFirst"/> must create the first administrator.</summary>
     public bool IsEmpty => List().Count == 0;
 
-    /// <summary>All users, in the order of their names.</summary>
+    /// <summary>All users, ordered by name.</summary>
     public IReadOnlyList<User> List() => _store.Write(t => Person.All(t).Select(p => Known(t, p)).ToArray());
 
-    /// <summary>Makes the first user, an administrator, without anybody's signing: whoever can write the store may do that, as long as it has no user.</summary>
-    /// <exception cref="PeopleException">The name is none or the password too weak; with <see cref="PeopleError.NotSigned"/> if there are users.</exception>
+    /// <summary>Creates the first user, an administrator, without a signature. Anyone who can write the store may do this while it has no
+    /// users.</summary>
+    /// <exception cref="PeopleException">The name is not allowed or the password too weak; with <see cref="PeopleError.NotSigned"/> if
+    /// there are users.</exception>
     public User AddFirst(string name, string password)
     {
         var hash = HashOf(name, password);
@@ -40,10 +43,11 @@ public sealed class UserBook
 
     /// <summary>Adds a user.</summary>
     /// <param name="by">The administrator who signs.</param>
-    /// <param name="name">1 to 64 printable characters; no other user's but for large and small letters.</param>
-    /// <param name="role">What the user may do.</param>
+    /// <param name="name">1 to 64 printable characters; unique, ignoring case.</param>
+    /// <param name="role">The user's role.</param>
     /// <param name="password">12 characters or more.</param>
-    /// <exception cref="PeopleException">The user exists, the name is none, the password too weak, or <paramref name="by"/> may not do that.</exception>
+    /// <exception cref="PeopleException">The user exists, the name is not allowed, the password is too weak, or <paramref name="by"/> does
+    /// not have the right.</exception>
     public User Add(SignedIn by, string name, Role role, string password)
     {
         var hash = HashOf(name, password);
@@ -56,32 +60,36 @@ public sealed class UserBook
         });
     }
 
-    /// <summary>Keeps a user from signing in. What is signed in is out with the next act.</summary>
-    /// <exception cref="PeopleException">There is no such user, it is the last administrator, or <paramref name="by"/> may not do that.</exception>
+    /// <summary>Prevents a user from signing in. A session in progress ends with its next act.</summary>
+    /// <exception cref="PeopleException">There is no such user, it is the last administrator, or <paramref name="by"/> does not have the
+    /// right.</exception>
     public User Disable(SignedIn by, string name) => Change(by, name, "user-disabled", "", p => p with { IsDisabled = true });
 
-    /// <summary>Lets a user sign in again, at once.</summary>
-    /// <exception cref="PeopleException">There is no such user, or <paramref name="by"/> may not do that.</exception>
+    /// <summary>Lets a user sign in again, immediately.</summary>
+    /// <exception cref="PeopleException">There is no such user, or <paramref name="by"/> does not have the right.</exception>
     public User Enable(SignedIn by, string name) => Change(by, name, "user-enabled", "", p => p with { IsDisabled = false }, isUnlocked: true);
 
     /// <summary>Gives a user another role.</summary>
-    /// <exception cref="PeopleException">There is no such user, it is the last administrator, or <paramref name="by"/> may not do that.</exception>
+    /// <exception cref="PeopleException">There is no such user, it is the last administrator, or <paramref name="by"/> does not have the
+    /// right.</exception>
     public User SetRole(SignedIn by, string name, Role role) =>
         Change(by, name, "role-set", Recorded.ToRole.With(Word(role)), p => p.As(role));
 
-    /// <summary>Sets a password: one's own, or as an administrator anybody's, who is unlocked with it.</summary>
-    /// <exception cref="PeopleException">There is no such user, the password is too weak, or <paramref name="by"/> may not do that.</exception>
+    /// <summary>Sets a password: the user's own, or, as an administrator, anyone's. This also unlocks the user.</summary>
+    /// <exception cref="PeopleException">There is no such user, the password is too weak, or <paramref name="by"/> does not have the
+    /// right.</exception>
     public User SetPassword(SignedIn by, string name, string password)
     {
         var hash = HashOf(name, password);
         return Change(by, name, "password-set", "", p => p with { Password = hash, PasswordAt = StoredTime.Rounded(_clock.GetUtcNow()) }, isUnlocked: true, isOwnAllowed: true);
     }
 
-    /// <summary>Compares a password. It takes as long for a name that is no user's, and fails with the same words.</summary>
-    /// <exception cref="PeopleException">With <see cref="PeopleError.SignInRefused"/>, <see cref="PeopleError.LockedOut"/>, <see cref="PeopleError.UserDisabled"/> (with the right password only) or <see cref="PeopleError.NoUsers"/>.</exception>
+    /// <summary>Checks a password. An unknown name takes just as long and fails with the same message.</summary>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.SignInRefused"/>, <see cref="PeopleError.LockedOut"/>,
+    /// <see cref="PeopleError.UserDisabled"/> (with the right password only) or <see cref="PeopleError.NoUsers"/>.</exception>
     public SignedIn SignIn(string name, string password)
     {
-        // A try counts as failed before it is compared: many at once are not more tries than one after another.
+        // An attempt counts as failed before the comparison, so many parallel attempts gain nothing over sequential ones.
         var (person, failures, lockedUntil) = _store.Write(t => BeginTry(t, name));
         if (lockedUntil is { } until)
         {
@@ -91,7 +99,7 @@ public sealed class UserBook
         var (isRight, isStale) = Hashes.Compare(person?.Password, password);
         if (person?.Problem is { } problem)
         {
-            // Whatever the password is: it is somebody else's, or good for nothing.
+            // Regardless of the password: the row is not the cell's, or its role is unknown.
             _store.Write(t =>
             {
                 t.Audit(person.Name, "sign-in-failed", null, problem.Message);
@@ -112,15 +120,17 @@ public sealed class UserBook
             : Refusal(PeopleError.SignInRefused, "Name or password is wrong.", lockedUntil);
     }
 
-    /// <summary>Makes sure that who signed in may do something now: is still a user, still has the role, and for what must be signed has just given the password for nothing else.</summary>
-    /// <exception cref="PeopleException">With <see cref="PeopleError.NotAllowed"/>, <see cref="PeopleError.UserDisabled"/> or <see cref="PeopleError.NotSigned"/>.</exception>
+    /// <summary>Ensures that the signed-in user may do something now: the user still exists and still has the role, and for an act that
+    /// must be signed has just given the password for this act alone.</summary>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.NotAllowed"/>, <see cref="PeopleError.UserDisabled"/> or
+    /// <see cref="PeopleError.NotSigned"/>.</exception>
     public void Demand(SignedIn who, Act act) => _store.Write(t =>
     {
         Demand(t, who, act);
         return who;
     });
 
-    /// <summary>Keeps that somebody left.</summary>
+    /// <summary>Records a sign-out.</summary>
     internal void SignedOut(string name, string basis) => _store.Write(t =>
     {
         t.Audit(name, "signed-out", null, basis);
@@ -139,7 +149,7 @@ public sealed class UserBook
 
         var failures = SignInFailures.Of(t, name);
 
-        // A clock that was set back must not lock anybody until it is where it was.
+        // A clock that was set back must not keep a lock until the earlier time is reached again.
         failures = failures.Last > t.Now ? failures with { Last = t.Now } : failures;
         var until = LockOut.Until(failures.Failures, failures.Last, t.Now);
         failures = until is null ? new(failures.Failures + 1, t.Now) : failures;
@@ -233,8 +243,8 @@ public sealed class UserBook
         }
     }
 
-    // Nothing of a row that somebody else wrote is taken over: what is not set now is as the audit trail says, and the password is to be
-    // set.
+    // Nothing is taken from a row that was changed outside the cell: what is not set now comes from the audit trail, and the password must
+    // be set again.
     private Person Mended(StoreTransaction t, Person person) =>
         AuditReplay.Of(t)?.People.GetValueOrDefault(UserName.Key(person.Name)) is { } recorded ? person.Mended(recorded, Hashes.Nobodys)
             : throw new PeopleException(
@@ -262,7 +272,7 @@ public sealed class UserBook
         var person = new Person(name, role, hash, IsDisabled: false, t.Now, t.Now);
         person.Insert(t);
 
-        // What was tried under this name before there was such a user is not the user's doing.
+        // Attempts under this name before the user existed do not count against the user.
         SignInFailures.Forget(t, name);
         t.Audit(by, "user-added", name, basis);
         return Known(t, person);

@@ -4,7 +4,7 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A user's name: 1 to 64 printable characters, the same to us whether letters are large or small.</summary>
+/// <summary>A user name: 1 to 64 printable characters, compared without regard to case.</summary>
 internal static class UserName
 {
     /// <summary>The longest name, in UTF-16 units.</summary>
@@ -12,16 +12,16 @@ internal static class UserName
 
     private const string OfSystem = "os:";
 
-    // Who stands in the audit trail for what nobody did in person.
+    // Names that the audit trail uses for acts without a person.
     private static readonly string[] Taken = ["cell", "console", "unknown"];
 
     /// <summary>The form in which names are compared.</summary>
     public static string Key(string name) => name.ToUpperInvariant();
 
-    /// <summary>The key of a name that somebody typed, which may be a password in the wrong line and is not to be kept as it is.</summary>
+    /// <summary>The key of a typed name. It may be a password typed in the wrong field, so it must not be stored as is.</summary>
     public static string Hash(string name) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(Key(name))));
 
-    /// <summary>Refuses what is no name.</summary>
+    /// <summary>Rejects an invalid name.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.BadUserName"/>.</exception>
     public static void Demand(string name)
     {
@@ -61,7 +61,7 @@ internal static class UserName
         return Taken.Contains(Key(name), StringComparer.OrdinalIgnoreCase) ? $"is {name}, which the audit trail needs for what nobody did in person" : null;
     }
 
-    // Spaces other than the usual one, direction marks and separate accents make two names look like one.
+    // Unusual spaces, direction marks and separate accents make two names look alike.
     private static bool IsUnprintable(char c) => c != ' ' && char.GetUnicodeCategory(c) is
         UnicodeCategory.Control or UnicodeCategory.Format or UnicodeCategory.OtherNotAssigned or UnicodeCategory.PrivateUse or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator
         or UnicodeCategory.SpaceSeparator or UnicodeCategory.NonSpacingMark or UnicodeCategory.SpacingCombiningMark or UnicodeCategory.EnclosingMark;

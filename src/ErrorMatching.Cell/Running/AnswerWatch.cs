@@ -1,22 +1,20 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// Asks a machine or a gauge from time to time whether it answers, so that one that is gone is known before something must be sent. Each
-/// change is told as a trouble, and once in the audit trail.
-/// </summary>
-/// <param name="flow">What workers share.</param>
+/// <summary>Checks periodically whether a machine or a gauge responds, so that a failure is known before something must be sent. Each
+/// change is reported as a trouble, and once in the audit trail.</summary>
+/// <param name="flow">State shared by the workers.</param>
 /// <param name="where">The trouble's part, such as <see cref="CellTrouble.OfMachine"/>.</param>
-/// <param name="name">What people call the machine or gauge.</param>
-/// <param name="ask">Asks it; null if it answers.</param>
-/// <param name="isTold">Whether those who work with it tell the same already.</param>
+/// <param name="name">Name of the machine or gauge.</param>
+/// <param name="ask">Checks it; null if it responds.</param>
+/// <param name="isTold">Whether a worker that uses it already reports the same problem.</param>
 internal sealed class AnswerWatch(
     CellFlow flow, string where, string name, Func<CancellationToken, Task<AnswerProblem?>> ask,
     Func<AnswerProblem, CellTrouble, bool> isTold)
 {
     private string? _code;
 
-    /// <summary>Asks once.</summary>
-    /// <returns>How long to wait before asking again.</returns>
+    /// <summary>Checks once.</summary>
+    /// <returns>How long to wait before the next check.</returns>
     public async Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
         var problem = await ask(stop);
@@ -42,7 +40,7 @@ internal sealed class AnswerWatch(
         return problem?.IsOfLogin == true ? flow.Pace.Held : flow.Pace.Answer;
     }
 
-    /// <summary>The watch of a machine: signs in, and lists its folder.</summary>
+    /// <summary>The watch of a machine: logs in, and lists its folder.</summary>
     public static AnswerWatch OfMachine(CellFlow flow, MachineSettings machine, IMachineFolder folder) => new(
         flow, CellTrouble.OfMachine(machine.Name), machine.Name, c => MachineAnswer.OfAsync(machine, folder, c),
         (p, t) => t.Code == p.Code && machine.Slots.Any(s => t.Where == CellTrouble.OfSlot(machine.Name, s.Name)));

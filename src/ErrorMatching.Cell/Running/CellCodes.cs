@@ -1,60 +1,60 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Stable words for why a running cell refuses a file, or cannot work.</summary>
+/// <summary>Stable codes for why a running cell refuses a file, or cannot work.</summary>
 public static class CellCodes
 {
-    /// <summary>The same measurement, job and original program were there before.</summary>
+    /// <summary>The same measurement, job and original program have already been used.</summary>
     public const string AlreadyKnown = "already-known";
 
-    /// <summary>A newer measurement of the same piece took its place.</summary>
+    /// <summary>A newer measurement of the same piece replaced it.</summary>
     public const string Superseded = "superseded";
 
-    /// <summary>Its job was changed, and its measurement is computed anew.</summary>
+    /// <summary>Its job was changed, and its measurement is recalculated.</summary>
     public const string ComputedAnew = "computed-anew";
 
-    /// <summary>Corrections shall add up to a program whose sums nobody knows.</summary>
+    /// <summary>Corrections must accumulate on a program whose sums are unknown.</summary>
     public const string SumsUnknown = "sums-unknown";
 
-    /// <summary>Corrections shall add up, and nobody has said which program cut the measured piece.</summary>
+    /// <summary>Corrections accumulate, but it is not recorded which program cut the measured piece.</summary>
     public const string NotReleased = "not-released";
 
     /// <summary>The program that a correction adds to was reverted.</summary>
     public const string BaseReverted = "base-reverted";
 
-    /// <summary>Something waits for a gauge, job or slot that the configuration does not have any more.</summary>
+    /// <summary>Something waits for a gauge, job or slot that is no longer in the configuration.</summary>
     public const string NotConfigured = "not-configured";
 
-    /// <summary>Files cannot be taken out of a gauge's folder.</summary>
+    /// <summary>Files cannot be moved out of a gauge's folder.</summary>
     public const string GaugeDenied = "gauge-denied";
 
-    /// <summary>A gauge's folder cannot be looked into.</summary>
+    /// <summary>A gauge's folder cannot be read.</summary>
     public const string GaugeAway = "gauge-away";
 
-    /// <summary>A file lies in a gauge's folder and cannot be taken.</summary>
+    /// <summary>A file in a gauge's folder cannot be taken.</summary>
     public const string FileLeft = "file-left";
 
-    /// <summary>The sign of life or the end of the audit trail cannot be kept beside the store.</summary>
+    /// <summary>The heartbeat or the end of the audit trail cannot be saved outside the store.</summary>
     public const string NotKept = "not-kept";
 
     /// <summary>A defect of the program.</summary>
     public const string Defect = "internal-error";
 
-    /// <summary>The slot's file is none that the cell knows.</summary>
+    /// <summary>The cell does not know the program in the slot.</summary>
     public const string ChangedAtMachine = "changed-at-machine";
 
-    /// <summary>In the audit trail: the slot's file, which was changed, is the verified one again.</summary>
+    /// <summary>In the audit trail: the slot again holds the verified program after a change.</summary>
     public const string HeldAgain = "held-again";
 
-    /// <summary>In the audit trail: a machine or a gauge does not answer, or not as it must.</summary>
+    /// <summary>In the audit trail: a machine or a gauge does not respond, or responds incorrectly.</summary>
     public const string NoAnswer = "no-answer";
 
-    /// <summary>In the audit trail: a machine or a gauge that did not answer answers again.</summary>
+    /// <summary>In the audit trail: a machine or a gauge responds again.</summary>
     public const string AnswersAgain = "answers-again";
 
-    /// <summary>What the store could not do.</summary>
+    /// <summary>The code for a failed store call.</summary>
     public static string Of(StoreError error) => "store-" + Words(error.ToString());
 
-    /// <summary>What a machine did not let happen.</summary>
+    /// <summary>The code for a failed transfer.</summary>
     public static string Of(TransportError error) => "machine-" + Words(error.ToString());
 
     // ReadOnly becomes read-only.

@@ -2,10 +2,11 @@ using Serilog;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What the workers of a running cell share: the store, the signals between them, and the one way in which they take steps.</summary>
+/// <summary>State shared by the workers of a running cell: the store, the signals between workers, and the common way to take
+/// steps.</summary>
 internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvider clock, ILogger log, FlowPace pace, CancellationToken finish)
 {
-    /// <summary>Who takes the steps that nobody decides on.</summary>
+    /// <summary>The user name for steps that no person decides.</summary>
     public const string ByCell = "cell";
 
     private readonly Dictionary<(string Machine, string Slot), Wake> _slots = settings.Machines
@@ -13,7 +14,7 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
 
     private readonly System.Collections.Concurrent.ConcurrentDictionary<string, bool> _saidTampered = new(StringComparer.Ordinal);
 
-    /// <summary>Names of this cell's gauges; another cell of the same store has others.</summary>
+    /// <summary>Names of this cell's gauges; another cell with the same store has others.</summary>
     public IReadOnlyList<string> Gauges { get; } = [.. settings.Gauges.Select(g => g.Name)];
 
     /// <summary>Names of this cell's jobs.</summary>
@@ -22,7 +23,7 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
     /// <summary>The configuration.</summary>
     public CellSettings Settings => settings;
 
-    /// <summary>Where everything is kept.</summary>
+    /// <summary>The store.</summary>
     public CellStore Store => store;
 
     /// <summary>The clock.</summary>
@@ -31,37 +32,37 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
     /// <summary>The log.</summary>
     public ILogger Log => log;
 
-    /// <summary>How long is waited for what.</summary>
+    /// <summary>The waiting times.</summary>
     public FlowPace Pace => pace;
 
-    /// <summary>Cancelled some seconds after the cell was told to stop: what has begun by then may come to its end until here.</summary>
+    /// <summary>Canceled some seconds after the cell was told to stop: work in progress may finish until then.</summary>
     public CancellationToken Finish => finish;
 
-    /// <summary>What keeps workers from working.</summary>
+    /// <summary>What prevents workers from working.</summary>
     public Troubles Troubles { get; } = new(clock);
 
-    /// <summary>Wakes who recognizes.</summary>
+    /// <summary>Wakes the worker that recognizes.</summary>
     public Wake Archived { get; } = new();
 
-    /// <summary>Wakes who computes.</summary>
+    /// <summary>Wakes the workers that compute.</summary>
     public Wake Recognized { get; } = new();
 
-    /// <summary>Wakes who proposes.</summary>
+    /// <summary>Wakes the worker that proposes.</summary>
     public Wake Computed { get; } = new();
 
-    /// <summary>Called before and after each step of this process with the state it leads to; tests end the process there.</summary>
+    /// <summary>Called before and after each step of this process with the new state; tests end the process there.</summary>
     public Action<CorrectionState, bool>? AroundStep { get; init; }
 
-    /// <summary>Called with a worker's name whenever it begins to look for work; tests wait for it.</summary>
+    /// <summary>Called with a worker's name each time it starts to look for work; tests wait for it.</summary>
     public Action<string>? Looking { get; init; }
 
-    /// <summary>What holds for a correction's job.</summary>
+    /// <summary>The policy that applies to a correction's job.</summary>
     public PolicySettings PolicyOf(Correction correction) => settings.Jobs.FirstOrDefault(j => j.Name == correction.Job)?.Policy ?? settings.Policy;
 
-    /// <summary>Wakes who serves a slot.</summary>
+    /// <summary>Wakes the worker of a slot.</summary>
     public Wake OfSlot(string machine, string slot) => _slots[(machine, slot)];
 
-    /// <summary>Takes a step: kept first, then logged, counted and told to whom it concerns.</summary>
+    /// <summary>Takes a step: stores it first, then logs it, counts it and wakes the workers concerned.</summary>
     /// <exception cref="StoreException">It was not taken.</exception>
     public Correction Step(Correction from, CorrectionState to, string basis, Func<Correction, Correction>? with = null, IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
     {
@@ -74,8 +75,7 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
         return now;
     }
 
-    /// <summary>Makes sure that a correction may go to its machine by all that is recorded; what stands against it is put on record
-    /// once.</summary>
+    /// <summary>Ensures that a correction may go to its machine according to all records. A reason against it is recorded once.</summary>
     /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if it may not.</exception>
     public void DemandRecorded(Correction correction)
     {
@@ -90,14 +90,14 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
         }
     }
 
-    /// <summary>Puts on record, once while the cell runs, what somebody else did to the store.</summary>
+    /// <summary>Records a change to the store from outside the cell, once while the cell runs.</summary>
     public void SayTampered(string? subject, string message)
     {
         if (_saidTampered.TryAdd(message, true)) store.Audit(ByCell, AuditLedger.Tampered, message, subject);
     }
 
-    /// <summary>Keeps an arrival, and tells whom it concerns if it is new.</summary>
-    /// <exception cref="StoreException">It was not kept.</exception>
+    /// <summary>Stores an arrival, and wakes the workers concerned if it is new.</summary>
+    /// <exception cref="StoreException">It was not stored.</exception>
     public void Arrive(Func<(Correction Correction, bool IsNew)> archive)
     {
         AroundStep?.Invoke(CorrectionState.Archived, false);
@@ -111,7 +111,7 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
         }
     }
 
-    /// <summary>Does something with a file. Whatever the file does to the reader, it fails alone, and the next one gets its turn.</summary>
+    /// <summary>Processes a file. If the file causes an exception, it alone fails, and the next one gets its turn.</summary>
     /// <exception cref="StoreException">The store cannot be used.</exception>
     public void Guarded(Correction correction, Action work)
     {
@@ -134,7 +134,7 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
         Step(correction, CorrectionState.Failed, reason, c =>
             c with { Code = code, Reason = reason, Identity = null, ProgramSha256 = null });
 
-    /// <summary>Wakes whom a correction's state concerns.</summary>
+    /// <summary>Wakes the workers concerned with a correction's state.</summary>
     public void Tell(Correction correction)
     {
         switch (correction.State)
@@ -149,7 +149,7 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
                 Computed.Signal();
                 break;
             default:
-                // Where it stood in a line, the line may move.
+                // The line that it was in may move.
                 if (correction is { Machine: { } machine, Slot: { } slot } && _slots.TryGetValue((machine, slot), out var wake))
                 {
                     wake.Signal();
@@ -159,7 +159,7 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
         }
     }
 
-    /// <summary>Wakes everybody: another process may have done anything.</summary>
+    /// <summary>Wakes all workers: another process may have changed anything.</summary>
     public void TellAll()
     {
         foreach (var wake in _slots.Values.Concat([Archived, Recognized, Computed]))

@@ -6,15 +6,16 @@ using Serilog.Formatting.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The log of a cell: JSON lines in files that roll daily, and text for people on the error stream. It names files, corrections and machines, never a password or a program's content.</summary>
+/// <summary>The log of a cell: JSON lines in files that roll daily, and readable text on standard error. It names files, corrections and
+/// machines, never a password or a program's content.</summary>
 public static class CellLog
 {
     internal const long MostBytesOfFile = 50L << 20;
     internal const int MostFiles = 60;
 
-    /// <summary>Opens the log: every step in the files, what people want to know on the error stream.</summary>
-    /// <param name="folder">Where its files are; made if missing.</param>
-    /// <returns>The log, which its caller disposes of so that nothing is lost.</returns>
+    /// <summary>Opens the log: every step in the files, and what people want to know on standard error.</summary>
+    /// <param name="folder">Folder for its files; created if missing.</param>
+    /// <returns>The log; the caller must dispose of it so that nothing is lost.</returns>
     public static Logger Open(string folder) => Open(folder, MostBytesOfFile, MostFiles);
 
     internal static Logger Open(string folder, long mostBytesOfFile, int mostFiles)

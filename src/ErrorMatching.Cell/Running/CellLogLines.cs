@@ -6,12 +6,11 @@ using Serilog.Formatting.Display;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The log for people: time, level and message on one line each, whatever a file's name has in it.</summary>
+/// <summary>The log for people: time, level and message on one line each, whatever characters a file name contains.</summary>
 internal sealed class CellLogLines : ITextFormatter
 {
     private readonly MessageTemplateTextFormatter _line = new("{Timestamp:HH:mm:ss} {Level:w3} {Message:l}", CultureInfo.InvariantCulture);
 
-    /// <inheritdoc/>
     public void Format(LogEvent logEvent, TextWriter output)
     {
         using var line = new StringWriter(CultureInfo.InvariantCulture);

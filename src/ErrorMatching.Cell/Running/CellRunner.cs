@@ -3,10 +3,9 @@ using Serilog;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// Runs a cell: takes files from its gauges, computes, and brings programs to machines, until told to stop. Each step is kept in the store before anything shows of it, and every worker takes its work
-/// from the store by state; so whatever ends a runner, the next one goes on where it was.
-/// </summary>
+/// <summary>Runs a cell until told to stop: takes files from its gauges, computes, and sends programs to machines. Each step is stored
+/// before it has any visible effect, and every worker finds its work in the store by state. So however a runner ends, the next one
+/// continues where it was.</summary>
 public sealed class CellRunner
 {
     private const int Computers = 2;
@@ -16,12 +15,12 @@ public sealed class CellRunner
     private readonly TimeProvider _clock;
     private readonly ILogger _log;
 
-    /// <summary>A runner of a cell.</summary>
+    /// <summary>Creates a runner for a cell.</summary>
     /// <param name="settings">The configuration.</param>
-    /// <param name="store">The store, open.</param>
+    /// <param name="store">The open store.</param>
     /// <param name="open">Opens a machine's folder, such as by <see cref="MachineFolders.Open"/> with the machine's secret.</param>
     /// <param name="clock">The clock.</param>
-    /// <param name="log">Where it says what it does.</param>
+    /// <param name="log">The log.</param>
     public CellRunner(CellSettings settings, CellStore store, Func<MachineSettings, IMachineFolder> open, TimeProvider clock, ILogger log)
     {
         ArgumentNullException.ThrowIfNull(settings);
@@ -30,20 +29,20 @@ public sealed class CellRunner
         (_settings, _store, _open, _clock, _log) = (settings, store, open, clock, log);
     }
 
-    /// <summary>Called every few seconds while it runs.</summary>
+    /// <summary>Called every few seconds while the cell runs.</summary>
     public Action? Alive { get; init; }
 
-    /// <summary>How long is waited for what.</summary>
+    /// <summary>The waiting times.</summary>
     internal FlowPace Pace { get; init; } = new();
 
-    /// <summary>Called before and after each step with the state it leads to.</summary>
+    /// <summary>Called before and after each step with the new state.</summary>
     internal Action<CorrectionState, bool>? AroundStep { get; init; }
 
-    /// <summary>Called with a worker's name whenever it begins to look for work.</summary>
+    /// <summary>Called with a worker's name each time it starts to look for work.</summary>
     internal Action<string>? Looking { get; init; }
 
     /// <summary>Runs until told to stop; then finishes or gives back what it holds, within 10 s.</summary>
-    /// <param name="stop">Tells it to stop.</param>
+    /// <param name="stop">Signals it to stop.</param>
     public async Task RunAsync(CancellationToken stop)
     {
         using var finish = new CancellationTokenSource();
@@ -56,7 +55,7 @@ public sealed class CellRunner
         var workers = Workers(flow, sources).Select(w => Task.Run(() => w(end.Token), CancellationToken.None)).ToArray();
         _log.Information("{Cell} runs: {Gauges} gauges, {Slots} slots", _settings.Name, _settings.Gauges.Count, _settings.Machines.Sum(m => m.Slots.Count));
 
-        // Workers end only when told to: one that ends before is a defect, and takes the others with it.
+        // A worker must end only when told to: one that ends earlier is a defect, and stops the others too.
         var first = await Task.WhenAny(workers);
         await end.CancelAsync();
         await Task.WhenAny(Task.WhenAll(workers), Task.Delay(Pace.Finish + Pace.GiveBack + Pace.Deaf, CancellationToken.None));
@@ -114,7 +113,8 @@ public sealed class CellRunner
     private void SayTry(TransferTry t) =>
         _log.Debug("{Machine}: try {Try} failed, next in {Wait}: {Message}", t.Machine, t.Number, t.Wait, t.Failure.Message);
 
-    // A step waits for the disk on the thread that takes it. With as many threads as cores, which is what the pool begins with, transfers of other slots would wait as well, and the pool grows by two a second.
+    // A step blocks its thread while it waits for the disk. With one thread per core, the pool's initial size, transfers for other slots
+    // would have to wait too, and the pool grows by only two threads a second.
     private void AllowForWaiting()
     {
         ThreadPool.GetMinThreads(out var threads, out var ports);

@@ -1,13 +1,13 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>How a cell is: what it holds, what waits, and what keeps it from working.</summary>
-/// <param name="Heartbeat">The sign of life of the process that runs it; null if there is none.</param>
-/// <param name="IsRunning">True if that is fresh.</param>
+/// <summary>The status of a cell: what it holds, what waits, and what prevents it from working.</summary>
+/// <param name="Heartbeat">The heartbeat of the process that runs it; null if there is none.</param>
+/// <param name="IsRunning">True if the heartbeat is fresh.</param>
 /// <param name="Slots">All slots, in the order of the configuration.</param>
-/// <param name="Proposed">What waits for a person's approval, in order of arrival: the first hundred.</param>
-/// <param name="Failed">What failed and waits for a setter, in order of arrival: the first hundred.</param>
-/// <param name="InWork">What arrived and is not computed yet: the first hundred.</param>
-/// <param name="Counts">How many corrections there are in each state; states without any are left out.</param>
+/// <param name="Proposed">Corrections that wait for a person's approval, in order of arrival: the first hundred.</param>
+/// <param name="Failed">Failed corrections that wait for a setter, in order of arrival: the first hundred.</param>
+/// <param name="InWork">Corrections that have arrived and are not computed yet: the first hundred.</param>
+/// <param name="Counts">The number of corrections in each state; states without any are omitted.</param>
 public sealed record CellStatus(
     Heartbeat? Heartbeat,
     bool IsRunning,
@@ -17,19 +17,19 @@ public sealed record CellStatus(
     IReadOnlyList<Correction> InWork,
     IReadOnlyDictionary<CorrectionState, long> Counts)
 {
-    // More of a kind than a person looks through at once are counted.
+    // More than a person looks through at once; beyond this, corrections are only counted.
     internal const int Most = 100;
 
-    /// <summary>What somebody else wrote to the store, in sentences: see <see cref="CellStore.Tampered"/>.</summary>
+    /// <summary>Changes made to the store from outside the cell, as sentences: see <see cref="CellStore.Tampered"/>.</summary>
     public IReadOnlyList<string> Tampered { get; init; } = [];
 
-    /// <summary>How many corrections are in a state.</summary>
+    /// <summary>The number of corrections in a state.</summary>
     public long CountOf(CorrectionState state) => Counts.GetValueOrDefault(state);
 
-    /// <summary>True if nothing stands in the way but a person's approval or an operator's release, which is the ordinary course.</summary>
+    /// <summary>True if only a person's approval or an operator's release is pending, as in normal operation.</summary>
     public bool IsHealthy => IsRunning && Failed.Count == 0 && Heartbeat!.Troubles.Count == 0 && Tampered.Count == 0;
 
-    /// <summary>Looks.</summary>
+    /// <summary>Determines the status.</summary>
     /// <param name="settings">The configuration.</param>
     /// <param name="store">The store.</param>
     /// <param name="clock">The clock.</param>

@@ -3,7 +3,7 @@ using System.Diagnostics.Metrics;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Metrics and traces of a cell under the name <c>ErrorMatching.Cell</c>. They cost nothing where nobody listens.</summary>
+/// <summary>Metrics and traces of a cell under the name <c>ErrorMatching.Cell</c>. They cost nothing without a listener.</summary>
 internal static class CellTelemetry
 {
     /// <summary>Name of the source and of the meter.</summary>
@@ -20,7 +20,7 @@ internal static class CellTelemetry
         "From the archived file to the program that was read back from the machine.",
         advice: new() { HistogramBucketBoundaries = [0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1, 2, 5, 10, 60, 600, 3600] });
 
-    /// <summary>Reports how many corrections stand in line for each slot, as long as the answer lives.</summary>
+    /// <summary>Reports the length of each slot's line until the result is disposed of.</summary>
     public static IDisposable Watch(Func<IEnumerable<(string Machine, string Slot, long Waiting)>> lines)
     {
         var meter = new Meter(Name);
@@ -32,15 +32,15 @@ internal static class CellTelemetry
         return meter;
     }
 
-    /// <summary>Begins the trace that a file is followed by from its arrival to the machine, also over restarts.</summary>
+    /// <summary>Starts the trace that follows a file from its arrival to the machine, even across restarts.</summary>
     public static Activity? Begin(string gauge, string fileName)
     {
-        // A root of its own, whatever goes on around it.
+        // A root activity, independent of the current one.
         Activity.Current = null;
         return Source.StartActivity("archive", ActivityKind.Consumer)?.SetTag("gauge", gauge).SetTag("file", fileName);
     }
 
-    /// <summary>Begins a part of a correction's trace; null where nobody listens.</summary>
+    /// <summary>Starts a part of a correction's trace; null without a listener.</summary>
     public static Activity? Start(string part, Correction correction)
     {
         if (correction.Trace is null || !ActivityContext.TryParse(correction.Trace, null, isRemote: true, out var trace))
@@ -55,7 +55,7 @@ internal static class CellTelemetry
     /// <summary>Counts a step.</summary>
     public static void Count(Correction now) => Steps.Add(1, new KeyValuePair<string, object?>("state", now.State.ToString().ToLowerInvariant()));
 
-    /// <summary>A program has arrived: its latency, and the whole way as one part of its trace.</summary>
+    /// <summary>Records a program's arrival at its machine: the latency, and the whole path as one part of its trace.</summary>
     public static void Arrived(Correction verified, DateTimeOffset now)
     {
         var tags = new TagList { { "machine", verified.Machine }, { "slot", verified.Slot } };

@@ -1,16 +1,18 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Tells which corrections were made with a job as it was before somebody changed it: another one would be made of the same measurement now.</summary>
-/// <remarks>By a correction's identity, as the cell itself tells it: it covers the job's file and all files that it names. To be asked by one thread at a time; it reads files.</remarks>
+/// <summary>Finds the corrections that were made with a previous version of their job: the same measurement would now give a different
+/// one.</summary>
+/// <remarks>The comparison uses the correction's identity, which covers the job's file and all files that it names. Not thread-safe; reads
+/// files.</remarks>
 /// <param name="settings">The cell's configuration.</param>
 public sealed class ChangedJobs(CellSettings settings)
 {
     private readonly CorrectionComputer _computer = new(settings.Policy);
     private readonly Dictionary<string, (string Standing, Dictionary<long, bool> Told)> _jobs = new(StringComparer.Ordinal);
 
-    /// <summary>The numbers of those that were made with a job as it was.</summary>
+    /// <summary>The numbers of corrections that were made with a previous version of their job.</summary>
     /// <param name="store">The store.</param>
-    /// <param name="corrections">Corrections that are not carried out yet.</param>
+    /// <param name="corrections">Corrections that have not been carried out yet.</param>
     /// <exception cref="StoreException">The store cannot be read.</exception>
     public IReadOnlySet<long> Among(CellStore store, IEnumerable<Correction> corrections)
     {
@@ -28,7 +30,8 @@ public sealed class ChangedJobs(CellSettings settings)
         return changed;
     }
 
-    // What was found out holds as long as the job's files are the same: their identity with nothing measured is looked at, which is one for all corrections of the job.
+    // A result remains valid while the job's files are unchanged. This is checked by the job's identity without a measurement, which is the
+    // same for all its corrections.
     private Dictionary<long, bool> Told(CellJobSettings job, string piece)
     {
         var nothing = new KeptFile("", default);

@@ -1,13 +1,14 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Computes recognized corrections. Several loops may run at once: each takes another correction, the earliest first.</summary>
+/// <summary>Computes recognized corrections. Several loops may run concurrently: each takes a different correction, the earliest
+/// first.</summary>
 internal sealed class ComputeWorker(CellFlow flow)
 {
     private readonly CorrectionComputer _computer = new(flow.Settings.Policy);
     private readonly HashSet<long> _taken = [];
     private readonly Lock _gate = new();
 
-    /// <summary>Computes one correction, if there is one.</summary>
+    /// <summary>Computes one correction, if any.</summary>
     /// <returns>How long to wait before looking again.</returns>
     public async Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
@@ -84,7 +85,7 @@ internal sealed class ComputeWorker(CellFlow flow)
 
     private void Keep(Correction recognized, CellJobSettings job, Computed computed)
     {
-        // Null alone would become an empty content: byte arrays turn into memory, and no array into memory of nothing.
+        // Plain null would become empty content: a byte array converts to memory, and a null array to empty memory.
         var sums = job.Accumulates ? computed.Sums.ToJson() : default(ReadOnlyMemory<byte>?);
         var basis = computed.LargestMm > 0 ? Recorded.DisplacedAt.With(computed.LargestMm, computed.LargestAt) : Recorded.DisplacedNothing.With();
         flow.Step(
@@ -103,7 +104,7 @@ internal sealed class ComputeWorker(CellFlow flow)
             [computed.Program, computed.Report, computed.Page, .. sums is { } more ? new[] { more } : []]);
     }
 
-    // Its identity is free again: what is refused may come again when its reason is gone.
+    // Its identity becomes free: the refused measurement may come again once the reason is gone.
     private void Refuse(Correction recognized, string code, string reason) =>
         flow.Step(recognized, CorrectionState.Refused, reason, c => c with { Code = code, Reason = reason, Identity = null });
 

@@ -1,9 +1,8 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// A person lets a correction be computed anew that was made with its job as it was before somebody changed that: its measurement is given again, in the same place in line, and the correction ends.
-/// Who may is the caller's to see; the running cell computes and proposes the new one as any other.
-/// </summary>
+/// <summary>Recalculates a correction that was made with a previous version of its job, by a person's decision. Its measurement is
+/// resubmitted in the same place in line, and the old correction ends. The caller must check the person's rights; the running cell computes
+/// and proposes the new correction like any other.</summary>
 /// <param name="settings">The cell's configuration.</param>
 /// <param name="store">The store.</param>
 public sealed class ComputingAnew(CellSettings settings, CellStore store)
@@ -11,13 +10,13 @@ public sealed class ComputingAnew(CellSettings settings, CellStore store)
     private readonly CorrectionComputer _computer = new(settings.Policy);
     private readonly CorrectionDecisions _decisions = new(store);
 
-    /// <summary>Gives the measurement of a correction again, which then is superseded by the new one and is never sent.</summary>
+    /// <summary>Resubmits the measurement of a correction. The new correction supersedes the old one, which is never sent.</summary>
     /// <param name="id">Its number.</param>
     /// <param name="by">The user's name.</param>
-    /// <param name="reason">Why; null for none.</param>
-    /// <returns>The new correction, which the cell takes up next.</returns>
-    /// <exception cref="DecisionException">It cannot be computed anew, or would be the same again.</exception>
-    /// <exception cref="StoreException">The store cannot be used, or its measurement is not kept.</exception>
+    /// <param name="reason">Why; null if no reason is given.</param>
+    /// <returns>The new correction, which the cell processes next.</returns>
+    /// <exception cref="DecisionException">It cannot be recalculated, or the result would be the same.</exception>
+    /// <exception cref="StoreException">The store cannot be used, or the measurement is not in it.</exception>
     public Correction GiveAgain(long id, string by, string? reason)
     {
         var correction = _decisions.Demand(id, "computed anew", CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed);
@@ -37,7 +36,7 @@ public sealed class ComputingAnew(CellSettings settings, CellStore store)
         }
     }
 
-    // Whoever takes the measurement up again needs its gauge and its job.
+    // The resubmitted measurement needs its gauge and its job.
     private CellJobSettings JobOf(Correction correction)
     {
         var job = settings.Jobs.FirstOrDefault(j => j.Name == correction.Job);
@@ -73,7 +72,7 @@ public sealed class ComputingAnew(CellSettings settings, CellStore store)
         }
     }
 
-    // As whoever recognizes it would find it, and refuse it.
+    // The same test by which recognition would refuse it.
     private static bool IsSame(Correction other, Correction correction, CellJobSettings job, string identity) =>
         other.Identity == identity || (job.Accumulates && other.Identity is not null && other.Job == correction.Job && other.Piece == correction.Piece);
 }

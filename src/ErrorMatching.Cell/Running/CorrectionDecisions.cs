@@ -1,13 +1,14 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>What people decide about corrections. Who may decide what is the caller's to see; each decision is one step of the store, under the person's name.</summary>
+/// <summary>People's decisions about corrections. The caller must check the person's rights; each decision is one step in the store, under
+/// the person's name.</summary>
 /// <param name="store">The store.</param>
 public sealed class CorrectionDecisions(CellStore store)
 {
-    /// <summary>Lets a correction go to its machine: one that waits for it, or one that failed there.</summary>
+    /// <summary>Approves a correction for its machine: one that waits for approval, or one that failed at the machine.</summary>
     /// <param name="id">Its number.</param>
     /// <param name="by">The user's name.</param>
-    /// <param name="reason">Why; null for none.</param>
+    /// <param name="reason">Why; null if no reason is given.</param>
     /// <exception cref="DecisionException">It cannot be approved.</exception>
     public Correction Approve(long id, string by, string? reason)
     {
@@ -20,7 +21,7 @@ public sealed class CorrectionDecisions(CellStore store)
         return Step(correction, CorrectionState.Approved, by, reason ?? Recorded.Approved.With(), c => c with { Code = null, Reason = null });
     }
 
-    /// <summary>Decides against a correction that is not at its machine.</summary>
+    /// <summary>Rejects a correction that is not at its machine.</summary>
     /// <param name="id">Its number.</param>
     /// <param name="by">The user's name.</param>
     /// <param name="reason">Why.</param>
@@ -31,10 +32,10 @@ public sealed class CorrectionDecisions(CellStore store)
         return Step(correction, CorrectionState.Rejected, by, reason, c => c with { Code = "rejected", Reason = reason });
     }
 
-    /// <summary>Says that the piece is cut, which frees the slot for the next.</summary>
+    /// <summary>Records that the piece is cut, which frees the slot for the next.</summary>
     /// <param name="id">Number of the correction that has the slot.</param>
     /// <param name="by">The user's name.</param>
-    /// <param name="reason">Why; null for none.</param>
+    /// <param name="reason">Why; null if no reason is given.</param>
     /// <exception cref="DecisionException">It cannot be released.</exception>
     public Correction Release(long id, string by, string? reason)
     {
@@ -53,7 +54,7 @@ public sealed class CorrectionDecisions(CellStore store)
         return correction;
     }
 
-    /// <summary>The correction of a number.</summary>
+    /// <summary>The correction with a given number.</summary>
     /// <exception cref="DecisionException">There is none.</exception>
     public Correction Demand(long id) =>
         store.Find(id) ?? throw new DecisionException(DecisionException.UnknownCorrection, FormattableString.Invariant($"There is no correction {id}. errormatch cell history lists those that there are."));

@@ -2,12 +2,12 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What corrections are computed from, as the store keeps it.</summary>
+/// <summary>Builds the inputs of corrections from the store.</summary>
 internal static class CorrectionRequests
 {
     /// <summary>The request of a recognized correction.</summary>
-    /// <param name="flow">What workers share.</param>
-    /// <param name="correction">The correction, with what it starts from and is compared with.</param>
+    /// <param name="flow">State shared by the workers.</param>
+    /// <param name="correction">The correction, with its base program and the measurement that it is compared with.</param>
     /// <param name="job">Its job.</param>
     /// <param name="measurement">Its measurement.</param>
     public static CorrectionRequest Of(CellFlow flow, Correction correction, CellJobSettings job, byte[] measurement) => new()
@@ -22,18 +22,15 @@ internal static class CorrectionRequests
         Identity = correction.Identity,
     };
 
-    // While nobody has said whether the piece was cut before or behind the last program, it may have been cut by that.
+    // Until someone records whether the piece was cut before or after the last program was sent, that program may have cut it.
     private static KeptFile? LastSent(CellStore store, Correction correction)
     {
         var cut = CutProgram.Of(store, correction);
         return (cut.By ?? cut.Undecided) is { ProgramSha256: { } program } sent ? new(sent.Program ?? FinishedSurface.Name, store.Content(program)) : null;
     }
 
-    /// <summary>The request of a correction that was computed, to tell whether another one would be made of its measurement now.</summary>
-    /// <param name="store">The store.</param>
-    /// <param name="correction">The correction.</param>
-    /// <param name="job">Its job.</param>
-    /// <exception cref="StoreException">What it was computed from is not kept.</exception>
+    /// <summary>The request of a computed correction, to determine whether its measurement would now give a different one.</summary>
+    /// <exception cref="StoreException">Its inputs are not in the store.</exception>
     public static CorrectionRequest Again(CellStore store, Correction correction, CellJobSettings job) => new()
     {
         Job = job,

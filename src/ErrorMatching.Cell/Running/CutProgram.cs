@@ -1,14 +1,14 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Which program cut a measured counterpart, where corrections add up.</summary>
+/// <summary>Determines which program cut a measured counterpart, if corrections accumulate.</summary>
 /// <param name="By">The correction that made it; null for the original program.</param>
-/// <param name="Undecided">The correction for which nobody has said yet whether the piece was cut before or behind it; null where it is known.</param>
+/// <param name="Undecided">The correction for which it is not recorded yet whether the piece was cut before or after it; null if
+/// known.</param>
 internal sealed record CutProgram(Correction? By, Correction? Undecided)
 {
-    /// <summary>
-    /// The last program of the piece's own serial number, else the last one of the job. A program has cut a piece when its correction is released; while one is verified, or was reverted and still has the slot, the measured
-    /// piece may have been cut by it or by the one before.
-    /// </summary>
+    /// <summary>The last program for the piece's own serial number, otherwise the last one of the job. A released correction's program has
+    /// cut a piece. While a correction is verified, or was reverted and still has the slot, either its program or the one before may have
+    /// cut the measured piece.</summary>
     /// <param name="store">The store.</param>
     /// <param name="counterpart">The correction of the measured piece, with job, serial number, machine and slot.</param>
     public static CutProgram Of(CellStore store, Correction counterpart)
@@ -25,7 +25,7 @@ internal sealed record CutProgram(Correction? By, Correction? Undecided)
         return holder is { State: CorrectionState.Reverted } && holder.Job == job && (own is null || holder.Serial == counterpart.Serial) ? new(null, holder) : new(last, null);
     }
 
-    /// <summary>The same for a correction that was made of its measurement before: what cut a piece does not change any more.</summary>
+    /// <summary>The same for a correction already computed from the measurement: the program that cut a piece no longer changes.</summary>
     /// <param name="store">The store.</param>
     /// <param name="made">A correction that was computed for a job that accumulates.</param>
     /// <returns>The correction whose program it adds to; null for the original program.</returns>
@@ -33,7 +33,7 @@ internal sealed record CutProgram(Correction? By, Correction? Undecided)
         ? null
         : store.OfProgram(job, program).LastOrDefault(c => c.Id < made.Id && c is { SumsSha256: not null, State: CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted });
 
-    /// <summary>Why nothing is computed while it is not known, and what to do.</summary>
+    /// <summary>Why nothing is computed until it is known, and what to do.</summary>
     public string Reason => Undecided is not { } held ? "" : held.State == CorrectionState.Reverted
         ? Recorded.NotReleasedReverted.With(held.Id, held.Slot, held.Machine, held.Id)
         : Recorded.NotReleased.With(held.Id, held.Slot, held.Machine, held.Id);

@@ -1,18 +1,18 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Asks a gauge's folder whether files can be seen in it and taken out of it, without changing anything there.</summary>
+/// <summary>Checks whether files in a gauge's folder can be seen and moved out, without changing anything there.</summary>
 /// <param name="gauge">The gauge, with a folder.</param>
-/// <param name="clock">Measures how long a share hangs.</param>
+/// <param name="clock">Measures how long a share has hung.</param>
 internal sealed class GaugeAnswer(GaugeSettings gauge, TimeProvider clock)
 {
     private static readonly TimeSpan Limit = TimeSpan.FromSeconds(20);
     private Task<AnswerProblem?>? _asking;
 
-    /// <summary>Asks.</summary>
-    /// <returns>Null if it answers.</returns>
+    /// <summary>Checks the folder.</summary>
+    /// <returns>Null if it responds.</returns>
     public async Task<AnswerProblem?> OfAsync(CancellationToken cancellation)
     {
-        // A share that hangs holds one thread, not one more each time.
+        // A share that hangs blocks one thread in total, not another one each time.
         if (_asking is not { IsCompleted: false })
         {
             _asking = Task.Run(Look, CancellationToken.None);

@@ -3,20 +3,21 @@ using System.Text.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The sign of life that a running cell leaves beside its logs every few seconds, for <c>cell status</c> in another process: since when it runs, and what keeps it from working.</summary>
+/// <summary>The heartbeat that a running cell writes next to its logs every few seconds, for <c>cell status</c> in another process: when it
+/// started, and what prevents it from working.</summary>
 /// <param name="ProcessId">The process.</param>
-/// <param name="Since">Since when it runs.</param>
-/// <param name="At">When it said so.</param>
-/// <param name="Troubles">What keeps it from working.</param>
+/// <param name="Since">When the cell started.</param>
+/// <param name="At">When the heartbeat was written.</param>
+/// <param name="Troubles">What prevents the cell from working.</param>
 public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffset At, IReadOnlyList<CellTrouble> Troubles)
 {
     private const string FileName = "running.json";
     private const int Room = 4096;
 
-    /// <summary>Older ones tell of a cell that does not run any more.</summary>
+    /// <summary>Maximum age: a cell with an older heartbeat is no longer running.</summary>
     public static TimeSpan Fresh { get; } = TimeSpan.FromSeconds(15);
 
-    /// <summary>The sign in a folder; null if there is none, or one that cannot be read.</summary>
+    /// <summary>The heartbeat in a folder; null if it is missing or unreadable.</summary>
     public static Heartbeat? Read(string folder)
     {
         try
@@ -29,7 +30,8 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
         }
     }
 
-    /// <summary>Leaves the sign: whole, but without waiting for the disk. On a full disk it is written over the one before, so that a cell is not taken for dead because it has no room to say that it lives.</summary>
+    /// <summary>Writes the heartbeat: complete, but without waiting for the disk. On a full disk it overwrites the previous one in place,
+    /// so that a lack of space does not make the cell look dead.</summary>
     public void Write(string folder)
     {
         Directory.CreateDirectory(folder);
@@ -37,7 +39,7 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
         var written = string.Create(CultureInfo.InvariantCulture, $"{file}.{ProcessId}");
         var sign = JsonSerializer.SerializeToUtf8Bytes(this);
 
-        // Spaces behind it keep the room that troubles to come may need.
+        // Trailing spaces reserve room for later troubles.
         byte[] bytes = [.. sign, .. Enumerable.Repeat((byte)' ', Math.Max(0, Room - sign.Length))];
         try
         {
@@ -52,9 +54,10 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
         }
     }
 
-    /// <summary>Takes the sign away: the cell has ended in order.</summary>
+    /// <summary>Removes the heartbeat after an orderly end.</summary>
     public static void Remove(string folder) => File.Delete(Path.Combine(folder, FileName));
 
-    /// <summary>True if the cell lived just now. A sign from the future is none: the clock was set back since.</summary>
+    /// <summary>True if the cell was running a moment ago. A heartbeat from the future is not fresh: the clock has been set back
+    /// since.</summary>
     public bool IsFresh(DateTimeOffset now) => (now - At).Duration() < Fresh;
 }

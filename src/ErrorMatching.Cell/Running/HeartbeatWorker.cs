@@ -1,13 +1,13 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Says every few seconds that the cell runs and what keeps it from working.</summary>
+/// <summary>Reports every few seconds that the cell runs and what prevents it from working.</summary>
 internal sealed class HeartbeatWorker(CellFlow flow, Action? alive)
 {
     private static readonly TimeSpan Remembering = TimeSpan.FromSeconds(30);
     private readonly DateTimeOffset _since = flow.Clock.GetUtcNow();
     private long _remembered = flow.Clock.GetTimestamp();
 
-    /// <summary>Says so once.</summary>
+    /// <summary>Reports once.</summary>
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
         stop.ThrowIfCancellationRequested();
@@ -15,7 +15,7 @@ internal sealed class HeartbeatWorker(CellFlow flow, Action? alive)
         Try("signs of life", () => new Heartbeat(Environment.ProcessId, _since, flow.Clock.GetUtcNow(), flow.Troubles.Open).Write(flow.Settings.LogFolder));
         if (flow.Clock.GetElapsedTime(_remembered) > Remembering)
         {
-            // The more often the end of the audit trail is remembered elsewhere, the less can be cut off unseen.
+            // The more often the trail's end is remembered elsewhere, the less can be cut off unnoticed.
             Try("end of the audit trail", () => new AuditTrail(flow.Store, flow.Settings.KeysFolder).Remember());
             _remembered = flow.Clock.GetTimestamp();
         }
@@ -23,7 +23,7 @@ internal sealed class HeartbeatWorker(CellFlow flow, Action? alive)
         return Task.FromResult(flow.Pace.Heartbeat);
     }
 
-    // A full disk of the logs or keys is a trouble to be told. It must not make the heart beat slower, or the cell would be taken for dead and ended.
+    // A full disk for logs or keys is reported as a trouble. It must not slow the heartbeat, or the cell would look dead and be killed.
     private void Try(string what, Action work)
     {
         try

@@ -2,14 +2,8 @@ using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// Reads again what a taken slot holds: its program was verified, and the piece that is cut is taken for cut by it. A difference is kept,
-/// told as a trouble and in the audit trail, and ends with the program or with a person's decision.
-/// </summary>
-/// <param name="flow">What workers share.</param>
-/// <param name="machine">The machine.</param>
-/// <param name="slot">The slot.</param>
-/// <param name="sender">Reads the machine's programs.</param>
+/// <summary>Reads the program of a taken slot again: it was verified, and the piece cut next is assumed to be cut by it. A difference is
+/// stored and reported as a trouble and in the audit trail. The report ends when the program is back or a person decides.</summary>
 internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSettings slot, ProgramSender sender)
 {
     private const string Missing = "missing";
@@ -18,17 +12,17 @@ internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSe
     private long _readAt;
     private string? _told;
 
-    /// <summary>True if the slot was found to hold another program when it was last read.</summary>
+    /// <summary>True if the last read found another program in the slot.</summary>
     public bool IsChanged => _told is not null;
 
-    /// <summary>The slot was just found to hold what it should.</summary>
+    /// <summary>The slot was just found to hold the right program.</summary>
     public void IsAsVerified(long id, string? program)
     {
         (_of, _readAt) = ((id, program), flow.Clock.GetTimestamp());
         End();
     }
 
-    /// <summary>Nothing is held any more: somebody decided.</summary>
+    /// <summary>The slot is no longer held: someone decided.</summary>
     public void End()
     {
         _told = null;
@@ -38,14 +32,14 @@ internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSe
         }
     }
 
-    /// <summary>How long until it is to be read again; nothing where it was not read yet.</summary>
+    /// <summary>How long until the next read; zero if it has not been read yet.</summary>
     public TimeSpan Wait(long id, string? program) =>
         _of == (id, program) && flow.Clock.GetElapsedTime(_readAt) is var since && since < flow.Pace.Held
             ? flow.Pace.Held - since
             : TimeSpan.Zero;
 
-    /// <summary>Reads it.</summary>
-    /// <returns>True if it is what it should be.</returns>
+    /// <summary>Reads the program.</summary>
+    /// <returns>True if it is the right one.</returns>
     /// <exception cref="TransportException">It cannot be read.</exception>
     public async Task<bool> ReadAsync(Correction held, string? program, CancellationToken cancellation)
     {
@@ -66,7 +60,7 @@ internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSe
         var sentence = Recorded.ChangedWhileHeld.With(slot.Program, machine.Name, held.Id, hash ?? Missing);
         if (_of.Id != held.Id || _told != (hash ?? Missing))
         {
-            // Kept first: what somebody made there may be gone a moment later.
+            // Stored first: what a person changed there may be gone a moment later.
             flow.Store.Audit(CellFlow.ByCell, CellCodes.ChangedAtMachine, sentence, Subject, found);
         }
 

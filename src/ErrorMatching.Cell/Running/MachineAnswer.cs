@@ -1,17 +1,17 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Asks a machine whether it answers, without changing anything there.</summary>
+/// <summary>Checks whether a machine responds, without changing anything there.</summary>
 internal static class MachineAnswer
 {
-    /// <summary>Asks.</summary>
-    /// <returns>Null if it answers.</returns>
+    /// <summary>Checks the machine.</summary>
+    /// <returns>Null if it responds.</returns>
     public static async Task<AnswerProblem?> OfAsync(MachineSettings machine, IMachineFolder folder, CancellationToken cancellation)
     {
         try
         {
             await folder.ListAsync(cancellation);
 
-            // Programs are written there. A server tells only when one is.
+            // Programs are written there. A server tells whether that is possible only when one is written.
             return machine is { Transport.LocalFolder: { } path, Slots.Count: > 0 } && OperatingSystem.IsLinux()
                 && LinuxCalls.WhyNotWritable(path) is { } why
                 ? Problem(TransportFailure.Of(TransportError.Denied, machine.Name, $"looking whether programs may be written into {path}",

@@ -1,9 +1,10 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>The names in a machine's folder, listed once for all slots that ask at about the same time: a control is no server for many.</summary>
+/// <summary>The names in a machine's folder, listed once for all slots that ask at about the same time, because a control cannot serve many
+/// requests.</summary>
 /// <param name="folder">The machine's folder.</param>
 /// <param name="clock">The clock.</param>
-/// <param name="age">A listing that is older is not handed out again.</param>
+/// <param name="age">Maximum age of a listing to be returned again.</param>
 internal sealed class MachineListing(IMachineFolder folder, TimeProvider clock, TimeSpan age)
 {
     private readonly Lock _gate = new();
@@ -11,9 +12,9 @@ internal sealed class MachineListing(IMachineFolder folder, TimeProvider clock, 
     private long _begun;
 
     /// <summary>The names.</summary>
-    /// <param name="notBefore">The listing must have begun at this timestamp or later: what lay there before counts for nothing.</param>
-    /// <param name="cancellation">Ends it, for all who wait for it.</param>
-    /// <exception cref="TransportException">The machine cannot be asked.</exception>
+    /// <param name="notBefore">The listing must have started at this timestamp or later: earlier files must be ignored.</param>
+    /// <param name="cancellation">Cancels the listing for all callers that wait for it.</param>
+    /// <exception cref="TransportException">The machine cannot be listed.</exception>
     public Task<IReadOnlyList<string>> NamesAsync(long notBefore, CancellationToken cancellation)
     {
         lock (_gate)

@@ -3,12 +3,12 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The programs that jobs start from, as they lie on the disk now.</summary>
+/// <summary>The base programs of jobs, as they are on disk now.</summary>
 internal sealed class OriginalPrograms(CellSettings settings)
 {
-    /// <summary>The original program of a job; null for a free-form job whose tool path is computed.</summary>
+    /// <summary>The original program of a job; null for a free-form job that computes its tool path.</summary>
     /// <exception cref="InputException">The job or the program cannot be opened.</exception>
-    /// <exception cref="Json.JsonDocumentException">The job cannot be used.</exception>
+    /// <exception cref="Json.JsonDocumentException">The job is invalid.</exception>
     public static ReadOnlyMemory<byte>? Of(CellJobSettings job)
     {
         if (!job.IsFreeform)
@@ -19,7 +19,8 @@ internal sealed class OriginalPrograms(CellSettings settings)
         return job.Program is { } program ? InputFile.Program(program) : null;
     }
 
-    /// <summary>Hashes of the original programs of all jobs of a slot, those left out that cannot be read: what cannot be read cannot have been put there from here.</summary>
+    /// <summary>Hashes of the original programs of all jobs of a slot. Programs that cannot be read are omitted: they cannot have been
+    /// copied to the machine from here.</summary>
     public IReadOnlySet<string> Hashes(string machine, string slot)
     {
         var hashes = new HashSet<string>(StringComparer.Ordinal);
@@ -34,7 +35,7 @@ internal sealed class OriginalPrograms(CellSettings settings)
             }
             catch (Exception e) when (e is InputException or Json.JsonDocumentException)
             {
-                // Its own measurements say so.
+                // The job's own measurements report it.
             }
         }
 

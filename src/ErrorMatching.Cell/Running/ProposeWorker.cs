@@ -1,19 +1,19 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Proposes what is computed, lets a newer measurement take the place of older ones of the same piece, and approves where the policy says so.</summary>
+/// <summary>Proposes computed corrections, supersedes older ones of the same piece, and approves by the policy.</summary>
 internal sealed class ProposeWorker(CellFlow flow)
 {
     private const int Most = 100;
     private const int MostOfOneSerial = 1000;
     private bool _hasLookedBack;
 
-    /// <summary>Does what there is to do.</summary>
+    /// <summary>Processes all pending work.</summary>
     /// <returns>How long to wait before looking again.</returns>
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
         if (!_hasLookedBack)
         {
-            // What the policy approves was left over if the cell ended between the two steps, or if the policy changed.
+            // Automatic approvals are left over if the cell ended between the two steps, or if the policy changed.
             foreach (var proposed in flow.Store.First(CorrectionState.Proposed, int.MaxValue, jobs: flow.Jobs))
             {
                 try
@@ -67,7 +67,7 @@ internal sealed class ProposeWorker(CellFlow flow)
             return;
         }
 
-        // First the older ones: should the cell end in between, this one is still computed and comes here again.
+        // The older ones first: if the cell ends in between, this one is still in the computed state and is processed again.
         foreach (var older in others.Where(c => c.Turn < computed.Turn && CorrectionSteps.Allows(c.State, CorrectionState.Superseded)))
         {
             Supersede(older, computed);
@@ -78,7 +78,7 @@ internal sealed class ProposeWorker(CellFlow flow)
 
     private void ApproveByPolicy(Correction proposed)
     {
-        // The limits may have become narrower since it was computed: then a person decides.
+        // The limits may have become tighter since it was computed: then a person decides.
         if (flow.PolicyOf(proposed) is { Automatic: true } policy && IsWithin(proposed, policy))
         {
             flow.Step(proposed, CorrectionState.Approved, policy.LimitMm is { } mm ? Recorded.PolicyWithin.With(mm) : Recorded.Policy.With());

@@ -1,13 +1,14 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Finds out whose measurement an archived file is and what its correction stands on, and refuses what was there before.</summary>
+/// <summary>Determines whose measurement an archived file is and what its correction is based on, and refuses repeated
+/// measurements.</summary>
 internal sealed class RecognizeWorker(CellFlow flow)
 {
     private const int Most = 100;
     private readonly Recognizer _recognizer = new(flow.Settings);
     private readonly CorrectionComputer _computer = new(flow.Settings.Policy);
 
-    /// <summary>Recognizes what is archived, in order of arrival.</summary>
+    /// <summary>Recognizes archived files, in order of arrival.</summary>
     /// <returns>How long to wait before looking again.</returns>
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
@@ -101,15 +102,16 @@ internal sealed class RecognizeWorker(CellFlow flow)
         }
     }
 
-    // Where corrections add up, each starts from another program, so that its identity is another one: the same file again is the same measurement all the same, and must not be added twice.
+    // If corrections accumulate, each has another base program and so another identity. The same file is still the same measurement, and
+    // must not be added twice.
     private Correction? Earlier(Correction known, CellJobSettings job) => !job.Accumulates ? null : flow.Store.OfMeasurement(known.MeasurementSha256)
         .FirstOrDefault(c => c.Id != known.Id && c.Job == known.Job && c.Piece == known.Piece && c.Identity is not null);
 
-    // The part whose program cut it, where parts make programs. What one of the two does not say itself may be anything.
+    // The part whose program cut it, if parts make programs. A value that either of the two lacks may be anything.
     private Correction? LastCut(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)
         .Select(j => flow.Store.LastSent(j.Name, counterpart.Serial)).OfType<Correction>().Where(c => c.Piece == "part" && (counterpart.WorkOrder is null || c.WorkOrder is null || c.WorkOrder == counterpart.WorkOrder)).MaxBy(c => c.Id);
 
-    // A configuration may name one job's file twice, once for each piece.
+    // A configuration may name the same job file twice, once for each piece.
     private Correction? LastPart(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)
         .Select(j => flow.Store.LastPart(j.Name, counterpart.Serial, counterpart.WorkOrder)).OfType<Correction>().MaxBy(c => c.Turn);
 

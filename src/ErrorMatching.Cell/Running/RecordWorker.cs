@@ -1,12 +1,12 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Looks every few seconds whether somebody else wrote to the store: to users, slots, corrections that are not at their end, or
-/// the form of the database.</summary>
+/// <summary>Checks every few seconds whether the store was changed from outside the cell: users, slots, corrections that have not ended, or
+/// the schema.</summary>
 internal sealed class RecordWorker(CellFlow flow)
 {
     private const string Where = "record";
 
-    /// <summary>Looks once.</summary>
+    /// <summary>Checks once.</summary>
     /// <returns>How long to wait before looking again.</returns>
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {

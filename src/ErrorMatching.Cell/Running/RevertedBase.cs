@@ -4,16 +4,16 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A program that a correction adds to, and that was taken back meanwhile: what is built on it is not sent.</summary>
+/// <summary>A reverted program that a correction builds on. Such a correction is not sent.</summary>
 /// <param name="By">The correction that made the program and was reverted.</param>
 internal sealed record RevertedBase(Correction By)
 {
     /// <summary>Why the correction is not sent, and what to do.</summary>
     public string Reason => Recorded.BaseReverted.With(By.Id, By.Reason);
 
-    /// <summary>The reverted program that a correction adds to; null where it adds to none, or to one that was not reverted.</summary>
-    /// <param name="flow">What workers share.</param>
-    /// <param name="correction">A correction that is computed.</param>
+    /// <summary>The reverted program that a correction builds on; null if it builds on none, or on one that was not reverted.</summary>
+    /// <param name="flow">State shared by the workers.</param>
+    /// <param name="correction">A computed correction.</param>
     public static RevertedBase? Of(CellFlow flow, Correction correction)
     {
         if (correction is not { BaseSha256: { } program, SumsSha256: not null, Job: { } job })
@@ -27,7 +27,7 @@ internal sealed record RevertedBase(Correction By)
             : new(reverted);
     }
 
-    // A correction that had nothing to displace sent the original itself.
+    // If there was nothing to displace, a correction sent the original itself.
     private static bool IsOriginal(CellFlow flow, string job, string sha256)
     {
         try
@@ -36,7 +36,7 @@ internal sealed record RevertedBase(Correction By)
         }
         catch (Exception e) when (e is InputException or JsonDocumentException or NcException)
         {
-            // What cannot be read now cannot be told from the reverted one: that stays the careful answer.
+            // An unreadable program cannot be distinguished from the reverted one, so this gives the cautious answer.
             return false;
         }
     }

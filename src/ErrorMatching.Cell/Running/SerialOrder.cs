@@ -1,12 +1,12 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Orders serial numbers as people count: digits as numbers, so that 9 comes before 10, everything else by its characters. What has no serial number comes last.</summary>
+/// <summary>Orders serial numbers as people count: digits as numbers, so that 9 comes before 10, everything else by character. Pieces
+/// without a serial number come last.</summary>
 internal sealed class SerialOrder : IComparer<string?>
 {
-    /// <summary>The order.</summary>
+    /// <summary>The shared instance.</summary>
     public static SerialOrder Instance { get; } = new();
 
-    /// <inheritdoc/>
     public int Compare(string? x, string? y)
     {
         if (x is null || y is null)
@@ -39,7 +39,7 @@ internal sealed class SerialOrder : IComparer<string?>
         return rest != 0 ? rest : string.CompareOrdinal(x, y);
     }
 
-    // The digits from a place without leading zeros.
+    // The digits from a position, without leading zeros.
     private static ReadOnlySpan<char> Digits(string text, ref int at)
     {
         var start = at;

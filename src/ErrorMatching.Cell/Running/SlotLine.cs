@@ -1,13 +1,11 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>The line in front of a slot: who is next.</summary>
-/// <remarks>
-/// The machine cuts its pieces in an order that people keep, and each piece has a program of its own. So nobody overtakes: what is still being computed, waits for a person, or failed at the machine
-/// holds those behind it until somebody decides.
-/// </remarks>
+/// <summary>The line for a slot: which correction is next.</summary>
+/// <remarks>The machine cuts its pieces in an order that people keep, and each piece has its own program. So corrections never overtake:
+/// one that is being computed, waits for a person, or failed at the machine blocks those after it until someone decides.</remarks>
 internal static class SlotLine
 {
-    /// <summary>The first in line; null if nobody is. It goes to the machine only if it is approved.</summary>
+    /// <summary>The first in line; null if the line is empty. It goes to the machine only if it is approved.</summary>
     /// <param name="line">The corrections in line, in order of arrival.</param>
     /// <param name="inOrderOfSerial">Whether a job goes by serial number.</param>
     public static Correction? First(IReadOnlyList<Correction> line, Func<string, bool> inOrderOfSerial)
@@ -21,7 +19,7 @@ internal static class SlotLine
         return inOrderOfSerial(first.Job!) ? line.Where(c => c.Job == first.Job).MinBy(c => c.Serial, SerialOrder.Instance) : first;
     }
 
-    /// <summary>All in the order in which they are sent if nothing changes.</summary>
+    /// <summary>All corrections in the order in which they will be sent if nothing changes.</summary>
     /// <param name="line">The corrections in line, in order of arrival.</param>
     /// <param name="inOrderOfSerial">Whether a job goes by serial number.</param>
     public static IReadOnlyList<Correction> Order(IReadOnlyList<Correction> line, Func<string, bool> inOrderOfSerial)
@@ -31,7 +29,7 @@ internal static class SlotLine
         var sent = new HashSet<long>();
         foreach (var next in line)
         {
-            // Whose turn it is by arrival lets those of its job with lower serial numbers go before.
+            // The next one by arrival lets those of its job with lower serial numbers go first.
             while (!sent.Contains(next.Id))
             {
                 var first = bySerial.TryGetValue(next.Job!, out var queue) ? queue.Dequeue() : next;

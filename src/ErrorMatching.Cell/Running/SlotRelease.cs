@@ -2,18 +2,18 @@ using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Releases a correction after its program was read again at the machine: who says that the piece is cut says by which program.
-/// Where that one is not there, or cannot be read, the person has to say why.</summary>
+/// <summary>Releases a correction after reading its program at the machine again: reporting a piece as cut also states which program cut
+/// it. If the program has changed or cannot be read, the person must give a reason.</summary>
 /// <param name="settings">The configuration.</param>
 /// <param name="store">The store.</param>
 /// <param name="open">Opens a machine's folder, such as by <see cref="MachineFolders.Open"/>.</param>
 public sealed class SlotRelease(CellSettings settings, CellStore store, Func<MachineSettings, IMachineFolder> open)
 {
-    /// <summary>Says that the piece is cut, which frees the slot for the next.</summary>
+    /// <summary>Records that the piece is cut, which frees the slot for the next.</summary>
     /// <param name="id">Number of the correction that has the slot.</param>
     /// <param name="by">The user's name.</param>
-    /// <param name="reason">Why; null for none.</param>
-    /// <param name="cancellation">Ends the reading; nothing is released then.</param>
+    /// <param name="reason">Why; null if no reason is given.</param>
+    /// <param name="cancellation">Cancels the read; then nothing is released.</param>
     /// <exception cref="DecisionException">It cannot be released.</exception>
     /// <exception cref="TransportException">The program cannot be read, and no reason is given.</exception>
     public async Task<Correction> ReleaseAsync(long id, string by, string? reason, CancellationToken cancellation)

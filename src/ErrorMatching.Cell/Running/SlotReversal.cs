@@ -2,7 +2,8 @@ using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Brings back the program that a slot held before a correction, and reads it back. The slot stays taken until somebody frees it: whoever reverted looks first.</summary>
+/// <summary>Restores the program that a slot held before a correction, and reads it back. The slot stays taken until someone frees it: the
+/// person who reverted must check first.</summary>
 /// <param name="settings">The configuration.</param>
 /// <param name="store">The store.</param>
 /// <param name="open">Opens a machine's folder, such as by <see cref="MachineFolders.Open"/>.</param>
@@ -16,9 +17,10 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
     /// <param name="id">Its number.</param>
     /// <param name="by">The user's name.</param>
     /// <param name="reason">Why.</param>
-    /// <param name="cancellation">Ends it; the slot then holds the correction's program or the one before, whole, and the same call goes on.</param>
+    /// <param name="cancellation">Cancels the operation; the slot then holds the correction's program or the previous one, complete, and
+    /// the same call continues from there.</param>
     /// <exception cref="DecisionException">It cannot be reverted.</exception>
-    /// <exception cref="TransportException">The machine did not take the program.</exception>
+    /// <exception cref="TransportException">The machine did not accept the program.</exception>
     public async Task<Correction> RevertAsync(long id, string by, string reason, CancellationToken cancellation)
     {
         var decisions = new CorrectionDecisions(store);
@@ -35,7 +37,7 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
             throw new DecisionException(DecisionException.WrongState, FormattableString.Invariant($"Slot {correction.Slot} of {correction.Machine} is not in {settings.File} any more: bring it back there first."));
         }
 
-        // What is brought back is named by its row.
+        // The correction's row names the program to restore.
         store.DemandRecorded(correction);
         using var slotLock = await LockAsync(machine.Name, slot.Name, cancellation)
             ?? throw new DecisionException(DecisionException.SlotTaken, FormattableString.Invariant($"A program is being sent to slot {slot.Name} of {machine.Name} just now: try again in a moment."));
@@ -75,24 +77,24 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
 
         if (slot.ReadyFile is { } ready)
         {
-            // It tells of the program that is taken back.
+            // It belongs to the program that is being reverted.
             await folder.DeleteAsync(ready, cancellation);
         }
 
         if (found == previous)
         {
-            // An earlier call was cut behind this.
+            // An earlier call was interrupted after this.
             return;
         }
 
-        // Before anything changes at the machine: should this be cut, the trail names who began it.
+        // Before anything changes at the machine: if this is interrupted, the trail names the person who started it.
         store.Audit(by, "reverting", reason, Recorded.Correction.With(correction.Id));
         await sender.SendAsync(slot.Program, found, store.Content(previous), FormattableString.Invariant($"revert{correction.Id}"),
             cancellation);
     }
 
 
-    // Whoever has just sent a program holds the slot a moment longer than the store says that it is there.
+    // A worker that has just sent a program holds the slot a moment longer than the store shows.
     private async Task<ISlotLock?> LockAsync(string machine, string slot, CancellationToken cancellation)
     {
         for (var tries = Tries; ; tries--)

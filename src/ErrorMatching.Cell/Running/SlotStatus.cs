@@ -1,30 +1,31 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>How a slot is.</summary>
+/// <summary>The status of a slot.</summary>
 /// <param name="Machine">The machine.</param>
 /// <param name="Slot">The slot.</param>
 /// <param name="Holding">What it holds.</param>
 /// <param name="Held">The correction that has it; null if it is free.</param>
-/// <param name="Line">All that stand in line for it, in the order in which they are sent if nothing changes: nobody overtakes.</param>
+/// <param name="Line">Its line, in the order in which corrections will be sent if nothing changes; they never overtake.</param>
 public sealed record SlotStatus(MachineSettings Machine, SlotSettings Slot, SlotHolding Holding, Correction? Held, IReadOnlyList<Correction> Line)
 {
     private const int MostNext = 5;
 
-    /// <summary>How many stand in line for it.</summary>
+    /// <summary>The length of the line.</summary>
     public int Waiting => Line.Count;
 
-    /// <summary>The first of them.</summary>
+    /// <summary>The first of the line.</summary>
     public IReadOnlyList<Correction> Next => [.. Line.Take(MostNext)];
 
-    /// <summary>Those of them that are approved: the first hundred.</summary>
+    /// <summary>The approved ones in line: the first hundred.</summary>
     public IReadOnlyList<Correction> Approved => [.. Line.Where(c => c.State == CorrectionState.Approved).Take(CellStatus.Most)];
 
-    /// <summary>Those of <see cref="Approved"/> that wait behind others about which somebody has to decide first, in the order of the line.</summary>
+    /// <summary>Those of <see cref="Approved"/> that wait for a decision about others before them, in line order.</summary>
     public IReadOnlyList<HeldUpCorrection> HeldUp => [.. Approved.Select(c => new HeldUpCorrection(c, UndecidedBefore(c.Id))).Where(h => h.Behind.Count > 0)];
 
-    /// <summary>About whom somebody has to decide before a correction can be sent: those before it in line that are proposed or failed at the machine.</summary>
+    /// <summary>The corrections that must be decided before a correction can be sent: those before it in line that are proposed or failed
+    /// at the machine.</summary>
     /// <param name="id">Number of the correction.</param>
-    /// <returns>In the order of the line; none if the correction is not in this line.</returns>
+    /// <returns>In line order; none if the correction is not in this line.</returns>
     public IReadOnlyList<Correction> UndecidedBefore(long id) =>
         Line.Any(c => c.Id == id) ? [.. Line.TakeWhile(c => c.Id != id).Where(c => c.State is CorrectionState.Proposed or CorrectionState.Failed)] : [];
 

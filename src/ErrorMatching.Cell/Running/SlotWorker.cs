@@ -3,13 +3,14 @@ using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Serves one slot: sends who is next in line, and frees the slot when the machine says that the piece is cut.</summary>
-/// <param name="flow">What workers share.</param>
+/// <summary>Serves one slot: sends the next correction in line, and frees the slot when the machine reports that the piece is
+/// cut.</summary>
+/// <param name="flow">State shared by the workers.</param>
 /// <param name="machine">The machine.</param>
 /// <param name="slot">The slot.</param>
-/// <param name="folder">The machine's programs.</param>
-/// <param name="sender">Brings programs into the folder, and reads them.</param>
-/// <param name="listing">What lies there, for ready files.</param>
+/// <param name="folder">The machine's program folder.</param>
+/// <param name="sender">Sends programs to the folder, and reads them.</param>
+/// <param name="listing">The folder's listing, for ready files.</param>
 /// <param name="originals">The original programs of the slot's jobs.</param>
 internal sealed class SlotWorker(
     CellFlow flow, MachineSettings machine, SlotSettings slot, IMachineFolder folder, ProgramSender sender, MachineListing listing,
@@ -21,7 +22,7 @@ internal sealed class SlotWorker(
     private long _nextReady;
     private bool _isInOrder;
 
-    /// <summary>Does what there is to do at the slot.</summary>
+    /// <summary>Processes the slot's pending work.</summary>
     /// <returns>How long to wait before looking again.</returns>
     public async Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
@@ -48,7 +49,7 @@ internal sealed class SlotWorker(
             return flow.Pace.Locked;
         }
 
-        // Whoever had the lock may have taken a step meanwhile.
+        // The previous owner of the lock may have taken a step meanwhile.
         if (flow.Store.Find(correction.Id)!.Version != correction.Version)
         {
             return TimeSpan.Zero;
@@ -75,7 +76,7 @@ internal sealed class SlotWorker(
         return TimeSpan.Zero;
     }
 
-    // Looks what the machine holds, keeps it, and takes the slot. Nothing is changed at the machine yet.
+    // Reads and stores the machine's current program, and takes the slot. Nothing is changed at the machine yet.
     private async Task<Correction?> TakeAsync(Correction approved)
     {
         if (RevertedBase.Of(flow, approved) is { } reverted)
@@ -107,7 +108,7 @@ internal sealed class SlotWorker(
             approved,
             CorrectionState.Uploading,
             hash is null ? Recorded.SlotEmpty.With() : Recorded.SlotHeld.With(hash),
-            // A stranger's program is named by the step that refuses it: should the process end in between, the next one finds a stranger again.
+            // Only the step that refuses an unknown program names it: if the process ends in between, the next one finds it unknown again.
             c => isKnown ? c with { PreviousSha256 = hash } : c,
             isKnown && found is not null ? [found] : null);
         if (isKnown)
@@ -123,7 +124,7 @@ internal sealed class SlotWorker(
     {
         var holding = flow.Store.Slot(machine.Name, slot.Name);
         return hash is null || hash == holding.ProgramSha256 || hash == holding.PreviousSha256 || hash == approved.ProgramSha256
-            || hash == approved.PreviousSha256 // Found before: either it was known then, or a person approved again who had been told.
+            || hash == approved.PreviousSha256 // Found earlier: it was known then, or a person was warned and approved again.
             || originals.Hashes(machine.Name, slot.Name).Contains(hash);
     }
 
@@ -138,7 +139,7 @@ internal sealed class SlotWorker(
         return await sender.CurrentAsync(slot.Program, cancellation);
     }
 
-    // The slot is taken; the machine may hold the old program, the new one, or what a cut left of both.
+    // The slot is taken. The machine may hold the old program, the new one, or what an interruption left of both.
     private async Task SendAsync(Correction uploading, ISlotLock slotLock)
     {
         try
@@ -171,7 +172,7 @@ internal sealed class SlotWorker(
         {
             var found = await LookAsync(flow.Finish);
             var hash = HashOf(found);
-            // Where old and new are the same, a ready file may still tell of the old one: then it is sent again.
+            // If the old and the new program are the same, a ready file may still belong to the old one: then the program is sent again.
             if (hash == uploading.ProgramSha256 && hash != uploading.PreviousSha256)
             {
                 return Recorded.HeldAfterCut.With();
@@ -188,14 +189,14 @@ internal sealed class SlotWorker(
             throw new StoreException(StoreError.Away, $"The right to send to slot {slot.Name} of {machine.Name} was lost with the connection to the store.");
         }
 
-        // Once more, for what somebody did to the store since the slot was taken.
+        // Again, for changes to the store since the slot was taken.
         flow.DemandRecorded(uploading);
 
-        // From here on a cut may leave anything.
+        // From here on an interruption may leave any state.
         _isInOrder = false;
         if (slot.ReadyFile is { } ready)
         {
-            // One that lies there tells of the program before.
+            // An existing ready file belongs to the previous program.
             await folder.DeleteAsync(ready, flow.Finish);
         }
 
@@ -214,7 +215,8 @@ internal sealed class SlotWorker(
         _nextReady = 0;
     }
 
-    // After all tries: the slot is brought back into order if the machine can be reached, and given back if it then holds what it held. Else the correction keeps it, and the next look goes on.
+    // After all attempts: recovers the slot if the machine can be reached, and gives it back if it then holds its previous program.
+    // Otherwise the correction keeps the slot, and the next look continues.
     private async Task GiveBackAsync(Correction uploading, TransportException? cause, string basis, CancellationToken cancellation)
     {
         _isInOrder = false;
@@ -267,14 +269,14 @@ internal sealed class SlotWorker(
             c => c with { Code = code, Reason = reason, PreviousSha256 = found is null ? c.PreviousSha256 : HashOf(found) },
             found is null ? null : [found]);
 
-    // What is cut with a program that somebody changed is no piece of the correction's, whatever the machine says of its end.
+    // A piece cut with a changed program is not the correction's, whatever the machine reports.
     private async Task<TimeSpan> WatchAsync(Correction held, SlotHolding holding, CancellationToken stop)
     {
         var program = held.State == CorrectionState.Verified ? held.ProgramSha256 : holding.ProgramSha256;
         var wait = _held.Wait(held.Id, program);
         if (wait == TimeSpan.Zero)
         {
-            // With the right to the slot: who is just taking the program back changes it, and is nobody's stranger.
+            // With the slot's lock: a revert in progress changes the program too, and must not be reported as a foreign change.
             using var slotLock = flow.Store.TryLockSlot(machine.Name, slot.Name);
             if (slotLock is null)
             {
@@ -295,7 +297,7 @@ internal sealed class SlotWorker(
 
     private static TimeSpan Shorter(TimeSpan one, TimeSpan other) => one < other ? one : other;
 
-    // The step comes first: a ready file that outlives it is stale, and removed before the next program is sent.
+    // The step comes first: a ready file that outlives it is stale, and is removed before the next program is sent.
     private async Task<TimeSpan> LookForReadyAsync(Correction held, string? program, CancellationToken stop)
     {
         if (slot.ReadyFile is not { } ready)
@@ -306,7 +308,7 @@ internal sealed class SlotWorker(
         var now = flow.Clock.GetTimestamp();
         if (_seen != (held.Id, held.State))
         {
-            // Only what is listed from here on tells of this program: whoever sent it or brought it back had removed the ready file before.
+            // Only listings from now on show this program's ready file: the ready file was removed before the program was sent or restored.
             (_seen, _seenAt) = ((held.Id, held.State), now);
         }
 
@@ -322,7 +324,8 @@ internal sealed class SlotWorker(
             return flow.Pace.Ready;
         }
 
-        // With the right to the slot: were the next one sent by another cell before the file is removed, the file of its own piece would be taken away, and the slot never become free.
+        // With the slot's lock: if another cell sent the next program before the file is removed, this would delete the ready file of the
+        // next piece, and the slot would never become free.
         using var slotLock = flow.Store.TryLockSlot(machine.Name, slot.Name);
         if (slotLock is null)
         {

@@ -8,10 +8,10 @@ internal sealed class SourceWorker : IDisposable
     private readonly FileSource? _files;
     private readonly MachineSource? _logs;
 
-    /// <summary>A worker of a gauge.</summary>
-    /// <param name="flow">What workers share.</param>
+    /// <summary>Creates the worker of a gauge.</summary>
+    /// <param name="flow">State shared by the workers.</param>
     /// <param name="gauge">The gauge.</param>
-    /// <param name="open">Opens the machine's folder of a gauge whose logs are fetched.</param>
+    /// <param name="open">Opens the machine's folder for a gauge whose logs are fetched.</param>
     public SourceWorker(CellFlow flow, GaugeSettings gauge, Func<MachineSettings, IMachineFolder> open)
     {
         (_flow, _gauge) = (flow, gauge);
@@ -25,7 +25,7 @@ internal sealed class SourceWorker : IDisposable
         }
     }
 
-    /// <summary>Takes what is finished.</summary>
+    /// <summary>Takes the finished files.</summary>
     /// <returns>How long to wait before looking again.</returns>
     public async Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
@@ -42,7 +42,6 @@ internal sealed class SourceWorker : IDisposable
         return TimeSpan.Zero;
     }
 
-    /// <inheritdoc/>
     public void Dispose() => _files?.Dispose();
 
     private void Archive(Arrival arrival)

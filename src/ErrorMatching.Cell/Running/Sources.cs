@@ -1,12 +1,11 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>The workers of all gauges, which listen to the system until they are disposed of.</summary>
+/// <summary>The workers of all gauges, which listen for folder changes until they are disposed of.</summary>
 internal sealed class Sources(CellFlow flow, Func<MachineSettings, IMachineFolder> open) : IDisposable
 {
     /// <summary>Each gauge's name and worker.</summary>
     public IReadOnlyList<(string Gauge, SourceWorker Source)> All { get; } = [.. flow.Settings.Gauges.Select(g => (g.Name, new SourceWorker(flow, g, open)))];
 
-    /// <inheritdoc/>
     public void Dispose()
     {
         foreach (var (_, source) in All)

@@ -3,10 +3,10 @@ using Serilog.Events;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>How steps look in the log.</summary>
+/// <summary>The format of steps in the log.</summary>
 internal static class StepLog
 {
-    /// <summary>Writes a step that is kept.</summary>
+    /// <summary>Logs a stored step.</summary>
     public static void Write(ILogger log, CorrectionState? from, Correction now, string basis)
     {
         var level = LevelOf(now.State);

@@ -1,11 +1,11 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Sees what other processes do to the store, such as an approval at the console, and wakes those whom it may concern.</summary>
+/// <summary>Detects changes to the store by other processes, such as an approval at the console, and wakes the workers.</summary>
 internal sealed class StoreWatch(CellFlow flow)
 {
     private long _seen = -1;
 
-    /// <summary>Looks once.</summary>
+    /// <summary>Checks once.</summary>
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
         stop.ThrowIfCancellationRequested();

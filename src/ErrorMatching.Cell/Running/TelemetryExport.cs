@@ -5,20 +5,21 @@ using OpenTelemetry.Trace;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Sends metrics and traces where the standard variables of OpenTelemetry say: without <c>OTEL_EXPORTER_OTLP_ENDPOINT</c> (or that of traces or metrics) nothing is made or sent.</summary>
+/// <summary>Sends metrics and traces as the standard OpenTelemetry variables say. Without <c>OTEL_EXPORTER_OTLP_ENDPOINT</c> (or its
+/// variant for traces or metrics), nothing is collected or sent.</summary>
 public sealed class TelemetryExport : IDisposable
 {
-    // A receiver that hangs must not keep a cell from stopping in time.
+    // A receiver that hangs must not delay a cell's stop.
     private static readonly TimeSpan LastTry = TimeSpan.FromSeconds(1);
 
     private readonly IDisposable?[] _providers;
 
     private TelemetryExport(params IDisposable?[] providers) => _providers = providers;
 
-    /// <summary>True if anything is sent.</summary>
+    /// <summary>True if anything is exported.</summary>
     public bool IsOn => _providers.Any(p => p is not null);
 
-    /// <summary>Begins to send, if the variables ask for it.</summary>
+    /// <summary>Starts the export, if the variables ask for it.</summary>
     /// <param name="cell">The cell's name, which <c>OTEL_RESOURCE_ATTRIBUTES</c> may add to.</param>
     /// <param name="variable">Reads an environment variable.</param>
     public static TelemetryExport Start(string cell, Func<string, string?> variable)
@@ -40,7 +41,7 @@ public sealed class TelemetryExport : IDisposable
         void Describe(ResourceBuilder resource) => resource.AddService(variable("OTEL_SERVICE_NAME") is { Length: > 0 } name ? name : "errormatch-cell", serviceInstanceId: cell).AddEnvironmentVariableDetector();
     }
 
-    /// <summary>Sends what is left, and ends within a second: what the receiver has not taken by then is lost.</summary>
+    /// <summary>Sends what is left, and ends within a second: data that the receiver has not accepted by then is lost.</summary>
     public void Dispose()
     {
         var ends = _providers.OfType<IDisposable>().Select(p => Task.Factory.StartNew(p.Dispose, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default)).ToArray();

@@ -2,16 +2,16 @@ using System.Collections.Concurrent;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What keeps the workers of a running cell from working just now.</summary>
+/// <summary>What currently prevents the workers of a running cell from working.</summary>
 internal sealed class Troubles(TimeProvider clock)
 {
     private readonly ConcurrentDictionary<string, CellTrouble> _open = new(StringComparer.Ordinal);
 
-    /// <summary>All of them by the name of the worker.</summary>
+    /// <summary>All troubles, ordered by worker name.</summary>
     public IReadOnlyList<CellTrouble> Open => [.. _open.Values.OrderBy(t => t.Where, StringComparer.Ordinal)];
 
-    /// <summary>A worker is kept from working.</summary>
-    /// <returns>True if it was not before, or by something else.</returns>
+    /// <summary>Reports that a worker is prevented from working.</summary>
+    /// <returns>True if this is new, or differs from its previous trouble.</returns>
     public bool Begin(string where, string code, string message)
     {
         var isNew = true;
@@ -23,7 +23,7 @@ internal sealed class Troubles(TimeProvider clock)
         return isNew;
     }
 
-    /// <summary>A worker works again.</summary>
-    /// <returns>True if it did not before.</returns>
+    /// <summary>Reports that a worker works again.</summary>
+    /// <returns>True if it had a trouble.</returns>
     public bool End(string where) => !_open.IsEmpty && _open.TryRemove(where, out _);
 }

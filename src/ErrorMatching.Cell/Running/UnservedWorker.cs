@@ -1,11 +1,12 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Names what waits for a gauge, job or slot that the configuration does not have any more: nobody would take it up, and in a line it would hold those behind it without a word.</summary>
+/// <summary>Reports corrections that wait for a gauge, job or slot that is no longer in the configuration: no worker would process them,
+/// and in a line they would silently block those after them.</summary>
 internal sealed class UnservedWorker(CellFlow flow)
 {
     private const string Where = "configuration";
 
-    /// <summary>Looks once.</summary>
+    /// <summary>Checks once.</summary>
     /// <returns>How long to wait before looking again.</returns>
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
@@ -23,7 +24,8 @@ internal sealed class UnservedWorker(CellFlow flow)
         return Task.FromResult(flow.Pace.Idle);
     }
 
-    // What nobody here serves. In a store of several cells it may be another one's: then neither its gauge nor its machine is of this one.
+    // What is missing for a waiting correction; null if nothing is. In a store of several cells it may belong to another cell: then neither
+    // its gauge nor its machine is one of this cell's.
     private string? Lacks(WaitingCorrections waiting)
     {
         var (hasGauge, hasMachine) = (flow.Gauges.Contains(waiting.Gauge), flow.Settings.Machines.Any(m => m.Name == waiting.Machine));

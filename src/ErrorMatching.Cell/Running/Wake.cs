@@ -1,12 +1,12 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Wakes those who wait for work. A signal between looking and waiting is not lost.</summary>
+/// <summary>Wakes workers that wait for work. A signal between looking and waiting is not lost.</summary>
 internal sealed class Wake
 {
     private readonly Lock _gate = new();
     private TaskCompletionSource _next = new(TaskCreationOptions.RunContinuationsAsynchronously);
 
-    /// <summary>What to wait for: taken before looking for work.</summary>
+    /// <summary>The task to wait for; get it before looking for work.</summary>
     public Task Next
     {
         get
@@ -18,7 +18,7 @@ internal sealed class Wake
         }
     }
 
-    /// <summary>There may be work.</summary>
+    /// <summary>Signals that there may be work.</summary>
     public void Signal()
     {
         TaskCompletionSource done;

@@ -1,10 +1,11 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>A loop that looks for work, does it, and waits for more. Nothing that goes wrong ends it but being told to stop: it says so, waits and looks again.</summary>
-/// <param name="flow">What workers share.</param>
-/// <param name="where">What people know it by.</param>
-/// <param name="wake">Ends its waiting early.</param>
-/// <param name="work">Does what there is to do and says how long to wait for more; nothing means to look again at once.</param>
+/// <summary>A loop that looks for work, does it, and waits for more. Only a request to stop ends it: after an error it reports, waits and
+/// looks again.</summary>
+/// <param name="flow">State shared by the workers.</param>
+/// <param name="where">Its display name.</param>
+/// <param name="wake">Ends its wait early.</param>
+/// <param name="work">Does pending work and returns how long to wait for more; zero to look again immediately.</param>
 internal sealed class Worker(CellFlow flow, string where, Wake wake, Func<CancellationToken, Task<TimeSpan>> work)
 {
     /// <summary>Works until told to stop.</summary>
@@ -35,7 +36,7 @@ internal sealed class Worker(CellFlow flow, string where, Wake wake, Func<Cancel
             }
             catch (StoreException e) when (e.Error == StoreError.Conflict)
             {
-                // Somebody else took a step first: what there is to do now is in the store.
+                // Another process took a step first: the remaining work is in the store.
                 flow.Log.Debug("{Where}: {Message}", where, e.Message);
             }
             catch (SlotTakenException e)
@@ -74,7 +75,7 @@ internal sealed class Worker(CellFlow flow, string where, Wake wake, Func<Cancel
         }
         catch (OperationCanceledException) when (stop.IsCancellationRequested)
         {
-            // The loop sees it.
+            // The loop checks for cancellation.
         }
     }
 }

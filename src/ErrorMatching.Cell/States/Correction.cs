@@ -1,21 +1,23 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>One incoming file and what became of it. Every file that arrives becomes one, whatever it is. Hashes are SHA-256 as 64 lower-case hexadecimal digits; what they name is in the store.</summary>
+/// <summary>An incoming file and its result. Every file that arrives becomes a correction, whatever it is. Hashes are SHA-256 as 64
+/// lowercase hexadecimal digits; the store holds what they name.</summary>
 /// <param name="Id">Number in the store, in order of arrival.</param>
-/// <param name="State">How far it has come.</param>
-/// <param name="Version">Counts its changes; a step says which one it starts from.</param>
+/// <param name="State">Its current state.</param>
+/// <param name="Version">Number of changes so far. A step names the version that it starts from.</param>
 /// <param name="Gauge">The gauge that it came from.</param>
 /// <param name="FileName">The file's name, without folders.</param>
 /// <param name="ArrivedAt">When it was archived.</param>
-/// <param name="MeasurementSha256">Its content.</param>
+/// <param name="MeasurementSha256">Hash of its content.</param>
 /// <param name="MeasurementBytes">Its length.</param>
 public sealed record Correction(
     long Id, CorrectionState State, int Version, string Gauge, string FileName, DateTimeOffset ArrivedAt, string MeasurementSha256, long MeasurementBytes)
 {
-    /// <summary>Number of the correction that its measurement came in with, where it was given again to be computed anew; null where it came in with this one. A measurement that is given again is of the same job, piece and slot from the beginning.</summary>
+    /// <summary>Number of the correction that its measurement arrived with, if the measurement was resubmitted for recalculation; null if
+    /// it arrived with this one. A resubmitted measurement has the same job, piece and slot from the start.</summary>
     public long? MeasuredAs { get; init; }
 
-    /// <summary>Says which of two measurements came first, and what stands before what in line: a measurement that is given again stays where it was.</summary>
+    /// <summary>Decides which of two measurements came first, and the order in line. A resubmitted measurement keeps its place.</summary>
     public long Turn => MeasuredAs ?? Id;
 
     /// <summary>When the last step was taken.</summary>
@@ -24,25 +26,26 @@ public sealed record Correction(
     /// <summary>Name of the cell's job; null before it is recognized.</summary>
     public string? Job { get; init; }
 
-    /// <summary>Whose measurement it is: <c>part</c>, <c>counterpart</c> or <c>surface</c>; null before it is recognized.</summary>
+    /// <summary>The piece that it measures: <c>part</c>, <c>counterpart</c> or <c>surface</c>; null before it is recognized.</summary>
     public string? Piece { get; init; }
 
-    /// <summary>Serial number of the piece; null if nothing says it.</summary>
+    /// <summary>Serial number of the piece; null if unknown.</summary>
     public string? Serial { get; init; }
 
-    /// <summary>The work order that came with the measurement; null if it says none.</summary>
+    /// <summary>The work order that came with the measurement; null if there is none.</summary>
     public string? WorkOrder { get; init; }
 
-    /// <summary>The work order that the job names; null if it names none, and before it is recognized.</summary>
+    /// <summary>The work order that the job names; null if there is none, and before it is recognized.</summary>
     public string? JobWorkOrder { get; init; }
 
-    /// <summary>SHA-256 over measurement, job and base program: a correction of one identity is applied once. Null before it is recognized.</summary>
+    /// <summary>SHA-256 over measurement, job and base program. A correction with a given identity is applied once. Null before it is
+    /// recognized.</summary>
     public string? Identity { get; init; }
 
     /// <summary>The job's file.</summary>
     public string? JobSha256 { get; init; }
 
-    /// <summary>The program that it starts from.</summary>
+    /// <summary>The base program.</summary>
     public string? BaseSha256 { get; init; }
 
     /// <summary>The machine; null before it is recognized.</summary>
@@ -54,13 +57,13 @@ public sealed record Correction(
     /// <summary>Name of the program at the machine; null before it is recognized.</summary>
     public string? Program { get; init; }
 
-    /// <summary>The part's measurement that a counterpart is compared with; null for other pieces, and where no part is known.</summary>
+    /// <summary>The part's measurement that a counterpart is compared with; null for other pieces, or if no part is known.</summary>
     public string? PartSha256 { get; init; }
 
     /// <summary>The compensated program; null before it is computed.</summary>
     public string? ProgramSha256 { get; init; }
 
-    /// <summary>The report as JSON: of the match or the compensation, or where a counterpart only verifies, of the verification.</summary>
+    /// <summary>The report as JSON: of the match or the compensation, or of the verification if a counterpart is only verified.</summary>
     public string? ReportSha256 { get; init; }
 
     /// <summary>The report as a page.</summary>
@@ -69,21 +72,22 @@ public sealed record Correction(
     /// <summary>The largest displacement of this step in mm.</summary>
     public double? LargestMm { get; init; }
 
-    /// <summary>The largest sum of displacements since the original program in mm, where the job accumulates; else that of this step.</summary>
+    /// <summary>The largest sum of displacements since the original program in mm, if the job accumulates; else that of this
+    /// step.</summary>
     public double? SumMm { get; init; }
 
-    /// <summary>The sums of corrections since the original program, point by point, where the job accumulates; else null.</summary>
+    /// <summary>The sums of corrections since the original program, point by point, if the job accumulates; else null.</summary>
     public string? SumsSha256 { get; init; }
 
     /// <summary>What the slot held before the program was sent; null if it held nothing or nothing was sent yet.</summary>
     public string? PreviousSha256 { get; init; }
 
-    /// <summary>Stable word for why it was refused, rejected, recorded or failed; else null.</summary>
+    /// <summary>Stable code for why it was refused, rejected, recorded or failed; else null.</summary>
     public string? Code { get; init; }
 
-    /// <summary>The reason in a setter's words; null where there is none.</summary>
+    /// <summary>The reason in a setter's terms; null if there is none.</summary>
     public string? Reason { get; init; }
 
-    /// <summary>The W3C trace that this correction is followed by from file to verified; null where nothing traces.</summary>
+    /// <summary>The W3C trace that follows this correction from file to verified; null without tracing.</summary>
     public string? Trace { get; init; }
 }

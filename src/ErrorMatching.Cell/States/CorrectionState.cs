@@ -1,18 +1,19 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>How far an incoming file has come on its way to a program at a machine. Which steps lead from where is said by <see cref="CorrectionSteps"/>.</summary>
+/// <summary>The state of an incoming file on its way to a program at a machine. <see cref="CorrectionSteps"/> defines the allowed
+/// steps.</summary>
 public enum CorrectionState
 {
-    /// <summary>The file is kept, by content, and nobody has looked at it yet.</summary>
+    /// <summary>The file is stored, by content, and not examined yet.</summary>
     Archived,
 
-    /// <summary>It is known whose measurement it is and which job it belongs to.</summary>
+    /// <summary>Its piece and its job are known.</summary>
     Recognized,
 
-    /// <summary>Program, proof and report are kept.</summary>
+    /// <summary>Program, proof and report are stored.</summary>
     Computed,
 
-    /// <summary>It waits for an approval.</summary>
+    /// <summary>It waits for approval.</summary>
     Proposed,
 
     /// <summary>It may go to the machine and waits in line for its slot.</summary>
@@ -21,27 +22,27 @@ public enum CorrectionState
     /// <summary>It has its slot, and the machine may hold the old program or the new one.</summary>
     Uploading,
 
-    /// <summary>The machine holds the program: it was read back and is the same to the last bit. The slot is taken.</summary>
+    /// <summary>The machine holds the program: it was read back and is identical to the last bit. The slot is taken.</summary>
     Verified,
 
-    /// <summary>The piece is cut, the slot is free. An end.</summary>
+    /// <summary>The piece is cut and the slot is free. Only a revert can follow.</summary>
     Released,
 
-    /// <summary>A newer measurement of the same piece took its place before it was sent. An end.</summary>
+    /// <summary>A newer measurement of the same piece replaced it before it was sent. Final.</summary>
     Superseded,
 
-    /// <summary>Nothing is to be sent: a measurement that is kept as evidence, such as a first article's. An end.</summary>
+    /// <summary>Nothing is to be sent: the measurement is kept as evidence, such as a first article's. Final.</summary>
     Recorded,
 
-    /// <summary>No program may be made of it; the reason says why. An end.</summary>
+    /// <summary>No program may be made from it; the reason says why. Final.</summary>
     Refused,
 
-    /// <summary>A person decided against it. An end.</summary>
+    /// <summary>A person decided against it. Final.</summary>
     Rejected,
 
-    /// <summary>Something outside failed after its retries. A setter may approve it again.</summary>
+    /// <summary>Something outside failed despite retries. A setter may approve it again.</summary>
     Failed,
 
-    /// <summary>The machine holds the program that it held before. An end.</summary>
+    /// <summary>The machine holds its previous program again. Final.</summary>
     Reverted,
 }

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>The table of states and allowed steps. Whatever is not in it does not happen.</summary>
+/// <summary>The table of states and allowed steps. Any other step is rejected.</summary>
 public static class CorrectionSteps
 {
     private static readonly Dictionary<CorrectionState, CorrectionState[]> Table = new()
@@ -27,6 +27,6 @@ public static class CorrectionSteps
     /// <summary>True if the step is allowed.</summary>
     public static bool Allows(CorrectionState from, CorrectionState to) => Table[from].Contains(to);
 
-    /// <summary>True if no step leads on.</summary>
+    /// <summary>True if no step leads out of the state.</summary>
     public static bool IsEnd(CorrectionState state) => Table[state].Length == 0;
 }

@@ -2,38 +2,38 @@ using System.Data.Common;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What the two kinds of database do differently. Everything else is SQL that both understand.</summary>
+/// <summary>The operations in which the two kinds of database differ. Everything else is SQL that both understand.</summary>
 internal abstract class CellDatabase : IDisposable
 {
-    /// <summary>How long one waits for another process to finish its change.</summary>
+    /// <summary>How long to wait for another process to finish its change.</summary>
     public static readonly TimeSpan Patience = TimeSpan.FromSeconds(15);
 
     private readonly Lock _seeing = new();
     private volatile AuditHead? _seen;
 
-    /// <summary>The database in a sentence, such as a file's name or a server's.</summary>
+    /// <summary>Describes the database in messages, such as by a file or server name.</summary>
     public abstract string Place { get; }
 
-    /// <summary>Appended to the statement that reads the head of the audit trail: puts the writers of all processes in one order.</summary>
+    /// <summary>Appended to the statement that reads the head of the audit trail: serializes the writers of all processes.</summary>
     protected abstract string ForUpdate { get; }
 
-    /// <summary>Puts this engine's words for the tokens of a migration, such as <c>{blob}</c>.</summary>
+    /// <summary>Translates a migration's token, such as <c>{blob}</c>, for this engine.</summary>
     public abstract string Word(string token, string argument);
 
-    /// <summary>Runs what changes something as one transaction, one at a time. What it throws undoes it.</summary>
+    /// <summary>Runs a change in a transaction, one at a time. An exception rolls it back.</summary>
     public T Change<T>(Func<DbConnection, DbTransaction, T> change) => Named(() => InTransaction(change));
 
-    /// <summary>Runs what only reads.</summary>
+    /// <summary>Runs a read-only operation.</summary>
     public T Read<T>(Func<DbConnection, T> read) => Named(() => OnReader(read));
 
-    /// <summary>Runs what reads more than one statement and must see one state of the store.</summary>
+    /// <summary>Runs a read of several statements on a single snapshot of the store.</summary>
     public T Snapshot<T>(Func<DbConnection, DbTransaction, T> read) => Read(connection =>
     {
         using var transaction = BeginSnapshot(connection);
         return read(connection, transaction);
     });
 
-    /// <summary>Runs a change that audit entries are part of.</summary>
+    /// <summary>Runs a change that includes audit entries.</summary>
     public T Write<T>(TimeProvider clock, byte[]? auditKey, Func<StoreTransaction, T> write)
     {
         var (result, head) = Change((connection, transaction) =>
@@ -46,10 +46,10 @@ internal abstract class CellDatabase : IDisposable
         return result;
     }
 
-    /// <summary>Where the audit trail ended when this process last saw it; null if it did not.</summary>
+    /// <summary>The end of the audit trail when this process last saw it; null if it has not seen it.</summary>
     protected AuditHead? Seen => _seen;
 
-    /// <summary>Remembers how far the audit trail goes: a store that lacks this is another one.</summary>
+    /// <summary>Remembers the end of the audit trail: a store that lacks this entry has been replaced.</summary>
     public void Saw(AuditHead head)
     {
         lock (_seeing)
@@ -58,28 +58,27 @@ internal abstract class CellDatabase : IDisposable
         }
     }
 
-    /// <summary>Looks whether the database is whole; what is not is a <see cref="StoreException"/>.</summary>
+    /// <summary>Checks the database's integrity; throws a <see cref="StoreException"/> if it is damaged.</summary>
     public abstract void Inspect();
 
-    /// <summary>What is in the form of the database that the migrations did not make, or is not there; null if nothing.</summary>
+    /// <summary>A schema object that the migrations did not create, or one that is missing; null if there is none.</summary>
     public abstract AuditFault? FormFault(DbConnection connection, DbTransaction transaction);
 
-    /// <summary>True if the database has a table of a name.</summary>
+    /// <summary>True if the database has a table with a given name.</summary>
     public abstract bool HasTable(DbConnection connection, string name);
 
-    /// <summary>Makes the statements that follow in this transaction wait for another process that migrates.</summary>
+    /// <summary>Makes later statements of this transaction wait for another process's migration.</summary>
     public abstract void WaitForMigration(DbConnection connection, DbTransaction transaction);
 
-    /// <summary>Takes a lock that one process has at a time; null if another one has it.</summary>
+    /// <summary>Takes a lock that one process at a time can hold; null if another has it.</summary>
     public abstract ISlotLock? TryLock(string name);
 
-    /// <summary>Writes a whole copy while others go on working.</summary>
+    /// <summary>Writes a full copy while others continue to work.</summary>
     public abstract void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation);
 
-    /// <inheritdoc/>
     public abstract void Dispose();
 
-    /// <summary>What a failure of this engine is for a setter.</summary>
+    /// <summary>Translates a failure of this engine for a setter.</summary>
     protected abstract StoreException Name(DbException failure);
 
     protected abstract T InTransaction<T>(Func<DbConnection, DbTransaction, T> change);
@@ -88,7 +87,7 @@ internal abstract class CellDatabase : IDisposable
 
     protected abstract DbTransaction BeginSnapshot(DbConnection connection);
 
-    /// <summary>Prepares what was opened, and closes it again if that fails: nobody else could.</summary>
+    /// <summary>Prepares a newly opened object. If that fails, disposes of it, since no caller has a reference to it.</summary>
     protected static T Prepared<T>(T opened, Action<T> prepare)
         where T : IDisposable
     {
@@ -104,7 +103,7 @@ internal abstract class CellDatabase : IDisposable
         }
     }
 
-    /// <summary>Runs something and names what the engine throws.</summary>
+    /// <summary>Runs an operation and translates the engine's exceptions.</summary>
     protected T Named<T>(Func<T> work)
     {
         try

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>How far long work on a store is.</summary>
+/// <summary>Progress of a long operation on a store.</summary>
 /// <param name="Doing">What is being done, in a few words.</param>
-/// <param name="Done">How much of it is done.</param>
-/// <param name="Of">Of how much; 0 where nobody knows.</param>
+/// <param name="Done">The amount done.</param>
+/// <param name="Of">The total; 0 if unknown.</param>
 public readonly record struct CellProgress(string Doing, long Done, long Of);

@@ -1,22 +1,22 @@
 namespace ErrorMatching.Cell;
 
-/// <content>Measurements that are given again.</content>
+/// <content>Resubmitted measurements.</content>
 public sealed partial class CellStore
 {
-    /// <summary>
-    /// Gives the measurement of a correction that is not at its machine again, in the same place in line, and ends that correction: both are one transaction with their audit entries, so that neither is ever without the other.
-    /// </summary>
+    /// <summary>Resubmits the measurement of a correction that is not at its machine, in the same place in line, and ends that correction.
+    /// Both changes and their audit entries are one transaction.</summary>
     /// <param name="correction">The correction as it was read.</param>
     /// <param name="by">The user's name.</param>
-    /// <param name="reason">Why, in a person's words; null for none.</param>
+    /// <param name="reason">Why, in a person's words; null if none are given.</param>
     /// <returns>The new correction, which is archived.</returns>
-    /// <exception cref="StoreException">With <see cref="StoreError.Conflict"/> if somebody else was faster, or no step leads to its end.</exception>
+    /// <exception cref="StoreException">With <see cref="StoreError.Conflict"/> if someone else changed it first, or no step leads to its
+    /// end.</exception>
     public Correction GiveAgain(Correction correction, string by, string? reason)
     {
         ArgumentNullException.ThrowIfNull(correction);
         return Write(transaction =>
         {
-            // Before anything is written: whoever comes second finds what the first one made of it.
+            // Before anything is written, so that the later of two callers sees the result of the first.
             if (!CorrectionSteps.Allows(correction.State, CorrectionState.Superseded) || transaction.Value<long>("SELECT version FROM correction WHERE id = @Id", new { correction.Id }) != correction.Version)
             {
                 throw Conflict(transaction, correction, CorrectionState.Superseded);
@@ -41,7 +41,7 @@ public sealed partial class CellStore
                 Recorded.GivenAgain.With(correction.Id));
             var basis = Recorded.ComputedAnew.With(given.Id);
 
-            // Its identity is free: should the job become again what it was, the measurement may be computed with it once more.
+            // This frees its identity: if the job reverts to an earlier version, the measurement may be computed with it again.
             var ended = CorrectionRow.Kept(correction with
             {
                 State = CorrectionState.Superseded,

@@ -5,14 +5,14 @@ public sealed partial class CellStore
 {
     private const int FewestDigits = 8;
 
-    /// <summary>Records an act that is no step of a correction.</summary>
+    /// <summary>Records an act that is not a step of a correction.</summary>
     /// <param name="who">The user's name, or <c>cell</c>.</param>
     /// <param name="what">What was done, in one word.</param>
-    /// <param name="basis">On what basis, in words.</param>
-    /// <param name="subject">What it was done to; null if it was to nothing in particular.</param>
+    /// <param name="basis">The basis, in words.</param>
+    /// <param name="subject">What it was done to; null if nothing in particular.</param>
     public void Audit(string who, string what, string basis, string? subject = null) => Audit(who, what, basis, subject, null);
 
-    /// <summary>The same, and keeps what it tells of by its hash.</summary>
+    /// <summary>The same, and stores the content that the entry refers to, by its hash.</summary>
     internal void Audit(string who, string what, string basis, string? subject, byte[]? content) => Write(transaction =>
     {
         if (content is not null) Keep(transaction, Sha256(content), content);
@@ -21,12 +21,12 @@ public sealed partial class CellStore
     });
 
     /// <summary>Entries of the audit trail, in order.</summary>
-    /// <param name="after">The number that they follow; 0 for the first.</param>
-    /// <param name="most">The most of them.</param>
+    /// <param name="after">Returns entries after this number; 0 for the first.</param>
+    /// <param name="most">Maximum number of entries.</param>
     public IReadOnlyList<AuditEntry> AuditEntries(long after, int most) =>
         Read(AuditRow.Select + " WHERE seq > @after ORDER BY seq LIMIT @most", AuditRow.Read, new { after, most });
 
-    /// <summary>Where the audit trail ends.</summary>
+    /// <summary>The end of the audit trail.</summary>
     public AuditHead AuditHead()
     {
         var head = Database.Read(connection => AuditRow.Head(connection, null, ""));
@@ -34,15 +34,15 @@ public sealed partial class CellStore
         return head;
     }
 
-    /// <summary>Proves the audit trail as it is at one moment, by the key that the store was opened with.</summary>
-    /// <returns>The first fault; null if every entry is what was written, where it was written, and none is missing.</returns>
+    /// <summary>Verifies one snapshot of the audit trail with the key that the store was opened with.</summary>
+    /// <returns>The first fault; null if every entry is as written and in its place, and none is missing.</returns>
     public AuditFault? VerifyAudit() => Database.Snapshot((connection, transaction) => AuditChain.Verify(
         Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.Read, transaction: transaction),
         AuditRow.Head(connection, transaction, ""),
         _auditKey));
 
-    /// <summary>Looks for corrections in the history.</summary>
-    /// <returns>The latest that were found, the last to arrive first.</returns>
+    /// <summary>Searches the history for corrections.</summary>
+    /// <returns>The latest matches, last arrival first.</returns>
     public IReadOnlyList<Correction> Search(HistoryQuery query)
     {
         ArgumentNullException.ThrowIfNull(query);
@@ -87,7 +87,7 @@ public sealed partial class CellStore
             : StoredText.NameOrNull(name);
     }
 
-    // The first digits of a hash, if that is what a program was looked for by.
+    // The first digits of a hash, if the search term for the program is one.
     private static string? Hash(string? program) =>
         program?.Length is >= FewestDigits and <= 64 && program.All(char.IsAsciiHexDigit) ? program.ToLowerInvariant() : null;
 }

@@ -5,9 +5,9 @@ namespace ErrorMatching.Cell;
 
 public sealed partial class CellStore
 {
-    /// <summary>The corrections that stand in line for a slot, in order of arrival: from recognized to approved, and those that failed
-    /// there. What failed without a program has nothing to send and is not among them. A measurement that was given again stands where it
-    /// stood before, from the moment on in which it was given.</summary>
+    /// <summary>The corrections in line for a slot, in order of arrival: from recognized to approved, and those that failed there. A
+    /// correction that failed without a program has nothing to send and is excluded. A resubmitted measurement keeps its earlier place from
+    /// the moment it is resubmitted.</summary>
     /// <param name="machine">The machine.</param>
     /// <param name="slot">Its slot.</param>
     public IReadOnlyList<Correction> Line(string machine, string slot) => Read(
@@ -24,10 +24,10 @@ public sealed partial class CellStore
         CorrectionRow.Read,
         new { machine, slot, Failed = CorrectionRow.Word(CorrectionState.Failed) });
 
-    /// <summary>The first corrections in a state, in order of arrival, of the gauges or of the jobs that are asked for:
-    /// several cells may share a store.</summary>
+    /// <summary>The first corrections in a state, in order of arrival, for given gauges or jobs, since several cells may share a
+    /// store.</summary>
     /// <param name="state">The state.</param>
-    /// <param name="most">How many at most.</param>
+    /// <param name="most">Maximum number of corrections.</param>
     /// <param name="gauges">The gauges; null for all.</param>
     /// <param name="jobs">The cell's jobs; null for all.</param>
     public IReadOnlyList<Correction> First(
@@ -38,10 +38,10 @@ public sealed partial class CellStore
         return Read(CorrectionRow.Select + where + " ORDER BY id LIMIT @most", CorrectionRow.Read, parameters);
     }
 
-    /// <summary>The latest corrections of some jobs that have a report, the last to arrive first:
-    /// what a series of pieces is shown from.</summary>
+    /// <summary>The latest corrections of some jobs that have a report, last arrival first. A series of pieces is displayed from
+    /// them.</summary>
     /// <param name="jobs">The cell's jobs.</param>
-    /// <param name="most">How many at most.</param>
+    /// <param name="most">Maximum number of corrections.</param>
     public IReadOnlyList<Correction> Reported(IReadOnlyList<string> jobs, int most)
     {
         var parameters = new DynamicParameters(new { most });
@@ -49,17 +49,16 @@ public sealed partial class CellStore
         return Read(CorrectionRow.Select + where + " ORDER BY id DESC LIMIT @most", CorrectionRow.Read, parameters);
     }
 
-    /// <summary>How many corrections there are in each state; states without any are left out.</summary>
+    /// <summary>The number of corrections in each state; states without any are omitted.</summary>
     public IReadOnlyDictionary<CorrectionState, long> Counts() =>
         Read(
             "SELECT state, count(*) FROM correction GROUP BY state",
             r => (State: Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true), Count: r.GetInt64(1)))
             .ToDictionary(c => c.State, c => c.Count);
 
-    /// <summary>The correction of a job whose program was verified last at its machine and was not reverted;
-    /// null if there is none.</summary>
+    /// <summary>The correction of a job whose program was last verified at its machine and not reverted; null if there is none.</summary>
     /// <param name="job">The cell's job.</param>
-    /// <param name="serial">Of this piece alone; null for any.</param>
+    /// <param name="serial">The serial number of the piece; null for any.</param>
     public Correction? LastSent(string job, string? serial)
     {
         var columns = string.Join(", ", CorrectionRow.Columns.Split(", ").Select(c => "correction." + c));
@@ -74,11 +73,11 @@ public sealed partial class CellStore
     }
 
     /// <summary>The latest measurement of a job's part that was recognized or recorded; null if there is none.</summary>
-    /// <remarks>Where a serial number or a work order is given, the part has one of them, and no other one:
-    /// what it does not say itself may be anything.</remarks>
+    /// <remarks>If a serial number or a work order is given, the part matches at least one and contradicts neither. A value that the part
+    /// lacks may be anything.</remarks>
     /// <param name="job">The cell's job.</param>
-    /// <param name="serial">Serial number of the piece; null if it is not known.</param>
-    /// <param name="workOrder">The work order; null if it is not known.</param>
+    /// <param name="serial">Serial number of the piece; null if unknown.</param>
+    /// <param name="workOrder">The work order; null if unknown.</param>
     public Correction? LastPart(string job, string? serial, string? workOrder)
     {
         var known = string.Join(
@@ -97,17 +96,17 @@ public sealed partial class CellStore
         return found is [var last] ? last : null;
     }
 
-    /// <summary>The corrections whose file has a content, in order of arrival.</summary>
+    /// <summary>The corrections with a given measurement content, in order of arrival.</summary>
     public IReadOnlyList<Correction> OfMeasurement(string sha256) =>
         Read(CorrectionRow.Select + " WHERE measurement_sha256 = @sha256 ORDER BY id", CorrectionRow.Read, new { sha256 });
 
-    /// <summary>A job's corrections whose compensated program has a content, in order of arrival.</summary>
+    /// <summary>A job's corrections with a given compensated program, in order of arrival.</summary>
     /// <param name="job">The cell's job.</param>
     /// <param name="sha256">The program.</param>
     public IReadOnlyList<Correction> OfProgram(string job, string sha256) =>
         Read(CorrectionRow.Select + " WHERE program_sha256 = @sha256 AND job = @job ORDER BY id", CorrectionRow.Read, new { sha256, job });
 
-    /// <summary>What has not come to its end and is not at its machine, by what it waits for.</summary>
+    /// <summary>The corrections from archived to uploading, without failed ones, grouped by what they wait for.</summary>
     internal IReadOnlyList<WaitingCorrections> Waiting() => Read(
         "SELECT state, gauge, job, machine, slot, count(*), min(id) FROM correction WHERE "
         + CorrectionRow.IsIn(
@@ -128,7 +127,7 @@ public sealed partial class CellStore
             r.GetInt64(5),
             r.GetInt64(6)));
 
-    // A parameter for each: the two engines take a list as one parameter in different ways.
+    // One parameter each: the two engines take a list as a single parameter in different ways.
     private static string IsOneOf(string column, IReadOnlyList<string>? names, DynamicParameters parameters)
     {
         if (names is null)

@@ -1,16 +1,17 @@
 namespace ErrorMatching.Cell;
 
-/// <content>Whether the rows are what the cell left.</content>
+/// <content>Detection of changes from outside the cell.</content>
 public sealed partial class CellStore
 {
     private const int MostLooked = 500;
     private readonly AuditLedger _ledger;
 
-    /// <summary>Makes sure that a correction may go to its machine: by the audit trail it is what the row says, was approved by who may,
-    /// and has the program that was computed; its slot is as the cell left it, and so is the form of the database.</summary>
-    /// <remarks>Without a key nobody can tell, and nothing is demanded. The first call looks at the whole trail, each further one at what
-    /// was added.</remarks>
-    /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if it is not so.</exception>
+    /// <summary>Ensures that a correction may go to its machine. According to the audit trail, the row must be genuine, someone with the
+    /// right must have approved it, and its program must be the computed one. Its slot and the database schema must be as the cell left
+    /// them.</summary>
+    /// <remarks>Without a key this cannot be verified, and nothing is required. The first call checks the whole trail, later calls only the
+    /// new entries.</remarks>
+    /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if a condition is not met.</exception>
     internal void DemandRecorded(Correction correction)
     {
         if (Database.Snapshot((connection, transaction) => _ledger.Fault(Database, connection, transaction, correction)) is { } fault)
@@ -19,8 +20,8 @@ public sealed partial class CellStore
         }
     }
 
-    /// <summary>What a quick look finds that the cell did not write: users, slots, corrections that are not at their end (the first 500),
-    /// and the form of the database. What it does not find, <c>audit verify</c> may.</summary>
+    /// <summary>Changes made outside the cell, found by a quick check of users, slots, the first 500 corrections that have not ended, and
+    /// the database schema. <c>audit verify</c> may find more.</summary>
     public IReadOnlyList<string> Tampered() => Database.Snapshot((connection, transaction) =>
     {
         var found = new List<string>();
@@ -53,15 +54,15 @@ public sealed partial class CellStore
             Rows.Query(connection, sql, r => RecordedRows.Read(r, read, kind), null, transaction);
     });
 
-    // A step starts from the row that the cell left. One that ends a correction without sending it may start from any: that is how a person
-    // gets rid of it, and the trail says what was found.
+    // A step requires the row that the cell left. A step that ends a correction without sending it may start from any row: this is how a
+    // person gets rid of a tampered correction, and the trail records what was found.
     private static void DemandKept(StoreTransaction transaction, Correction from, Correction after)
     {
         if (transaction.Key is not { } key || transaction.First(CorrectionRow.SelectKept + " WHERE id = @Id", CorrectionRow.ReadKept,
             new { from.Id }) is not { } row
             || row.Value.Version != from.Version || row.Value.State != from.State)
         {
-            // What is not there, or not as it was read, is a conflict, which the change itself finds.
+            // A missing or changed row is a conflict, which the update itself detects.
             return;
         }
 

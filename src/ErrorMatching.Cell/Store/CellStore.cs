@@ -3,10 +3,9 @@ using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// Everything that a cell knows, kept: what arrived, what became of it, what each slot holds, who did what. Each change is one transaction that is on the disk when the call returns, and nothing of it is kept when it throws.
-/// May be used by several threads, and beside other processes that have the same store open.
-/// </summary>
+/// <summary>Stores everything that a cell knows: what arrived, its result, what each slot holds, and who did what. Each change is one
+/// transaction that is on disk when the call returns; if the call throws, none of it is stored. Thread-safe, and other processes may have
+/// the same store open.</summary>
 /// <remarks>Every member throws a <see cref="StoreException"/> if the store cannot do it.</remarks>
 public sealed partial class CellStore : IDisposable
 {
@@ -24,11 +23,13 @@ public sealed partial class CellStore : IDisposable
     /// <summary>The database, for tables of other parts of the cell.</summary>
     internal CellDatabase Database { get; }
 
-    /// <summary>Opens a store, makes it where there is none, and takes one of an earlier version to the present form.</summary>
+    /// <summary>Opens a store, creates it if there is none, and migrates an earlier version to the current schema.</summary>
     /// <param name="settings">Where it is.</param>
-    /// <param name="clock">Says the time of each change.</param>
-    /// <param name="auditKey">Seals the end of the audit trail, so that removed entries are found; the same for everyone who opens the store. Null for no seal.</param>
-    /// <param name="inspect">True to look at every page of a file, as the running cell does at its start; false for a quick look beside it.</param>
+    /// <param name="clock">Supplies the time of each change.</param>
+    /// <param name="auditKey">Seals the end of the audit trail, so that removed entries are detected. Everyone who opens the store must use
+    /// the same key. Null for no seal.</param>
+    /// <param name="inspect">True to check every page of the file, as the running cell does at startup; false for a quick look while it
+    /// runs.</param>
     public static CellStore Open(StoreSettings settings, TimeProvider clock, byte[]? auditKey = null, bool inspect = true)
     {
         ArgumentNullException.ThrowIfNull(settings);
@@ -42,12 +43,12 @@ public sealed partial class CellStore : IDisposable
         return Opened(database, clock, auditKey);
     }
 
-    /// <summary>Opens a store that is there, to look at it: also one that cannot be written, as on a disk that the system has mounted
-    /// read-only. Where it can be written, one of an earlier version is taken to the present form.</summary>
+    /// <summary>Opens an existing store for reading, even if it cannot be written, as on a read-only mount. A writable store of an earlier
+    /// version is migrated to the current schema.</summary>
     /// <param name="settings">Where it is.</param>
-    /// <param name="clock">Says the time of each change.</param>
-    /// <param name="auditKey">The key that seals the audit trail; null if it is not there.</param>
-    /// <exception cref="StoreException">It cannot be read, or has an earlier form and cannot be written.</exception>
+    /// <param name="clock">Supplies the time of each change.</param>
+    /// <param name="auditKey">The key that seals the audit trail; null if it is not available.</param>
+    /// <exception cref="StoreException">It cannot be read, or has an earlier schema and cannot be written.</exception>
     public static CellStore OpenToRead(StoreSettings settings, TimeProvider clock, byte[]? auditKey)
     {
         ArgumentNullException.ThrowIfNull(settings);
@@ -63,14 +64,14 @@ public sealed partial class CellStore : IDisposable
                 }
                 catch (StoreException e) when (e.Error == StoreError.ReadOnly)
                 {
-                    // It is looked at as it is.
+                    // It is read as it is.
                 }
             },
             toRead: true);
         return Opened(database, clock, auditKey);
     }
 
-    // What is there now is what must be there from now on.
+    // Entries that exist now must still exist later.
     private static CellStore Opened(CellDatabase database, TimeProvider clock, byte[]? auditKey)
     {
         var store = new CellStore(database, clock, auditKey);
@@ -86,7 +87,7 @@ public sealed partial class CellStore : IDisposable
         }
     }
 
-    /// <summary>True if there is a store whose audit trail was sealed by a key.</summary>
+    /// <summary>True if there is a store whose audit trail is sealed with a key.</summary>
     internal static bool IsSealed(StoreSettings settings)
     {
         if (settings is SqliteSettings { File: var file } && !File.Exists(file)) return false;
@@ -94,8 +95,8 @@ public sealed partial class CellStore : IDisposable
         return database.Read(connection => database.HasTable(connection, "audit_head") && AuditRow.Head(connection, null, "").Seal is not null);
     }
 
-    /// <summary>Keeps a file that arrived as a correction of its own.</summary>
-    /// <returns>The correction, and whether it is new: the same arrival again gives the one that is there.</returns>
+    /// <summary>Stores a file that arrived as a new correction.</summary>
+    /// <returns>The correction and whether it is new: the same arrival again returns the existing one.</returns>
     public (Correction Correction, bool IsNew) Archive(Arrival arrival)
     {
         ArgumentNullException.ThrowIfNull(arrival);
@@ -108,8 +109,8 @@ public sealed partial class CellStore : IDisposable
         });
     }
 
-    /// <summary>Records a file that is refused without being kept.</summary>
-    /// <returns>The correction, which is refused at once, and whether it is new: the same arrival again gives the one that is there.</returns>
+    /// <summary>Records a file that is refused without being stored.</summary>
+    /// <returns>The correction, refused immediately, and whether it is new: the same arrival again returns the existing one.</returns>
     public (Correction Correction, bool IsNew) ArchiveUnread(UnreadArrival arrival)
     {
         ArgumentNullException.ThrowIfNull(arrival);
@@ -121,8 +122,9 @@ public sealed partial class CellStore : IDisposable
                 arrival.Key), true));
     }
 
-    /// <summary>What was kept under a hash.</summary>
-    /// <exception cref="StoreException">With <see cref="StoreError.Missing"/> if nothing was, with <see cref="StoreError.Damaged"/> if it no longer has this hash.</exception>
+    /// <summary>The content stored under a hash.</summary>
+    /// <exception cref="StoreException">With <see cref="StoreError.Missing"/> if there is none, with <see cref="StoreError.Damaged"/> if it
+    /// no longer has this hash.</exception>
     public byte[] Content(string sha256)
     {
         var bytes = First("SELECT bytes FROM content WHERE sha256 = @sha256", r => r.GetFieldValue<byte[]>(0), new { sha256 })
@@ -135,14 +137,14 @@ public sealed partial class CellStore : IDisposable
         return bytes;
     }
 
-    /// <summary>True if something is kept under a hash.</summary>
+    /// <summary>True if content is stored under a hash.</summary>
     internal bool Keeps(string sha256) =>
         First("SELECT sha256 FROM content WHERE sha256 = @sha256", r => r.GetString(0), new { sha256 }) is not null;
 
     /// <summary>A correction by its number; null if there is none.</summary>
     public Correction? Find(long id) => First(CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, new { id });
 
-    /// <summary>The corrections that are in any of some states, in order of arrival.</summary>
+    /// <summary>The corrections in any of the given states, in order of arrival.</summary>
     public IReadOnlyList<Correction> InState(params CorrectionState[] states) => states is []
         ? []
         : Read(CorrectionRow.Select + $" WHERE {CorrectionRow.IsIn("state", states)} ORDER BY id", CorrectionRow.Read);
@@ -151,17 +153,18 @@ public sealed partial class CellStore : IDisposable
     public IReadOnlyList<CorrectionStep> StepsOf(long id) =>
         Read("SELECT correction, from_state, to_state, at, who, basis FROM step WHERE correction = @id ORDER BY step.id", CorrectionRow.ReadStep, new { id });
 
-    /// <summary>Takes one step: the correction, the step, the contents that it names, its slot and the audit entry are one transaction.</summary>
+    /// <summary>Takes one step. The correction, the step, the contents that it names, its slot and the audit entry are one
+    /// transaction.</summary>
     /// <param name="from">The correction as it was read.</param>
     /// <param name="to">The state after.</param>
     /// <param name="by">The user's name, or <c>cell</c> for what the cell does by its policy.</param>
-    /// <param name="basis">On what basis, in words.</param>
-    /// <param name="with">What else changes; arrival, number, state, version and time are the store's own. Null if nothing does.</param>
-    /// <param name="contents">What is kept by its hash with this step; null for nothing.</param>
+    /// <param name="basis">The basis, in words.</param>
+    /// <param name="with">Other changes; arrival, number, state, version and time belong to the store. Null for none.</param>
+    /// <param name="contents">Contents to store by hash with this step; null for none.</param>
     /// <returns>The correction after the step.</returns>
-    /// <exception cref="StoreException">With <see cref="StoreError.Conflict"/> if somebody else was faster or the step is not one of <see cref="CorrectionSteps"/>;
-    /// with <see cref="StoreError.Missing"/> if the correction names a content that is not kept.</exception>
-    /// <exception cref="DuplicateCorrectionException">Another correction has the identity.</exception>
+    /// <exception cref="StoreException">With <see cref="StoreError.Conflict"/> if someone else changed it first or the step is not one of
+    /// <see cref="CorrectionSteps"/>; with <see cref="StoreError.Missing"/> if the correction names content that is not stored.</exception>
+    /// <exception cref="DuplicateCorrectionException">Another correction has this identity.</exception>
     /// <exception cref="SlotTakenException">Another correction has the slot that the step takes.</exception>
     public Correction Step(
         Correction from,
@@ -220,7 +223,8 @@ public sealed partial class CellStore : IDisposable
     public SlotHolding Slot(string machine, string slot) =>
         First(SlotRow.Select, SlotRow.Read, new { Machine = machine, Slot = slot }) ?? new SlotHolding(machine, slot, null, null, null);
 
-    /// <summary>Frees a slot of the correction that has it, as after a revert. One that another has, or nobody, stays as it is.</summary>
+    /// <summary>Frees a slot of the correction that has it, as after a revert. A slot that is free or that another correction has stays as
+    /// it is.</summary>
     public void FreeSlot(string machine, string slot, long correction, string by, string basis) => Write(transaction =>
     {
         SlotRow.Demand(transaction, machine, slot);
@@ -234,50 +238,52 @@ public sealed partial class CellStore : IDisposable
         return freed;
     });
 
-    /// <summary>Takes the right to send to a slot, which one process has at a time.</summary>
-    /// <returns>The right; null if another one has it.</returns>
+    /// <summary>Takes the right to send to a slot; one process at a time can hold it.</summary>
+    /// <returns>The right; null if another process has it.</returns>
     public ISlotLock? TryLockSlot(string machine, string slot) => Database.TryLock(string.Create(CultureInfo.InvariantCulture, $"slot {machine.Length} {machine} {slot}"));
 
-    /// <summary>Takes the right to run a cell of a name, which one process has at a time.</summary>
-    /// <returns>The right; null if another one has it.</returns>
+    /// <summary>Takes the right to run the cell of this name; one process at a time can hold it.</summary>
+    /// <returns>The right; null if another process has it.</returns>
     public ISlotLock? TryLockCell(string cell) => Database.TryLock($"cell {cell}");
 
-    /// <summary>A number that is another one when anything has changed: that of the last audit entry.</summary>
+    /// <summary>A number that differs after any change: the number of the last audit entry.</summary>
     public long ChangeCount() => AuditHead().Seq;
 
-    /// <summary>Writes a copy of the whole store, as it is at one moment, while others go on working.</summary>
-    /// <param name="file">The copy, which appears whole or not at all.</param>
+    /// <summary>Writes a copy of the whole store as of one moment, while others continue to work.</summary>
+    /// <param name="file">The copy, which appears complete or not at all.</param>
     /// <exception cref="StoreException">With <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
     public void Backup(string file) => Backup(file, null, CancellationToken.None);
 
-    /// <summary>The same, for somebody who waits for it.</summary>
-    /// <param name="file">The copy, which appears whole or not at all.</param>
-    /// <param name="progress">Told how far it is; null if nobody asks.</param>
-    /// <param name="cancellation">Gives it up; nothing of the copy is left then.</param>
+    /// <summary>The same, with progress and cancellation.</summary>
+    /// <param name="file">The copy, which appears complete or not at all.</param>
+    /// <param name="progress">Receives progress; null for no reports.</param>
+    /// <param name="cancellation">Cancels the copy and leaves nothing of it behind.</param>
     /// <exception cref="StoreException">With <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
     public void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation) => Database.Backup(file, progress, cancellation);
 
-    /// <summary>Brings a backup into the store's place. The backup stays as it is; what stood in its place is kept beside it.</summary>
-    /// <param name="settings">Where the store is, whether one is there or not.</param>
+    /// <summary>Restores a backup in place of the store. The backup is unchanged; the store that it replaces is kept next to it.</summary>
+    /// <param name="settings">Where the store is; it need not exist.</param>
     /// <param name="backup">The backup's file.</param>
-    /// <param name="clock">Says the time of the audit entry.</param>
+    /// <param name="clock">Supplies the time of the audit entry.</param>
     /// <param name="by">The user's name.</param>
-    /// <param name="auditKey">The key that the store is opened with.</param>
-    /// <returns>The file that holds what stood in its place; null if nothing did.</returns>
-    /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> while a cell runs with the store; with <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
+    /// <param name="auditKey">The key for opening the store.</param>
+    /// <returns>The file with the replaced store; null if there was none.</returns>
+    /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> while a cell is using the store; with
+    /// <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
     public static string? Restore(StoreSettings settings, string backup, TimeProvider clock, string by, byte[]? auditKey = null) =>
         Restore(settings, backup, clock, by, auditKey, null, CancellationToken.None);
 
-    /// <summary>The same, for somebody who waits for it.</summary>
-    /// <param name="settings">Where the store is, whether one is there or not.</param>
+    /// <summary>The same, with progress and cancellation.</summary>
+    /// <param name="settings">Where the store is; it need not exist.</param>
     /// <param name="backup">The backup's file.</param>
-    /// <param name="clock">Says the time of the audit entry.</param>
+    /// <param name="clock">Supplies the time of the audit entry.</param>
     /// <param name="by">The user's name.</param>
-    /// <param name="auditKey">The key that the store is opened with.</param>
-    /// <param name="progress">Told how far it is; null if nobody asks.</param>
-    /// <param name="cancellation">Gives it up, as long as the store is the one that was there.</param>
-    /// <returns>The file that holds what stood in its place; null if nothing did.</returns>
-    /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> while a cell runs with the store; with <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
+    /// <param name="auditKey">The key for opening the store.</param>
+    /// <param name="progress">Receives progress; null for no reports.</param>
+    /// <param name="cancellation">Cancels the restore until the store has been replaced.</param>
+    /// <returns>The file with the replaced store; null if there was none.</returns>
+    /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> while a cell is using the store; with
+    /// <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
     public static string? Restore(
         StoreSettings settings, string backup, TimeProvider clock, string by, byte[]? auditKey, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
@@ -294,8 +300,8 @@ public sealed partial class CellStore : IDisposable
 
     /// <summary>Opens the database of a store.</summary>
     /// <param name="settings">Where it is.</param>
-    /// <param name="prepare">Looks whether it is whole and takes it to the form that is wanted.</param>
-    /// <param name="toRead">True if it need not be one that can be written.</param>
+    /// <param name="prepare">Checks its integrity and migrates it to the wanted schema.</param>
+    /// <param name="toRead">True if the database need not be writable.</param>
     internal static CellDatabase Connect(StoreSettings settings, Action<CellDatabase> prepare, bool toRead = false) => settings switch
     {
         SqliteSettings sqlite => SqliteDatabase.Open(sqlite.File, prepare, toRead),
@@ -330,7 +336,7 @@ public sealed partial class CellStore : IDisposable
     private static Correction New(StoreTransaction transaction, CorrectionState state, string gauge, string fileName, string sha256, long length) =>
         new(0, state, 1, StoredText.Name(gauge), StoredText.Name(fileName), transaction.Now, sha256, length) { ChangedAt = transaction.Now };
 
-    // Without a basis the cell itself took it from its gauge.
+    // Without a basis, the cell itself took it from its gauge.
     private static Correction Arrive(StoreTransaction transaction, Correction arriving, string key, string by = "cell", string? basis = null)
     {
         var arrived = CorrectionRow.Kept(arriving);

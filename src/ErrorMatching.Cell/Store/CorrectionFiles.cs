@@ -2,11 +2,12 @@ using System.Globalization;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What the store keeps of a correction, as files to hand out: measurement, job, programs and report, as <c>cell show --out</c> and the station's export write them.</summary>
+/// <summary>The stored files of a correction, for export: measurement, job, programs and report, as written by <c>cell show --out</c> and
+/// the station's export.</summary>
 public static class CorrectionFiles
 {
-    /// <summary>The files: names without folders, and the contents by their SHA-256. What a correction lacks is left out.</summary>
-    /// <remarks>Names that come from a gauge or a machine lead nowhere else; the number in front keeps two corrections apart.</remarks>
+    /// <summary>The files: names without folders, and the contents by their SHA-256. Files that a correction lacks are omitted.</summary>
+    /// <remarks>Names from a gauge or a machine cannot lead out of the folder; the number prefix keeps two corrections apart.</remarks>
     public static IReadOnlyList<(string Name, string Sha256)> Of(Correction correction)
     {
         ArgumentNullException.ThrowIfNull(correction);

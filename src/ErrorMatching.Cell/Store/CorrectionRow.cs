@@ -28,10 +28,11 @@ internal static class CorrectionRow
 
     private static readonly string[] Words = [.. Enum.GetValues<CorrectionState>().Select(s => s.ToString().ToLowerInvariant())];
 
-    /// <summary>The state's word in the store.</summary>
+    /// <summary>The state's name in the store.</summary>
     public static string Word(CorrectionState state) => Words[(int)state];
 
-    /// <summary>The condition that a column of states is one of some. Spelled out, for the two engines take lists as parameters in different ways.</summary>
+    /// <summary>The condition that a state column has one of the given states. The states are spelled out because the two engines take
+    /// lists as parameters in different ways.</summary>
     public static string IsIn(string column, params IEnumerable<CorrectionState> states) => $"{column} IN ({string.Join(", ", states.Select(s => $"'{Word(s)}'"))})";
 
     public static Correction Read(DbDataReader row) => new(
@@ -63,7 +64,7 @@ internal static class CorrectionRow
         MeasuredAs = row.IsDBNull(31) ? null : row.GetInt64(31),
     };
 
-    /// <summary>The correction as it comes back from the store: texts that a database refuses are made such that it does not.</summary>
+    /// <summary>The correction as the store returns it: texts that a database would reject are made acceptable.</summary>
     public static Correction Kept(Correction correction) => correction with
     {
         Job = StoredText.NameOrNull(correction.Job),
@@ -113,7 +114,7 @@ internal static class CorrectionRow
         RowCode = rowCode,
     };
 
-    /// <summary>The row as it is coded.</summary>
+    /// <summary>The row in coded form.</summary>
     public static CodedRow Coded(Correction c) => new(NameOf(c.Id),
     [
         Word(c.State), CodedRow.Number(c.Version), c.Gauge, c.FileName, CodedRow.Number(StoredTime.Of(c.ArrivedAt)),

@@ -4,14 +4,14 @@ using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The form in which the migrations leave a database: what is in it besides rows. A trigger, rule or view that somebody planted
-/// does things in the cell's name.</summary>
+/// <summary>The schema that the migrations leave in a database: everything in it except rows. A planted trigger, rule or view would act in
+/// the cell's name.</summary>
 internal static class DatabaseForm
 {
     private const string Things = "SELECT type, name, sql FROM sqlite_master";
     private const string InSchema = "(SELECT oid FROM pg_namespace WHERE nspname = current_schema())";
 
-    // Before an update, a deletion or a truncation, once for each statement. Source: postgresql.org, catalog pg_trigger and
+    // Before an update, a deletion or a truncation, once per statement. Source: postgresql.org, catalog pg_trigger and
     // src/include/catalog/pg_trigger.h.
     private const string BeforeEachStatement = "58";
 
@@ -38,7 +38,7 @@ internal static class DatabaseForm
     private static readonly Lazy<(Dictionary<(string Kind, string Name), string> File,
         HashSet<(string Kind, string Name)> Server)> Expected = new(Expect);
 
-    /// <summary>What is other than the migrations left it in a SQLite database; null if nothing.</summary>
+    /// <summary>The first difference from the migrations' schema in a SQLite database; null if there is none.</summary>
     public static AuditFault? FaultOfFile(DbConnection connection, DbTransaction transaction)
     {
         var expected = Expected.Value.File;
@@ -48,14 +48,14 @@ internal static class DatabaseForm
                 .Select(e => Of(Recorded.FormOther.With(e.Key.Kind, e.Key.Name))).FirstOrDefault();
     }
 
-    /// <summary>What is other than the migrations left it in a schema on a PostgreSQL server; null if nothing.</summary>
+    /// <summary>The first difference from the migrations' schema on a PostgreSQL server; null if there is none.</summary>
     public static AuditFault? FaultOnServer(DbConnection connection, DbTransaction transaction) =>
         Fault([.. Rows.Query(connection, ThingsOnServer, r => (r.GetString(0), r.GetString(1)), null, transaction)], Expected.Value.Server);
 
     private static AuditFault? Fault(IReadOnlyCollection<(string Kind, string Name)> found,
         IReadOnlyCollection<(string Kind, string Name)> expected)
     {
-        // What is too much does something, and is told first.
+        // An extra object can act, so it is reported first.
         if (found.Except(expected).Order().Select(f => ((string, string)?)f).FirstOrDefault() is var (kind, name)) return Of(
             Recorded.FormUnknown.With(kind, name));
         return expected.Except(found).Order().Select(e => Of(Recorded.FormLacks.With(e.Kind, e.Name))).FirstOrDefault();
@@ -63,7 +63,7 @@ internal static class DatabaseForm
 
     private static AuditFault Of(string what) => new(AuditFaultKind.FormDiffers, 0, Recorded.FormDiffers.With(what));
 
-    // Statistics are the engine's own.
+    // Statistics tables belong to the engine.
     private static Dictionary<(string Kind, string Name), string> OfFile(DbConnection connection, DbTransaction? transaction) => Rows
         .Query(connection, Things, r => (Kind: r.GetString(0), Name: r.GetString(1), Sql: r.TextOrNull(2)), null, transaction)
         .Where(t => !t.Name.StartsWith("sqlite_stat", StringComparison.Ordinal))

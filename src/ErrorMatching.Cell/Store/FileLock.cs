@@ -1,6 +1,6 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>A lock that the operating system keeps on a file and takes back when the process ends.</summary>
+/// <summary>A file lock of the operating system, which releases it when the process ends.</summary>
 internal sealed class FileLock : ISlotLock
 {
     private readonly FileStream _file;
@@ -8,20 +8,19 @@ internal sealed class FileLock : ISlotLock
 
     private FileLock(FileStream file) => _file = file;
 
-    /// <inheritdoc/>
     public bool IsHeld => !_disposed;
 
-    /// <summary>Name of the lock's file beside the store's.</summary>
+    /// <summary>Name of a lock file next to the store.</summary>
     public static string NameBeside(string store, string name) => $"{store}.{name}.lock";
 
-    /// <summary>The files of all locks that were ever taken beside a store; they stay when the lock ends.</summary>
+    /// <summary>All lock files ever created next to a store; they remain after their locks end.</summary>
     public static IEnumerable<string> Beside(string store)
     {
         var full = Path.GetFullPath(store);
         return Directory.EnumerateFiles(Path.GetDirectoryName(full)!, NameBeside(Path.GetFileName(full), "*"));
     }
 
-    /// <summary>Takes the lock; null if another one has it.</summary>
+    /// <summary>Takes the lock; null if it is already held.</summary>
     public static FileLock? TryTake(string file)
     {
         try
@@ -42,7 +41,6 @@ internal sealed class FileLock : ISlotLock
         }
     }
 
-    /// <inheritdoc/>
     public void Dispose()
     {
         _disposed = true;

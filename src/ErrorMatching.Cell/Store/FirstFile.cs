@@ -2,18 +2,17 @@ using System.Runtime.InteropServices;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>
-/// Gives a written file its name unless one of that name is there: of several processes that try at once, exactly one succeeds. <see cref="File.Move(string, string, bool)"/> does not promise that on Unix:
-/// between its look and its move another file may have got the name, and is lost.
-/// </summary>
+/// <summary>Gives a written file its final name unless that name is taken: of several processes that try at once, exactly one succeeds.
+/// <see cref="File.Move(string, string, bool)"/> does not guarantee this on Unix: between its check and its move another file may get the
+/// name and would be lost.</summary>
 internal static class FirstFile
 {
     private const int Exists = 17;
 
-    /// <summary>Gives it the name, and takes it away where it was written.</summary>
-    /// <param name="written">Where it was written, in the folder of its name.</param>
-    /// <param name="file">Its name.</param>
-    /// <returns>False if there is one of this name.</returns>
+    /// <summary>Moves the file to its final name.</summary>
+    /// <param name="written">The written file, in the same folder as the final name.</param>
+    /// <param name="file">The final name.</param>
+    /// <returns>False if the name is taken.</returns>
     /// <exception cref="IOException">It cannot be moved.</exception>
     public static bool TryPut(string written, string file)
     {
@@ -31,7 +30,7 @@ internal static class FirstFile
             }
         }
 
-        // Windows moves and looks in one step. A disk without links has nothing better than one after the other.
+        // Windows checks and moves in one step. A disk without links offers nothing better than a check followed by a move.
         try
         {
             File.Move(written, file, overwrite: false);

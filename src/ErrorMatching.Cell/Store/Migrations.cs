@@ -6,7 +6,8 @@ using Dapper;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The numbered steps from an empty database to the present one: the embedded files <c>NNNN_name.sql</c>. Each is one transaction with its number.</summary>
+/// <summary>The numbered steps from an empty database to the current schema: the embedded files <c>NNNN_name.sql</c>. Each step and its
+/// number are one transaction.</summary>
 internal static partial class Migrations
 {
     private const string OwnTable = "CREATE TABLE IF NOT EXISTS migration (number BIGINT NOT NULL PRIMARY KEY, name TEXT NOT NULL, at "
@@ -15,11 +16,11 @@ internal static partial class Migrations
     /// <summary>All of them, in order.</summary>
     public static IReadOnlyList<Migration> All { get; } = ReadAll();
 
-    /// <summary>Takes a database to the last migration, or to an earlier one.</summary>
-    /// <exception cref="StoreException">With <see cref="StoreError.TooNew"/> if it is beyond the last.</exception>
+    /// <summary>Migrates a database to the last migration, or to an earlier one.</summary>
+    /// <exception cref="StoreException">With <see cref="StoreError.TooNew"/> if its schema is newer than the last migration.</exception>
     public static void Apply(CellDatabase database, TimeProvider clock, byte[]? auditKey, int upTo = int.MaxValue)
     {
-        // Whoever only looks needs no right to write.
+        // Reading alone must not require the right to write.
         if (database.Read(connection => database.HasTable(connection, "migration") && Number(connection, null) == Math.Min(upTo, All[^1].Number))) return;
         database.Change((connection, transaction) =>
         {
@@ -31,11 +32,11 @@ internal static partial class Migrations
         }
     }
 
-    /// <summary>All statements by which an empty database takes the present form.</summary>
-    /// <param name="word">An engine's words for the tokens.</param>
+    /// <summary>All statements that give an empty database the current schema.</summary>
+    /// <param name="word">Translates the tokens for an engine.</param>
     public static IEnumerable<string> Statements(Func<string, string, string> word) => All.Select(m => Sql(m, word)).Prepend(OwnTable);
 
-    /// <summary>What a token is used for, such as the tables that are append-only.</summary>
+    /// <summary>The arguments that a token is used with, such as the append-only tables.</summary>
     public static IEnumerable<string> Arguments(string token) =>
         All.SelectMany(m => Token().Matches(m.Sql)).Where(m => m.Groups["token"].Value == token).Select(m => m.Groups["argument"].Value);
 

@@ -25,18 +25,15 @@ internal sealed class PostgresDatabase : CellDatabase
         _lockConnection = connection.ConnectionString;
     }
 
-    /// <inheritdoc/>
     public override string Place => string.Create(CultureInfo.InvariantCulture, $"The store {_settings.Database} on {_settings.Host}:{_settings.Port}");
 
-    /// <inheritdoc/>
     protected override string ForUpdate => " FOR UPDATE";
 
-    /// <summary>Opens a store in a database that is there.</summary>
+    /// <summary>Opens a store in an existing database.</summary>
     /// <param name="settings">Where it is.</param>
-    /// <param name="prepare">Looks whether it is whole and takes it to the present form.</param>
+    /// <param name="prepare">Checks its integrity and migrates it to the current schema.</param>
     public static PostgresDatabase Open(PostgresSettings settings, Action<CellDatabase> prepare) => Prepared<PostgresDatabase>(new(settings), prepare);
 
-    /// <inheritdoc/>
     public override string Word(string token, string argument) => token switch
     {
         "blob" => "BYTEA",
@@ -52,17 +49,15 @@ internal sealed class PostgresDatabase : CellDatabase
     /// <summary>Name of the function that keeps a table append-only.</summary>
     internal static string Keeper(string table) => table + "_is_append_only";
 
-    /// <summary>What that function does.</summary>
+    /// <summary>The body of that function.</summary>
     internal static string KeeperBody(string table) => $"BEGIN RAISE EXCEPTION '{table} is append-only'; END";
 
-    /// <inheritdoc/>
     public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) =>
         DatabaseForm.FaultOnServer(connection, transaction);
 
-    /// <inheritdoc/>
     public override void Inspect() => Read(connection =>
     {
-        // The server looks after its own files; contents and the audit trail are proved by their hashes.
+        // The server checks its own files; hashes verify contents and the audit trail.
         if (connection.QuerySingle<string>("SHOW server_encoding") != "UTF8")
         {
             throw new StoreException(StoreError.NotSupported, $"{Place} cannot keep every text: make its database with createdb --encoding=UTF8 --template=template0.");
@@ -73,26 +68,20 @@ internal sealed class PostgresDatabase : CellDatabase
             : throw new StoreException(StoreError.NotSupported, $"{Place} forgets at a power cut what it has acknowledged: set fsync = on for its server.");
     });
 
-    /// <inheritdoc/>
     public override bool HasTable(DbConnection connection, string name) =>
         connection.QuerySingle<long>("SELECT count(*) FROM pg_tables WHERE schemaname = current_schema() AND tablename = @name", new { name }) == 1;
 
-    /// <inheritdoc/>
     public override void WaitForMigration(DbConnection connection, DbTransaction transaction) =>
         connection.Execute("SELECT pg_advisory_xact_lock(@MigrationLock)", new { MigrationLock }, transaction);
 
-    /// <inheritdoc/>
     public override ISlotLock? TryLock(string name) => Named(() => PostgresLock.TryTake(_lockConnection, name));
 
-    /// <inheritdoc/>
     public override void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation) => throw new StoreException(
         StoreError.NotSupported,
         string.Create(CultureInfo.InvariantCulture, $"A store on PostgreSQL is backed up by its own tools: pg_dump --format=custom --host={_settings.Host} --port={_settings.Port} --username={_settings.User} --file={file} {_settings.Database}"));
 
-    /// <inheritdoc/>
     public override void Dispose() => _source.Dispose();
 
-    /// <inheritdoc/>
     protected override T InTransaction<T>(Func<DbConnection, DbTransaction, T> change)
     {
         using var connection = _source.OpenConnection();
@@ -102,17 +91,14 @@ internal sealed class PostgresDatabase : CellDatabase
         return result;
     }
 
-    /// <inheritdoc/>
     protected override T OnReader<T>(Func<DbConnection, T> read)
     {
         using var connection = _source.OpenConnection();
         return read(connection);
     }
 
-    /// <inheritdoc/>
     protected override DbTransaction BeginSnapshot(DbConnection connection) => connection.BeginTransaction(IsolationLevel.RepeatableRead);
 
-    /// <inheritdoc/>
     protected override StoreException Name(DbException failure)
     {
         var (error, words) = failure switch
@@ -135,7 +121,7 @@ internal sealed class PostgresDatabase : CellDatabase
             _ => (StoreError.Unknown, $"says: {failure.Message}"),
         };
 
-        // Other idle connections are as dead; the next call begins with a fresh one.
+        // Other idle connections are dead too; the next call opens a new one.
         if (error == StoreError.Away) _source.Clear();
         return new StoreException(error, $"{Place} {words}", failure);
     }

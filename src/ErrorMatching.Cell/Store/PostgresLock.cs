@@ -4,7 +4,7 @@ using Npgsql;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>An advisory lock of the server, on a connection of its own: the server gives it back when that ends.</summary>
+/// <summary>An advisory lock of the server, on its own connection: the server releases it when that connection ends.</summary>
 internal sealed class PostgresLock : ISlotLock
 {
     private readonly NpgsqlConnection _connection;
@@ -16,7 +16,6 @@ internal sealed class PostgresLock : ISlotLock
         _name = name;
     }
 
-    /// <inheritdoc/>
     public bool IsHeld
     {
         get
@@ -34,15 +33,15 @@ internal sealed class PostgresLock : ISlotLock
                 }
                 catch (Exception failure) when (failure is NpgsqlException or InvalidOperationException)
                 {
-                    // Without an answer nothing says that it is held.
+                    // No response: the lock may be lost.
                     return false;
                 }
             }
         }
     }
 
-    /// <summary>Takes the lock; null if another one has it.</summary>
-    /// <param name="connectionString">Of a connection that is not shared with anything else.</param>
+    /// <summary>Takes the lock; null if it is already held.</summary>
+    /// <param name="connectionString">Of a connection that is not shared.</param>
     /// <param name="name">What is locked.</param>
     public static PostgresLock? TryTake(string connectionString, string name)
     {
@@ -60,7 +59,6 @@ internal sealed class PostgresLock : ISlotLock
         }
     }
 
-    /// <inheritdoc/>
     public void Dispose()
     {
         lock (_connection)
@@ -70,7 +68,7 @@ internal sealed class PostgresLock : ISlotLock
         }
     }
 
-    // The server does not say when it has seen the end of a connection: whoever asks next may be told that the lock is still taken.
+    // The server does not confirm that it has noticed the end of a connection: the next caller may find the lock still taken.
     private void GiveBack()
     {
         try
@@ -79,7 +77,7 @@ internal sealed class PostgresLock : ISlotLock
         }
         catch (NpgsqlException)
         {
-            // It ends with the connection.
+            // The lock ends with the connection.
         }
     }
 }

@@ -3,7 +3,7 @@ using Dapper;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Rows of a statement, each read by a function of its own.</summary>
+/// <summary>Reads a statement's rows with a given function.</summary>
 internal static class Rows
 {
     public static IReadOnlyList<T> Query<T>(DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
@@ -21,7 +21,7 @@ internal static class Rows
         return reader.Read() ? row(reader) : null;
     }
 
-    /// <summary>The rows one at a time, while they are asked for.</summary>
+    /// <summary>The rows, read one at a time as they are enumerated.</summary>
     public static IEnumerable<T> Stream<T>(DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
     {
         using var reader = (DbDataReader)connection.ExecuteReader(sql, parameters, transaction);

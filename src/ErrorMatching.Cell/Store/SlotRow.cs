@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Rows of slots, which follow the states of corrections in the same transaction.</summary>
+/// <summary>Rows of slots, which change with the states of corrections in the same transaction.</summary>
 internal static class SlotRow
 {
     public const string Select = "SELECT machine, slot, correction, program_sha256, previous_sha256 FROM slot WHERE machine = @Machine AND slot = @Slot";
@@ -23,10 +23,10 @@ internal static class SlotRow
 
     public const string SelectKept = "SELECT machine, slot, correction, program_sha256, previous_sha256, row_code FROM slot";
 
-    /// <summary>The condition that leaves one slot.</summary>
+    /// <summary>The condition that selects one slot.</summary>
     public const string One = " WHERE machine = @Machine AND slot = @Slot";
 
-    /// <summary>The row as it is coded.</summary>
+    /// <summary>The row in coded form.</summary>
     public static CodedRow Coded(SlotHolding slot) => new(
         NameOf(slot.Machine, slot.Slot), [slot.Machine, slot.Slot, CodedRow.Number(slot.Correction), slot.ProgramSha256,
             slot.PreviousSha256]);
@@ -39,7 +39,7 @@ internal static class SlotRow
     /// <summary>The row with its code.</summary>
     public static KeptRow<SlotHolding> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(5));
 
-    /// <summary>Codes a slot's row as it is now; the audit entry that follows names the code.</summary>
+    /// <summary>Codes a slot's current row; the audit entry that follows names the code.</summary>
     public static void Code(StoreTransaction transaction, string machine, string slot)
     {
         var row = transaction.Key is null ? null : transaction.First(SelectKept + One, ReadKept, new { Machine = machine, Slot = slot });
@@ -47,7 +47,7 @@ internal static class SlotRow
             new { Machine = machine, Slot = slot, Code = row is null ? null : transaction.CodeOf(row.Coded) });
     }
 
-    /// <summary>Makes sure that a slot's row is as it was written, before it is changed.</summary>
+    /// <summary>Verifies that a slot's row is as the cell wrote it, before it is changed.</summary>
     /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/>.</exception>
     public static void Demand(StoreTransaction transaction, string machine, string slot)
     {
@@ -58,14 +58,14 @@ internal static class SlotRow
         }
     }
 
-    /// <summary>What is said of a row that somebody else wrote.</summary>
+    /// <summary>The error for a row that was changed outside the cell.</summary>
     public static StoreException Tampered(KeptRow<SlotHolding> row) =>
         new(StoreError.Tampered, Recorded.SlotTampered.With(row.Value.Slot, row.Value.Machine));
 
     public static SlotHolding Read(DbDataReader row) =>
         new(row.GetString(0), row.GetString(1), row.IsDBNull(2) ? null : row.GetInt64(2), row.TextOrNull(3), row.TextOrNull(4));
 
-    /// <summary>Does to the slot what a step of a correction means for it.</summary>
+    /// <summary>Applies a correction's step to its slot.</summary>
     public static void Follow(StoreTransaction transaction, CorrectionState from, Correction to)
     {
         var sql = (from, to.State) switch

@@ -4,17 +4,17 @@ using SQLitePCL;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A copy of a SQLite database as it is at one moment, made while others go on writing. Source: sqlite.org/backup.html.</summary>
+/// <summary>Copies a SQLite database as of one moment, while others continue to write. Source: sqlite.org/backup.html.</summary>
 internal static class SqliteCopy
 {
     private const int PagesAtOnce = 256;
 
     /// <summary>Copies all pages.</summary>
-    /// <exception cref="SqliteException">One of the two cannot be read or written.</exception>
-    /// <exception cref="OperationCanceledException">The copy is of no use.</exception>
+    /// <exception cref="SqliteException">Either database cannot be read or written.</exception>
+    /// <exception cref="OperationCanceledException">Canceled; the copy is unusable.</exception>
     public static void Copy(SqliteConnection from, SqliteConnection to, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
-        // What others write meanwhile stays out of this view; without it, each of their changes would make the copy begin again.
+        // This view excludes concurrent changes. Without it, each of them would restart the copy.
         using var view = from.BeginTransaction(deferred: true);
         from.QuerySingle<long>("SELECT count(*) FROM sqlite_master", transaction: view);
         using var copy = raw.sqlite3_backup_init(to.Handle, "main", from.Handle, "main");
@@ -38,9 +38,9 @@ internal static class SqliteCopy
         }
     }
 
-    /// <summary>Looks at each page of a database.</summary>
-    /// <returns>What is wrong; <c>ok</c> if nothing is.</returns>
-    /// <exception cref="OperationCanceledException">It was not looked at whole.</exception>
+    /// <summary>Checks each page of a database.</summary>
+    /// <returns>The problem; <c>ok</c> if there is none.</returns>
+    /// <exception cref="OperationCanceledException">Canceled before all of it was checked.</exception>
     public static string Check(SqliteConnection database, CancellationToken cancellation)
     {
         using var interrupt = cancellation.UnsafeRegister(_ => raw.sqlite3_interrupt(database.Handle), null);

@@ -3,14 +3,15 @@ using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
 
-/// <content>Which file the store is.</content>
+/// <content>The identity of the store's file.</content>
 internal sealed partial class SqliteDatabase
 {
     private volatile FileIdentity? _identity;
     private (FileIdentity Identity, StoreException Reason)? _refused;
 
-    // A file that was taken away stays usable for a process that has it open, and what is written into it is lost when the last one closes it.
-    // So the identity of the file is checked before each use and after each change. Another file in its place is used only if it has all that was seen here.
+    // A removed file remains usable for a process that has it open, and anything written to it is lost when the last one closes it. So the
+    // file's identity is checked before each use and after each change. A replacement file is used only if it has everything that was seen
+    // here.
     private void DemandFile()
     {
         var now = FileIdentity.Of(_file);
@@ -48,10 +49,10 @@ internal sealed partial class SqliteDatabase
         _writer = null;
     }
 
-    // Why the file that has the store's name now is not the store as it was last seen here; null if it is. It is only read, never changed.
+    // Why the file that now has the store's name is not the store as last seen here; null if it is. The file is only read, never changed.
     private StoreException? WhyNotTheSame()
     {
-        // The log of the file before would be read into this one.
+        // The previous file's log would be read into this one.
         if (new FileInfo(_file + "-wal") is { Exists: true, Length: > 0 }) return Replaced("the log beside it belongs to the file before");
         if (Seen is not { } seen) return null;
         try

@@ -8,7 +8,7 @@ using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A store in a file of its own, by SQLite: write-ahead log, every change on the disk before it is reported.</summary>
+/// <summary>A store in its own SQLite file, with a write-ahead log; every change is on disk before it is reported.</summary>
 internal sealed partial class SqliteDatabase : CellDatabase
 {
     internal const int ApplicationId = 0x45724D43;
@@ -27,16 +27,14 @@ internal sealed partial class SqliteDatabase : CellDatabase
 
     private SqliteDatabase(string file) => _file = file;
 
-    /// <inheritdoc/>
     public override string Place => $"The store {_file}";
 
-    /// <inheritdoc/>
     protected override string ForUpdate => "";
 
-    /// <summary>Opens a store, or makes one where there is none: under another name, so that there is a whole one or none.</summary>
+    /// <summary>Opens a store, or creates it under another name first, so that it exists completely or not at all.</summary>
     /// <param name="file">Its file.</param>
-    /// <param name="prepare">Looks whether it is whole and takes it to the present form.</param>
-    /// <param name="toRead">True if it need not be one that can be written.</param>
+    /// <param name="prepare">Checks its integrity and migrates it to the current schema.</param>
+    /// <param name="toRead">True if the store need not be writable.</param>
     public static SqliteDatabase Open(string file, Action<CellDatabase> prepare, bool toRead = false)
     {
         var database = new SqliteDatabase(file);
@@ -48,14 +46,12 @@ internal sealed partial class SqliteDatabase : CellDatabase
         });
     }
 
-    /// <inheritdoc/>
     public override string Word(string token, string argument) => WordOf(token, argument);
 
-    /// <inheritdoc/>
     public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) =>
         DatabaseForm.FaultOfFile(connection, transaction);
 
-    /// <summary>SQLite's words for the tokens of a migration.</summary>
+    /// <summary>Translates a migration's tokens for SQLite.</summary>
     internal static string WordOf(string token, string argument) => token switch
     {
         "blob" => "BLOB",
@@ -67,7 +63,6 @@ internal sealed partial class SqliteDatabase : CellDatabase
         _ => throw new ArgumentOutOfRangeException(nameof(token), token, "No such token of migrations."),
     };
 
-    /// <inheritdoc/>
     public override void Inspect() => Read(connection =>
     {
         var check = new FileInfo(_file).Length <= WholeCheckBytes ? "integrity_check" : "quick_check";
@@ -75,24 +70,20 @@ internal sealed partial class SqliteDatabase : CellDatabase
         return found == "ok" ? true : throw Damaged(found, null);
     });
 
-    /// <inheritdoc/>
     public override bool HasTable(DbConnection connection, string name) =>
         connection.QuerySingle<long>("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = @name", new { name }) == 1;
 
-    /// <inheritdoc/>
     public override void WaitForMigration(DbConnection connection, DbTransaction transaction)
     {
-        // The transaction of a writer is the lock.
+        // The writer's transaction is the lock.
     }
 
-    /// <inheritdoc/>
     public override ISlotLock? TryLock(string name)
     {
         var hash = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(name)))[..16];
         return FileLock.TryTake(FileLock.NameBeside(_file, hash));
     }
 
-    /// <inheritdoc/>
     public override void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         if (Path.GetFullPath(file) == Path.GetFullPath(_file)) throw new StoreException(StoreError.Denied, $"{file} is the store itself: name another file for its backup.");
@@ -108,7 +99,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
                 copy.Open();
                 SqliteCopy.Copy((SqliteConnection)connection, copy, progress, cancellation);
 
-                // One file, without a log beside it.
+                // A single file without a separate log.
                 copy.Execute("PRAGMA journal_mode = DELETE");
                 progress?.Report(new("looking at each page of the copy", 0, 0));
                 var found = SqliteCopy.Check(copy, cancellation);
@@ -131,7 +122,6 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    /// <inheritdoc/>
     public override void Dispose()
     {
         lock (_writing)
@@ -145,7 +135,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
             }
             catch (SqliteException)
             {
-                // The log stays beside the file, and the next one who opens it reads on from there.
+                // The log stays next to the file, and the next process that opens it continues from there.
             }
 
             _writer?.Dispose();
@@ -153,10 +143,8 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    /// <inheritdoc/>
     protected override StoreException Name(DbException failure) => failure is SqliteException sqlite ? Named(sqlite) : new StoreException(StoreError.Unknown, $"{Place}: {failure.Message}", failure);
 
-    /// <inheritdoc/>
     protected override T InTransaction<T>(Func<DbConnection, DbTransaction, T> change)
     {
         lock (_writing)
@@ -171,7 +159,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
                 var result = change(writer, transaction);
                 transaction.Commit();
 
-                // What was kept in a file that lost its name meanwhile is lost: the caller must not treat it as kept.
+                // A change written to a file that has lost its name meanwhile is lost: the caller must not treat it as stored.
                 if (FileIdentity.Of(_file) != _identity)
                 {
                     throw new StoreException(StoreError.Away, $"The store {_file} was taken away while a change was kept. Look again whether it was.");
@@ -181,7 +169,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
             }
             catch (SqliteException)
             {
-                // Whatever state it is in: the next change begins with a fresh one.
+                // Its state is unknown: the next change opens a new one.
                 _writer = null;
                 writer.Dispose();
                 throw;
@@ -189,7 +177,6 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    /// <inheritdoc/>
     protected override T OnReader<T>(Func<DbConnection, T> read)
     {
         ObjectDisposedException.ThrowIf(_disposed, this);
@@ -216,7 +203,6 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    /// <inheritdoc/>
     protected override DbTransaction BeginSnapshot(DbConnection connection) => ((SqliteConnection)connection).BeginTransaction(deferred: true);
 
     private static string ConnectionString(string file) => new SqliteConnectionStringBuilder
@@ -241,8 +227,8 @@ internal sealed partial class SqliteDatabase : CellDatabase
         connection.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     });
 
-    // In a folder that nobody can write SQLite finds no room for its index of the log. Where there is no log and no index, nobody writes,
-    // and the file is all there is. Source: sqlite.org/wal.html, read-only databases.
+    // In a read-only folder SQLite has no place for its index of the log. Without a log and an index there is no writer, and the file is
+    // complete. Source: sqlite.org/wal.html, read-only databases.
     private SqliteConnection ConnectToRead()
     {
         var isAlone = !File.Exists(_file + "-shm") && (new FileInfo(_file + "-wal") is { Exists: false } or { Length: 0 });
@@ -252,7 +238,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
             connection => connection.Open());
     }
 
-    // A store has hashes of passwords: whoever else may read it is its owner's decision, not the umask's. Its log follows it.
+    // A store contains password hashes: its owner decides who else may read it, not the umask. Its log gets the same permissions.
     internal static void MakeForOwner(string file)
     {
         var options = new FileStreamOptions { Mode = FileMode.Create, Access = FileAccess.Write };
@@ -266,7 +252,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    // A log without its file is the sign of a lost store, and would be read into a new one.
+    // A log without its file indicates a lost store, and would be read into a new one.
     private void Make(Action<CellDatabase> prepare)
     {
         var folder = Path.GetDirectoryName(Path.GetFullPath(_file))!;
@@ -288,7 +274,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
                 prepare(made);
             }
 
-            // If another process was faster, its store is as good.
+            // If another process was faster, its store is just as good.
             _ = FirstFile.TryPut(temporary, _file);
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
@@ -301,8 +287,9 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    // What SQLite itself would take for a new and empty database, or would only find when it first writes. The file itself must never be opened here: where locks belong to processes, as on Linux,
-    // closing it would take away those that SQLite has on it, and another process would take itself for the last one and delete the log.
+    // Finds files that SQLite would treat as a new, empty database, or would reject only on the first write. The database file itself must
+    // never be opened here: where locks belong to processes, as on Linux, closing it would release SQLite's locks on it, and another
+    // process would think it is the last one and delete the log.
     private void Prove(bool toRead)
     {
         if (new FileInfo(_file).Length == 0) throw new StoreException(StoreError.Damaged, $"The store {_file} is empty. Restore the latest backup.");

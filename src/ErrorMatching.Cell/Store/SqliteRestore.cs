@@ -2,18 +2,19 @@ using System.Globalization;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Brings a backup into the place of a store in a file.</summary>
+/// <summary>Restores a backup in place of a file store.</summary>
 internal static class SqliteRestore
 {
     private const int AtOnce = 1 << 20;
 
-    /// <summary>Proves a copy of the backup, keeps what stands in the store's place, and renames the copy over it: there is the old store or the restored one at any instant.</summary>
+    /// <summary>Verifies a copy of the backup, keeps the current store, and renames the copy over it: at any instant either the old store
+    /// or the restored one exists.</summary>
     /// <param name="file">The store's file.</param>
     /// <param name="backup">The backup's.</param>
-    /// <param name="migrate">Takes it to the present form.</param>
-    /// <param name="progress">Told how far it is; null if nobody asks.</param>
-    /// <param name="cancellation">Gives it up until the copy is renamed.</param>
-    /// <returns>The file that holds what stood there; null if nothing did.</returns>
+    /// <param name="migrate">Migrates it to the current schema.</param>
+    /// <param name="progress">Receives progress; null for no reports.</param>
+    /// <param name="cancellation">Cancels the restore until the copy is renamed.</param>
+    /// <returns>The file with the replaced store; null if there was none.</returns>
     public static string? Restore(string file, string backup, Action<CellDatabase> migrate, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         if (!File.Exists(backup)) throw new StoreException(StoreError.Missing, $"The backup {backup} is not there.");
@@ -70,7 +71,7 @@ internal static class SqliteRestore
         }
     }
 
-    // The store's own log must not be read into the restored one; it goes with what it belongs to.
+    // The old store's log must not be read into the restored one; it stays with the old store.
     private static string? KeepAside(string file)
     {
         if (!File.Exists(file) && !File.Exists(file + "-wal")) return null;

@@ -1,50 +1,51 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>What the store could not do. Whatever it is, nothing of the call was kept, except where <see cref="Away"/> says otherwise.</summary>
+/// <summary>Why a store call failed. Nothing of the call was stored, except as noted under <see cref="Away"/>.</summary>
 public enum StoreError
 {
-    /// <summary>Somebody else changed it since it was read, or what is asked is no longer a step that leads from where it is.</summary>
+    /// <summary>Someone else changed it since it was read, or the requested step is no longer allowed from its current state.</summary>
     Conflict,
 
-    /// <summary>What is named is not in the store, or the store is not where it is looked for.</summary>
+    /// <summary>The named item is not in the store, or the store is not where it is expected.</summary>
     Missing,
 
-    /// <summary>What was read is not what was written: a page, a file or a content is damaged.</summary>
+    /// <summary>What was read differs from what was written: a page, a file or content is damaged.</summary>
     Damaged,
 
-    /// <summary>Somebody else wrote to it: a row, the audit trail or the form of the database is not what the cell left.</summary>
+    /// <summary>It was changed outside the cell: a row, the audit trail or the schema is not what the cell left.</summary>
     Tampered,
 
-    /// <summary>The database is another program's.</summary>
+    /// <summary>The database belongs to another program.</summary>
     Foreign,
 
-    /// <summary>A newer version of the program made it.</summary>
+    /// <summary>A newer version of the program created it.</summary>
     TooNew,
 
-    /// <summary>Another process held it for longer than one waits.</summary>
+    /// <summary>Another process held it longer than the wait limit.</summary>
     Locked,
 
-    /// <summary>The disk has no room.</summary>
+    /// <summary>The disk is full.</summary>
     Full,
 
     /// <summary>The disk or the file cannot be written.</summary>
     ReadOnly,
 
-    /// <summary>The operating system or the server does not let this user in.</summary>
+    /// <summary>The operating system or the server denies this user access.</summary>
     Denied,
 
     /// <summary>The disk reported an error.</summary>
     Disk,
 
-    /// <summary>Another file took the store's place while it was open, and lacks what was kept.</summary>
+    /// <summary>Another file replaced the store while it was open, and lacks data that was stored.</summary>
     Replaced,
 
-    /// <summary>The server does not answer, or the connection broke. If it broke while a change was being kept, read again whether it was.</summary>
+    /// <summary>The server does not respond, or the connection broke. If it broke during a change, read again to find out whether the
+    /// change was stored.</summary>
     Away,
 
-    /// <summary>This kind of store does not do it.</summary>
+    /// <summary>This kind of store does not support it.</summary>
     NotSupported,
 
-    /// <summary>An answer of the database that says nothing known.</summary>
+    /// <summary>The database returned an unexpected error.</summary>
     Unknown,
 }

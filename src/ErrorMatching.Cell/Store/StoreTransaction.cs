@@ -4,7 +4,7 @@ using Dapper;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A change of the store while it is made, with the audit entries that are part of it. The writers of all processes are in one order.</summary>
+/// <summary>A change of the store in progress, with its audit entries. The writers of all processes are serialized.</summary>
 internal sealed class StoreTransaction
 {
     private static readonly TimeSpan ClockTolerance = TimeSpan.FromSeconds(1);
@@ -26,7 +26,7 @@ internal sealed class StoreTransaction
     /// <summary>The time of everything in this change.</summary>
     public DateTimeOffset Now { get; }
 
-    /// <summary>Where the audit trail ends now.</summary>
+    /// <summary>The current end of the audit trail.</summary>
     public AuditHead Head => _head;
 
     /// <summary>The database's own transaction.</summary>
@@ -55,10 +55,10 @@ internal sealed class StoreTransaction
     public T? First<T>(string sql, Func<DbDataReader, T> row, object? parameters = null)
         where T : class => Rows.First(Connection, sql, row, parameters, _transaction);
 
-    /// <summary>The key by which rows are coded and the end of the trail is sealed; null for none.</summary>
+    /// <summary>The key that codes rows and seals the end of the trail; null for none.</summary>
     public byte[]? Key => _auditKey;
 
-    /// <summary>The code of a row as it is written now, which the next audit entry names.</summary>
+    /// <summary>Codes a row as it is now being written; the next audit entry names the code.</summary>
     /// <returns>Null without a key.</returns>
     public string? CodeOf(CodedRow row) => _auditKey is null ? null : _rowCodes[row.Name] = row.Code(_auditKey);
 
@@ -77,9 +77,9 @@ internal sealed class StoreTransaction
         Append(StoredText.Name(who), StoredText.Name(what), StoredText.NameOrNull(subject), StoredText.Sentence(basis), rows);
     }
 
-    /// <summary>Keeps where the audit trail ends now.</summary>
-    /// <returns>Where it ends.</returns>
-    /// <exception cref="InvalidOperationException">A row was coded, and no entry of the trail named its code.</exception>
+    /// <summary>Stores the current end of the audit trail.</summary>
+    /// <returns>The end of the trail.</returns>
+    /// <exception cref="InvalidOperationException">A row was coded, but no audit entry named its code.</exception>
     public AuditHead Finish()
     {
         if (_rowCodes.Count > 0) throw new InvalidOperationException($"No audit entry names the code of {_rowCodes.First().Key}.");
@@ -97,7 +97,7 @@ internal sealed class StoreTransaction
     {
         var entry = AuditEntry.After(_head.Hash, _head.Seq + 1, Now, who, what, subject, basis, rowCodes);
 
-        // The first entry of a store is written when its form knows no codes of rows yet.
+        // The first entry of a store is written while its schema has no row codes yet.
         var (column, value) = entry.RowCodes is null ? ("", "") : (", row_codes", ", @RowCodes");
         Execute(
             $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash{column}) VALUES (@Seq, @At, @Who, @What, @Subject, "

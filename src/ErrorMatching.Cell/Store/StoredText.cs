@@ -2,25 +2,26 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Texts as both kinds of store keep them. They come from files and people: none of them may make a row that one kind of store takes and the other does not.</summary>
+/// <summary>Texts in the form that both kinds of store accept. They come from files and people: none may create a row that one kind of
+/// store accepts and the other rejects.</summary>
 internal static class StoredText
 {
-    /// <summary>The most characters of a text that an index looks up: PostgreSQL takes 2704 bytes there, and a character has at most 3.</summary>
+    /// <summary>Maximum characters of an indexed text: PostgreSQL indexes 2704 bytes, and a character has at most 3.</summary>
     public const int MostOfName = 800;
 
-    /// <summary>The most characters of any other text.</summary>
+    /// <summary>Maximum characters of any other text.</summary>
     public const int MostOfSentence = 8000;
 
-    /// <summary>A name as it is kept: half characters and the character 0 replaced, a longer one cut.</summary>
+    /// <summary>A name in stored form: unpaired surrogates and the character 0 are replaced, excess length is cut off.</summary>
     public static string Name(string text) => Kept(text, MostOfName);
 
-    /// <summary>A name or nothing as it is kept.</summary>
+    /// <summary>A name in stored form, or null.</summary>
     public static string? NameOrNull(string? text) => text is null ? null : Kept(text, MostOfName);
 
-    /// <summary>A sentence as it is kept.</summary>
+    /// <summary>A sentence in stored form.</summary>
     public static string Sentence(string text) => Kept(text, MostOfSentence);
 
-    /// <summary>A sentence or nothing as it is kept.</summary>
+    /// <summary>A sentence in stored form, or null.</summary>
     public static string? SentenceOrNull(string? text) => text is null ? null : Kept(text, MostOfSentence);
 
     private static string Kept(string text, int most)

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Corrections that have not come to their end and wait for the same.</summary>
-/// <param name="State">How far they have come.</param>
+/// <summary>Corrections that have not ended and wait for the same thing.</summary>
+/// <param name="State">Their state.</param>
 /// <param name="Gauge">The gauge that they came from.</param>
 /// <param name="Job">Their job; null before they are recognized.</param>
 /// <param name="Machine">Their machine; null before they are recognized.</param>

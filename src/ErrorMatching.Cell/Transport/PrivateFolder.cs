@@ -1,6 +1,7 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>A folder of one transfer that only this user may look into; gone when disposed. A process that is killed leaves its own behind, which the next process removes before its first transfer.</summary>
+/// <summary>A folder for one transfer that only this user may access; deleted when disposed of. A killed process leaves its folder behind,
+/// and the next process deletes it before its first transfer.</summary>
 internal sealed class PrivateFolder : IDisposable
 {
     private const string Prefix = "errormatch-transfers-";
@@ -26,14 +27,14 @@ internal sealed class PrivateFolder : IDisposable
 
     public void Dispose() => Directory.Delete(_path, recursive: true);
 
-    /// <summary>Removes what killed processes left in a folder: whoever lives keeps the lock of its own.</summary>
+    /// <summary>Deletes what killed processes left in a folder: a running process holds the lock in its own.</summary>
     internal static void Sweep(string temporary)
     {
         foreach (var left in Directory.EnumerateDirectories(temporary, Prefix + "*"))
         {
             try
             {
-                // Without a lock it was left before anything was in it, or is being made.
+                // A folder without a lock file is skipped: it is empty, or just being created.
                 using (new FileStream(Path.Combine(left, Lock), FileMode.Open, FileAccess.ReadWrite, FileShare.None))
                 {
                 }
@@ -42,7 +43,7 @@ internal sealed class PrivateFolder : IDisposable
             }
             catch (Exception e) when (e is IOException or UnauthorizedAccessException)
             {
-                // It is in use, another user's, or another process removes it just now.
+                // It is in use, belongs to another user, or is just being deleted by another process.
             }
         }
     }
@@ -68,7 +69,7 @@ internal sealed class PrivateFolder : IDisposable
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            // A program that was killed with a transfer may still have a file open: the next process removes it.
+            // A tool that was killed with a transfer may still have a file open: the next process deletes it.
         }
     }
 }

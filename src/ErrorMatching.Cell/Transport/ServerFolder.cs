@@ -2,13 +2,13 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A programs' folder as its server names it.</summary>
+/// <summary>A program folder as its server names it.</summary>
 internal static class ServerFolder
 {
     /// <summary>The member <c>folder</c>.</summary>
     /// <param name="item">The transport.</param>
-    /// <param name="usual">The folder where none is named.</param>
-    /// <param name="problems">Where a folder that leads up is refused.</param>
+    /// <param name="usual">The default folder.</param>
+    /// <param name="problems">Receives the error for a folder that leads up.</param>
     public static string Read(JsonItem item, string usual, CellProblems problems)
     {
         if (item.Find("folder") is not { } folder)
@@ -18,7 +18,7 @@ internal static class ServerFolder
         return folder.Text;
     }
 
-    /// <summary>True if both are one folder of one server.</summary>
+    /// <summary>True if both are the same folder of the same server.</summary>
     public static bool AreSame((string Host, int Port, string Folder) a, (string Host, int Port, string Folder) b) =>
         a.Port == b.Port
         && a.Host.Equals(b.Host, StringComparison.OrdinalIgnoreCase)

@@ -1,17 +1,17 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>How the run of a program ended.</summary>
+/// <summary>How a program's run ended.</summary>
 internal enum ToolEnd
 {
-    /// <summary>By itself; the exit code says more.</summary>
+    /// <summary>It exited; see the exit code.</summary>
     Exited,
 
-    /// <summary>Killed after its time.</summary>
+    /// <summary>Killed at the time limit.</summary>
     TimedOut,
 
-    /// <summary>Killed because it said or fetched more than is taken.</summary>
+    /// <summary>Killed because its output or download exceeded the limit.</summary>
     TooMuch,
 
-    /// <summary>There is no such program here.</summary>
+    /// <summary>The program is not installed.</summary>
     Missing,
 }

@@ -4,17 +4,18 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Runs a program: no shell, an environment of its own, limits of time and output; killed with all that it started when it is cancelled.</summary>
+/// <summary>Runs a program without a shell, in its own environment, with limits on time and output. On cancellation it is killed with all
+/// its child processes.</summary>
 internal static class ToolProcess
 {
     private const int MostError = 16 << 10;
     private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(100);
 
-    // What programs need to be found and to start. Left out on purpose: proxies, agents, configurations of the user, languages.
+    // Variables that programs need to start and to be found. Omitted on purpose: proxies, agents, user configuration, languages.
     private static readonly string[] Inherited = ["PATH", "SystemRoot", "SystemDrive", "windir", "TEMP", "TMP", "TMPDIR", "ProgramData", "USERPROFILE"];
 
     /// <summary>Runs a program to its end.</summary>
-    /// <exception cref="OperationCanceledException">It was cancelled, and killed.</exception>
+    /// <exception cref="OperationCanceledException">Canceled; the program was killed.</exception>
     public static async Task<ToolResult> RunAsync(ToolRun run, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
@@ -68,7 +69,7 @@ internal static class ToolProcess
         return start;
     }
 
-    // A program that ended before it read everything says why by its exit code.
+    // A program that ended before it read all its input explains that by its exit code.
     private static async Task FeedAsync(Process process, ReadOnlyMemory<byte> input)
     {
         try
@@ -95,7 +96,7 @@ internal static class ToolProcess
         await exit.ConfigureAwait(false);
     }
 
-    // Reads to the end, so that the program never waits for us, but keeps no more than is wanted.
+    // Reads to the end, so that the program never blocks on output, but keeps only as much as wanted.
     private static async Task<byte[]> ReadAsync(Stream stream, long most, CancellationTokenSource? tooMuch)
     {
         using var kept = new MemoryStream();
@@ -112,7 +113,7 @@ internal static class ToolProcess
         return kept.ToArray();
     }
 
-    // Runs within whoever cancels: a program that has just ended by itself is none of its concern.
+    // Runs in the canceling thread, so a program that has just exited must not cause an exception here.
     private static void Kill(Process process)
     {
         try

@@ -1,18 +1,19 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>A run of a program: what it is told, and when it is ended.</summary>
+/// <summary>A program's run: its input and its limits.</summary>
 /// <param name="Program">Name of the program, found by PATH.</param>
 /// <param name="Arguments">Its arguments, one by one; no shell reads them. No secrets: every user of the computer can see them.</param>
-/// <param name="Input">What it reads.</param>
-/// <param name="Limit">It is killed after this time.</param>
+/// <param name="Input">Its standard input.</param>
+/// <param name="Limit">Time limit; the program is killed after it.</param>
 internal sealed record ToolRun(string Program, IReadOnlyList<string> Arguments, ReadOnlyMemory<byte> Input, TimeSpan Limit)
 {
-    /// <summary>It is killed when it says more than this.</summary>
+    /// <summary>Output limit; the program is killed above it.</summary>
     public long MostOutput { get; init; } = 4 << 20;
 
-    /// <summary>Variables beside those that every program gets.</summary>
+    /// <summary>Variables in addition to those that every program gets.</summary>
     public IReadOnlyList<(string Name, string Value)> Environment { get; init; } = [];
 
-    /// <summary>Asked ten times a second: it is killed when this says so. For programs that write to files. Null: nothing of that kind.</summary>
+    /// <summary>Called ten times a second; the program is killed once it returns true. For programs that write to files. Null for no such
+    /// check.</summary>
     public Func<bool>? IsTooMuch { get; init; }
 }

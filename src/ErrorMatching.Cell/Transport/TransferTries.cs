@@ -3,16 +3,17 @@ using Polly.Retry;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>How often, and after what waits, a transfer is tried again.</summary>
+/// <summary>How often a transfer is retried, and after which delays.</summary>
 public static class TransferTries
 {
     private static readonly TimeSpan FirstWait = TimeSpan.FromMilliseconds(250);
     private static readonly TimeSpan LongestWait = TimeSpan.FromSeconds(10);
 
-    /// <summary>Tries as often as the machine's settings say, with waits that double, from 0.25 s to 10 s. Only failures that another try may mend are tried again.</summary>
+    /// <summary>Tries as often as the machine's settings say, with delays that double, from 0.25 s to 10 s. Only failures that a retry may
+    /// resolve are retried.</summary>
     /// <param name="machine">The machine.</param>
-    /// <param name="clock">Measures the waits.</param>
-    /// <param name="failed">Told of each try that is followed by another, before the wait; for logs.</param>
+    /// <param name="clock">Measures the delays.</param>
+    /// <param name="failed">Called for each failed attempt that is followed by another, before the delay; for logs.</param>
     public static ResiliencePipeline For(MachineSettings machine, TimeProvider clock, Action<TransferTry>? failed = null)
     {
         ArgumentNullException.ThrowIfNull(machine);

@@ -1,41 +1,41 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>What kept a transfer from happening.</summary>
+/// <summary>Why a transfer failed.</summary>
 public enum TransportError
 {
-    /// <summary>The machine does not answer, or the connection broke. Worth another try.</summary>
+    /// <summary>The machine does not respond, or the connection broke. Worth a retry.</summary>
     Away,
 
-    /// <summary>The machine took too long. Worth another try.</summary>
+    /// <summary>The machine took too long. Worth a retry.</summary>
     Slow,
 
     /// <summary>The login was refused.</summary>
     Login,
 
-    /// <summary>The server is not the one whose key is pinned.</summary>
+    /// <summary>The server's key is not the pinned one.</summary>
     WrongServer,
 
-    /// <summary>The server does not allow it, or not under this name (FTP 550, 553).</summary>
+    /// <summary>The server denies it, or denies this name (FTP 550, 553).</summary>
     Denied,
 
-    /// <summary>The server has no room (FTP 552, 452).</summary>
+    /// <summary>The server's disk is full (FTP 552, 452).</summary>
     Full,
 
     /// <summary>The server does not rename over an existing file.</summary>
     CannotReplace,
 
-    /// <summary>What was read back is not what was written.</summary>
+    /// <summary>The bytes read back differ from those written.</summary>
     Differs,
 
-    /// <summary>The file at the machine is larger than what is read.</summary>
+    /// <summary>The file at the machine exceeds the size limit.</summary>
     TooLarge,
 
-    /// <summary>Something has the file's name and is none: a link, a pipe, a device or a folder.</summary>
+    /// <summary>The file's name belongs to something else: a link, a pipe, a device or a folder.</summary>
     NotAFile,
 
-    /// <summary>A program that this machine lacks: <c>curl</c> or <c>sftp</c>.</summary>
+    /// <summary>This computer lacks a program: <c>curl</c> or <c>sftp</c>.</summary>
     ToolMissing,
 
-    /// <summary>An answer that says nothing known.</summary>
+    /// <summary>An unexpected error.</summary>
     Unknown,
 }

@@ -1,14 +1,14 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Failures in a setter's words: machine, what was being done, what was answered, what to do next.</summary>
+/// <summary>Failures in a setter's terms: machine, what was being done, the reply, what to do next.</summary>
 internal static class TransportFailure
 {
-    /// <summary>A failure.</summary>
-    /// <param name="error">What it is.</param>
+    /// <summary>Creates the exception.</summary>
+    /// <param name="error">Why it failed.</param>
     /// <param name="machine">The machine.</param>
     /// <param name="doing">What was being done, such as <c>writing P100.MPF</c>.</param>
-    /// <param name="answer">What was answered; no secrets.</param>
-    /// <param name="cause">What lies below; null if nothing does.</param>
+    /// <param name="answer">The reply; no secrets.</param>
+    /// <param name="cause">The underlying error; null if there is none.</param>
     public static TransportException Of(TransportError error, string machine, string doing, string answer, Exception? cause = null) =>
         new(error, $"{machine}: {doing} failed: {answer.Trim().TrimEnd('.')}. {Next(error)}", cause);
 

@@ -2,7 +2,7 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The kinds of ways to a machine, by the name that the configuration gives them.</summary>
+/// <summary>The kinds of transport, by their names in the configuration.</summary>
 internal static class TransportKinds
 {
     private static readonly Dictionary<string, Func<JsonItem, CellPaths, CellProblems, TransportSettings>> Readers = new(StringComparer.Ordinal)
@@ -12,9 +12,9 @@ internal static class TransportKinds
         ["sftp"] = SftpReader.Read,
     };
 
-    /// <summary>The names, in order of the alphabet.</summary>
+    /// <summary>The names, in alphabetical order.</summary>
     public static IEnumerable<string> Names => Readers.Keys.Order(StringComparer.Ordinal);
 
-    /// <summary>Reads the way to a machine. The schema lets only <see cref="Names"/> through.</summary>
+    /// <summary>Reads a transport's settings. The schema allows only <see cref="Names"/>.</summary>
     public static TransportSettings Read(JsonItem item, CellPaths paths, CellProblems problems) => Readers[item["kind"].Text](item, paths, problems);
 }

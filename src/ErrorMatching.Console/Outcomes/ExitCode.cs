@@ -1,6 +1,6 @@
 namespace ErrorMatching.Console;
 
-/// <summary>What a process tells the one that started it.</summary>
+/// <summary>The exit codes of the process.</summary>
 internal enum ExitCode
 {
     /// <summary>Done.</summary>
@@ -15,6 +15,6 @@ internal enum ExitCode
     /// <summary>Something outside failed: a disk, a network.</summary>
     Outside = 3,
 
-    /// <summary>Cancelled, with nothing half-written (128 + SIGINT, as shells count).</summary>
+    /// <summary>Canceled, with no partial output (128 + SIGINT, as in shells).</summary>
     Cancelled = 130,
 }

@@ -3,22 +3,22 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
-/// <summary>What the cell's exceptions mean to the user of the console. Apart from the others', so that a match does not load the cell.</summary>
+/// <summary>Translates the cell's exceptions for the console's user. A separate class, so that a match does not load the cell.</summary>
 internal static class FailureOfCell
 {
-    /// <summary>Something that a person may not do, or that cannot be done about people and secrets.</summary>
+    /// <summary>An act that a person may not do, or a failed operation on users or secrets.</summary>
     public static Failure People(PeopleException e) => new(ExitOf(e.Error), new ErrorItem(CodeOf(e.Error), e.Message));
 
-    /// <summary>Something that the store could not do.</summary>
+    /// <summary>A failed store call.</summary>
     public static Failure Store(StoreException e) => new(ExitOf(e.Error), new ErrorItem(CodeOf(e.Error), e.Message));
 
-    /// <summary>A decision that cannot be carried out: a wrong number is a wrong input, anything else stands in the way of a right one.</summary>
+    /// <summary>A decision that cannot be carried out. An unknown number is wrong input; everything else is a refusal.</summary>
     public static Failure Decision(DecisionException e) => new(e.Code == DecisionException.UnknownCorrection ? ExitCode.WrongInput : ExitCode.Refused, new ErrorItem(e.Code, e.Message));
 
-    /// <summary>A machine that did not take what it was to take.</summary>
+    /// <summary>A failed transfer to or from a machine.</summary>
     public static Failure Machine(TransportException e) => new(ExitCode.Outside, new ErrorItem(CellCodes.Of(e.Error), e.Message));
 
-    /// <summary>A password that did not come.</summary>
+    /// <summary>A password that could not be read.</summary>
     public static Failure Secret(SecretInputException e) => new(ExitCode.WrongInput, new ErrorItem("no-password", e.Message));
 
     /// <summary>A machine that the configuration does not name.</summary>
@@ -30,10 +30,10 @@ internal static class FailureOfCell
         Problem = $"names no machine {machine}; it names {string.Join(", ", settings.Machines.Select(m => m.Name))}.",
     });
 
-    /// <summary>An audit trail that is not as it was written.</summary>
+    /// <summary>An audit trail that differs from what was written.</summary>
     public static Failure Audit(AuditFault fault) => new(ExitCode.Refused, new ErrorItem(CodeOf(fault.Kind), fault.Message));
 
-    /// <summary>The code of something about people.</summary>
+    /// <summary>The code of an error about users or secrets.</summary>
     public static string CodeOf(PeopleError error) => error switch
     {
         PeopleError.NoUsers => "no-users",
@@ -56,7 +56,7 @@ internal static class FailureOfCell
         _ => throw new ArgumentOutOfRangeException(nameof(error), error, "An error about people without a code."),
     };
 
-    /// <summary>The code of something about the store.</summary>
+    /// <summary>The code of a store error.</summary>
     public static string CodeOf(StoreError error) => error switch
     {
         StoreError.Conflict => "store-conflict",
@@ -77,7 +77,7 @@ internal static class FailureOfCell
         _ => throw new ArgumentOutOfRangeException(nameof(error), error, "An error of the store without a code."),
     };
 
-    /// <summary>The code of what is wrong with an audit trail.</summary>
+    /// <summary>The code of an audit trail's fault.</summary>
     public static string CodeOf(AuditFaultKind error) => error switch
     {
         AuditFaultKind.Changed => "audit-changed",
@@ -93,7 +93,7 @@ internal static class FailureOfCell
         _ => throw new ArgumentOutOfRangeException(nameof(error), error, "A broken audit trail without a code."),
     };
 
-    // What was typed can be typed better; what is refused stays refused until somebody else does something.
+    // Wrong input can be corrected by typing again; a refusal remains until someone changes the cause.
     private static ExitCode ExitOf(PeopleError error) => error switch
     {
         PeopleError.LockedOut or PeopleError.UserDisabled or PeopleError.UnknownRole or PeopleError.Tampered or PeopleError.KeysMissing

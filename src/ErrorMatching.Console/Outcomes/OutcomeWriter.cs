@@ -6,12 +6,12 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
-/// <summary>Writes an outcome: one JSON document to the output, or text to the output and errors to the error stream.</summary>
+/// <summary>Writes an outcome: one JSON document to the output, or text to the output and errors to standard error.</summary>
 internal static class OutcomeWriter
 {
     private const string ErrorSchema = "errormatch/error/1";
 
-    // Names of files and features are shown as they are: the document is UTF-8 and goes into no web page.
+    // Names of files and features are not escaped: the document is UTF-8 and is not embedded in a web page.
     private static readonly JsonWriterOptions Options = new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
     public static ExitCode Write(Outcome outcome, Terminal terminal, bool isJson)
@@ -36,7 +36,7 @@ internal static class OutcomeWriter
         return (outcome as Failure ?? (outcome as Answer)?.Failure)?.Exit ?? ExitCode.Done;
     }
 
-    /// <summary>A JSON document: UTF-8 without a byte order mark, with a line end behind it.</summary>
+    /// <summary>A JSON document: UTF-8 without a byte order mark, with a final line end.</summary>
     public static byte[] Json(string schema, Action<Utf8JsonWriter> write)
     {
         using var stream = new MemoryStream();
@@ -44,7 +44,7 @@ internal static class OutcomeWriter
         return stream.ToArray();
     }
 
-    /// <summary>Writes such a document into a stream. A long one flushes its writer part by part.</summary>
+    /// <summary>Writes such a document to a stream. A long one flushes its writer in parts.</summary>
     public static void Json(Stream stream, string schema, Action<Utf8JsonWriter> write)
     {
         using (var json = new Utf8JsonWriter(stream, Options))
@@ -79,7 +79,7 @@ internal static class OutcomeWriter
         json.WriteEndArray();
     }
 
-    /// <summary>Writes one item, with only what applies to it.</summary>
+    /// <summary>Writes one item with the members that apply to it.</summary>
     public static void Write(Utf8JsonWriter json, ErrorItem item)
     {
         json.WriteStartObject();
@@ -109,7 +109,7 @@ internal static class OutcomeWriter
         }
     }
 
-    // file:line:column: as editors and build logs recognize it. Without a separate problem the message has its place in itself.
+    // file:line:column: the form that editors and build logs recognize. Without a separate problem, the message contains the place.
     private static string Place(ErrorItem error)
     {
         if (error.Problem is null)

@@ -3,10 +3,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The forms that numbers take in every JSON document of the console: a zero has no minus.</summary>
+/// <summary>Number formats for every JSON document of the console: zero has no minus sign.</summary>
 internal static class JsonNumbers
 {
-    /// <summary>Writes a number with all digits that tell it from its neighbors; null where there is none (JSON has no NaN).</summary>
+    /// <summary>Writes a number with as many digits as distinguish it from its neighbors; null for NaN, which JSON lacks.</summary>
     public static void Number(this Utf8JsonWriter json, string name, double value)
     {
         if (double.IsFinite(value))

@@ -3,7 +3,7 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
-/// <summary>Text for people: headings, sentences and tables, with color only where the terminal has it.</summary>
+/// <summary>Text for people: headings, sentences and tables, in color if the terminal supports it.</summary>
 internal sealed class Page(TextWriter writer, bool hasColor)
 {
     private const string Bold = "\u001b[1m";
@@ -12,13 +12,14 @@ internal sealed class Page(TextWriter writer, bool hasColor)
     private const string Plain = "\u001b[0m";
     private static readonly SearchValues<char> OfNumbers = SearchValues.Create("0123456789+-.eE ");
 
-    /// <summary>Writes a line that stands out.</summary>
+    /// <summary>Writes a highlighted line.</summary>
     public void Heading(string text) => Line(hasColor ? Bold + text + Plain : text);
 
-    /// <summary>A word that changed: in color where the terminal has it, else between braces, which no block has outside of comments.</summary>
+    /// <summary>Marks a changed word: in color if the terminal supports it, else with braces, which blocks contain only in
+    /// comments.</summary>
     /// <param name="text">The word.</param>
-    /// <param name="isOld">True for what was, false for what is.</param>
-    /// <returns>What to print, and how many characters wider than the word it looks.</returns>
+    /// <param name="isOld">True for the old word, false for the new one.</param>
+    /// <returns>What to print, and how many characters wider than the word it appears.</returns>
     public (string Text, int Extra) Marked(string text, bool isOld) => hasColor ? ((isOld ? Red : Green) + text + Plain, 0) : ("{" + text + "}", 2);
 
     /// <summary>Writes a line.</summary>
@@ -28,12 +29,13 @@ internal sealed class Page(TextWriter writer, bool hasColor)
         writer.Write('\n');
     }
 
-    /// <summary>Writes a text with line ends of its own.</summary>
+    /// <summary>Writes a text that contains its own line ends.</summary>
     public void Text(ReadOnlySpan<char> text) => writer.Write(text);
 
-    /// <summary>Writes a table: columns as wide as their widest cell and two spaces apart, numbers to the right, text to the left.</summary>
+    /// <summary>Writes a table: each column as wide as its widest cell, columns two spaces apart, numbers right-aligned, text
+    /// left-aligned.</summary>
     /// <param name="headings">One heading per column.</param>
-    /// <param name="rows">Rows of as many cells.</param>
+    /// <param name="rows">Rows with as many cells as there are headings.</param>
     public void Table(IReadOnlyList<string> headings, IEnumerable<IReadOnlyList<string>> rows)
     {
         IReadOnlyList<string>[] body = [.. rows.Select(r => r.Select(PrintedText.OneLine).ToArray())];

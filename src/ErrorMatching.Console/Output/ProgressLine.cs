@@ -3,13 +3,12 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Console;
 
-/// <summary>How far long work is: one line of a terminal, written anew with each percent, and gone when the work is done.</summary>
-/// <param name="terminal">The terminal; null if nobody sits there.</param>
+/// <summary>Progress of a long operation: one terminal line, rewritten for each percent and removed at the end.</summary>
+/// <param name="terminal">The terminal; null if no person is watching.</param>
 internal sealed class ProgressLine(TextWriter? terminal) : IProgress<CellProgress>, IDisposable
 {
     private string _shown = "";
 
-    /// <inheritdoc/>
     public void Report(CellProgress value)
     {
         var line = value.Of > 0 ? string.Create(CultureInfo.InvariantCulture, $"{value.Doing}: {100 * value.Done / value.Of} %") : value.Doing + " ...";
@@ -20,7 +19,6 @@ internal sealed class ProgressLine(TextWriter? terminal) : IProgress<CellProgres
         }
     }
 
-    /// <inheritdoc/>
     public void Dispose()
     {
         if (_shown.Length > 0)

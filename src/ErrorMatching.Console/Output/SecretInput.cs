@@ -2,25 +2,26 @@ using System.Text;
 
 namespace ErrorMatching.Console;
 
-/// <summary>Takes passwords: from keys that are not shown, or line by line from standard input. Never from arguments or the environment, where other processes read them.</summary>
-/// <param name="input">Standard input; it is not touched before a line is asked for.</param>
-/// <param name="readKey">The next key; null if no keyboard is there.</param>
-/// <param name="prompts">Where to ask.</param>
+/// <summary>Reads passwords from keys that are not echoed, or line by line from standard input. Never from arguments or the environment,
+/// where other processes can read them.</summary>
+/// <param name="input">Standard input; not accessed until a line is needed.</param>
+/// <param name="readKey">Reads the next key; null if there is no keyboard.</param>
+/// <param name="prompts">Receives the prompts.</param>
 internal sealed class SecretInput(Lazy<TextReader> input, Func<ConsoleKeyInfo>? readKey, TextWriter prompts)
 {
-    /// <summary>More than any password has.</summary>
+    /// <summary>Longer than any password.</summary>
     private const int MostCharacters = 4096;
 
-    /// <summary>Passwords from a reader that is there.</summary>
+    /// <summary>Reads passwords from an existing reader.</summary>
     public SecretInput(TextReader input, Func<ConsoleKeyInfo>? readKey, TextWriter prompts)
         : this(new Lazy<TextReader>(input), readKey, prompts)
     {
     }
 
-    /// <summary>Asks for a password.</summary>
-    /// <param name="prompt">What to ask for.</param>
-    /// <param name="fromInput">True if lines of standard input are meant, one a password.</param>
-    /// <exception cref="SecretInputException">Nothing can be asked, or nothing came.</exception>
+    /// <summary>Prompts for a password.</summary>
+    /// <param name="prompt">The prompt.</param>
+    /// <param name="fromInput">True to read lines of standard input, one per password.</param>
+    /// <exception cref="SecretInputException">No prompt is possible, or no input came.</exception>
     public string Ask(string prompt, bool fromInput)
     {
         if (fromInput && readKey is null)
@@ -39,8 +40,8 @@ internal sealed class SecretInput(Lazy<TextReader> input, Func<ConsoleKeyInfo>? 
         return typed;
     }
 
-    /// <summary>Asks for a new password: twice at a keyboard, where nobody sees a slip.</summary>
-    /// <exception cref="SecretInputException">As above, and if the two differ.</exception>
+    /// <summary>Prompts for a new password: twice at a keyboard, where typing errors are invisible.</summary>
+    /// <exception cref="SecretInputException">As above, and if the two entries differ.</exception>
     public string AskNew(string prompt, bool fromInput)
     {
         var typed = Ask(prompt, fromInput);

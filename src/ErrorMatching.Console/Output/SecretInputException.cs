@@ -1,4 +1,4 @@
 namespace ErrorMatching.Console;
 
-/// <summary>A password that was asked for and did not come.</summary>
+/// <summary>A requested password could not be read.</summary>
 internal sealed class SecretInputException(string message) : Exception(message);

@@ -2,24 +2,24 @@ using System.Globalization;
 
 namespace ErrorMatching.Console;
 
-/// <summary>How numbers look in text for people. Scripts read JSON, which has all digits.</summary>
+/// <summary>Number formats in text for people. Scripts read JSON, which has all digits.</summary>
 internal static class Show
 {
-    /// <summary>A length in millimeters, to a tenth of a micrometer; no sign where it rounds to nothing.</summary>
+    /// <summary>A length in millimeters, to a tenth of a micrometer; no sign if it rounds to zero.</summary>
     public static string Mm(double value) => value.ToString("0.0000;-0.0000;0.0000", CultureInfo.InvariantCulture);
 
-    /// <summary>A length in millimeters that has a direction, with its sign; no sign where it rounds to nothing.</summary>
+    /// <summary>A directed length in millimeters, with its sign; no sign if it rounds to zero.</summary>
     public static string Signed(double value) => value.ToString("+0.0000;-0.0000;0.0000", CultureInfo.InvariantCulture);
 
-    /// <summary>A share in whole percent.</summary>
+    /// <summary>A proportion in whole percent.</summary>
     public static string Percent(double value) => value.ToString("0", CultureInfo.InvariantCulture) + " %";
 
     /// <summary>An angle in degrees, to a ten-thousandth.</summary>
     public static string Degrees(double value) => value.ToString("0.0000", CultureInfo.InvariantCulture);
 
-    /// <summary>A quantity whose size is not known beforehand, to six digits.</summary>
+    /// <summary>A quantity of unknown magnitude, to six digits.</summary>
     public static string Digits(double value) => value.ToString("G6", CultureInfo.InvariantCulture);
 
-    /// <summary>All digits that tell the number from its neighbors.</summary>
+    /// <summary>As many digits as distinguish the number from its neighbors.</summary>
     public static string Exact(double value) => value.ToString("R", CultureInfo.InvariantCulture);
 }

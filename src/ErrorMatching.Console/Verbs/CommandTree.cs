@@ -3,24 +3,24 @@ using System.CommandLine.Help;
 
 namespace ErrorMatching.Console;
 
-/// <summary>All verbs, in the order in which the help lists them.</summary>
+/// <summary>All verbs, in help order.</summary>
 internal static class CommandTree
 {
     private static readonly ParserConfiguration Configuration = new()
     {
-        // An argument is what it says: a file named @points.csv is no list of further arguments, and -1 no bundle of letters.
+        // Arguments are taken literally: a file named @points.csv is not a list of more arguments, and -1 is not a bundle of letters.
         ResponseFileTokenReplacer = null,
         EnablePosixBundling = false,
     };
 
-    /// <summary>The words that a command line begins with, in the order of the help.</summary>
+    /// <summary>The possible first words of a command line, in help order.</summary>
     internal static IReadOnlyList<string> FirstWords { get; } = ["match", "verify", "job", "nc", "surface", "cell", "user", "audit", "fit"];
 
     /// <summary>Parses a command line.</summary>
     public static ParseResult Parse(IReadOnlyList<string> args) => Build(args.Count > 0 ? args[0] : null).Parse(args, Configuration);
 
     /// <summary>The root command.</summary>
-    /// <param name="first">The word that the command line begins with: where it is that of a command, only that one is made. Null for all.</param>
+    /// <param name="first">The first word of the command line. If it is a command, only that one is built. Null builds all.</param>
     public static RootCommand Build(string? first = null)
     {
         var root = new RootCommand("Measures a machined piece and rewrites the NC program of its counterpart so that the two fit.");

@@ -4,13 +4,11 @@ using System.CommandLine.Invocation;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The help of a verb with its example below.</summary>
+/// <summary>A verb's help followed by its example.</summary>
 internal sealed class HelpWithExample(HelpAction help) : SynchronousCommandLineAction
 {
-    /// <inheritdoc/>
     public override bool ClearsParseErrors => true;
 
-    /// <inheritdoc/>
     public override int Invoke(ParseResult parseResult)
     {
         var exit = help.Invoke(parseResult);

@@ -10,7 +10,6 @@ internal sealed class PrintVersion : SynchronousCommandLineAction
     /// <summary>The version, such as <c>0.1.0</c>.</summary>
     public static string Version { get; } = typeof(PrintVersion).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
 
-    /// <inheritdoc/>
     public override int Invoke(ParseResult parseResult)
     {
         parseResult.InvocationConfiguration.Output.Write(Version + "\n");

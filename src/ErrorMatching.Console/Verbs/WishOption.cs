@@ -4,10 +4,9 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The option that writes what was asked beside the result, so that <c>nc prove</c> can prove it again.</summary>
+/// <summary>The option that saves the request next to the result, so that <c>nc prove</c> can check the result again.</summary>
 internal sealed class WishOption : Option<string>
 {
-    /// <summary>The option.</summary>
     public WishOption()
         : base("--wish")
     {
@@ -15,23 +14,23 @@ internal sealed class WishOption : Option<string>
         HelpName = "FILE";
     }
 
-    /// <summary>Writes outputs and, if it is asked for, the wish before them: all of them or none.</summary>
+    /// <summary>Writes the outputs, preceded by the wish file if requested: all of them or none.</summary>
     /// <param name="files">The outputs; the last one is the program.</param>
-    /// <param name="wish">Makes the wish.</param>
-    /// <param name="arguments">What the user typed.</param>
+    /// <param name="wish">Creates the wish file's content.</param>
+    /// <param name="arguments">The user's arguments.</param>
     /// <param name="inputs">The files that were read.</param>
-    /// <param name="cancellation">Looked at last before the first file appears.</param>
+    /// <param name="cancellation">Last checked before the first file appears.</param>
     public void WriteWith(
         IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, Func<WishFile> wish, ParseResult arguments, IReadOnlyCollection<string> inputs, CancellationToken cancellation) =>
         WriteWith(files, wish, arguments, inputs, () => true, cancellation);
 
-    /// <summary>The same, if the files may appear once they are written beside their places.</summary>
+    /// <summary>The same, with a final check once the files are written next to their targets.</summary>
     /// <param name="files">The outputs; the last one is the program.</param>
-    /// <param name="wish">Makes the wish.</param>
-    /// <param name="arguments">What the user typed.</param>
+    /// <param name="wish">Creates the wish file's content.</param>
+    /// <param name="arguments">The user's arguments.</param>
     /// <param name="inputs">The files that were read.</param>
-    /// <param name="mayAppear">Asked last before the first file appears.</param>
-    /// <param name="cancellation">Looked at before the first file appears.</param>
+    /// <param name="mayAppear">Called last, before the first file appears.</param>
+    /// <param name="cancellation">Checked before the first file appears.</param>
     public void WriteWith(
         IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, Func<WishFile> wish, ParseResult arguments, IReadOnlyCollection<string> inputs, Func<bool> mayAppear, CancellationToken cancellation)
     {

@@ -3,10 +3,10 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>Shadows of boxes: Cairo has none, so a mask is blurred.</summary>
+/// <summary>Box shadows: Cairo does not support them, so a mask is blurred.</summary>
 internal static unsafe class BoxShadowDrawing
 {
-    /// <summary>Draws the shadow of a box, outside of it only.</summary>
+    /// <summary>Draws the shadow of a box, only outside the box.</summary>
     public static void Draw(nint target, BoxShadow shadow, RoundedRect rect)
     {
         var shape = rect.Inflate(shadow.Spread, shadow.Spread);
@@ -24,7 +24,7 @@ internal static unsafe class BoxShadowDrawing
         LibCairo.cairo_surface_mark_dirty(mask);
         LibCairo.cairo_save(target);
 
-        // The shadow lies outside the box only.
+        // The shadow is visible only outside the box.
         LibCairo.cairo_new_path(target);
         new CairoGeometry { FillRule = FillRule.EvenOdd, Segments = [.. CairoGeometry.Rectangle(area.Inflate(Math.Abs(shadow.OffsetX) + Math.Abs(shadow.OffsetY))).Segments, .. CairoGeometry.Rounded(rect).Segments] }.AddTo(target);
         LibCairo.cairo_clip(target);

@@ -4,16 +4,16 @@ using Avalonia.Platform;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>Avalonia's brushes as Cairo's patterns.</summary>
+/// <summary>Converts Avalonia's brushes to Cairo patterns.</summary>
 internal static unsafe class BrushPattern
 {
     /// <summary>A component of a color, from 0 to 1.</summary>
     public static double Unit(byte v) => v / 255.0;
 
-    /// <summary>A matrix as Cairo has it.</summary>
+    /// <summary>A matrix in Cairo's form.</summary>
     public static LibCairo.Mat ToCairo(Matrix m) => new() { Xx = m.M11, Yx = m.M12, Xy = m.M21, Yy = m.M22, X0 = m.M31, Y0 = m.M32 };
 
-    /// <summary>A new pattern for the brush over the target rectangle, or 0 when nothing would be painted.</summary>
+    /// <summary>A new pattern for the brush over the target rectangle, or 0 if nothing would be painted.</summary>
     public static nint Of(IBrush? brush, Rect target)
     {
         if (brush is null || brush.Opacity <= 0) return 0;
@@ -51,7 +51,7 @@ internal static unsafe class BrushPattern
                 return Tile(content.Brush, content.Rect, target, (context, m) => content.Render(context, m));
             case IImageBrush { Source: { } source } image:
                 {
-                    // The one thing that is internal to Avalonia: the bitmap behind an image brush (IRef<IBitmapImpl>).
+                    // The only use of an Avalonia internal: the bitmap behind an image brush (IRef<IBitmapImpl>).
                     var reference = typeof(IImageBrushSource).GetProperty("Bitmap", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic)?.GetValue(source);
                     if (reference?.GetType().GetProperty("Item")?.GetValue(reference) is not CairoBitmap bitmap) return 0;
                     var whole = new Rect(bitmap.PixelSize.ToSize(1));
@@ -108,7 +108,7 @@ internal static unsafe class BrushPattern
         return pattern;
     }
 
-    /// <summary>Conic gradients are not in Cairo: colored pixel by pixel, clockwise from the top.</summary>
+    /// <summary>Cairo has no conic gradients: they are colored pixel by pixel, clockwise from the top.</summary>
     private static nint Conic(IConicGradientBrush brush, Rect target)
     {
         var stops = brush.GradientStops.OrderBy(s => s.Offset).ToArray();

@@ -34,7 +34,7 @@ internal sealed unsafe class CairoContext : IDrawingContextImpl
         {
             _transform = value;
             var m = value * _post;
-            // Cairo refuses (and then ignores everything after) a matrix that cannot be inverted, e.g. a zero scale.
+            // Cairo refuses a singular matrix, e.g. a zero scale, and then ignores everything after it.
             if (!m.HasInverse) m = Matrix.CreateScale(1e-6, 1e-6) * Matrix.CreateTranslation(m.M31, m.M32);
             LibCairo.cairo_set_matrix(_cr, BrushPattern.ToCairo(m));
         }
@@ -153,7 +153,7 @@ internal sealed unsafe class CairoContext : IDrawingContextImpl
         if (frame.Kind == Frame.OpaqueOpacity) return;
         if (frame.Kind != Frame.Clip)
         {
-            LibCairo.cairo_pop_group_to_source(_cr); // also back to the matrix of the push
+            LibCairo.cairo_pop_group_to_source(_cr); // also restores the matrix of the push
             if (frame.Kind == Frame.Mask)
             {
                 var mask = BrushPattern.Of(frame.Mask, frame.Bounds);

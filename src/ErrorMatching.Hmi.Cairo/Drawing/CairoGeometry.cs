@@ -5,7 +5,7 @@ using Avalonia.Platform;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>A path as a list of segments; Cairo answers the questions about it on a scratch context.</summary>
+/// <summary>A path as a list of segments; Cairo computes its properties on a scratch context.</summary>
 internal class CairoGeometry : IGeometryImpl
 {
     internal enum Op : byte { Move, Line, Curve, Close }
@@ -150,7 +150,7 @@ internal class CairoGeometry : IGeometryImpl
         return LibCairo.cairo_in_stroke(cr, point.X, point.Y) != 0;
     }
 
-    // Cairo has no path booleans: the two below are approximations (see CreateCombinedGeometry).
+    // Cairo has no path booleans: these two are approximations (see CreateCombinedGeometry).
     public IGeometryImpl? Intersect(IGeometryImpl geometry) => Rectangle(Bounds.Intersect(geometry.Bounds));
     public IGeometryImpl GetWidenedGeometry(IPen pen) => Rectangle(GetRenderBounds(pen));
 

@@ -35,7 +35,8 @@ internal sealed class CairoRenderInterface : IPlatformRenderInterface
     public IStreamGeometryImpl CreateStreamGeometry() => new CairoGeometry.Stream();
     public IGeometryImpl CreateGeometryGroup(FillRule fillRule, IReadOnlyList<IGeometryImpl> children) => CairoGeometry.Group(fillRule, children);
 
-    /// <summary>Cairo has no path booleans. Union and Xor are exact as fills; Exclude is exact when the second lies inside the first.</summary>
+    /// <summary>Cairo has no path booleans. Union and Xor are exact as fills; Exclude is exact if the second geometry is inside the
+    /// first.</summary>
     public IGeometryImpl CreateCombinedGeometry(GeometryCombineMode combineMode, IGeometryImpl g1, IGeometryImpl g2) => combineMode switch
     {
         GeometryCombineMode.Union => CairoGeometry.Group(FillRule.NonZero, [g1, g2]),

@@ -2,7 +2,7 @@ using Avalonia.Platform.Surfaces;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>Where a window's frames go: the last frame stays here for screenshots (and is what an X11 window would show).</summary>
+/// <summary>Receives a window's frames. The last one is kept for screenshots; an X11 window displays the same frame.</summary>
 internal sealed class FrameSurface : IPlatformRenderSurface
 {
     public CairoBitmap? Frame { get; set; }

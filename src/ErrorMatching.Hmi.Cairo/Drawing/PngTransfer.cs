@@ -2,30 +2,31 @@ using System.Runtime.InteropServices;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>A stream that cairo reads a picture from or writes one to. No exception may pass through native code: it is kept until cairo has returned.</summary>
+/// <summary>A stream that Cairo reads a picture from or writes one to. Exceptions must not pass through native code: they are kept until
+/// Cairo has returned.</summary>
 internal sealed class PngTransfer : IDisposable
 {
     private readonly Stream _stream;
     private GCHandle _handle;
 
-    /// <summary>A transfer, for as long as it is not disposed.</summary>
+    /// <summary>Starts a transfer, which ends when disposed of.</summary>
     public PngTransfer(Stream stream)
     {
         _stream = stream;
         _handle = GCHandle.Alloc(this);
     }
 
-    /// <summary>What cairo hands back to its callbacks.</summary>
+    /// <summary>The argument that Cairo passes to its callbacks.</summary>
     public nint Closure => GCHandle.ToIntPtr(_handle);
 
-    /// <summary>What the stream threw; null if nothing.</summary>
+    /// <summary>The stream's exception; null for none.</summary>
     public Exception? Failure { get; private set; }
 
-    /// <summary>The transfer of a callback.</summary>
+    /// <summary>The transfer for a callback's argument.</summary>
     public static PngTransfer Of(nint closure) => (PngTransfer)GCHandle.FromIntPtr(closure).Target!;
 
     /// <summary>Fills bytes from the stream.</summary>
-    /// <returns>False if it cannot.</returns>
+    /// <returns>False if that fails.</returns>
     public bool Read(Span<byte> bytes)
     {
         try
@@ -41,7 +42,7 @@ internal sealed class PngTransfer : IDisposable
     }
 
     /// <summary>Writes bytes to the stream.</summary>
-    /// <returns>False if it cannot.</returns>
+    /// <returns>False if that fails.</returns>
     public bool Write(ReadOnlySpan<byte> bytes)
     {
         try
@@ -56,6 +57,5 @@ internal sealed class PngTransfer : IDisposable
         }
     }
 
-    /// <inheritdoc/>
     public void Dispose() => _handle.Free();
 }

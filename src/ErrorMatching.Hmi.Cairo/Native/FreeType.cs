@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>FreeType: only to open a face for Cairo.</summary>
+/// <summary>FreeType: only opens a face for Cairo.</summary>
 internal static partial class FreeType
 {
     public const string Library = "libfreetype.so.6";

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>The few Cairo entry points the renderer needs (Debian: libcairo2).</summary>
+/// <summary>The few Cairo entry points that the renderer needs (Debian: libcairo2).</summary>
 internal static unsafe partial class LibCairo
 {
     public const string Library = "libcairo.so.2";

@@ -3,21 +3,19 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>The clock of frames that nobody sees: one is drawn when somebody says so.</summary>
+/// <summary>The clock of off-screen frames: a frame is drawn on request.</summary>
 internal sealed class OffScreenClock : IRenderTimer
 {
     private TimeSpan _now;
 
-    /// <summary>The one of the process.</summary>
+    /// <summary>The process's clock.</summary>
     public static OffScreenClock Current { get; } = new();
 
-    /// <inheritdoc/>
     public Action<TimeSpan>? Tick { get; set; }
 
-    /// <inheritdoc/>
     public bool RunsInBackground => false;
 
-    /// <summary>Does the pending work of the UI thread, then draws one frame, so many times.</summary>
+    /// <summary>Does the UI thread's pending work, then draws one frame; repeats this for the given number of frames.</summary>
     public void Advance(int frames = 2)
     {
         for (var i = 0; i < frames; i++)
@@ -29,6 +27,6 @@ internal sealed class OffScreenClock : IRenderTimer
         Dispatcher.UIThread.RunJobs(null);
     }
 
-    /// <summary>Draws one frame, a sixtieth of a second later than the last one.</summary>
+    /// <summary>Draws one frame, 16 ms after the previous one.</summary>
     public void Frame() => Tick?.Invoke(_now += TimeSpan.FromMilliseconds(16));
 }

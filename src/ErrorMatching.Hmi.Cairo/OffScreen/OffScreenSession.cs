@@ -3,7 +3,8 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>The one application of a process without a screen, on a UI thread of its own (Avalonia allows one a process). Work on it comes one after another.</summary>
+/// <summary>The single application of a process without a screen, on its own UI thread (Avalonia allows one per process). Its work runs
+/// sequentially.</summary>
 [System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "It lives as long as the process.")]
 public sealed class OffScreenSession
 {
@@ -15,15 +16,15 @@ public sealed class OffScreenSession
 
     private OffScreenSession(Dispatcher dispatcher, Task ended) => (_dispatcher, _ended) = (dispatcher, ended);
 
-    /// <summary>Pixels a device-independent unit of windows that are opened from now on.</summary>
+    /// <summary>Pixels per device-independent unit, for windows opened from now on.</summary>
     public static double Scaling
     {
         get => OffScreenWindow.NextScaling;
         set => OffScreenWindow.NextScaling = value;
     }
 
-    /// <summary>Starts the application, or gives the one that runs.</summary>
-    /// <param name="configure">Makes the application's builder; it is given the platform here.</param>
+    /// <summary>Starts the application, or returns the running one.</summary>
+    /// <param name="configure">Creates the application's builder; the platform is added here.</param>
     /// <exception cref="PlatformNotSupportedException">A native library is missing.</exception>
     public static OffScreenSession Start(Func<AppBuilder> configure)
     {
@@ -42,7 +43,8 @@ public sealed class OffScreenSession
         }
     }
 
-    /// <summary>Does something on the UI thread, behind whatever was asked for before: what pumps the dispatcher must not start the next one inside itself.</summary>
+    /// <summary>Runs work on the UI thread after all earlier requests, so that work that pumps the dispatcher does not start the next
+    /// request inside itself.</summary>
     public async Task RunAsync(Func<Task> work)
     {
         await _turn.WaitAsync();
@@ -56,7 +58,7 @@ public sealed class OffScreenSession
         }
     }
 
-    /// <summary>Does something on the UI thread, behind whatever was asked for before.</summary>
+    /// <summary>Runs work on the UI thread after all earlier requests.</summary>
     public Task RunAsync(Action work) => RunAsync(() =>
     {
         work();
@@ -76,7 +78,7 @@ public sealed class OffScreenSession
             return;
         }
 
-        // Without its thread nothing would ever be done: whoever waits is told what ended it.
+        // Without its thread no work would ever run: callers that wait get the exception that ended it.
         try
         {
             Dispatcher.UIThread.MainLoop(CancellationToken.None);

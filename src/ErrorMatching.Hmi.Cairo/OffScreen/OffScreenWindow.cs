@@ -1,8 +1,8 @@
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>A window that is only a size, a frame and what is put in by a user that is a program. Popups are drawn inside it.</summary>
+/// <summary>A window that has only a size, a frame and input from a simulated user. Popups are drawn inside it.</summary>
 internal sealed class OffScreenWindow() : PlatformWindow(NextScaling)
 {
-    /// <summary>Pixels a device-independent unit of windows to come.</summary>
+    /// <summary>Pixels per device-independent unit, for future windows.</summary>
     public static double NextScaling { get; set; } = 1;
 }

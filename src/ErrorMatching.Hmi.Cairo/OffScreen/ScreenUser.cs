@@ -10,34 +10,36 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>A user at a window without a screen: moves, taps, types, presses keys, looks. Behind each act layout, bindings and one frame are done before it returns.</summary>
+/// <summary>A simulated user of a window without a screen: moves, taps, types, presses keys, looks. Each method returns only after layout,
+/// bindings and one frame.</summary>
 /// <param name="window">The window. It must have been opened under <see cref="CairoPlatform.UseOffScreen"/>.</param>
 public sealed class ScreenUser(Window window)
 {
     private OffScreenWindow Platform => (OffScreenWindow)window.PlatformImpl!;
 
-    /// <summary>Lets everything that is pending be done, and drawn.</summary>
+    /// <summary>Completes all pending work, and draws it.</summary>
     public ScreenUser Settle(int frames = 2)
     {
         OffScreenClock.Current.Advance(frames);
         return this;
     }
 
-    /// <summary>Lets real time pass: transitions and timers follow the real clock, not the frames. Frames are drawn before keys and taps are taken, as on a screen.</summary>
+    /// <summary>Lets real time pass: transitions and timers follow the real clock, not the frames. Frames are drawn before keys and taps
+    /// are processed, as on a screen.</summary>
     public ScreenUser Wait(TimeSpan time)
     {
         var watch = Stopwatch.StartNew();
         return WaitFor(() => watch.Elapsed >= time, TimeSpan.MaxValue, DispatcherPriority.Render);
     }
 
-    /// <summary>Lets time pass until something is so.</summary>
-    /// <exception cref="TimeoutException">It did not become so in time.</exception>
+    /// <summary>Lets time pass until a condition is met.</summary>
+    /// <exception cref="TimeoutException">The condition was not met in time.</exception>
     public ScreenUser WaitFor(Func<bool> condition, TimeSpan most) => WaitFor(condition, most, DispatcherPriority.Background);
 
     /// <summary>Moves the pointer to the middle of a control.</summary>
     public ScreenUser MoveTo(Visual target) => MoveTo(target, Middle(target));
 
-    /// <summary>Moves the pointer to a place in a control, from its left upper corner.</summary>
+    /// <summary>Moves the pointer to a position in a control, from its upper left corner.</summary>
     public ScreenUser MoveTo(Visual target, Point place)
     {
         Settle();
@@ -48,10 +50,11 @@ public sealed class ScreenUser(Window window)
     /// <summary>Presses and releases the left button in the middle of a control.</summary>
     public ScreenUser Click(Visual target) => Click(target, Middle(target));
 
-    /// <summary>Presses and releases the left button at a place in a control, from its left upper corner.</summary>
+    /// <summary>Presses and releases the left button at a position in a control, from its upper left corner.</summary>
     public ScreenUser Click(Visual target, Point place) => Drag(target, place, place);
 
-    /// <summary>Presses the left button in the middle of a control, lets something happen, and releases it there or further on.</summary>
+    /// <summary>Presses the left button in the middle of a control, runs an action, and releases the button there or at an
+    /// offset.</summary>
     public ScreenUser Hold(Visual target, Action meanwhile, Vector further = default)
     {
         ArgumentNullException.ThrowIfNull(meanwhile);
@@ -66,7 +69,7 @@ public sealed class ScreenUser(Window window)
         return Settle();
     }
 
-    /// <summary>Presses the left button at one place in a control and releases it at another one.</summary>
+    /// <summary>Presses the left button at one position in a control and releases it at another.</summary>
     public ScreenUser Drag(Visual target, Point from, Point to)
     {
         MoveTo(target, from);
@@ -83,10 +86,10 @@ public sealed class ScreenUser(Window window)
         return Settle();
     }
 
-    /// <summary>Touches the middle of a control with a finger, and takes it away.</summary>
+    /// <summary>Taps the middle of a control with a finger.</summary>
     public ScreenUser Tap(Visual target) => Tap(target, () => { });
 
-    /// <summary>Touches a place in a control with a finger, from its left upper corner, and takes it away.</summary>
+    /// <summary>Taps a position in a control with a finger, from its upper left corner.</summary>
     public ScreenUser Tap(Visual target, Point place)
     {
         Settle();
@@ -97,7 +100,7 @@ public sealed class ScreenUser(Window window)
         return Settle();
     }
 
-    /// <summary>Touches the middle of a control with a finger, lets something happen, and takes the finger away.</summary>
+    /// <summary>Touches the middle of a control with a finger, runs an action, and lifts the finger.</summary>
     public ScreenUser Tap(Visual target, Action meanwhile)
     {
         ArgumentNullException.ThrowIfNull(meanwhile);
@@ -111,7 +114,7 @@ public sealed class ScreenUser(Window window)
         return Settle();
     }
 
-    /// <summary>Lays two fingers on a control, moves both, and takes them away.</summary>
+    /// <summary>Puts two fingers on a control, moves both, and lifts them.</summary>
     public ScreenUser Pinch(Visual target, (Point From, Point To) first, (Point From, Point To) second)
     {
         Settle();
@@ -126,7 +129,7 @@ public sealed class ScreenUser(Window window)
         return Settle();
     }
 
-    /// <summary>Lays a finger on a control, moves it, and takes it away.</summary>
+    /// <summary>Puts a finger on a control, moves it, and lifts it.</summary>
     public ScreenUser Swipe(Visual target, Point from, Point to)
     {
         Settle();
@@ -147,7 +150,7 @@ public sealed class ScreenUser(Window window)
         return Settle();
     }
 
-    /// <summary>Types text into what has the focus.</summary>
+    /// <summary>Types text into the focused control.</summary>
     public ScreenUser Type(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
@@ -167,7 +170,7 @@ public sealed class ScreenUser(Window window)
         return Settle();
     }
 
-    /// <summary>Writes what is seen to a PNG file.</summary>
+    /// <summary>Writes the current frame to a PNG file.</summary>
     public void Screenshot(string path)
     {
         Settle();
@@ -176,7 +179,7 @@ public sealed class ScreenUser(Window window)
         Platform.Frame!.Save(file, PngBitmapEncoderOptions.Default);
     }
 
-    /// <summary>The color of a pixel, counted from the left upper corner of the window.</summary>
+    /// <summary>The color of a pixel, counted from the upper left corner of the window.</summary>
     public unsafe Color PixelAt(PixelPoint pixel)
     {
         Settle();
@@ -201,7 +204,7 @@ public sealed class ScreenUser(Window window)
             }
             catch (Exception e)
             {
-                // Thrown on where it was asked: after an exception out of this timer the next wait was seen never to end.
+                // Rethrown in the caller: after an exception from this timer, the next wait was observed never to end.
                 failure = ExceptionDispatchInfo.Capture(e);
             }
 

@@ -20,7 +20,7 @@ internal sealed class CairoGlyphRun : IGlyphRunImpl
             Glyphs[i] = new LibCairo.Glyph { Index = g.GlyphIndex, X = x + g.GlyphOffset.X, Y = g.GlyphOffset.Y };
             x += g.GlyphAdvance;
         }
-        // Used for dirty rectangles and hit tests: the line box, a little wider than the ink.
+        // For dirty rectangles and hit tests: the line box, a little wider than the ink.
         var scale = emSize / typeface.Metrics.DesignEmHeight;
         var slack = emSize / 4;
         Bounds = new Rect(origin.X - slack, origin.Y + typeface.Metrics.Ascent * scale - slack, x + 2 * slack,
@@ -35,7 +35,7 @@ internal sealed class CairoGlyphRun : IGlyphRunImpl
     public IReadOnlyList<float> GetIntersections(float lowerLimit, float upperLimit) => [];
     public void Dispose() { }
 
-    /// <summary>Adds the outlines at the baseline origin. Outlines, because Cairo 1.16 snaps drawn glyphs to whole pixels.</summary>
+    /// <summary>Adds the outlines at the baseline origin. It uses outlines because Cairo 1.16 snaps drawn glyphs to whole pixels.</summary>
     public unsafe void AddTo(nint cr)
     {
         var moved = stackalloc LibCairo.Glyph[Math.Min(Glyphs.Length, 256)];

@@ -14,12 +14,11 @@ internal sealed unsafe class FontconfigFontManager : IFontManagerImpl
     private readonly Lock _lock = new();
     private string[]? _families;
 
-    /// <summary>Which regional Han forms to prefer when falling back.</summary>
+    /// <summary>Preferred regional Han forms for fallback.</summary>
     public string HanLanguage { get; init; } = "zh-tw";
 
-    /// <summary>
-    /// The family for Han characters, by name: of a family that it knows, Avalonia asks for each weight; of one that it was given for a character, it takes the first weight that it came across for all others.
-    /// </summary>
+    /// <summary>The family for Han characters, by name. For a family that Avalonia knows, it requests each weight separately; for a family
+    /// that it got for a single character, it uses the first weight that it encountered for all others.</summary>
     public IReadOnlyList<FontFallback> HanFallbacks => HanFamily() is { } family ? [new() { FontFamily = new(family), UnicodeRange = new([new(0x2E80, 0x9FFF), new(0xF900, 0xFAFF), new(0xFE30, 0xFE4F), new(0xFF00, 0xFFEF)]) }] : [];
 
     public string GetDefaultFontFamilyName() => "DejaVu Sans";
@@ -43,7 +42,7 @@ internal sealed unsafe class FontconfigFontManager : IFontManagerImpl
         [NotNullWhen(true)] out IPlatformTypeface? platformTypeface)
     {
         platformTypeface = null;
-        // fontconfig always answers something; a family that is not installed must fail so that the next name is tried.
+        // fontconfig always returns some font; a family that is not installed must fail, so that the next name is tried.
         return Array.BinarySearch(GetInstalledFontFamilyNames(), familyName, StringComparer.OrdinalIgnoreCase) >= 0
                && TryMatch(familyName, null, style, weight, out platformTypeface);
     }
@@ -60,7 +59,7 @@ internal sealed unsafe class FontconfigFontManager : IFontManagerImpl
         return false;
     }
 
-    // Only the name: no file is read for it.
+    // Only the name: this reads no file.
     private string? HanFamily()
     {
         const uint sample = '誤';
@@ -124,7 +123,8 @@ internal sealed unsafe class FontconfigFontManager : IFontManagerImpl
                 var simulate = FontSimulations.None;
                 if ((int)weight >= 600 && (int)actual < 600) simulate |= FontSimulations.Bold;
                 if (style != FontStyle.Normal && slant == 0) simulate |= FontSimulations.Oblique;
-                // What was asked for, with what is simulated: for another weight or style Avalonia would open the file's first face and simulate the rest itself.
+                // The requested weight and style, with simulations: if they differed, Avalonia would open the file's first face and
+                // simulate the rest itself.
                 typeface = new NativeTypeface(data, index & 0xFFFF, simulate, Marshal.PtrToStringUTF8(name), weight, style);
                 return true;
             }

@@ -20,7 +20,7 @@ internal sealed unsafe class NativeTypeface : IPlatformTypeface
         var blob = HarfBuzz.hb_blob_create(address, (uint)pinned.Length, HarfBuzz.MemoryModeReadOnly, 0, 0);
         _hbFace = HarfBuzz.hb_face_create(blob, (uint)index);
         HarfBuzz.hb_blob_destroy(blob);
-        HbFont = HarfBuzz.hb_font_create(_hbFace); // default scale is the font's units per em
+        HbFont = HarfBuzz.hb_font_create(_hbFace); // the default scale is the font's units per em
         HarfBuzz.hb_ot_font_set_funcs(HbFont);
         UnitsPerEm = HarfBuzz.hb_face_get_upem(_hbFace);
         if (FreeType.FT_New_Memory_Face(s_freeType, address, pinned.Length, index, out var face) != 0)
@@ -70,7 +70,7 @@ internal sealed unsafe class NativeTypeface : IPlatformTypeface
         return true;
     }
 
-    public void Dispose() { } // faces live as long as the process: Cairo's caches refer to them
+    public void Dispose() { } // faces live as long as the process, because Cairo's caches refer to them
 
     public static byte[] Pin(Stream stream)
     {

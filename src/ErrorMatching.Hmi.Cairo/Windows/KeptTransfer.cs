@@ -2,18 +2,15 @@ using Avalonia.Input;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>What a clipboard gives out and keeps: readers dispose what they get.</summary>
+/// <summary>Wraps a transfer that the clipboard returns and keeps: readers dispose of what they get.</summary>
 internal sealed class KeptTransfer(IAsyncDataTransfer inner) : IAsyncDataTransfer
 {
-    /// <inheritdoc/>
     public IReadOnlyList<DataFormat> Formats => inner.Formats;
 
-    /// <inheritdoc/>
     public IReadOnlyList<IAsyncDataTransferItem> Items => inner.Items;
 
-    /// <inheritdoc/>
     public void Dispose()
     {
-        // The clipboard goes on owning it.
+        // The clipboard still owns it.
     }
 }

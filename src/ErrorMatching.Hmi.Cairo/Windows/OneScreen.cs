@@ -6,10 +6,8 @@ namespace ErrorMatching.Hmi.Cairo;
 /// <summary>The only screen of a station.</summary>
 internal sealed class OneScreen(PixelSize size, double scaling) : ScreensBase<int, PlatformScreen>
 {
-    /// <inheritdoc/>
     protected override IReadOnlyList<int> GetAllScreenKeys() => [1];
 
-    /// <inheritdoc/>
     protected override PlatformScreen CreateScreenFromKey(int key) => new Only(size, scaling);
 
     private sealed class Only : PlatformScreen

@@ -5,12 +5,10 @@ using Avalonia.Platform;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>Cursors as names of standard shapes, which X11 knows. Cursors from pictures are not needed: they are arrows.</summary>
+/// <summary>Cursors as names of standard shapes, which X11 has. Cursors from pictures are not needed; they become arrows.</summary>
 internal sealed class ShapeCursors : ICursorFactory
 {
-    /// <inheritdoc/>
     public ICursorImpl GetCursor(StandardCursorType cursorType) => new ShapeCursor(cursorType);
 
-    /// <inheritdoc/>
     public ICursorImpl CreateCursor(Bitmap cursor, PixelPoint hotSpot) => new ShapeCursor(StandardCursorType.Arrow);
 }

@@ -9,10 +9,10 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>Makes windows for Avalonia, and what windows share.</summary>
+/// <summary>Creates windows for Avalonia, and holds what windows share.</summary>
 internal sealed class Windowing(Func<PlatformWindow> create) : IWindowingPlatform
 {
-    /// <summary>Puts frames together.</summary>
+    /// <summary>Composes frames.</summary>
     public static Compositor Compositor { get; private set; } = null!;
 
     /// <summary>Registers the platform's services, on the thread that becomes the UI thread.</summary>
@@ -32,19 +32,14 @@ internal sealed class Windowing(Func<PlatformWindow> create) : IWindowingPlatfor
         Compositor = new Compositor(null);
     }
 
-    /// <inheritdoc/>
     public IWindowImpl CreateWindow() => create();
 
-    /// <inheritdoc/>
     public ITopLevelImpl CreateEmbeddableTopLevel() => create();
 
-    /// <inheritdoc/>
     public IWindowImpl CreateEmbeddableWindow() => throw new PlatformNotSupportedException("Windows inside foreign windows are not supported.");
 
-    /// <inheritdoc/>
     public ITrayIconImpl? CreateTrayIcon() => null;
 
-    /// <inheritdoc/>
     public void GetWindowsZOrder(ReadOnlySpan<IWindowImpl> windows, Span<long> zOrder)
     {
         for (var i = 0; i < windows.Length; i++)

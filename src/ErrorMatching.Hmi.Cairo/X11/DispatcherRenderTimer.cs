@@ -4,23 +4,21 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>Sixty frames a second on the UI thread while something is to be drawn or moves, none while nothing is.</summary>
+/// <summary>Sixty frames per second on the UI thread while there is something to draw or animate, none otherwise.</summary>
 internal sealed class DispatcherRenderTimer : IRenderTimer
 {
     private readonly Stopwatch _clock = Stopwatch.StartNew();
     private DispatcherTimer? _timer;
     private Action<TimeSpan>? _tick;
 
-    /// <inheritdoc/>
     public bool RunsInBackground => false;
 
-    /// <inheritdoc/>
     public Action<TimeSpan>? Tick
     {
         get => _tick;
         set
         {
-            // Avalonia sets it while there is something to draw, and takes it away when there is not.
+            // Avalonia sets it while there is something to draw, and clears it otherwise.
             _tick = value;
             _timer ??= new DispatcherTimer(TimeSpan.FromMilliseconds(16), DispatcherPriority.Render, (_, _) => _tick?.Invoke(_clock.Elapsed));
             _timer.IsEnabled = value is not null;

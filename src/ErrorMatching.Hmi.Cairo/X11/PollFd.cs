@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>A file that is waited for, as <c>poll</c> takes it.</summary>
+/// <summary>A file descriptor to wait for, in the layout for <c>poll</c>.</summary>
 [StructLayout(LayoutKind.Sequential)]
 internal struct PollFd
 {

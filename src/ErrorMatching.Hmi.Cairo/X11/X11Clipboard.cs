@@ -4,7 +4,8 @@ using Avalonia.Input.Platform;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>The clipboard that all programs on the screen share (ICCCM 2, selection CLIPBOARD), for text. What was copied here stays until another program copies or the station ends.</summary>
+/// <summary>The clipboard shared by all programs on the screen (ICCCM 2, selection CLIPBOARD), for text. Copied text remains available
+/// until another program copies or the station ends.</summary>
 [System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "It lives as long as the process.")]
 internal sealed class X11Clipboard : IClipboard
 {
@@ -13,28 +14,23 @@ internal sealed class X11Clipboard : IClipboard
     private readonly SemaphoreSlim _reading = new(1, 1);
     private IAsyncDataTransfer? _own;
 
-    /// <inheritdoc/>
     public Task ClearAsync() => SetDataAsync(null);
 
-    /// <inheritdoc/>
     public async Task SetDataAsync(IAsyncDataTransfer? dataTransfer)
     {
-        // Taken now: a request from outside is answered at once.
+        // Read now, so that an external request can be answered immediately.
         var text = dataTransfer is null ? null : await dataTransfer.TryGetTextAsync();
         _own = dataTransfer;
         _window.Value.Offer(text is null ? null : Encoding.UTF8.GetBytes(text), () => _own = null);
     }
 
-    /// <inheritdoc/>
     public Task FlushAsync() => Task.CompletedTask;
 
-    /// <inheritdoc/>
     public Task<IAsyncDataTransfer?> TryGetInProcessDataAsync() => Task.FromResult(_own);
 
-    /// <inheritdoc/>
     public async Task<IAsyncDataTransfer?> TryGetDataAsync()
     {
-        // That another program copied may still be on its way to us.
+        // The notice that another program has copied may still be on its way.
         if (_own is not null && _window.Value.IsOwner)
         {
             return new KeptTransfer(_own);

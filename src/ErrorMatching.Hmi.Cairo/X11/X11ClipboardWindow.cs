@@ -2,11 +2,12 @@ using System.Text;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>The window that is never shown and through which text is offered to other programs and taken from them.</summary>
-/// <remarks>Source: Inter-Client Communication Conventions Manual 2.0, chapter 2: selections, the targets TARGETS, UTF8_STRING and STRING, and INCR for what comes in pieces.</remarks>
+/// <summary>A window that is never shown; it offers text to other programs and receives text from them.</summary>
+/// <remarks>Source: Inter-Client Communication Conventions Manual 2.0, chapter 2: selections, the targets TARGETS, UTF8_STRING and STRING,
+/// and INCR for data in pieces.</remarks>
 internal sealed class X11ClipboardWindow
 {
-    /// <summary>More is no text that anybody pastes.</summary>
+    /// <summary>Text above this size is not meant to be pasted.</summary>
     public const int MostBytes = 64 << 20;
 
     private const nint Atoms = 4, Latin1 = 31;
@@ -23,7 +24,6 @@ internal sealed class X11ClipboardWindow
     private TaskCompletionSource<nint>? _answered;
     private TaskCompletionSource? _changed;
 
-    /// <summary>Makes it.</summary>
     public X11ClipboardWindow()
     {
         X11Connection.Open();
@@ -34,12 +34,12 @@ internal sealed class X11ClipboardWindow
 
     private static nint Display => X11Connection.Display;
 
-    /// <summary>True while nobody has copied since.</summary>
+    /// <summary>True until another program copies.</summary>
     public bool IsOwner => Xlib.XGetSelectionOwner(Display, _clipboard) == _window;
 
     /// <summary>Offers text to other programs.</summary>
-    /// <param name="utf8">The text; null to offer nothing any more.</param>
-    /// <param name="lost">Called when another program offers something, at once if one did in the same moment.</param>
+    /// <param name="utf8">The text; null to offer nothing.</param>
+    /// <param name="lost">Called when another program offers something; immediately, if one just has.</param>
     public void Offer(byte[]? utf8, Action lost)
     {
         (_offered, _lost) = (utf8, lost);
@@ -47,7 +47,8 @@ internal sealed class X11ClipboardWindow
         {
             _ = Xlib.XSetSelectionOwner(Display, _clipboard, utf8 is null ? 0 : _window, 0);
 
-            // Asked, as the conventions want (2.1): the answer says that the server has taken it, where before another program might still have asked the one that copied last.
+            // Checked, as the conventions require (2.1): the reply confirms that the server has accepted it. Before that, another program
+            // might still have asked the previous owner.
             if (utf8 is not null && !IsOwner)
             {
                 (_offered, _lost) = (null, null);
@@ -58,8 +59,8 @@ internal sealed class X11ClipboardWindow
         X11Connection.DrainLater();
     }
 
-    /// <summary>The text that another program offers, in UTF-8; null if there is none, or the program does not answer.</summary>
-    /// <param name="patience">How long each answer is waited for.</param>
+    /// <summary>The text that another program offers, in UTF-8; null if there is none, or if the program does not respond.</summary>
+    /// <param name="patience">How long to wait for each response.</param>
     public async Task<byte[]?> ReadAsync(TimeSpan patience)
     {
         foreach (var target in new[] { _utf8, Latin1 })
@@ -89,7 +90,7 @@ internal sealed class X11ClipboardWindow
 
     private static async Task<bool> InTime(Task task, TimeSpan patience) => await Task.WhenAny(task, Task.Delay(patience)) == task;
 
-    // Each piece is put where the one before was taken away; an empty one is the end.
+    // Each piece is stored where the previous one was deleted; an empty piece is the end.
     private async Task<byte[]?> TakeAsync(TimeSpan patience)
     {
         _changed = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -126,7 +127,7 @@ internal sealed class X11ClipboardWindow
         X11Connection.DrainLater();
         try
         {
-            // A length of 32 bits stands in front of pieces; text has 8 a character.
+            // A 32-bit length precedes pieces; text has 8 bits per character.
             return status != 0 || left > 0 ? (0, null) : (type, format == 8 ? new ReadOnlySpan<byte>(data, (int)items).ToArray() : type == _pieces ? [] : null);
         }
         finally
@@ -160,7 +161,7 @@ internal sealed class X11ClipboardWindow
 
     private void Answer(XEvent request)
     {
-        // Old programs name no property: the target's name is taken.
+        // Old programs name no property: then the target's name is used.
         var property = request.Property == 0 ? request.Target : request.Property;
         var answer = new XEvent
         {
@@ -193,7 +194,7 @@ internal sealed class X11ClipboardWindow
             return true;
         }
 
-        // The server takes so much at once; more would have to go in pieces, and nobody copies so much out of a station.
+        // The server accepts this much at once. More would need pieces, and users do not copy that much out of a station.
         var most = 4 * Math.Max(Xlib.XMaxRequestSize(Display), Xlib.XExtendedMaxRequestSize(Display));
         if (text.Length > most - Slack || (target != _utf8 && target != _plain && !(target == Latin1 && Ascii.IsValid(text))))
         {

@@ -3,8 +3,9 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>The one connection to the X server, used on the UI thread only.</summary>
-/// <remarks>A second thread just waits for the socket: one that is blocked in XNextEvent, with XInitThreads, delays the round trips of the drawing thread until the next event.</remarks>
+/// <summary>The single connection to the X server, used only on the UI thread.</summary>
+/// <remarks>A second thread only waits for the socket: a thread blocked in XNextEvent, with XInitThreads, would delay the drawing thread's
+/// round trips until the next event.</remarks>
 internal static class X11Connection
 {
     private static readonly Dictionary<nint, Action<XEvent>> Windows = [];
@@ -15,17 +16,17 @@ internal static class X11Connection
     /// <summary>The display; 0 before <see cref="Open"/>.</summary>
     public static nint Display { get; private set; }
 
-    /// <summary>The message by which a window manager asks a window to close.</summary>
+    /// <summary>The message with which a window manager asks a window to close.</summary>
     public static nint DeleteWindow { get; private set; }
 
-    /// <summary>Sends a window what happens to it.</summary>
+    /// <summary>Registers a window's event handler.</summary>
     public static void Add(nint window, Action<XEvent> onEvent) => Windows[window] = onEvent;
 
-    /// <summary>Ends that.</summary>
+    /// <summary>Removes a window's event handler.</summary>
     public static void Remove(nint window) => Windows.Remove(window);
 
     /// <summary>Connects, once.</summary>
-    /// <param name="name">The display; that of <c>DISPLAY</c> if null.</param>
+    /// <param name="name">The display; null for that of <c>DISPLAY</c>.</param>
     /// <exception cref="PlatformNotSupportedException">There is no X server.</exception>
     public static unsafe void Open(string? name = null)
     {
@@ -46,7 +47,8 @@ internal static class X11Connection
         new Thread(() => Watch(ui, socket)) { IsBackground = true, Name = "X11 socket" }.Start();
     }
 
-    /// <summary>To be called behind requests with replies: events may have been read along with a reply, and the socket is silent about those.</summary>
+    /// <summary>Must be called after requests with replies: events may have been read along with a reply, and the socket does not signal
+    /// those.</summary>
     public static void DrainLater()
     {
         _ = Xlib.XFlush(Display);
@@ -56,7 +58,8 @@ internal static class X11Connection
         }
     }
 
-    // Who asked for the clipboard may have ended before it was answered. Whatever else the server complains of goes to Xlib, which says it and ends the program.
+    // A program that requested the clipboard may have ended before the response. All other errors of the server go to Xlib, which reports
+    // them and ends the program.
     [UnmanagedCallersOnly(CallConvs = [typeof(System.Runtime.CompilerServices.CallConvCdecl)])]
     private static unsafe int OnError(nint display, byte* error) => error[ErrorCode] == BadWindow ? 0 : _otherwise(display, error);
 

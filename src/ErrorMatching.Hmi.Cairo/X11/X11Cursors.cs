@@ -7,7 +7,7 @@ internal static class X11Cursors
 {
     private static readonly Dictionary<uint, nint> Made = [];
 
-    /// <summary>The server's cursor for a shape, made once.</summary>
+    /// <summary>The server's cursor for a shape, created once.</summary>
     public static nint Of(StandardCursorType shape)
     {
         var glyph = Glyph(shape);

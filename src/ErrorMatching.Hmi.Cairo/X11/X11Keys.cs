@@ -2,12 +2,12 @@ using Avalonia.Input;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>From X11's keys and buttons to Avalonia's.</summary>
+/// <summary>Translates X11's keys and buttons to Avalonia's.</summary>
 internal static class X11Keys
 {
     private const uint ShiftBit = 1, ControlBit = 4, AltBit = 8, MetaBit = 0x40, LeftBit = 0x100, MiddleBit = 0x200, RightBit = 0x400;
 
-    /// <summary>The button of a number, 1 to 3.</summary>
+    /// <summary>The button with a number, 1 to 3.</summary>
     public static RawInputModifiers Button(uint button) => button switch
     {
         1 => RawInputModifiers.LeftMouseButton,
@@ -15,12 +15,12 @@ internal static class X11Keys
         _ => RawInputModifiers.RightMouseButton,
     };
 
-    /// <summary>What was held.</summary>
+    /// <summary>The modifiers and buttons that were held.</summary>
     public static RawInputModifiers Modifiers(uint state) =>
         If(state, ShiftBit, RawInputModifiers.Shift) | If(state, ControlBit, RawInputModifiers.Control) | If(state, AltBit, RawInputModifiers.Alt) | If(state, MetaBit, RawInputModifiers.Meta)
         | If(state, LeftBit, RawInputModifiers.LeftMouseButton) | If(state, MiddleBit, RawInputModifiers.MiddleMouseButton) | If(state, RightBit, RawInputModifiers.RightMouseButton);
 
-    /// <summary>The key of a keysym (X11/keysymdef.h); <see cref="Key.None"/> for one that only types.</summary>
+    /// <summary>The key of a keysym (X11/keysymdef.h); <see cref="Key.None"/> for one that only types text.</summary>
     public static Key Of(uint keysym) => keysym switch
     {
         >= 'a' and <= 'z' => Key.A + (int)(keysym - 'a'),

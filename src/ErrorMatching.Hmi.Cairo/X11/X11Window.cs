@@ -14,7 +14,7 @@ internal sealed unsafe class X11Window : PlatformWindow
     private bool _isShown;
     private PixelSize _normal;
 
-    /// <summary>Makes a window that is not shown yet.</summary>
+    /// <summary>Creates a window that is not shown yet.</summary>
     /// <exception cref="PlatformNotSupportedException">There is no X server.</exception>
     public X11Window(double scaling)
         : base(scaling)
@@ -29,7 +29,6 @@ internal sealed unsafe class X11Window : PlatformWindow
         X11Connection.Add(_window, OnEvent);
     }
 
-    /// <inheritdoc/>
     public override WindowState WindowState
     {
         get => base.WindowState;
@@ -45,12 +44,10 @@ internal sealed unsafe class X11Window : PlatformWindow
         }
     }
 
-    /// <inheritdoc/>
     protected override PixelSize ScreenSize => new(Xlib.XDisplayWidth(X11Connection.Display, _screen), Xlib.XDisplayHeight(X11Connection.Display, _screen));
 
     private PixelSize Pixels => PixelSize.FromSize(ClientSize, RenderScaling);
 
-    /// <inheritdoc/>
     public override void Show(bool activate, bool isDialog)
     {
         _isShown = true;
@@ -59,7 +56,6 @@ internal sealed unsafe class X11Window : PlatformWindow
         base.Show(activate, isDialog);
     }
 
-    /// <inheritdoc/>
     public override void Hide()
     {
         _ = Xlib.XUnmapWindow(X11Connection.Display, _window);
@@ -67,17 +63,14 @@ internal sealed unsafe class X11Window : PlatformWindow
         base.Hide();
     }
 
-    /// <inheritdoc/>
     public override void SetTitle(string? title) => _ = Xlib.XStoreName(X11Connection.Display, _window, title ?? "");
 
-    /// <inheritdoc/>
     public override void SetCursor(ICursorImpl? cursor)
     {
         _ = Xlib.XDefineCursor(X11Connection.Display, _window, X11Cursors.Of((cursor as ShapeCursor)?.Shape ?? StandardCursorType.Arrow));
         _ = Xlib.XFlush(X11Connection.Display);
     }
 
-    /// <inheritdoc/>
     public override void Resize(Size clientSize, WindowResizeReason reason = WindowResizeReason.Application)
     {
         var size = PixelSize.FromSize(clientSize, RenderScaling);
@@ -88,14 +81,14 @@ internal sealed unsafe class X11Window : PlatformWindow
 
         _ = Xlib.XResizeWindow(X11Connection.Display, _window, (uint)Math.Max(1, size.Width), (uint)Math.Max(1, size.Height));
 
-        // Once it is on the screen the server says what became of it: two sizes, one asked for and one told, would go on asking for each other.
+        // Once it is on the screen, the server reports the resulting size: a requested and a reported size would keep triggering each
+        // other.
         if (!_isShown)
         {
             base.Resize(clientSize, reason);
         }
     }
 
-    /// <inheritdoc/>
     public override void Dispose()
     {
         if (_window == 0)
@@ -110,7 +103,7 @@ internal sealed unsafe class X11Window : PlatformWindow
         base.Dispose();
     }
 
-    /// <summary>Does what an event asks for.</summary>
+    /// <summary>Handles an event.</summary>
     public void OnEvent(XEvent e)
     {
         var at = new Point(e.X, e.Y) / RenderScaling;
@@ -158,7 +151,6 @@ internal sealed unsafe class X11Window : PlatformWindow
         }
     }
 
-    /// <inheritdoc/>
     protected override void OnFrame()
     {
         if (_window == 0 || Frame is not { } frame)
@@ -196,7 +188,8 @@ internal sealed unsafe class X11Window : PlatformWindow
             return;
         }
 
-        // Latin-1 comes from XLookupString, other characters from the keysyms that stand for Unicode; input methods (XIM) are not connected.
+        // Latin-1 comes from XLookupString, other characters from the keysyms that represent Unicode; input methods (XIM) are not
+        // connected.
         var text = keysym >> 24 == 1 ? char.ConvertFromUtf32((int)(keysym & 0xFFFFFF)) : length == 1 ? ((char)buffer[0]).ToString() : "";
         if (text.Length > 0 && !char.IsControl(text[0]))
         {

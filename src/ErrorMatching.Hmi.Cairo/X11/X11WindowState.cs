@@ -3,18 +3,19 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>Asks the window manager for a state of a window (EWMH, _NET_WM_STATE), and where there is no window manager, as on a station that shows nothing else, gives the window the screen.</summary>
+/// <summary>Asks the window manager for a window state (EWMH, _NET_WM_STATE). Without a window manager, as on a station that shows nothing
+/// else, it gives the window the whole screen.</summary>
 internal static unsafe class X11WindowState
 {
     private const int Remove = 0, Add = 1;
     private const nint Atoms = 4;
 
-    /// <summary>Asks for a state.</summary>
+    /// <summary>Requests a state.</summary>
     /// <param name="window">The window.</param>
     /// <param name="screenNumber">Its screen.</param>
     /// <param name="state">The state.</param>
-    /// <param name="screen">Pixels of the screen.</param>
-    /// <param name="normal">Pixels of the window when it does not fill the screen.</param>
+    /// <param name="screen">Size of the screen in pixels.</param>
+    /// <param name="normal">Size of the window in pixels when it does not fill the screen.</param>
     public static void Ask(nint window, int screenNumber, WindowState state, PixelSize screen, PixelSize normal)
     {
         var display = X11Connection.Display;
@@ -35,7 +36,7 @@ internal static unsafe class X11WindowState
         _ = Xlib.XFlush(display);
     }
 
-    // Read by the window manager when the window is mapped.
+    // The window manager reads it when the window is mapped.
     private static void Keep(nint window, nint[] atoms)
     {
         fixed (nint* data = atoms)
@@ -51,7 +52,7 @@ internal static unsafe class X11WindowState
         }
     }
 
-    // Heeded while it is mapped.
+    // Has an effect while the window is mapped.
     private static void Tell(nint window, int screenNumber, int act, nint first, nint second)
     {
         var message = new XEvent { Type = Xlib.ClientMessage, Window = window, MessageType = Atom("_NET_WM_STATE"), Format = 32, Data0 = act, Data1 = first, Data2 = second };

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>The few entry points of Xlib that a window needs (Debian: libx11-6).</summary>
+/// <summary>The few Xlib entry points that a window needs (Debian: libx11-6).</summary>
 internal static unsafe partial class Xlib
 {
     public const string Library = "libX11.so.6";
@@ -13,7 +13,7 @@ internal static unsafe partial class Xlib
     /// <summary>Keys, buttons, motion, leaving, exposure, structure and focus.</summary>
     public const nint EventMask = 1 | 2 | 4 | 8 | (1 << 5) | (1 << 6) | (1 << 15) | (1 << 17) | (1 << 21);
 
-    /// <summary>Changes of properties.</summary>
+    /// <summary>Property changes.</summary>
     public const nint PropertyMask = 1 << 22;
 
     [LibraryImport(Library)] public static partial int XSetSelectionOwner(nint display, nint selection, nint owner, nint time);

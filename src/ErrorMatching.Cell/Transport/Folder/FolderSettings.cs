@@ -1,7 +1,7 @@
 namespace ErrorMatching.Cell;
 
 /// <summary>A folder or network share.</summary>
-/// <param name="Folder">The folder; it must exist, for a share that is not mounted must not be mistaken for an empty one.</param>
+/// <param name="Folder">The folder. It must exist, so that an unmounted share is not mistaken for an empty one.</param>
 public sealed record FolderSettings(string Folder) : TransportSettings
 {
     /// <inheritdoc/>

@@ -1,14 +1,15 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>A folder or network share that this computer reaches by a path. What hangs, as a share may, is given up after the time limit.</summary>
+/// <summary>A folder or network share with a path on this computer. An operation that hangs, as on a share, is abandoned after the time
+/// limit.</summary>
 internal sealed class FolderTransport(string machine, string folder, TimeSpan limit) : IMachineFolder
 {
     private Task? _hanging;
 
     public string Machine => machine;
 
-    /// <summary>Called with each operation, and each time that something is brought onto the disk, where it is done; tests see the order,
-    /// and hang there as a share may.</summary>
+    /// <summary>Called at the start of each operation and each flush to disk, on the working thread. Tests observe the order, and simulate
+    /// a share that hangs.</summary>
     internal Action<string>? Doing { get; init; }
 
     public Task<IReadOnlyList<string>> ListAsync(CancellationToken cancellation) => DoAsync<IReadOnlyList<string>>(
@@ -88,8 +89,8 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
             cancellation);
     }
 
-    // The new program takes the third name before the two are exchanged: so a cut leaves under that name one or the other, and never half a
-    // transfer.
+    // The new program gets the third name before the two are exchanged. So an interruption leaves one of the two programs under that name,
+    // never half a transfer.
     private ReplacedProgram? Replace(string from, string to, string aside, long mostBytes)
     {
         if (from != aside && LinuxCalls.RenameToFree(from, aside) != true)
@@ -105,7 +106,7 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
                     return null;
             }
 
-            // Nothing has the program's name.
+            // The program's name is free.
             switch (LinuxCalls.RenameToFree(aside, to))
             {
                 case true:
@@ -133,7 +134,7 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or TransportException)
         {
-            // What nobody can read nobody can keep: it gets its place back.
+            // A program that cannot be read cannot be kept: it gets its name back.
             LinuxCalls.Exchange(aside, to);
             throw;
         }
@@ -143,8 +144,7 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
         return new(there, was);
     }
 
-    // What is only renamed in memory is the old program again after a power cut. Windows brings names onto the disk by itself, by its
-    // journal.
+    // A rename that is only in memory is undone by a power failure. Windows flushes names on its own, through its journal.
     private void SyncNames()
     {
         if (OperatingSystem.IsLinux())
@@ -174,7 +174,7 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
 
     private async Task<T> DoAsync<T>(string doing, Func<T> work, CancellationToken cancellation)
     {
-        // A share that hangs holds a thread: one, not one for each try, and nothing overtakes what may still happen there.
+        // A share that hangs blocks one thread, not one per attempt, and no later operation overtakes one that may still complete.
         if (_hanging is { IsCompleted: false })
             throw TransportFailure.Of(TransportError.Slow, machine, doing, "an earlier access still hangs in the share");
         var working = Task.Run(
@@ -182,7 +182,7 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
             {
                 Doing?.Invoke(doing);
 
-                // A share that is not mounted must not be mistaken for an empty one.
+                // An unmounted share must not be mistaken for an empty one.
                 if (!Directory.Exists(folder))
                     throw TransportFailure.Of(TransportError.Away, machine, doing, $"the folder {folder} is not there");
                 return work();
@@ -208,7 +208,7 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
         }
     }
 
-    // The low half of HResult is Windows' error; on other systems the whole is the errno of Linux.
+    // The low half of HResult is the Windows error; on other systems all of it is the Linux errno.
     private static TransportError ErrorOf(Exception failure) => failure switch
     {
         UnauthorizedAccessException => TransportError.Denied,

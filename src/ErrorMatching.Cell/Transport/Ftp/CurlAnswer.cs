@@ -3,10 +3,11 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What a run of curl came to: its exit code (see the manual of curl, EXIT CODES) and the FTP server's last answer (RFC 959, 4.2).</summary>
+/// <summary>The result of a run of curl: its exit code (see the curl manual, EXIT CODES) and the FTP server's last reply (RFC 959,
+/// 4.2).</summary>
 internal sealed partial class CurlAnswer
 {
-    /// <summary>Has curl say the server's last answer where errors are said.</summary>
+    /// <summary>Makes curl write the server's last reply to standard error.</summary>
     public const string WriteOut = "%{stderr}errormatch-answer %{response_code}\\n";
 
     private readonly ToolResult _result;
@@ -19,24 +20,24 @@ internal sealed partial class CurlAnswer
         _response = last is null ? 0 : int.Parse(last.Groups["code"].Value, NumberStyles.None, CultureInfo.InvariantCulture);
     }
 
-    /// <summary>True if the server has no file of this name or does not give it.</summary>
+    /// <summary>True if the server does not have the file or does not return it.</summary>
     public bool IsAbsent => _result.End == ToolEnd.Exited && _result.ExitCode is 78 or 19 && _response is 550 or 450 or 0;
 
-    /// <summary>True if the server refused a command for good, such as a renaming.</summary>
+    /// <summary>True if the server permanently refused a command, such as a rename.</summary>
     public bool IsRefusedCommand => _result.End == ToolEnd.Exited && _result.ExitCode == 21 && _response is >= 500 and < 600 and not 530;
 
-    /// <summary>What went wrong; null if nothing did.</summary>
+    /// <summary>The error; null if there is none.</summary>
     public TransportError? Error => _result switch
     {
         { End: ToolEnd.TooMuch } => TransportError.TooLarge,
         { ExitCode: 0 } => null,
 
-        // curl calls this one, too, a timeout, though it comes at once.
+        // curl reports this one as a timeout too, although it comes immediately.
         { ExitCode: 28 } when _response == 421 => TransportError.Away,
         _ => OfExit(_result.ExitCode) ?? OfResponse(_response) ?? OfTransfer(_result.ExitCode),
     };
 
-    /// <summary>What was answered, in words and with both codes.</summary>
+    /// <summary>The reply in words, with both codes.</summary>
     public string Text
     {
         get
@@ -53,7 +54,7 @@ internal sealed partial class CurlAnswer
         }
     }
 
-    // What the exit code says for itself, whatever was answered before.
+    // The error by exit code alone, regardless of earlier replies.
     private static TransportError? OfExit(int code) => code switch
     {
         1 or 2 or 4 or 48 => TransportError.ToolMissing,
@@ -82,7 +83,7 @@ internal sealed partial class CurlAnswer
         70 => TransportError.Full,
         78 => TransportError.Denied,
 
-        // The connection broke: an answer that never came, a short file, a handshake that ended.
+        // The connection broke: a missing reply, a truncated file, an aborted handshake.
         8 or 10 or 11 or 12 or 13 or 14 or 15 or 18 or 25 or 30 or 35 or 52 or 55 or 56 => TransportError.Away,
         _ => TransportError.Unknown,
     };

@@ -2,7 +2,8 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What curl is told, in the form of its configuration files, which it reads from its input so that no password is on a command line.</summary>
+/// <summary>Input for curl in the format of its configuration files. curl reads it from standard input, so that no password is on a command
+/// line.</summary>
 internal sealed class CurlConfig
 {
     private readonly StringBuilder _text = new();
@@ -20,7 +21,7 @@ internal sealed class CurlConfig
         _text.Append(option).Append(" = \"");
         foreach (var c in value)
         {
-            // A line ends a value even between quotes, and a backslash begins one of curl's escapes.
+            // A line end terminates a value even inside quotes, and a backslash starts one of curl's escapes.
             _ = c switch
             {
                 '\\' => _text.Append(@"\\"),

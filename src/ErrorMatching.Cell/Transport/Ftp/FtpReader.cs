@@ -2,7 +2,7 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Reads the way to an FTP server.</summary>
+/// <summary>Reads the settings of an FTP server.</summary>
 internal static class FtpReader
 {
     public static FtpSettings Read(JsonItem item, CellProblems problems)

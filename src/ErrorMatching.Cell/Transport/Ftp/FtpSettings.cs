@@ -2,13 +2,14 @@ using System.Globalization;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>An FTP server, plain or with TLS. The password is a secret of the store.</summary>
+/// <summary>An FTP server, plain or with TLS. The password is stored as a secret.</summary>
 /// <param name="Host">Name or address.</param>
 /// <param name="Port">Port of the control connection.</param>
-/// <param name="User">The login's name.</param>
-/// <param name="Folder">The programs' folder, as the server names it.</param>
+/// <param name="User">The login name.</param>
+/// <param name="Folder">The program folder, as the server names it.</param>
 /// <param name="Tls">Whether the connection is encrypted.</param>
-/// <param name="PinnedKey">The server's public key as <c>sha256//</c> and base 64, without which no TLS connection is trusted; null for plain FTP.</param>
+/// <param name="PinnedKey">The server's public key as <c>sha256//</c> and base64, required for every TLS connection; null for plain
+/// FTP.</param>
 public sealed record FtpSettings(string Host, int Port, string User, string Folder, FtpTls Tls, string? PinnedKey) : TransportSettings
 {
     /// <inheritdoc/>

@@ -3,12 +3,12 @@ namespace ErrorMatching.Cell;
 /// <summary>Whether an FTP connection is encrypted.</summary>
 public enum FtpTls
 {
-    /// <summary>It is not: anybody on the network can read and change programs.</summary>
+    /// <summary>Not encrypted: anyone on the network can read and change programs.</summary>
     None,
 
-    /// <summary>It becomes so by <c>AUTH TLS</c> before the login, data connections too.</summary>
+    /// <summary>Encrypted with <c>AUTH TLS</c> before the login, including data connections.</summary>
     Explicit,
 
-    /// <summary>It is from the first byte.</summary>
+    /// <summary>Encrypted from the first byte.</summary>
     Implicit,
 }

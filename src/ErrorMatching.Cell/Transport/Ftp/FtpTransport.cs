@@ -3,7 +3,8 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A folder behind an FTP server, plain or with TLS, driven by the program <c>curl</c>: one run, and one login, an operation, but two for writing and reading back.</summary>
+/// <summary>A folder on an FTP server, plain or with TLS, accessed with <c>curl</c>: one run and one login per operation, but two for
+/// writing and reading back.</summary>
 internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?> secret, TimeSpan limit) : IMachineFolder
 {
     private const int MostListed = 4 << 20;
@@ -16,7 +17,8 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         var result = await RunAsync(doing, List(Begin(doing)), MostListed, cancellation).ConfigureAwait(false);
         var answer = new CurlAnswer(result);
 
-        // Some servers answer 550 for a folder without files, some for one that is not there. The longer list tells: of a folder that is there it comes, and without a file.
+        // Some servers reply 550 for an empty folder, others for a missing one. The long listing distinguishes them: for an existing folder
+        // it succeeds even without files.
         if (answer.IsAbsent)
         {
             var longer = await RunAsync(doing, Begin(doing).Set("url", FolderUrl()), MostListed, cancellation).ConfigureAwait(false);
@@ -35,7 +37,7 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         var result = await RunAsync(doing, Begin(doing).Set("url", Url(doing, name)), mostBytes, cancellation).ConfigureAwait(false);
         var answer = new CurlAnswer(result);
 
-        // 550 is the answer for a file that is not there as for one that may not be read.
+        // 550 is the reply for a missing file and for one that must not be read.
         if (answer.IsAbsent && !(await ListAsync(cancellation).ConfigureAwait(false)).Contains(name, StringComparer.Ordinal))
             return null;
         Demand(doing, answer);
@@ -52,7 +54,7 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         var config = Begin(doing).Set("upload-file", file).Set("url", url);
         Demand(doing, new CurlAnswer(await RunAsync(doing, config, 0, cancellation).ConfigureAwait(false)));
 
-        // A run of its own: where curl 7.88 reads by the connection that it wrote by, it sleeps a second in 1 to 15 of 100 runs.
+        // A separate run: curl 7.88 sleeps for a second in 1% to 15% of runs if it reads over the connection that it wrote over.
         var result = await RunAsync(doing, Begin(doing).Set("url", url), bytes.Length + 1L, cancellation).ConfigureAwait(false);
         if (result.End != ToolEnd.TooMuch)
             Demand(doing, new CurlAnswer(result));
@@ -68,7 +70,7 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         var answer = new CurlAnswer(result);
         if (answer.IsRefusedCommand)
         {
-            // The code alone does not say whether a file was in the way.
+            // The code alone does not tell whether an existing file was the reason.
             var names = await ListAsync(cancellation).ConfigureAwait(false);
             if (names.Contains(from, StringComparer.Ordinal) && names.Contains(to, StringComparer.Ordinal))
                 throw TransportFailure.Of(TransportError.CannotReplace, machine, doing, answer.Text);
@@ -78,7 +80,7 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         return result.Output;
     }
 
-    // The protocol has no word for it.
+    // The protocol has no command for it.
     public Task<ReplacedProgram?> ReplaceAsync(string from, string to, string aside, long mostBytes, CancellationToken cancellation) =>
         Task.FromResult<ReplacedProgram?>(null);
 
@@ -87,7 +89,7 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         var doing = $"deleting {name}";
         _ = Url(doing, name);
 
-        // The dash: after the list, which is asked for only because curl does nothing without a transfer.
+        // The dash: after the listing, which is requested only because curl does nothing without a transfer.
         var result = await RunAsync(doing, List(Begin(doing).Set("quote", "-DELE " + name)), MostListed, cancellation).ConfigureAwait(false);
         var answer = new CurlAnswer(result);
         if (answer.IsRefusedCommand && !(await ListAsync(cancellation).ConfigureAwait(false)).Contains(name, StringComparer.Ordinal))
@@ -100,7 +102,7 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
 
     private async Task<ToolResult> RunAsync(string doing, CurlConfig config, long mostBytes, CancellationToken cancellation)
     {
-        // -q: no configuration of the user's. Everything else, secrets above all, goes by the input.
+        // -q: no user configuration. Everything else, secrets above all, goes through standard input.
         var run = new ToolRun("curl", ["-q", "-K", "-"], config.ToBytes(), limit) { MostOutput = mostBytes };
         var result = await ToolProcess.RunAsync(run, cancellation).ConfigureAwait(false);
         return result.End switch
@@ -137,11 +139,12 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         if (ftp.Tls == FtpTls.None)
             return config;
 
-        // The pinned key alone decides: machines sign their certificates themselves, and with a wrong host name or date as often as not.
+        // Only the pinned key decides: machines sign their own certificates, often with a wrong host name or date.
         if (ftp.PinnedKey is null)
             throw TransportFailure.Of(TransportError.WrongServer, machine, doing, "no key is pinned, so no server is trusted");
 
-        // With TLS 1.3 servers that demand the control connection's session for data (vsftpd does) now and then refuse curl's transfers or end them early; 1.2 resumes reliably.
+        // With TLS 1.3, servers that require the control connection's session for data (such as vsftpd) sometimes refuse curl's transfers
+        // or end them early; 1.2 resumes reliably.
         return config.Set("ssl-reqd").Set("insecure").Set("pinnedpubkey", ftp.PinnedKey).Set("tls-max", "1.2");
     }
 
@@ -159,12 +162,12 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         if (folder.Length == 0 && ftp.Folder.Length > 0)
             folder = "/";
 
-        // An absolute folder begins with an escaped slash: the plain one only ends the host's name.
+        // An absolute folder starts with an escaped slash: an unescaped one only ends the host name.
         var path = string.Join('/', folder.TrimStart('/').Split('/').Select(Uri.EscapeDataString));
         var root = folder.StartsWith('/') ? "%2F" : "";
         return string.Create(CultureInfo.InvariantCulture, $"{scheme}://{host}:{ftp.Port}/{root}{path}{(path.Length > 0 || root.Length > 0 ? "/" : "")}");
     }
 
-    // Some servers answer with the folder in front.
+    // Some servers include the folder in the reply.
     private static string NameOf(string line) => line.TrimEnd('\r').Split('/', '\\')[^1];
 }

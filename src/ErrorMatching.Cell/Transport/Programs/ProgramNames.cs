@@ -2,7 +2,8 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Names that programs at machines may have, and those that a transfer derives from them. The white list is narrow enough for every control, file system and protocol.</summary>
+/// <summary>Names that programs at machines may have, and the names that a transfer derives from them. The whitelist is narrow enough for
+/// every control, file system and protocol.</summary>
 public static partial class ProgramNames
 {
     /// <summary>The rule in words, for messages.</summary>
@@ -12,26 +13,28 @@ public static partial class ProgramNames
     private const string NewSuffix = ".emnew";
     private const string OldSuffix = ".emold";
 
-    /// <summary>True if a program may have this name.</summary>
+    /// <summary>True if the name is allowed for a program.</summary>
     public static bool Allows(string name) =>
         Allowed().IsMatch(name) && !Reserved().IsMatch(name) && !HasSuffix(name, NewSuffix) && !HasSuffix(name, OldSuffix);
 
     /// <summary>True for a name that Windows keeps for a device.</summary>
     internal static bool IsReserved(string name) => Reserved().IsMatch(name);
 
-    /// <summary>True if a file in a machine's folder may be asked for by this name: printable ASCII that leads nowhere else and that no protocol takes for something else.</summary>
+    /// <summary>True if a file in a machine's folder may be requested by this name: printable ASCII that cannot lead elsewhere and that no
+    /// protocol interprets.</summary>
     internal static bool IsPlain(string name) => Plain().IsMatch(name);
 
-    /// <summary>True if a transfer may carry this tag in its temporary name.</summary>
+    /// <summary>True if the tag is allowed in a transfer's temporary name.</summary>
     internal static bool AllowsTag(string tag) => Tag().IsMatch(tag);
 
-    /// <summary>Where a program is written before it takes its name. No two tries share one: what a lost connection still writes must not reach the next try's file.</summary>
+    /// <summary>The name under which a program is written before it gets its own. Each attempt has a different one: what a lost connection
+    /// still writes must not reach the next attempt's file.</summary>
     internal static string New(string program, string tag) => $"{program}.{tag}-{Guid.NewGuid().ToString("N")[..8]}{NewSuffix}";
 
-    /// <summary>Where the old program stays while the new one takes its name, on servers that do not rename over a file.</summary>
+    /// <summary>The old program's name while the new one is renamed, on servers that do not rename over a file.</summary>
     internal static string Old(string program) => program + OldSuffix;
 
-    /// <summary>True if the name is one that <see cref="New"/> gave for this program.</summary>
+    /// <summary>True if <see cref="New"/> returned this name for this program.</summary>
     internal static bool IsNewOf(string program, string name) =>
         name.StartsWith(program + ".", StringComparison.Ordinal)
         && name.EndsWith(NewSuffix, StringComparison.Ordinal)

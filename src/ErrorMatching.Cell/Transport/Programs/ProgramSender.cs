@@ -3,23 +3,20 @@ using Polly;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Brings programs to a machine so that the machine has the old one or the new one, whole, whatever fails and whenever, and so
-/// that nothing that a person changed there is lost.</summary>
+/// <summary>Sends programs to a machine. Whatever fails and whenever, the machine has either the old program or the new one, complete, and
+/// no change that a person made there is lost.</summary>
 /// <remarks>
-/// <para>
-/// A program is written under a temporary name, read back, and compared. Then the program that is there is looked at once more, and only if
-/// it is still the one that is to be replaced the new one is renamed over it and read back.
-/// Where the transport can, what was there keeps a name until it is compared as well (<see cref="IMachineFolder.ReplaceAsync"/>): what
-/// changed at the last moment gets its place back.
-/// On a server that does not rename over a file, the old program is renamed aside first; if the way is cut right then, both lie there whole
-/// under other names, and <see cref="RecoverAsync"/> puts the old one back.
-/// </para>
-/// <para>A temporary file is never taken for a program: only one that was read back and found equal is renamed. One sender at a time may work on a program.</para>
-/// </remarks>
+/// <para>A program is written under a temporary name, read back, and compared. Then the machine's current program is checked again. Only if
+/// it is still the one to be replaced, the new one is renamed over it and read back. If the transport supports it, the previous program
+/// keeps a name until it is compared as well (<see cref="IMachineFolder.ReplaceAsync"/>), and a last-moment change gets its place back. On
+/// a server that does not rename over a file, the old program is first renamed aside. If the connection breaks at that moment, both are
+/// complete under other names, and <see cref="RecoverAsync"/> restores the old one.</para>
+/// <para>A temporary file is never mistaken for a program: a file is renamed only after it was read back and found equal. Only one sender
+/// at a time may work on a program.</para></remarks>
 /// <param name="folder">The machine's folder.</param>
-/// <param name="isKept">Whether a content is kept elsewhere, by its SHA-256 as 64 lower-case hexadecimal digits: only such a one is deleted
-/// at the machine.</param>
-/// <param name="tries">How often a transfer is tried, such as by <see cref="TransferTries.For"/>; null for once.</param>
+/// <param name="isKept">Whether content is stored elsewhere, by its SHA-256 as 64 lowercase hexadecimal digits. Only such content is
+/// deleted at the machine.</param>
+/// <param name="tries">The retry strategy for a transfer, such as <see cref="TransferTries.For"/>; null for a single attempt.</param>
 public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKept, ResiliencePipeline? tries = null)
 {
     /// <summary>Larger programs are not read from a machine.</summary>
@@ -27,9 +24,9 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
 
     private readonly ResiliencePipeline _tries = tries ?? ResiliencePipeline.Empty;
 
-    /// <summary>The program that the machine has; null if it has none of this name.</summary>
+    /// <summary>The machine's current program; null if it has none of this name.</summary>
     /// <param name="program">Its name there; see <see cref="ProgramNames.Rule"/>.</param>
-    /// <param name="cancellation">Ends it at once.</param>
+    /// <param name="cancellation">Cancels immediately.</param>
     /// <exception cref="TransportException">It could not be read.</exception>
     public async Task<byte[]?> CurrentAsync(string program, CancellationToken cancellation)
     {
@@ -37,14 +34,15 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
         return await _tries.ExecuteAsync(async c => await folder.ReadAsync(program, MostBytes, c).ConfigureAwait(false), cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Makes a program the machine's. When this returns it was read back under its name and is the same to the last bit.</summary>
+    /// <summary>Sends a program to the machine. On return it has been read back under its name and is identical to the last bit.</summary>
     /// <param name="program">Its name there; see <see cref="ProgramNames.Rule"/>.</param>
-    /// <param name="replaces">SHA-256 of the program that it takes the place of, as it was looked at; null if there was none.</param>
+    /// <param name="replaces">SHA-256 of the program to be replaced, from an earlier check; null if there was none.</param>
     /// <param name="bytes">Its content.</param>
-    /// <param name="tag">Goes into the temporary name, so that people see whose it is: 1 to 32 letters and digits.</param>
-    /// <param name="cancellation">Ends it at once; the machine then has the old program or the new one.</param>
-    /// <exception cref="TransportException">It was not sent, or nobody knows; <see cref="RecoverAsync"/> and <see cref="CurrentAsync"/> tell.</exception>
-    /// <exception cref="ChangedAtMachineException">Another program is there by now. It was not replaced.</exception>
+    /// <param name="tag">Part of the temporary name, so that people see the file's origin: 1 to 32 letters and digits.</param>
+    /// <param name="cancellation">Cancels immediately; the machine then has the old program or the new one.</param>
+    /// <exception cref="TransportException">It was not sent, or that is unknown; <see cref="RecoverAsync"/> and <see cref="CurrentAsync"/>
+    /// find out.</exception>
+    /// <exception cref="ChangedAtMachineException">The machine now has another program. It was not replaced.</exception>
     public async Task SendAsync(string program, string? replaces, ReadOnlyMemory<byte> bytes, string tag, CancellationToken cancellation)
     {
         Demand(program);
@@ -63,18 +61,20 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
             cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Puts right what a cut transfer left: the machine has the old program or the new one, whole, under its name, and nothing else of ours.</summary>
+    /// <summary>Cleans up after an interrupted transfer: afterward the machine has the old program or the new one, complete, under its
+    /// name, and no other file of the cell.</summary>
     /// <param name="program">Its name there; see <see cref="ProgramNames.Rule"/>.</param>
-    /// <param name="cancellation">Ends it at once.</param>
-    /// <exception cref="TransportException">It could not be done; nothing is worse than before.</exception>
-    /// <exception cref="ChangedAtMachineException">Two programs lie there that are kept nowhere else: a person has to look.</exception>
+    /// <param name="cancellation">Cancels immediately.</param>
+    /// <exception cref="TransportException">It failed; nothing is worse than before.</exception>
+    /// <exception cref="ChangedAtMachineException">There are two programs that are stored nowhere else: a person must check
+    /// them.</exception>
     public async Task RecoverAsync(string program, CancellationToken cancellation)
     {
         Demand(program);
         await _tries.ExecuteAsync(async c => await RecoverOnceAsync(program, c).ConfigureAwait(false), cancellation).ConfigureAwait(false);
     }
 
-    // The answer of a try may have been lost after everything was done.
+    // An attempt may have succeeded although its reply was lost.
     private async Task<bool> IsThereAfterAllAsync(string program, ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
     {
         await RecoverOnceAsync(program, cancellation).ConfigureAwait(false);
@@ -90,7 +90,7 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
             if (!AreSame(await folder.WriteAsync(written, bytes, cancellation).ConfigureAwait(false), bytes))
                 throw Differs(program, "was written under a temporary name", "The machine still has the old program.");
 
-            // Writing takes its time, and people save at the control.
+            // Writing is slow, and meanwhile a person may save at the control.
             await LookAsync(program, replaces, bytes, cancellation).ConfigureAwait(false);
             if (!AreSame(await ReplaceAsync(written, program, replaces, bytes, cancellation).ConfigureAwait(false), bytes))
                 throw Differs(program, "took its name", "Nobody may run it before it was sent again.");
@@ -103,7 +103,7 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
         }
     }
 
-    // A byte that was read wrongly is no change of anybody's: a difference must be read twice alike.
+    // A misread byte is not a change: a difference must be read identically twice.
     private async Task LookAsync(string program, string? replaces, ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
     {
         var found = await folder.ReadAsync(program, MostBytes, cancellation).ConfigureAwait(false);
@@ -171,7 +171,7 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
             await folder.DeleteAsync(name, cancellation).ConfigureAwait(false);
     }
 
-    // A cut left two programs. The one that is kept nowhere else is what somebody changed at the last moment: it has the slot.
+    // An interruption left two programs. The one that is stored nowhere else is a last-moment change: it gets the slot.
     private async Task SettleAsync(string program, string aside, CancellationToken cancellation)
     {
         var was = await folder.ReadAsync(aside, MostBytes, cancellation).ConfigureAwait(false);
@@ -192,7 +192,7 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
         await folder.DeleteAsync(aside, cancellation).ConfigureAwait(false);
     }
 
-    // What lies aside gets its place back; what has it is kept elsewhere.
+    // Restores the program that was set aside; the one now under its name is stored elsewhere.
     private async Task PutBackAsync(string program, CancellationToken cancellation)
     {
         var aside = ProgramNames.Old(program);
@@ -217,7 +217,8 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
             throw new ChangedAtMachineException(found, Recorded.ChangedMeanwhile.With(program, folder.Machine, hash ?? "missing"));
     }
 
-    // A full disk gets its room back and a two-step rename its old program. If that fails too, the first failure is the one to tell, and the next start recovers.
+    // Frees the space on a full disk and restores the old program after a two-step rename. If that fails too, the first failure is the one
+    // to report, and the next start recovers.
     private async Task CleanAsync(string program, CancellationToken cancellation)
     {
         try

@@ -2,17 +2,18 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What a run of <c>sftp -b</c> came to. It says each command before it runs it and stops at the first that fails with exit code 1; 255 is the connection's.</summary>
+/// <summary>The result of a run of <c>sftp -b</c>. It echoes each command before it runs it, and stops at the first that fails with exit
+/// code 1; 255 is a connection failure.</summary>
 internal static class SftpAnswer
 {
-    /// <summary>What stands before a command that is said.</summary>
+    /// <summary>The prefix of an echoed command.</summary>
     public const string Echo = "sftp> ";
 
-    /// <summary>True if the last command that ran, and failed, is this one.</summary>
+    /// <summary>True if this is the last command that ran, and it failed.</summary>
     public static bool FailedAt(ToolResult result, string command) =>
         result is { End: ToolEnd.Exited, ExitCode: 1 } && LastCommand(result).StartsWith(command + " ", StringComparison.Ordinal);
 
-    /// <summary>What went wrong; null if nothing did.</summary>
+    /// <summary>The error; null if there is none.</summary>
     public static TransportError? ErrorOf(ToolResult result)
     {
         if (result.ExitCode == 0)
@@ -38,7 +39,7 @@ internal static class SftpAnswer
         if (Says("Permission denied", "No such file", "not found", "Operation unsupported"))
             return TransportError.Denied;
 
-        // The protocol's version 3 has no word for a full disk: it is a failure while writing, and hardly anything else is.
+        // Version 3 of the protocol has no code for a full disk; a failure while writing is hardly ever anything else.
         if (FailedAt(result, "put") && Says("Failure", "No space", "quota"))
             return TransportError.Full;
         if (FailedAt(result, "rename"))
@@ -46,7 +47,7 @@ internal static class SftpAnswer
         return result.ExitCode == 255 ? TransportError.Away : TransportError.Unknown;
     }
 
-    /// <summary>What was answered, in words.</summary>
+    /// <summary>The error message.</summary>
     public static string Text(ToolResult result)
     {
         var lines = result.Error.Split('\n').Select(l => l.Trim()).Where(l => l.Length > 0 && !l.StartsWith('@')).TakeLast(3).ToArray();

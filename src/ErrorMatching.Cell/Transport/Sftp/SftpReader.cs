@@ -4,7 +4,7 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Reads the way to an SFTP server.</summary>
+/// <summary>Reads the settings of an SFTP server.</summary>
 internal static class SftpReader
 {
     public static SftpSettings Read(JsonItem item, CellPaths paths, CellProblems problems)
@@ -24,7 +24,7 @@ internal static class SftpReader
         return new(item["host"].Text, port, item["user"].Text, ServerFolder.Read(item, ".", problems), key.Text, file);
     }
 
-    // The text is the base 64 of a length, the kind again, and the key (RFC 4253, section 6.6).
+    // The text is the base64 of a length, the key type again, and the key (RFC 4253, section 6.6).
     private static bool IsHostKey(string text)
     {
         var (kind, key) = text.Split(' ') is [var first, var second] ? (first, second) : ("", "");

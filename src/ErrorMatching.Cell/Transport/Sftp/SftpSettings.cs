@@ -2,13 +2,13 @@ using System.Globalization;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>An SFTP server. The password, if it is no key, is a secret of the store.</summary>
+/// <summary>An SFTP server. If it uses a password instead of a key, the password is stored as a secret.</summary>
 /// <param name="Host">Name or address.</param>
 /// <param name="Port">Port.</param>
-/// <param name="User">The login's name.</param>
-/// <param name="Folder">The programs' folder, as the server names it.</param>
-/// <param name="HostKey">The server's key as in <c>known_hosts</c>, such as <c>ssh-ed25519 AAAA...</c>: another one is not talked to.</param>
-/// <param name="KeyFile">The private key that logs in; null for a password.</param>
+/// <param name="User">The login name.</param>
+/// <param name="Folder">The program folder, as the server names it.</param>
+/// <param name="HostKey">The server's key as in <c>known_hosts</c>, such as <c>ssh-ed25519 AAAA...</c>; no other key is accepted.</param>
+/// <param name="KeyFile">The private key for the login; null for a password.</param>
 public sealed record SftpSettings(string Host, int Port, string User, string Folder, string HostKey, string? KeyFile) : TransportSettings
 {
     /// <inheritdoc/>

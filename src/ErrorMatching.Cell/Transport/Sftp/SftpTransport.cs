@@ -3,10 +3,10 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A folder behind an SFTP server, driven by OpenSSH's program <c>sftp</c>: one run, and one login, an operation.</summary>
+/// <summary>A folder on an SFTP server, accessed with OpenSSH's <c>sftp</c>: one run and one login per operation.</summary>
 internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<string?> secret, TimeSpan limit) : IMachineFolder
 {
-    // The host's key is known by a name of our own, so that neither address nor port matter.
+    // The host key is stored under a name of our own, so that address and port do not matter.
     private const string HostAlias = "errormatch-machine";
 
     public string Machine => machine;
@@ -39,7 +39,7 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
         var (sent, fetched) = (local["program"], local["fetched"]);
         await File.WriteAllBytesAsync(sent, bytes, cancellation).ConfigureAwait(false);
 
-        // The file's mode goes along; the server's mask takes from it what its users must not have.
+        // The file's mode is sent along; the server's umask removes permissions that its users must not have.
         if (!OperatingSystem.IsWindows())
             File.SetUnixFileMode(sent, (UnixFileMode)0b110_110_110);
         string[] batch = [$"put -f {Quoted(sent)} {Name(doing, name)}", $"get {Name(doing, name)} {Quoted(fetched)}"];
@@ -57,7 +57,7 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
         var result = await RunAsync(doing, local, batch, () => IsLarger(file, mostBytes), cancellation).ConfigureAwait(false);
         if (SftpAnswer.FailedAt(result, "rename"))
         {
-            // The answer does not say whether a file was in the way.
+            // The reply does not tell whether an existing file was the reason.
             var names = await ListAsync(cancellation).ConfigureAwait(false);
             if (names.Contains(from, StringComparer.Ordinal) && names.Contains(to, StringComparer.Ordinal))
                 throw TransportFailure.Of(TransportError.CannotReplace, machine, doing, SftpAnswer.Text(result));
@@ -67,11 +67,9 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
         return await FetchedAsync(doing, file, mostBytes, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>
-    /// A second name for the program, then the renaming, in one session. What is written into the old program's file in between is found
-    /// under the second name; what takes its place by a renaming of its own just then is lost,
-    /// for SFTP cannot exchange two names.
-    /// </summary>
+    /// <summary>Gives the program a second name, then renames, in one session. What is written to the old program's file in between is
+    /// found under the second name. A file that replaces it by a rename at that moment is lost, because SFTP cannot exchange two
+    /// names.</summary>
     public async Task<ReplacedProgram?> ReplaceAsync(string from, string to, string aside, long mostBytes, CancellationToken cancellation)
     {
         using var local = new PrivateFolder();
@@ -85,12 +83,12 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
         var result = await RunAsync(doing, local, batch, () => IsLarger(there, mostBytes) || IsLarger(was, mostBytes),
             cancellation).ConfigureAwait(false);
 
-        // No program is there, a file has the second name, or the server knows none: nothing is changed.
+        // There is no program, the second name is taken, or the server does not support links: nothing is changed.
         if (SftpAnswer.FailedAt(result, "ln"))
             return null;
         if (SftpAnswer.FailedAt(result, "rename"))
         {
-            // It does not rename over a file. The second name is the program's own.
+            // It does not rename over a file. The second name belongs to the program itself.
             await DeleteAsync(aside, cancellation).ConfigureAwait(false);
             return null;
         }
@@ -106,7 +104,7 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
         using var local = new PrivateFolder();
         var doing = $"deleting {name}";
 
-        // The dash lets sftp go on whatever is answered; the list behind it tells whether the file is gone.
+        // The dash makes sftp continue after an error; the listing that follows shows whether the file is gone.
         var result = await RunAsync(doing, local, ["-rm " + Name(doing, name), "ls -1"], null, cancellation).ConfigureAwait(false);
         Demand(doing, result);
         if (NamesOf(result).Contains(name, StringComparer.Ordinal))
@@ -140,7 +138,7 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
         };
     }
 
-    // The first word on an option holds, so BatchMode stands before -b, which would forbid asking for a password.
+    // The first value of an option applies, so BatchMode precedes -b, which would forbid asking for a password.
     private List<string> Arguments(string known)
     {
         List<string> arguments = ["-F", "none"];
@@ -201,7 +199,7 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
     private static string Quoted(string path) =>
         "\"" + path.Replace("\\", "\\\\", StringComparison.Ordinal).Replace("\"", "\\\"", StringComparison.Ordinal) + "\"";
 
-    // In options a percent sign begins a token; Windows' OpenSSH takes slashes, which need no escapes.
+    // In options a percent sign starts a token; Windows' OpenSSH accepts slashes, which need no escapes.
     private static string ForOption(string path) =>
         "\"" + (OperatingSystem.IsWindows() ? path.Replace('\\', '/') : path).Replace("%", "%%", StringComparison.Ordinal) + "\"";
 

@@ -12,11 +12,9 @@ internal sealed class AuditExport : CellVerb
     private const int BufferLength = 64 * 1024;
     private readonly Option<string> _out = FileOption("--out", "The CSV file to write; without it, the entries go to standard output.");
 
-    /// <summary>The verb.</summary>
     public AuditExport()
         : base("export", "Writes the audit trail as CSV that no spreadsheet executes.", "errormatch audit export samples/cell/cell.json --out out/audit.csv") => Options.Add(_out);
 
-    /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         DemandStore(settings);
@@ -30,7 +28,7 @@ internal sealed class AuditExport : CellVerb
             return new AuditExportAnswer(written, hash, file, null);
         }
 
-        // All of it or nothing: what fails after half of the entries must not have printed them.
+        // All or nothing: a failure halfway must not leave half of the entries printed.
         var kept = Unnamed();
         var (entries, sha256) = Export(kept);
         return new AuditExportAnswer(entries, sha256, null, kept);
@@ -47,7 +45,7 @@ internal sealed class AuditExport : CellVerb
         }
     }
 
-    // A file that nobody else can open, and that is gone with the process however that ends.
+    // A file that no other process can open, and that disappears with the process, however it ends.
     private static FileStream Unnamed()
     {
         var path = Path.Combine(Path.GetTempPath(), "errormatch-" + Path.GetRandomFileName());

@@ -4,26 +4,23 @@ using System.Text.Json;
 
 namespace ErrorMatching.Console;
 
-/// <summary>An audit trail as CSV, however long: it is never in memory as a whole.</summary>
-/// <param name="entries">How many entries it has.</param>
+/// <summary>An audit trail as CSV, of any length: it is never completely in memory.</summary>
+/// <param name="entries">The number of entries.</param>
 /// <param name="sha256">The hash of its bytes.</param>
-/// <param name="file">Where it was written to; null for standard output.</param>
-/// <param name="csv">Where it is kept until it is written to standard output; null where it was written to a file.</param>
+/// <param name="file">The file that it was written to; null for standard output.</param>
+/// <param name="csv">Holds the CSV until it is written to standard output; null if it was written to a file.</param>
 internal sealed class AuditExportAnswer(long entries, string sha256, string? file, Stream? csv) : DocumentAnswer
 {
     private const int PartLength = 16 * 1024;
 
-    /// <inheritdoc/>
     public override string Schema => "errormatch/audit-export/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(TextWriter output)
     {
         using var stream = new TextStream(output);
         OutcomeWriter.Json(stream, Schema, WriteJson);
     }
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("file", file);
@@ -44,7 +41,6 @@ internal sealed class AuditExportAnswer(long entries, string sha256, string? fil
         json.WriteStringValueSegment(default(ReadOnlySpan<char>), isFinalSegment: true);
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         if (csv is null)

@@ -9,14 +9,12 @@ internal sealed class AuditTakeOver : CellVerb
 {
     private readonly Option<string> _reason = new("--reason") { Description = "Why the store may be trusted as it is. It goes into the audit trail.", Required = true };
 
-    /// <summary>The verb.</summary>
     public AuditTakeOver()
         : base(
             "take-over",
             "Takes the end of the audit trail for the right one, after a store was set back on purpose or audit.seen was lost, and puts that on record.",
             "errormatch audit take-over samples/cell/cell.json --reason new-disk") => Options.Add(_reason);
 
-    /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         DemandStore(settings);

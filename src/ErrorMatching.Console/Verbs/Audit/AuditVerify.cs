@@ -6,7 +6,6 @@ namespace ErrorMatching.Console;
 /// <summary><c>errormatch audit verify</c>.</summary>
 internal sealed class AuditVerify() : CellVerb("verify", "Looks whether any entry of the audit trail was changed, removed, inserted or reordered.", "errormatch audit verify samples/cell/cell.json")
 {
-    /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         DemandStore(settings);

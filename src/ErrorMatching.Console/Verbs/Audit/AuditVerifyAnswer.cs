@@ -3,13 +3,11 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Console;
 
-/// <summary>An audit trail that is as it was written.</summary>
+/// <summary>An intact audit trail.</summary>
 internal sealed class AuditVerifyAnswer(AuditFinding finding) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/audit-verify/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteBoolean("holds", finding.Holds);
@@ -19,7 +17,6 @@ internal sealed class AuditVerifyAnswer(AuditFinding finding) : DocumentAnswer
         json.WriteString("message", finding.Message);
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Line(finding.Message);

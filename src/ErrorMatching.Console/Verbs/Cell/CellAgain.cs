@@ -10,10 +10,8 @@ internal sealed class CellAgain() : CellDecisionVerb(
     "errormatch cell again samples/cell/cell.json 2 --user anna",
     needsReason: false)
 {
-    /// <inheritdoc/>
     protected override Act Act => Act.Reject;
 
-    /// <inheritdoc/>
     protected override Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
         new CellDecisionAnswer("again", new ComputingAnew(settings, store).GiveAgain(id, by, reason), string.Create(CultureInfo.InvariantCulture, $"is computed in the place of correction {id}, which is superseded, with the job as it is now"));
 }

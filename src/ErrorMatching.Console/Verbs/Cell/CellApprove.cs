@@ -9,10 +9,8 @@ internal sealed class CellApprove() : CellDecisionVerb(
     "errormatch cell approve samples/cell/cell.json 1 --user anna",
     needsReason: false)
 {
-    /// <inheritdoc/>
     protected override Act Act => Act.Approve;
 
-    /// <inheritdoc/>
     protected override Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
         new CellDecisionAnswer("approve", new CorrectionDecisions(store).Approve(id, by, reason), "is approved and goes to its machine as soon as its slot is free");
 }

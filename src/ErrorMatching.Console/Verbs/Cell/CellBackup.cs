@@ -9,11 +9,9 @@ internal sealed class CellBackup : CellVerb
 {
     private readonly Argument<string> _file = new("FILE") { Description = "The copy; it must not be there yet." };
 
-    /// <summary>The verb.</summary>
     public CellBackup()
         : base("backup", "Copies the whole store, as it is at one moment, while the cell goes on.", "errormatch cell backup samples/cell/cell.json out/cell-backup.db") => Arguments.Add(_file);
 
-    /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) => WithExistingStore(settings, store =>
     {
         var file = arguments.GetRequiredValue(_file);

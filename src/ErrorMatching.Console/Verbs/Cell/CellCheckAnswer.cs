@@ -7,15 +7,12 @@ namespace ErrorMatching.Console;
 /// <summary>What a cell would find if it started now.</summary>
 internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/cell-check/1";
 
-    /// <inheritdoc/>
     public override Failure? Failure => check.Wrong.Concat(check.Away).SelectMany(p => p.Errors).ToArray() is { Length: > 0 } errors
         ? new(check.Wrong.Any() ? ExitCode.WrongInput : ExitCode.Outside, errors)
         : null;
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("file", settings.File);
@@ -52,7 +49,6 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
         }
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading($"{settings.File} is a valid configuration: {settings.Name}");
@@ -207,7 +203,7 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
     private static string Transport(TransportSettings transport, Func<string, string> shown) =>
         transport.LocalFolder is { } folder ? shown(folder) : transport.Address;
 
-    // What lies below the folder that the user works in reads better without the way there.
+    // Paths below the current folder are shown relative to it.
     private static string Shown(string path) => Path.GetRelativePath(Directory.GetCurrentDirectory(), path) is var relative && !relative.StartsWith("..", StringComparison.Ordinal) ? relative : path;
 
     private static string Number(int value) => value.ToString(CultureInfo.InvariantCulture);

@@ -9,7 +9,6 @@ internal sealed class CellCheckVerb() : CellVerb(
     "Says everything that is wrong in a cell's configuration, or what would happen: whose the waiting files are, whether each machine lets the cell in, whether each job could start. Nothing is taken or sent, and at machines nothing is changed.",
     "errormatch cell check samples/cell/cell.json")
 {
-    /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();

@@ -4,15 +4,12 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A correction as a decision left it.</summary>
+/// <summary>A correction after a decision.</summary>
 internal sealed class CellDecisionAnswer(string verb, Correction correction, string sentence) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => $"errormatch/cell-{verb}/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json) => CorrectionJson.WriteMembers(json, correction);
 
-    /// <inheritdoc/>
     public override void WriteText(Page page) => page.Line($"Correction {correction.Id.ToString(CultureInfo.InvariantCulture)} ({correction.FileName}) {sentence}.");
 }

@@ -3,17 +3,16 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A verb by which a person decides about a correction, and signs.</summary>
+/// <summary>A verb by which a person signs a decision about a correction.</summary>
 internal abstract class CellDecisionVerb : SigningVerb
 {
     private readonly IdArgument _id = new();
     private readonly Option<string> _reason;
 
-    /// <summary>The verb.</summary>
     /// <param name="name">The word on the command line.</param>
     /// <param name="description">One sentence for the help.</param>
     /// <param name="example">A whole command line.</param>
-    /// <param name="needsReason">True if the decision takes a reason.</param>
+    /// <param name="needsReason">True if the decision requires a reason.</param>
     protected CellDecisionVerb(string name, string description, string example, bool needsReason)
         : base(name, description, example)
     {
@@ -29,7 +28,6 @@ internal abstract class CellDecisionVerb : SigningVerb
         Options.Add(_reason);
     }
 
-    /// <inheritdoc/>
     protected sealed override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) => WithExistingStore(settings, store =>
     {
         var users = new UserBook(store, TimeProvider.System);
@@ -38,9 +36,10 @@ internal abstract class CellDecisionVerb : SigningVerb
         return Decide(settings, store, arguments.GetRequiredValue(_id), by.Name, arguments.GetValue(_reason), cancellation);
     });
 
-    /// <summary>What the one who signs must be allowed to do. No field: one of the cell's types would load its library with the command line.</summary>
+    /// <summary>The right that the signer must have. Not a field: a field of one of the cell's types would load its library with the
+    /// command line.</summary>
     protected abstract Act Act { get; }
 
-    /// <summary>Carries the decision out.</summary>
+    /// <summary>Carries out the decision.</summary>
     protected abstract Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation);
 }

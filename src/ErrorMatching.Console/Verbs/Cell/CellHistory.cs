@@ -7,7 +7,7 @@ namespace ErrorMatching.Console;
 /// <summary><c>errormatch cell history</c>.</summary>
 internal sealed class CellHistory : CellVerb
 {
-    // Not taken from the enumeration: building the command line must not load the cell's library. A test holds that they are the same.
+    // Not taken from the enumeration: building the command line must not load the cell's library. A test checks that they agree.
     internal static readonly string[] States =
     [
         "archived", "recognized", "computed", "proposed", "approved", "uploading", "verified", "released", "superseded", "recorded", "refused", "rejected", "failed", "reverted",
@@ -22,7 +22,6 @@ internal sealed class CellHistory : CellVerb
     private readonly Option<string> _state = new("--state") { Description = "How far it has come: " + string.Join(", ", States) + ".", HelpName = "STATE" };
     private readonly Option<int> _most = new("--most") { Description = "How many of the latest are listed.", HelpName = "N", DefaultValueFactory = _ => 50 };
 
-    /// <summary>The verb.</summary>
     public CellHistory()
         : base("history", "Searches what arrived and what became of it.", "errormatch cell history samples/cell/cell.json --state released")
     {
@@ -46,7 +45,6 @@ internal sealed class CellHistory : CellVerb
         });
     }
 
-    /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
         WithStoreToRead(settings, store => new CellHistoryAnswer(store.Search(new()
         {

@@ -4,13 +4,11 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Console;
 
-/// <summary>Corrections that were searched for.</summary>
+/// <summary>The corrections that a search found.</summary>
 internal sealed class CellHistoryAnswer(IReadOnlyList<Correction> corrections) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/cell-history/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteStartArray("corrections");
@@ -22,7 +20,6 @@ internal sealed class CellHistoryAnswer(IReadOnlyList<Correction> corrections) :
         json.WriteEndArray();
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         if (corrections.Count == 0)

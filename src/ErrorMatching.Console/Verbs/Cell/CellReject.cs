@@ -9,10 +9,8 @@ internal sealed class CellReject() : CellDecisionVerb(
     "errormatch cell reject samples/cell/cell.json 1 --user anna --reason remeasured",
     needsReason: true)
 {
-    /// <inheritdoc/>
     protected override Act Act => Act.Reject;
 
-    /// <inheritdoc/>
     protected override Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
         new CellDecisionAnswer("reject", new CorrectionDecisions(store).Reject(id, by, reason!), "is rejected");
 }

@@ -9,10 +9,8 @@ internal sealed class CellRelease() : CellDecisionVerb(
     "errormatch cell release samples/cell/cell.json 1 --user anna",
     needsReason: false)
 {
-    /// <inheritdoc/>
     protected override Act Act => Act.Release;
 
-    /// <inheritdoc/>
     protected override Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason,
         CancellationToken cancellation)
     {

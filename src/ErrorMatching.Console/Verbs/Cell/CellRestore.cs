@@ -8,11 +8,9 @@ internal sealed class CellRestore : CellVerb
 {
     private readonly Argument<string> _file = new("FILE") { Description = "The copy that cell backup made." };
 
-    /// <summary>The verb.</summary>
     public CellRestore()
         : base("restore", "Puts a copy of the store in the store's place, while the cell does not run. What was there is kept beside it.", "errormatch cell restore samples/cell/cell.json out/cell-backup.db") => Arguments.Add(_file);
 
-    /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_file);

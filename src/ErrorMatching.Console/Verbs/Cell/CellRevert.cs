@@ -9,10 +9,8 @@ internal sealed class CellRevert() : CellDecisionVerb(
     "errormatch cell revert samples/cell/cell.json 1 --user anna --reason chatter",
     needsReason: true)
 {
-    /// <inheritdoc/>
     protected override Act Act => Act.Revert;
 
-    /// <inheritdoc/>
     protected override Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation)
     {
         var secrets = new MachineSecrets(store, settings.KeysFolder);

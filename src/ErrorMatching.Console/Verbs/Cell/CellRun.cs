@@ -14,7 +14,6 @@ internal sealed class CellRun() : CellVerb(
 {
     private static readonly TimeSpan Reconnect = TimeSpan.FromSeconds(5);
 
-    /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
@@ -29,7 +28,7 @@ internal sealed class CellRun() : CellVerb(
         }
     }
 
-    // What the run came to is not lost with the last lines of its log.
+    // The result of the run is not lost even if the last lines of its log are.
     private static void Close(Logger log, CellSettings settings)
     {
         try
@@ -72,7 +71,7 @@ internal sealed class CellRun() : CellVerb(
             return new Failure(ExitCode.Outside, new ErrorItem("cell-runs-already", $"{settings.Name} runs already: another process has it. See errormatch cell status {settings.File}."));
         }
 
-        // A store that was set back knows nothing of what was sent since: it would send it again.
+        // A store that was rolled back does not know what was sent since, and would send it again.
         if (new AuditTrail(store, settings.KeysFolder).EndFault() is { } fault)
         {
             log.Fatal("{Cell} does not start: {Message}", settings.Name, fault.Message);
@@ -92,7 +91,7 @@ internal sealed class CellRun() : CellVerb(
         return new CellRunAnswer(settings, since, clock.GetUtcNow());
     }
 
-    // Who approves, and within what, is part of the evidence: a limit that somebody raised shows in the trail.
+    // Who approves, and within which limits, is part of the evidence: a raised limit shows in the trail.
     private static string InForce(CellSettings settings) => Recorded.Started.With(
         Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(settings.File))),
         string.Join("; ", settings.Jobs.Where(j => j.Policy is not null).Select(j => Recorded.PoliciesOfJob.With([j.Name, .. Words(j.Policy!)])).Prepend(Recorded.PoliciesOfCell.With(Words(settings.Policy)))));
@@ -107,7 +106,7 @@ internal sealed class CellRun() : CellVerb(
 
     private static string Mm(double mm) => string.Create(CultureInfo.InvariantCulture, $"{mm} mm");
 
-    // A server that starts after the cell is waited for; what waiting does not mend ends the run.
+    // Waits for a server that starts after the cell; an error that waiting does not resolve ends the run.
     private static async Task<CellStore> OpenAsync(CellSettings settings, ILogger log, TimeProvider clock, CancellationToken cancellation)
     {
         while (true)

@@ -3,13 +3,11 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A run of a cell that ended because it was told to.</summary>
+/// <summary>A run of a cell that ended on request.</summary>
 internal sealed class CellRunAnswer(CellSettings settings, DateTimeOffset since, DateTimeOffset until) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/cell-run/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("cell", settings.Name);
@@ -17,6 +15,5 @@ internal sealed class CellRunAnswer(CellSettings settings, DateTimeOffset since,
         json.WriteString("until", CorrectionJson.Time(until));
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page) => page.Line($"{settings.Name} was told to stop, and stopped. Whatever it had begun is kept: the next run goes on with it.");
 }

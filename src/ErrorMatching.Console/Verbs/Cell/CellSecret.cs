@@ -9,7 +9,6 @@ internal sealed class CellSecret : SigningVerb
     private readonly Argument<string> _machine = new("MACHINE") { Description = "The machine, as the configuration names it." };
     private readonly Option<bool> _remove = new("--remove") { Description = "Remove the password instead of setting one.", Arity = ArgumentArity.Zero };
 
-    /// <summary>The verb.</summary>
     public CellSecret()
         : base(
             "secret",
@@ -21,7 +20,6 @@ internal sealed class CellSecret : SigningVerb
         Options.Add(_remove);
     }
 
-    /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         var machine = arguments.GetRequiredValue(_machine);

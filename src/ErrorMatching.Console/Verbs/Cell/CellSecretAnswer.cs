@@ -2,13 +2,11 @@ using System.Text.Json;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A machine's password that was set or removed.</summary>
+/// <summary>The result of setting or removing a machine's password.</summary>
 internal sealed class CellSecretAnswer(string machine, bool isSet, bool isChanged) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/cell-secret/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("machine", machine);
@@ -16,7 +14,6 @@ internal sealed class CellSecretAnswer(string machine, bool isSet, bool isChange
         json.WriteBoolean("isChanged", isChanged);
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page) => page.Line(
         isSet ? $"The cell signs in to {machine} with the new password from now on." : isChanged ? $"The password of {machine} is removed." : $"{machine} had no password.");
 }

@@ -10,7 +10,6 @@ internal sealed class CellShow : CellVerb
     private readonly IdArgument _id = new();
     private readonly Option<string> _out = new("--out") { Description = "The folder to write measurement, programs and report to.", HelpName = "DIR" };
 
-    /// <summary>The verb.</summary>
     public CellShow()
         : base("show", "Shows what became of one file, step by step, and writes its measurement, programs and report.", "errormatch cell show samples/cell/cell.json 1 --out out")
     {
@@ -18,7 +17,6 @@ internal sealed class CellShow : CellVerb
         Options.Add(_out);
     }
 
-    /// <inheritdoc/>
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
         WithStoreToRead(settings, store => Show(settings, store, arguments, cancellation));
 

@@ -5,13 +5,11 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
-/// <summary>What became of one file.</summary>
+/// <summary>The history of one file.</summary>
 internal sealed class CellShowAnswer(Correction correction, IReadOnlyList<CorrectionStep> steps, IReadOnlyList<string> files) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/cell-correction/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         CorrectionJson.WriteMembers(json, correction);
@@ -37,7 +35,6 @@ internal sealed class CellShowAnswer(Correction correction, IReadOnlyList<Correc
         json.WriteEndArray();
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading(PrintedText.OneLine($"Correction {correction.Id.ToString(CultureInfo.InvariantCulture)}: {correction.FileName} from {correction.Gauge} is {CorrectionJson.Word(correction.State)}"));

@@ -5,18 +5,15 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
-/// <summary>How a cell is.</summary>
+/// <summary>The status of a cell.</summary>
 internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status) : DocumentAnswer
 {
     private const int MostListed = 20;
 
-    /// <inheritdoc/>
     public override string Schema => "errormatch/cell-status/1";
 
-    /// <inheritdoc/>
     public override Failure? Failure => status.IsHealthy ? null : new(ExitCode.Outside, [.. Problems().Select(p => new ErrorItem(p.Code, p.Message))]);
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("cell", settings.Name);
@@ -57,7 +54,6 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         json.WriteEndArray();
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading(status.IsRunning
@@ -230,7 +226,7 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         }
     }
 
-    // What somebody else wrote to the store does not mend itself; its sentence says what to do.
+    // A change to the store from outside the cell does not go away on its own; its message says what to do.
     private IEnumerable<CellTrouble> Troubles(bool isTampered) =>
         (status.IsRunning ? status.Heartbeat!.Troubles : []).Where(t => t.Code == CellCodes.Of(StoreError.Tampered) == isTampered);
 

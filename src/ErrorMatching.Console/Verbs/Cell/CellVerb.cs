@@ -4,7 +4,7 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A verb about a cell. Only its run touches the cell's library, which a match does not need.</summary>
+/// <summary>A verb about a cell. Only running it loads the cell's library, which a match does not need.</summary>
 internal abstract class CellVerb : Verb
 {
     private readonly Argument<string> _config = new("CONFIG") { Description = "The cell's configuration." };
@@ -13,7 +13,6 @@ internal abstract class CellVerb : Verb
     protected CellVerb(string name, string description, string example)
         : base(name, description, example) => Arguments.Add(_config);
 
-    /// <inheritdoc/>
     public sealed override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         try
@@ -45,12 +44,13 @@ internal abstract class CellVerb : Verb
     /// <summary>Does the work for a cell.</summary>
     protected abstract Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation);
 
-    /// <summary>Works with the cell's store, which is made if it is not there yet. Every entry of the audit trail is sealed with the cell's key.</summary>
+    /// <summary>Works with the cell's store, which is created if it does not exist. Every entry of the audit trail is sealed with the
+    /// cell's key.</summary>
     protected static Outcome WithStore(CellSettings settings, Func<CellStore, Outcome> work)
     {
         using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.OpenFor(settings), inspect: false);
 
-        // Nothing is added to a store that was set back: its trail would grow two ends.
+        // Nothing is added to a store that was rolled back: its trail would get two ends.
         if (new AuditTrail(store, settings.KeysFolder).EndFault() is { } fault)
         {
             return FailureOfCell.Audit(fault);
@@ -59,7 +59,7 @@ internal abstract class CellVerb : Verb
         return Remembered(settings, store, work);
     }
 
-    /// <summary>Looks at the cell's store, which must be there and may be on a disk that cannot be written.</summary>
+    /// <summary>Reads the cell's store, which must exist and may be on a read-only disk.</summary>
     protected static Outcome WithStoreToRead(CellSettings settings, Func<CellStore, Outcome> work)
     {
         DemandStore(settings);
@@ -76,20 +76,20 @@ internal abstract class CellVerb : Verb
         }
         catch (Exception e) when (e is PeopleException or StoreException)
         {
-            // What was asked for is done, and its answer is the one to give; the running cell remembers the end as well, and tells when it cannot.
+            // The requested work is done, so its answer is returned; the running cell remembers the end too, and reports if it cannot.
         }
 
         return outcome;
     }
 
-    /// <summary>Works with the cell's store, which must be there.</summary>
+    /// <summary>Works with the cell's store, which must exist.</summary>
     protected static Outcome WithExistingStore(CellSettings settings, Func<CellStore, Outcome> work)
     {
         DemandStore(settings);
         return WithStore(settings, work);
     }
 
-    /// <summary>Makes sure that there is a store: one that is made for looking into it would look right.</summary>
+    /// <summary>Ensures that the store exists: reading must not create an empty one, which would look right.</summary>
     protected static void DemandStore(CellSettings settings)
     {
         if (settings.Store is SqliteSettings { File: var file } && !File.Exists(file))

@@ -7,13 +7,13 @@ namespace ErrorMatching.Console;
 /// <summary>Corrections in JSON documents.</summary>
 internal static class CorrectionJson
 {
-    /// <summary>The word of a state.</summary>
+    /// <summary>The name of a state.</summary>
     public static string Word(CorrectionState state) => state.ToString().ToLowerInvariant();
 
     /// <summary>A time: ISO 8601 in UTC, to the millisecond.</summary>
     public static string Time(DateTimeOffset time) => time.UtcDateTime.ToString("yyyy-MM-ddTHH:mm:ss.fff'Z'", CultureInfo.InvariantCulture);
 
-    /// <summary>Writes one as an object.</summary>
+    /// <summary>Writes a correction as an object.</summary>
     public static void Write(Utf8JsonWriter json, Correction correction)
     {
         json.WriteStartObject();
@@ -21,7 +21,7 @@ internal static class CorrectionJson
         json.WriteEndObject();
     }
 
-    /// <summary>Writes its members.</summary>
+    /// <summary>Writes a correction's members.</summary>
     public static void WriteMembers(Utf8JsonWriter json, Correction correction)
     {
         json.WriteNumber("id", correction.Id);

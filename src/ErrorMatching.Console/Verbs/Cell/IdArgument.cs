@@ -5,7 +5,6 @@ namespace ErrorMatching.Console;
 /// <summary>The argument that names a correction.</summary>
 internal sealed class IdArgument : Argument<long>
 {
-    /// <summary>The argument.</summary>
     public IdArgument()
         : base("ID") => Description = "Number of the correction, as cell status and cell history print it.";
 }

@@ -3,16 +3,16 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A verb that somebody has to sign: by name and password, for this command alone.</summary>
+/// <summary>A verb that a person must sign: with name and password, for this command only.</summary>
 internal abstract class SigningVerb : CellVerb
 {
-    /// <summary>The variable that names who signs, if no option does. Passwords are never in a variable.</summary>
+    /// <summary>The environment variable that names the signer if no option does. Passwords are never in a variable.</summary>
     public const string UserVariable = "ERRORMATCH_USER";
 
     private readonly Option<string> _user = new("--user") { Description = $"Who signs; without it, the environment's {UserVariable}.", HelpName = "NAME" };
     private readonly Option<bool> _fromInput;
 
-    /// <summary>A verb with the options of signing.</summary>
+    /// <summary>A verb with the options for signing.</summary>
     /// <param name="name">The word on the command line.</param>
     /// <param name="description">One sentence for the help.</param>
     /// <param name="example">A whole command line that works in the root of the checkout.</param>
@@ -25,9 +25,9 @@ internal abstract class SigningVerb : CellVerb
         Options.Add(_fromInput);
     }
 
-    /// <summary>Asks who signs for the password.</summary>
-    /// <returns>The signature, good for one act that must be signed, or several that need not.</returns>
-    /// <exception cref="PeopleException">As <see cref="UserBook.SignIn"/> says.</exception>
+    /// <summary>Prompts the signer for the password.</summary>
+    /// <returns>The signature, valid for one act that must be signed, or several that need not be.</returns>
+    /// <exception cref="PeopleException">As for <see cref="UserBook.SignIn"/>.</exception>
     protected SignedIn Sign(UserBook users, ParseResult arguments)
     {
         var name = arguments.GetValue(_user) ?? Environment.GetEnvironmentVariable(UserVariable);
@@ -36,6 +36,6 @@ internal abstract class SigningVerb : CellVerb
             : users.SignIn(name, Secrets!.Ask($"password of {name}", arguments.GetValue(_fromInput)));
     }
 
-    /// <summary>Asks for a new password, twice at a keyboard.</summary>
+    /// <summary>Prompts for a new password, twice at a keyboard.</summary>
     protected string AskNew(string prompt, ParseResult arguments) => Secrets!.AskNew(prompt, arguments.GetValue(_fromInput));
 }

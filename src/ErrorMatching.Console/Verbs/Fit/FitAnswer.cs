@@ -4,13 +4,13 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Console;
 
-/// <summary>What every fit tells: the file, the number of points, the residuals and how well the points determine the result.</summary>
+/// <summary>The common part of every fit's answer: the file, the number of points, the residuals and how well the points determine the
+/// result.</summary>
 internal abstract class FitAnswer(NumberTable table, IReadOnlyList<double> residuals, double residualStandardDeviation, double condition) : DocumentAnswer
 {
-    /// <summary>The points that were fitted.</summary>
+    /// <summary>The fitted points.</summary>
     protected NumberTable Table => table;
 
-    /// <inheritdoc/>
     public sealed override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("file", table.File);
@@ -21,7 +21,6 @@ internal abstract class FitAnswer(NumberTable table, IReadOnlyList<double> resid
         json.Number("condition", condition);
     }
 
-    /// <inheritdoc/>
     public sealed override void WriteText(Page page)
     {
         page.Heading(string.Create(CultureInfo.InvariantCulture, $"{Title}, {table.Count} points of {table.File}"));
@@ -35,10 +34,10 @@ internal abstract class FitAnswer(NumberTable table, IReadOnlyList<double> resid
             residuals.Select((r, i) => (IReadOnlyList<string>)[table.Lines[i].ToString(CultureInfo.InvariantCulture), table["x"][i], table["y"][i], Show.Digits(r)]));
     }
 
-    /// <summary>What was fitted, as a heading.</summary>
+    /// <summary>The heading: what was fitted.</summary>
     protected abstract string Title { get; }
 
-    /// <summary>Statistics of this kind of fit alone.</summary>
+    /// <summary>Statistics of this kind of fit only.</summary>
     protected virtual IReadOnlyList<(string Name, string Value)> MoreFacts => [];
 
     /// <summary>Writes the members of this kind of fit.</summary>

@@ -7,12 +7,10 @@ namespace ErrorMatching.Console;
 /// <summary><c>errormatch fit circle</c>.</summary>
 internal sealed class FitCircle : FitVerb
 {
-    /// <summary>The verb.</summary>
     public FitCircle()
         : base("circle", "Fits a circle to points by least squares of their distances from it.", "errormatch fit circle samples/fits/circle.csv")
     {
     }
 
-    /// <inheritdoc/>
     protected override Outcome Fit(NumberTable table, ParseResult arguments) => new FitCircleAnswer(table, CircleFit.Fit(PointsOf(table)));
 }

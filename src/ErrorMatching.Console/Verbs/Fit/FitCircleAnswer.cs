@@ -7,13 +7,10 @@ namespace ErrorMatching.Console;
 /// <summary>A fitted circle.</summary>
 internal sealed class FitCircleAnswer(NumberTable table, CircleFit fit) : FitAnswer(table, fit.Residuals, fit.ResidualStandardDeviation, fit.Condition)
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/fit-circle/1";
 
-    /// <inheritdoc/>
     protected override string Title => "Circle by geometric least squares";
 
-    /// <inheritdoc/>
     protected override void WriteFit(Utf8JsonWriter json)
     {
         json.Point("center", fit.Circle.Center);
@@ -22,7 +19,6 @@ internal sealed class FitCircleAnswer(NumberTable table, CircleFit fit) : FitAns
         json.Number("radiusStandardError", fit.RadiusStandardError);
     }
 
-    /// <inheritdoc/>
     protected override void WriteFit(Page page) => page.Table(
         ["", "value", "standard error"],
         [

@@ -17,7 +17,6 @@ internal sealed class FitLine : FitVerb
         DefaultValueFactory = _ => Total,
     };
 
-    /// <summary>The verb.</summary>
     public FitLine()
         : base("line", "Fits a straight line to points.", "errormatch fit line samples/fits/line.csv")
     {
@@ -25,7 +24,6 @@ internal sealed class FitLine : FitVerb
         Options.Add(_method);
     }
 
-    /// <inheritdoc/>
     protected override Outcome Fit(NumberTable table, ParseResult arguments)
     {
         var method = arguments.GetRequiredValue(_method);

@@ -7,15 +7,12 @@ namespace ErrorMatching.Console;
 /// <summary>A fitted line.</summary>
 internal sealed class FitLineAnswer(NumberTable table, string method, LineFit fit) : FitAnswer(table, fit.Residuals, fit.ResidualStandardDeviation, fit.Condition)
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/fit-line/1";
 
-    /// <inheritdoc/>
     protected override string Title => $"Line by {(method == "ols" ? "ordinary" : "total")} least squares";
 
     private Angle Direction => fit.Line.Direction.Direction;
 
-    /// <inheritdoc/>
     protected override void WriteFit(Utf8JsonWriter json)
     {
         json.WriteString("method", method);
@@ -36,7 +33,6 @@ internal sealed class FitLineAnswer(NumberTable table, string method, LineFit fi
         }
     }
 
-    /// <inheritdoc/>
     protected override void WriteFit(Page page)
     {
         page.Table(

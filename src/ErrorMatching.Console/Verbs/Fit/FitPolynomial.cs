@@ -25,7 +25,6 @@ internal sealed class FitPolynomial : FitVerb
         DefaultValueFactory = _ => "0",
     };
 
-    /// <summary>The verb.</summary>
     public FitPolynomial()
         : base("polynomial", "Fits a polynomial y(x) to points.", "errormatch fit polynomial samples/fits/curve.csv --degree auto")
     {
@@ -35,7 +34,6 @@ internal sealed class FitPolynomial : FitVerb
         Demand(_ridge, text => RidgeOf(text) is not null, "auto or a number that is not negative");
     }
 
-    /// <inheritdoc/>
     protected override Outcome Fit(NumberTable table, ParseResult arguments)
     {
         var (degree, ridge) = (arguments.GetRequiredValue(_degree), arguments.GetRequiredValue(_ridge));
@@ -45,7 +43,7 @@ internal sealed class FitPolynomial : FitVerb
 
     private static IReadOnlyList<DoubleDouble> Exact(IReadOnlyList<string> texts) => [.. texts.Select(t => DoubleDouble.Parse(t))];
 
-    // The word auto passes both as zero; what it means is said where the options of the fit are made.
+    // The word auto gives zero for both; the code that builds the fit's options explains it.
     private static int? DegreeOf(string text) =>
         text == Auto ? 0 : int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var degree) && degree <= HighestDegree ? degree : null;
 

@@ -8,17 +8,13 @@ namespace ErrorMatching.Console;
 /// <summary>A fitted polynomial.</summary>
 internal sealed class FitPolynomialAnswer(NumberTable table, PolynomialFit fit) : FitAnswer(table, fit.Residuals, fit.ResidualStandardDeviation, fit.Condition)
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/fit-polynomial/1";
 
-    /// <inheritdoc/>
     protected override string Title => string.Create(CultureInfo.InvariantCulture, $"Polynomial of degree {fit.Degree}, ridge weight {fit.Ridge}");
 
-    /// <inheritdoc/>
     protected override IReadOnlyList<(string Name, string Value)> MoreFacts =>
         [("leave-one-out error (RMS)", fit.LeaveOneOutRms is { } rms ? Show.Digits(rms) : "none: each point determines its own value")];
 
-    /// <inheritdoc/>
     protected override void WriteFit(Utf8JsonWriter json)
     {
         json.WriteNumber("degree", fit.Degree);
@@ -29,7 +25,6 @@ internal sealed class FitPolynomialAnswer(NumberTable table, PolynomialFit fit) 
         json.Number("leaveOneOutRms", fit.LeaveOneOutRms ?? double.NaN);
     }
 
-    /// <inheritdoc/>
     protected override void WriteFit(Page page) => page.Table(
         ["power of x", "coefficient", "standard error"],
         fit.Coefficients.Select((c, i) => (IReadOnlyList<string>)[i.ToString(CultureInfo.InvariantCulture), Show.Exact(c), Show.Digits(fit.StandardErrors[i])]));

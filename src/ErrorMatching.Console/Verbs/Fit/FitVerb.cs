@@ -10,11 +10,9 @@ internal abstract class FitVerb : Verb
 {
     private readonly Argument<string> _points = new("POINTS.csv") { Description = "A header with x and y (x_mm and y_mm will do; other columns are ignored), then one line per point." };
 
-    /// <inheritdoc/>
     protected FitVerb(string name, string description, string example)
         : base(name, description, example) => Arguments.Add(_points);
 
-    /// <inheritdoc/>
     public sealed override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_points);
@@ -30,7 +28,7 @@ internal abstract class FitVerb : Verb
         }
     }
 
-    /// <summary>Fits.</summary>
+    /// <summary>Computes the fit.</summary>
     /// <param name="table">The columns <c>x</c> and <c>y</c>.</param>
     /// <param name="arguments">What the user typed.</param>
     /// <exception cref="GeometryException">The points do not determine the fit.</exception>

@@ -5,13 +5,11 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>What a valid free-form job asks for.</summary>
+/// <summary>The content of a valid free-form job.</summary>
 internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/job-check/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("file", job.File);
@@ -31,7 +29,6 @@ internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
         new NamedFiles(Files).WriteJson(json);
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading($"{job.File} is a valid free-form job: {job.Name}");

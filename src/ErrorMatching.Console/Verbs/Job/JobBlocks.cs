@@ -9,7 +9,6 @@ internal sealed class JobBlocks : Verb
     private readonly Argument<string> _job = new("JOB") { Description = "The job. Its features may lack their blocks." };
     private readonly Option<string> _out = FileOption("--out", "The file to write the job with these blocks to. Without it nothing is written; the job itself is never changed.");
 
-    /// <summary>The verb.</summary>
     public JobBlocks()
         : base("blocks", "Finds the blocks that cut each feature, by the key points that they lead past.", "errormatch job blocks samples/complex-mating/job.json")
     {
@@ -17,7 +16,6 @@ internal sealed class JobBlocks : Verb
         Options.Add(_out);
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var outcome = BlockRun.Of(arguments.GetRequiredValue(_job), cancellation);
@@ -26,7 +24,7 @@ internal sealed class JobBlocks : Verb
             return new Failure(ExitCode.Refused, outcome.Refusals);
         }
 
-        // A job with blocks for some of its features could not be used.
+        // A job with blocks for only some of its features would be unusable.
         var written = found.Refusals.Count == 0 ? arguments.GetValue(_out) : null;
         if (written is not null)
         {

@@ -5,18 +5,15 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The blocks that seem to cut the features of a job.</summary>
-/// <param name="found">What was found.</param>
+/// <summary>The blocks that appear to cut the features of a job.</summary>
+/// <param name="found">The result of the search.</param>
 /// <param name="written">The job that was written; null if none was.</param>
 internal sealed class JobBlocksAnswer(FoundBlocks found, string? written) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/job-blocks/1";
 
-    /// <inheritdoc/>
     public override Failure? Failure => found.Refusals is { Count: > 0 } refusals ? new(ExitCode.Refused, refusals) : null;
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("job", found.Job.File);
@@ -75,7 +72,6 @@ internal sealed class JobBlocksAnswer(FoundBlocks found, string? written) : Docu
         }
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         var count = found.Features.Count(f => f.Refusal is null);

@@ -10,11 +10,9 @@ internal sealed class JobCheck : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
 
-    /// <summary>The verb.</summary>
     public JobCheck()
         : base("check", "Says everything that is wrong in a job, or what it asks for.", "errormatch job check samples/complex-mating/job.json") => Arguments.Add(_job);
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_job);

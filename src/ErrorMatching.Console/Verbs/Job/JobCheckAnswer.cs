@@ -6,15 +6,13 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>What a valid job asks for.</summary>
+/// <summary>The content of a valid job.</summary>
 internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
 {
     private readonly IReadOnlyList<ErrorItem> _warnings = MissingMeasured.ItemOf(job) is { } measured ? [measured] : [];
 
-    /// <inheritdoc/>
     public override string Schema => "errormatch/job-check/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("file", job.File);
@@ -52,7 +50,6 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
         json.WriteEndArray();
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading($"{job.File} is a valid mating job: {job.Name}");

@@ -2,7 +2,7 @@ using System.CommandLine;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The argument that says which kind of job is meant.</summary>
+/// <summary>The argument that selects the kind of job.</summary>
 internal static class JobKind
 {
     /// <summary>A job that makes a counterpart fit its part.</summary>
@@ -11,7 +11,7 @@ internal static class JobKind
     /// <summary>A job that mirrors the error of a free-form surface.</summary>
     public const string Freeform = "freeform";
 
-    /// <summary>The configuration of a cell, which is written and described like a job.</summary>
+    /// <summary>The configuration of a cell, which is created and described like a job.</summary>
     public const string Cell = "cell";
 
     /// <summary>The argument of a verb.</summary>

@@ -14,7 +14,6 @@ internal sealed class JobNew : Verb
     private readonly Argument<string> _kind = JobKind.Argument();
     private readonly Argument<string> _file = new("FILE") { Description = "The job to write. A file that exists is not overwritten." };
 
-    /// <summary>The verb.</summary>
     public JobNew()
         : base("new", "Writes a commented job, or configuration of a cell, to start from.", "errormatch job new mating out/job.json")
     {
@@ -22,7 +21,6 @@ internal sealed class JobNew : Verb
         Arguments.Add(_file);
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_file);
@@ -38,7 +36,7 @@ internal sealed class JobNew : Verb
         _ => JobTemplate.Text,
     };
 
-    // By itself, so that a job does not load the cell.
+    // A method of its own, so that a job does not load the cell.
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static string CellText() => CellTemplate.Text;
 }

@@ -11,11 +11,9 @@ internal sealed class JobSchema : Verb
 {
     private readonly Argument<string> _kind = JobKind.Argument();
 
-    /// <summary>The verb.</summary>
     public JobSchema()
         : base("schema", "Prints the JSON Schema of jobs, or of a cell: every key with its meaning.", "errormatch job schema mating") => Arguments.Add(_kind);
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation) =>
         new JobSchemaAnswer(SchemaOf(arguments.GetRequiredValue(_kind)));
 
@@ -26,7 +24,7 @@ internal sealed class JobSchema : Verb
         _ => JobTemplate.Schema,
     };
 
-    // By itself, so that a job does not load the cell.
+    // A method of its own, so that a job does not load the cell.
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static string CellSchema() => CellTemplate.Schema;
 }

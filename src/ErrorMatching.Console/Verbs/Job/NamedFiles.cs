@@ -2,11 +2,11 @@ using System.Text.Json;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The files that a job names, and whether they are there.</summary>
-/// <param name="files">What each is to the job, and its path as seen from where the caller is.</param>
+/// <summary>The files that a job names, and whether they exist.</summary>
+/// <param name="files">The role of each file in the job, and its path from the current folder.</param>
 internal sealed class NamedFiles(IEnumerable<(string Role, string File)> files)
 {
-    /// <summary>The member <c>files</c>, in the object that is open.</summary>
+    /// <summary>Writes the member <c>files</c> to the current object.</summary>
     public void WriteJson(Utf8JsonWriter json)
     {
         json.WriteStartArray("files");
@@ -22,6 +22,6 @@ internal sealed class NamedFiles(IEnumerable<(string Role, string File)> files)
         json.WriteEndArray();
     }
 
-    /// <summary>A table for people.</summary>
+    /// <summary>Writes a table for people.</summary>
     public void WriteText(Page page) => page.Table(["file", "", ""], files.Select(f => (IReadOnlyList<string>)[f.Role, f.File, File.Exists(f.File) ? "" : "not there yet"]));
 }

@@ -14,14 +14,12 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
     private readonly MatchReport _report = matched.Report;
     private readonly byte[] _json = matched.ReportJson();
 
-    /// <inheritdoc/>
     public override byte[] ToJson() => _json;
 
-    /// <summary>What belongs into the folder. The program comes last: where it stands, its report stands too.</summary>
+    /// <summary>The files to write. The program is last: if it exists, so does its report.</summary>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
         [(In("report.json"), _json), (In("report.html"), matched.ReportHtml()), (_report.Program.File, matched.Program)];
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading($"{_report.Job.Name}: {Summary}");

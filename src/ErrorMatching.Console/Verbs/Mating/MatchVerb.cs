@@ -14,7 +14,6 @@ internal sealed class MatchVerb : Verb
     private readonly WishOption _wish = new();
     private readonly Option<string> _out = new("--out") { Description = "The folder to write the program and the reports to. Without it nothing is written.", HelpName = "DIR" };
 
-    /// <summary>The verb.</summary>
     public MatchVerb()
         : base("match", "Makes the counterpart's program follow the measured part, and proves what it changed.", "errormatch match samples/complex-mating/job.json --out out")
     {
@@ -26,7 +25,6 @@ internal sealed class MatchVerb : Verb
         Options.Add(_wish);
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();

@@ -9,13 +9,11 @@ internal sealed class VerifyAnswer(VerifyReport report, string? folder) : Answer
 {
     private readonly byte[] _json = VerifyReportJson.Write(report);
 
-    /// <inheritdoc/>
     public override byte[] ToJson() => _json;
 
-    /// <summary>What belongs into the folder.</summary>
+    /// <summary>The files to write.</summary>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files => [(In("verify.json"), _json), (In("verify.html"), VerifyReportHtml.Write(report))];
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading($"{report.Job.Name}: the largest mating error was {Show.Mm(report.Result.MaxBeforeMm)} mm before and is {Show.Mm(report.Result.MaxAfterMm)} mm after");

@@ -14,7 +14,6 @@ internal sealed class VerifyVerb : Verb
     private readonly Option<string> _part = FileOption("--part", "The measured part, instead of the job's.");
     private readonly Option<string> _out = new("--out") { Description = "The folder to write verify.json and verify.html to. Without it nothing is written.", HelpName = "DIR" };
 
-    /// <summary>The verb.</summary>
     public VerifyVerb()
         : base(
             "verify",
@@ -30,7 +29,6 @@ internal sealed class VerifyVerb : Verb
         Options.Add(_out);
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new JobFiles(arguments.GetRequiredValue(_job));

@@ -6,7 +6,6 @@ namespace ErrorMatching.Console;
 /// <summary>The option that names blocks.</summary>
 internal sealed class BlocksOption : Option<string[]>
 {
-    /// <summary>The option, which is required.</summary>
     public BlocksOption()
         : base("--blocks")
     {
@@ -17,7 +16,7 @@ internal sealed class BlocksOption : Option<string[]>
         AllowMultipleArgumentsPerToken = true;
     }
 
-    /// <summary>The positions of the named blocks, ascending.</summary>
+    /// <summary>The positions of the named blocks, in ascending order.</summary>
     /// <exception cref="NcException">A selector cannot be read.</exception>
     public NcOutcome<int[]> Select(ParseResult arguments, NcProgram program) =>
         BlockSelector.Select(program, [.. arguments.GetRequiredValue(this).Select(BlockSelector.Parse)]);

@@ -6,15 +6,12 @@ namespace ErrorMatching.Console;
 /// <summary><c>errormatch nc check</c>.</summary>
 internal sealed class NcCheck : NcVerb
 {
-    /// <summary>The verb.</summary>
     public NcCheck()
         : base("check", "Counts blocks, words and motions, and says what the dialect does not know.", "errormatch nc check samples/complex-mating/counterpart.nc --dialect delta-nc300")
     {
     }
 
-    /// <inheritdoc/>
     protected override bool ShowsWhatIsWrong => true;
 
-    /// <inheritdoc/>
     protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation) => new NcCheckAnswer(file, path, NcCensus.Of(path.Program));
 }

@@ -4,18 +4,15 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>What a program is made of, and what of it is not understood.</summary>
+/// <summary>The contents of a program, and the parts of it that are not understood.</summary>
 internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) : DocumentAnswer
 {
     private const int MostShown = 200;
 
-    /// <inheritdoc/>
     public override string Schema => "errormatch/nc-check/1";
 
-    /// <inheritdoc/>
     public override Failure? Failure => path.Refusal is { } refusal ? FailureOf.Refused(file, refusal) : null;
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("file", file);
@@ -41,7 +38,6 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
         }
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading($"{file}, dialect {path.Dialect.Name}");
@@ -77,7 +73,7 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
         }
     }
 
-    // What a reader of the motions must know: they are the programmed path, not the one that the machine drives.
+    // What a reader of the motions must know: they are the programmed path, not the path that the machine travels.
     private List<string> Programmed()
     {
         var notes = new List<string>();

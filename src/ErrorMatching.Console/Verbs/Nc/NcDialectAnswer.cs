@@ -20,7 +20,6 @@ internal sealed class NcDialectAnswer(NcDialect dialect) : NcDialectsAnswer([dia
 
     private readonly NcDialect _dialect = dialect;
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading($"{_dialect.Name}: {_dialect.Description}");
@@ -46,7 +45,7 @@ internal sealed class NcDialectAnswer(NcDialect dialect) : NcDialectsAnswer([dia
         }
     }
 
-    // A long list of codes goes on in rows of its own, so that it does not push the sentences off the screen.
+    // A long list of codes continues in rows of its own, so that it does not push the sentences off the screen.
     private static IEnumerable<IReadOnlyList<string>> Rows(string subject, params IReadOnlyList<string> cells)
     {
         var line = "";

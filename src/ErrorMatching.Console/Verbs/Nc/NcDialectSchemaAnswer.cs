@@ -3,13 +3,12 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The JSON Schema of dialect files. As a document of the console it has one more key, which says so and which validators ignore.</summary>
+/// <summary>The JSON Schema of dialect files. As a document of the console it has an additional key for that, which validators
+/// ignore.</summary>
 internal sealed class NcDialectSchemaAnswer : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/nc-dialect-schema/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         using var schema = JsonDocument.Parse(NcDialects.Schema);
@@ -19,6 +18,5 @@ internal sealed class NcDialectSchemaAnswer : DocumentAnswer
         }
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page) => page.Line(NcDialects.Schema.TrimEnd('\n'));
 }

@@ -4,13 +4,11 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The dialects and what they state about their controls.</summary>
+/// <summary>The dialects and what they define about their controls.</summary>
 internal class NcDialectsAnswer(IReadOnlyList<NcDialect> dialects) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/nc-dialects/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteStartArray("dialects");
@@ -45,7 +43,6 @@ internal class NcDialectsAnswer(IReadOnlyList<NcDialect> dialects) : DocumentAns
         json.WriteEndArray();
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Table(

@@ -10,7 +10,6 @@ internal sealed class NcDialectsVerb : Verb
     private readonly Argument<string> _dialect = new("NAME|FILE.json") { Description = "One dialect, whose whole table is printed. Without it, all are listed.", Arity = ArgumentArity.ZeroOrOne };
     private readonly Option<bool> _schema = new("--schema") { Description = "Prints the JSON Schema of dialect files instead.", Arity = ArgumentArity.Zero };
 
-    /// <summary>The verb.</summary>
     public NcDialectsVerb()
         : base("dialects", "Lists the controls that are known, or all that is stated of one, with sources.", "errormatch nc dialects fanuc")
     {
@@ -25,7 +24,6 @@ internal sealed class NcDialectsVerb : Verb
         });
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation) =>
         arguments.GetValue(_schema) ? new NcDialectSchemaAnswer()
         : arguments.GetValue(_dialect) is { } dialect ? new NcDialectAnswer(InputFile.Dialect(dialect))

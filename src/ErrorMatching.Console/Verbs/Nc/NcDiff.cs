@@ -14,7 +14,6 @@ internal sealed class NcDiff : Verb
     private readonly Option<string> _dialect = NcVerb.DialectOption();
     private readonly Option<string> _blockSkip = NcVerb.BlockSkipOption();
 
-    /// <summary>The verb.</summary>
     public NcDiff()
         : base("diff", "Compares what two programs do, motion by motion.", "errormatch nc diff samples/figure-nine/original.nc samples/figure-nine/modified.nc --dialect delta-nc300")
     {
@@ -25,7 +24,6 @@ internal sealed class NcDiff : Verb
         Options.Add(_html);
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var (before, after, dialect) = (arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_dialect));

@@ -4,17 +4,15 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The motions in which two programs differ: summary first, then each of them, then the blocks side by side.</summary>
+/// <summary>The motions in which two programs differ: a summary, each motion, then the blocks side by side.</summary>
 internal sealed class NcDiffAnswer(string before, string after, MotionComparison comparison) : DocumentAnswer
 {
     private const int MotionsShown = 100;
 
     private static readonly MotionChange[] Changes = Enum.GetValues<MotionChange>();
 
-    /// <inheritdoc/>
     public override string Schema => "errormatch/nc-diff/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("before", before);
@@ -45,7 +43,6 @@ internal sealed class NcDiffAnswer(string before, string after, MotionComparison
         ShownNotes.Write(json, (before, comparison.Before), (after, comparison.After));
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading(comparison.IsSame

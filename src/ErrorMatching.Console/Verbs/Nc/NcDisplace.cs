@@ -16,7 +16,6 @@ internal sealed class NcDisplace : NcVerb
     private readonly WishOption _wish = new();
     private readonly Option<string> _out = new("--out") { Description = "The program to write.", HelpName = "FILE", Required = true };
 
-    /// <summary>The verb.</summary>
     public NcDisplace()
         : base("displace", "Moves named blocks, changes the fewest words, and proves what it changed.", "errormatch nc displace samples/complex-mating/counterpart.nc --dialect delta-nc300 --blocks N130..N160 --normal 0.02 --out out/displaced.nc")
     {
@@ -37,7 +36,6 @@ internal sealed class NcDisplace : NcVerb
         });
     }
 
-    /// <inheritdoc/>
     protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation)
     {
         var blocks = _blocks.Select(arguments, path.Program);
@@ -78,7 +76,7 @@ internal sealed class NcDisplace : NcVerb
         var output = arguments.GetRequiredValue(_out);
         string[] inputs = [file, .. path.Dialect.Files.Select(f => f.File), .. arguments.GetValue(_along) is { } along ? [along] : Array.Empty<string>()];
 
-        // The program goes to the disk while it is proved, and appears when the proof holds. A missing folder is made only then.
+        // The program is written to disk during the proof, and gets its name if the proof succeeds. A missing folder is created only then.
         var proving = Task.Run(() => Prover.Check(path, rewrite.Value.Program, wish, rewrite.Value.LeastIncrementMm), CancellationToken.None);
         if (!Directory.Exists(Path.GetDirectoryName(Path.GetFullPath(output))))
         {
@@ -94,7 +92,7 @@ internal sealed class NcDisplace : NcVerb
             }
             catch (OutputException) when (!Proof().Holds)
             {
-                // A program that must not be used is the reason to name, not where it cannot be put.
+                // If the program must not be used, report that reason, not an output error.
             }
         }
 

@@ -10,16 +10,14 @@ namespace ErrorMatching.Console;
 /// <param name="output">The program that was written.</param>
 /// <param name="path">The original, interpreted.</param>
 /// <param name="rewrite">What was changed.</param>
-/// <param name="proof">What was shown about it.</param>
-/// <param name="misfitMm">By how much, at most, an element misses what was asked at a point; null where no points were given.</param>
+/// <param name="proof">The result of the proof.</param>
+/// <param name="misfitMm">The largest deviation of an element from what was requested at a point; null if no points were given.</param>
 internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, Rewrite rewrite, NcProof proof, double? misfitMm) : DocumentAnswer
 {
     private const int BlocksShown = 20;
 
-    /// <inheritdoc/>
     public override string Schema => "errormatch/nc-displace/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("file", file);
@@ -49,7 +47,6 @@ internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, 
         ShownProof.Write(json, proof);
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading(string.Create(CultureInfo.InvariantCulture, $"{output}: {rewrite.ChangedWords} words changed in {rewrite.ChangedBlocks.Count} blocks"));

@@ -8,11 +8,9 @@ internal sealed class NcLocate : NcVerb
 {
     private readonly BlocksOption _blocks = new();
 
-    /// <summary>The verb.</summary>
     public NcLocate()
         : base("locate", "Shows the blocks that selectors name, and what they move.", "errormatch nc locate samples/complex-mating/counterpart.nc --blocks N120 N130..N160") => Options.Add(_blocks);
 
-    /// <inheritdoc/>
     protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation)
     {
         var blocks = _blocks.Select(arguments, path.Program);

@@ -4,13 +4,11 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>Blocks that selectors name.</summary>
+/// <summary>The blocks that selectors name.</summary>
 internal sealed class NcLocateAnswer(string file, NcPath path, IReadOnlyList<int> blocks) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/nc-locate/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("file", file);
@@ -47,7 +45,6 @@ internal sealed class NcLocateAnswer(string file, NcPath path, IReadOnlyList<int
         json.WriteEndArray();
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading(string.Create(CultureInfo.InvariantCulture, $"{blocks.Count} blocks of {file}"));

@@ -6,10 +6,8 @@ namespace ErrorMatching.Console;
 /// <summary>The motions of a program.</summary>
 internal sealed class NcMotionAnswer(string file, NcPath path) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/nc-motion/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("file", file);
@@ -28,7 +26,7 @@ internal sealed class NcMotionAnswer(string file, NcPath path) : DocumentAnswer
         ShownNotes.Write(json, (file, path));
     }
 
-    // Which word of which line says each coordinate of the end.
+    // The word and line for each coordinate of the end point.
     private static void WriteWords(Utf8JsonWriter json, CoordinateWords words, int motion)
     {
         json.WriteStartObject("words");
@@ -46,7 +44,6 @@ internal sealed class NcMotionAnswer(string file, NcPath path) : DocumentAnswer
         json.WriteEndObject();
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Line(string.Join(',', ShownMotion.Fields));

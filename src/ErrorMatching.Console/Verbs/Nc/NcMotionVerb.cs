@@ -6,12 +6,10 @@ namespace ErrorMatching.Console;
 /// <summary><c>errormatch nc motion</c>.</summary>
 internal sealed class NcMotionVerb : NcVerb
 {
-    /// <summary>The verb.</summary>
     public NcMotionVerb()
         : base("motion", "Prints the programmed path, motion by motion, as CSV in absolute millimeters.", "errormatch nc motion samples/complex-mating/counterpart.nc --dialect delta-nc300")
     {
     }
 
-    /// <inheritdoc/>
     protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation) => new NcMotionAnswer(file, path);
 }

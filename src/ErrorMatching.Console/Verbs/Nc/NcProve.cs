@@ -17,7 +17,6 @@ internal sealed class NcProve : Verb
         HelpName = "FILE.json",
     };
 
-    /// <summary>The verb.</summary>
     public NcProve()
         : base(
             "prove",
@@ -30,7 +29,6 @@ internal sealed class NcProve : Verb
         Options.Add(_dialect);
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var (before, after, file) = (arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_wish));

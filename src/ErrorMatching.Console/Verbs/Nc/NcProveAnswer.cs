@@ -5,21 +5,19 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A proof that holds, and what moved by how much.</summary>
+/// <summary>A successful proof, and what moved by how much.</summary>
 /// <param name="before">The original.</param>
 /// <param name="after">The result.</param>
-/// <param name="file">The wish.</param>
-/// <param name="wish">What it says.</param>
-/// <param name="proof">What was shown.</param>
+/// <param name="file">The wish file.</param>
+/// <param name="wish">Its content.</param>
+/// <param name="proof">The result of the proof.</param>
 /// <param name="comparison">Both programs, motion by motion.</param>
 internal sealed class NcProveAnswer(string before, string after, string file, WishFile wish, NcProof proof, MotionComparison comparison) : DocumentAnswer
 {
     private const int MotionsShown = 20;
 
-    /// <inheritdoc/>
     public override string Schema => "errormatch/nc-prove/1";
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("before", before);
@@ -46,7 +44,6 @@ internal sealed class NcProveAnswer(string before, string after, string file, Wi
         ShownProof.Write(json, proof);
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading(string.Create(CultureInfo.InvariantCulture, $"{after} is {before} as {file} asks"));

@@ -4,14 +4,13 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A verb that looks at one program.</summary>
+/// <summary>A verb for one program.</summary>
 internal abstract class NcVerb : Verb
 {
     private readonly Argument<string> _program = new("PROGRAM") { Description = "The NC program." };
     private readonly Option<string> _dialect = DialectOption();
     private readonly Option<string> _blockSkip = BlockSkipOption();
 
-    /// <inheritdoc/>
     protected NcVerb(string name, string description, string example)
         : base(name, description, example)
     {
@@ -28,7 +27,7 @@ internal abstract class NcVerb : Verb
         DefaultValueFactory = _ => NcDialects.Names[0],
     };
 
-    /// <summary>The option that states the switch for block skip.</summary>
+    /// <summary>The option for the state of the block skip switch.</summary>
     public static Option<string> BlockSkipOption()
     {
         var option = new Option<string>("--block-skip")
@@ -43,18 +42,17 @@ internal abstract class NcVerb : Verb
 
     /// <summary>Reads and interprets a program.</summary>
     /// <exception cref="InputException">A file cannot be opened.</exception>
-    /// <exception cref="NcException">The dialect is not known, or the program is too large.</exception>
+    /// <exception cref="NcException">The dialect is unknown, or the program is too large.</exception>
     /// <exception cref="Json.JsonDocumentException">The dialect's file cannot be used.</exception>
     /// <exception cref="OperationCanceledException">Ctrl+C was pressed.</exception>
     public static NcPath Interpret(string file, string dialect, BlockSkip blockSkip, CancellationToken cancellation)
     {
-        // The dialect is read beside the program; if neither can be used, the dialect is what is said to be wrong.
+        // The dialect is read concurrently; if neither can be used, the dialect's error is reported.
         var reading = Task.Run(() => NcProgram.Read(InputFile.Program(file)), CancellationToken.None);
         var known = InputFile.Dialect(dialect).With(blockSkip);
         return NcInterpreter.Run(reading.GetAwaiter().GetResult(), known, new ProgramFolder(file).Find, cancellation);
     }
 
-    /// <inheritdoc/>
     public sealed override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_program);
@@ -63,12 +61,12 @@ internal abstract class NcVerb : Verb
         return path.Refusal is { } refusal && !ShowsWhatIsWrong ? FailureOf.Refused(file, refusal) : Run(file, path, arguments, cancellation);
     }
 
-    /// <summary>True if the verb says what is wrong with a program that cannot be followed to its end; the others refuse it.</summary>
+    /// <summary>True if the verb reports the errors of a program that cannot be followed to its end; other verbs refuse it.</summary>
     protected virtual bool ShowsWhatIsWrong => false;
 
     /// <summary>Does the work.</summary>
     /// <param name="file">The program as the user named it.</param>
-    /// <param name="path">What it does.</param>
+    /// <param name="path">The interpreted program.</param>
     /// <param name="arguments">What the user typed.</param>
     /// <param name="cancellation">Set by Ctrl+C.</param>
     protected abstract Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation);

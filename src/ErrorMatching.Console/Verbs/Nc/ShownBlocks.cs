@@ -4,11 +4,9 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>
-/// Two programs side by side where they differ, with <see cref="Context"/> rows around. In front of a row stands <c>~</c> where it changed,
-/// <c>-</c> where only the first program has it, <c>+</c> where only the second;
-/// changed words are colored on a terminal and stand between braces elsewhere.
-/// </summary>
+/// <summary>Two programs side by side where they differ, with <see cref="Context"/> rows of context. A row starts with <c>~</c> if it
+/// changed, with <c>-</c> if only the first program has it, with <c>+</c> if only the second has it. Changed words are colored on a
+/// terminal and in braces elsewhere.</summary>
 internal static class ShownBlocks
 {
     private const int Context = 3;
@@ -63,7 +61,7 @@ internal static class ShownBlocks
         }
     }
 
-    // Rows that differ, and those around them.
+    // The rows that differ, and their context.
     private static List<int> Shown(IReadOnlyList<BlockPair> rows)
     {
         var shown = new List<int>();
@@ -109,7 +107,7 @@ internal static class ShownBlocks
         }
     }
 
-    // One character a byte, and none that a terminal would obey.
+    // One character per byte, with no control characters for a terminal.
     private static string Clean(ReadOnlySpan<byte> bytes) => string.Create(bytes.Length, bytes, (text, source) =>
     {
         for (var i = 0; i < text.Length; i++)

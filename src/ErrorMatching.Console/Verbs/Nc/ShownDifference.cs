@@ -4,7 +4,7 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>How far a motion went, in the words that scripts and people read.</summary>
+/// <summary>The displacement of a motion, in words for scripts and people.</summary>
 internal static class ShownDifference
 {
     /// <summary>The word for a change.</summary>
@@ -20,7 +20,7 @@ internal static class ShownDifference
         _ => "words",
     };
 
-    /// <summary>How far an arc's center went; null where there are not two arcs.</summary>
+    /// <summary>The displacement of an arc's center; null unless both motions are arcs.</summary>
     public static Vector3? Center(MotionComparison comparison, MotionDifference difference)
     {
         if (difference.Before < 0 || difference.After < 0 || comparison.Before.Motions[difference.Before] is not { IsArc: true } arc)
@@ -34,7 +34,7 @@ internal static class ShownDifference
     /// <summary>A vector as three cells of a table.</summary>
     public static string[] Cells(Vector3? vector) => vector is { } v ? [ShownMotion.Text(v.X), ShownMotion.Text(v.Y), ShownMotion.Text(v.Z)] : ["", "", ""];
 
-    /// <summary>Writes a vector as <c>{ "x", "y", "z" }</c>, without the noise of binary fractions.</summary>
+    /// <summary>Writes a vector as <c>{ "x", "y", "z" }</c>, rounded to remove binary noise.</summary>
     public static void WriteVector(Utf8JsonWriter json, string name, Vector3? vector)
     {
         if (vector is not { } v)

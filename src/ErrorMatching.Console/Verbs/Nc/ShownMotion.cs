@@ -5,10 +5,9 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>
-/// A motion in the words that scripts read: absolute millimeters, rounded to the noise of binary fractions. A coordinate that the program has not said yet reads as 0, as it does on
-/// an interpreter that starts at the origin; one that only the machine knows reads as it was last said. Both are named in <c>unknown</c>.
-/// </summary>
+/// <summary>A motion in the words that scripts read: absolute millimeters, rounded to remove binary noise. A coordinate that the program
+/// has not set yet is 0, as on an interpreter that starts at the origin; one that only the machine knows keeps its last programmed value.
+/// Both are listed in <c>unknown</c>.</summary>
 internal sealed class ShownMotion
 {
     private const int Decimals = 9;
@@ -26,7 +25,7 @@ internal sealed class ShownMotion
         _center = _motion.IsArc ? _motion.Plane.Lift(_motion.Center, _motion.Plane.Height(_motion.Start)) : null;
     }
 
-    /// <summary>Names of the fields in their order.</summary>
+    /// <summary>Names of the fields, in order.</summary>
     public static IReadOnlyList<string> Fields { get; } = ["index", "line", "block", "kind", "x", "y", "z", "cx", "cy", "cz", "plane", "turns", "feed"];
 
     /// <summary>Position among the motions, from 0.</summary>
@@ -38,13 +37,14 @@ internal sealed class ShownMotion
     /// <summary>The line of its block, from 1.</summary>
     public int Line => _motion.Block + 1;
 
-    /// <summary>rapid, line, arc-cw, arc-ccw or probe. Cycles and moves to machine positions go by rapid to what is known of their end.</summary>
+    /// <summary>rapid, line, arc-cw, arc-ccw or probe. Cycles and moves to machine positions are rapids to the known part of their
+    /// end.</summary>
     public string Kind => KindOf(_motion.Kind);
 
-    /// <summary>Where it ends.</summary>
+    /// <summary>Its end point.</summary>
     public Point3 End { get; }
 
-    /// <summary>Axes whose end the program does not say: x, y, z.</summary>
+    /// <summary>Axes whose end the program does not define: x, y, z.</summary>
     public IEnumerable<string> Unknown => new[] { (AxisSet.X, "x"), (AxisSet.Y, "y"), (AxisSet.Z, "z") }.Where(a => (_motion.UnknownEnd & a.Item1) != AxisSet.None).Select(a => a.Item2);
 
     /// <summary>The word for a kind of motion.</summary>
@@ -57,7 +57,7 @@ internal sealed class ShownMotion
         _ => "rapid",
     };
 
-    /// <summary>A number without exponent, and without the noise of binary fractions.</summary>
+    /// <summary>A number without an exponent, rounded to remove binary noise.</summary>
     public static string Text(double? value) => value is { } v ? Clean(v).ToString("0.#########", CultureInfo.InvariantCulture) : "";
 
     /// <summary>The values of the fields as texts.</summary>
@@ -68,7 +68,7 @@ internal sealed class ShownMotion
         _motion.Plane.ToString(), _motion.Turns.ToString(CultureInfo.InvariantCulture), Text(_motion.Feed),
     ];
 
-    /// <summary>Writes the fields as members of the current object; null for what is not known or has no meaning.</summary>
+    /// <summary>Writes the fields as members of the current object; null for unknown or meaningless values.</summary>
     public void Write(Utf8JsonWriter json)
     {
         json.WriteNumber("index", Index);

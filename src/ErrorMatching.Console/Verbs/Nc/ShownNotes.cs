@@ -3,7 +3,7 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>What must be known of how programs were read: in every answer about a program.</summary>
+/// <summary>Notes on how programs were read, in every answer about a program.</summary>
 internal static class ShownNotes
 {
     /// <summary>Writes them as the array <c>notes</c>.</summary>

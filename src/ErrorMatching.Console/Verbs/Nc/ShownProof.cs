@@ -5,7 +5,7 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A proof in the words of a match's report.</summary>
+/// <summary>A proof in the terms of a match's report.</summary>
 internal static class ShownProof
 {
     /// <summary>Writes the member <c>proof</c>.</summary>
@@ -40,7 +40,7 @@ internal static class ShownProof
         json.WriteEndObject();
     }
 
-    /// <summary>Writes what a proof that holds says.</summary>
+    /// <summary>Writes a successful proof.</summary>
     public static void Write(Page page, NcProof proof)
     {
         page.Line(string.Create(

@@ -6,13 +6,15 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A compensation of a small surface that nobody wants, made on the second core while the first one reads the job: what the runtime has to load, link and compile for the real one, it then has.</summary>
-/// <remarks>Nothing of it is kept, and nobody waits for it: a process that is done ends whether this is or not. On one core there is none.</remarks>
+/// <summary>A rehearsal compensation of a small surface, run on the second core while the first one reads the job. The runtime loads, links
+/// and compiles in advance what the real compensation needs.</summary>
+/// <remarks>The result is discarded and nothing waits for it; the process may end before it does. With one core there is no
+/// rehearsal.</remarks>
 internal static class Rehearsal
 {
     private const int Lines = 5;
 
-    /// <summary>Begins it where there is a second core.</summary>
+    /// <summary>Starts it if there is a second core.</summary>
     public static void Begin()
     {
         if (Environment.ProcessorCount > 1)
@@ -21,10 +23,10 @@ internal static class Rehearsal
         }
     }
 
-    /// <summary>The whole of it; the report's page and how often the surface was touched.</summary>
+    /// <summary>Runs it; returns the report's page and the number of touched points.</summary>
     public static (byte[] Page, int Points) Run()
     {
-        // The fit takes longest to prepare: it comes before what the first core does meanwhile as well.
+        // The fit takes longest to prepare, so it comes first, even before what the first core prepares meanwhile.
         _ = FieldFit.Fit([.. Errors().Select((e, k) => new ErrorSample(k + 1, k % Lines, k / Lines, (k % Lines) / (Lines - 1.0), (k / Lines) / (Lines - 1.0), default, new(0, 0, 1), e))]);
 
         var template = FreeformJob.Parse(Encoding.UTF8.GetBytes(FreeformTemplate.Text), "rehearsal.json");
@@ -45,7 +47,7 @@ internal static class Rehearsal
         return (CompensationReportHtml.Write(report), points.Length);
     }
 
-    // Slow waves and a little that is none: every kind of model is tried.
+    // Slow waves and a little noise, so that every kind of model is tried.
     private static IEnumerable<double> Errors() =>
         Enumerable.Range(0, Lines * Lines).Select(k => 0.01 + (0.005 * Math.Sin((0.8 * (k % Lines)) + (0.5 * (k / Lines)))) + (0.0003 * Math.Sin(7.3 * k * k)));
 }

@@ -12,7 +12,6 @@ internal sealed class SurfaceCompensate : Verb
     private readonly Option<string> _cutBy = SurfaceOptions.CutBy();
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write the compensation points, the surface, the finishing program and the reports to. Without it nothing is written.");
 
-    /// <summary>The verb.</summary>
     public SurfaceCompensate()
         : base(
             "compensate",
@@ -25,7 +24,6 @@ internal sealed class SurfaceCompensate : Verb
         Options.Add(_out);
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();

@@ -11,13 +11,12 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
 {
     private readonly byte[] _json = finished.ReportJson();
 
-    /// <inheritdoc/>
     public override byte[] ToJson() => _json;
 
-    /// <summary>What belongs into the folder. The program comes last: where it stands, its report stands too.</summary>
+    /// <summary>The files to write. The program is last: if it exists, so does its report.</summary>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files()
     {
-        // The page takes as long as all the others: it is written beside them.
+        // The page takes as long as all the others, so it is created concurrently.
         var page = Task.Run(finished.ReportHtml);
         var result = finished.Report.Result;
         var (points, step, iges) = (CompensationCsv.Write(result), StepWriter.Write(result.Surface), IgesWriter.Write(result.Surface));
@@ -32,7 +31,6 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
         ];
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         var (report, result, certificate) = (finished.Report, finished.Report.Result, finished.Report.ToolPath.Certificate);

@@ -12,7 +12,6 @@ internal sealed class SurfaceDisplace : Verb
     private readonly Option<string> _program = FileOption("--program", "The finishing program that the shop has from its CAM.");
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write the displaced program to, by the same name. Without it nothing is written.");
 
-    /// <summary>The verb.</summary>
     public SurfaceDisplace()
         : base(
             "displace",
@@ -27,7 +26,6 @@ internal sealed class SurfaceDisplace : Verb
         Options.Add(_out);
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));

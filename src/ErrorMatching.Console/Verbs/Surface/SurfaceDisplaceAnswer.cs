@@ -4,14 +4,11 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A finishing program that follows the compensation.</summary>
-/// <param name="report">What became of it.</param>
+/// <summary>A finishing program displaced by the compensation.</summary>
 internal sealed class SurfaceDisplaceAnswer(DisplacedSurface report) : Answer
 {
-    /// <inheritdoc/>
     public override byte[] ToJson() => report.ReportJson();
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         var (displaced, compensation) = (report.Displaced, report.Compensation);

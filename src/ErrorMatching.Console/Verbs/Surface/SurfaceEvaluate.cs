@@ -14,7 +14,6 @@ internal sealed class SurfaceEvaluate : Verb
     private readonly Option<string[]> _radiusBefore = new("--tool-radius-before") { Description = "Those before compensation.", HelpName = "FILE", AllowMultipleArgumentsPerToken = true };
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write evaluation.json and evaluation.html to. Without it nothing is written.");
 
-    /// <summary>The verb.</summary>
     public SurfaceEvaluate()
         : base(
             "evaluate",
@@ -36,13 +35,12 @@ internal sealed class SurfaceEvaluate : Verb
         Options.Add(_out);
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var surface = files.Surface();
         var plan = files.Plan(surface);
-        // What was measured was touched somehow: only a plan without points stops here, not one that this stylus does not reach.
+        // The points were measured, so they were reachable: only a plan without points stops here, not one that this stylus does not reach.
         if (plan.Points.Count == 0)
         {
             return FailureOf.Refused(files.Job.File, plan.Refusals);

@@ -3,20 +3,18 @@ using ErrorMatching.Freeform;
 
 namespace ErrorMatching.Console;
 
-/// <summary>What the errors of measured surfaces come to.</summary>
+/// <summary>The evaluated errors of measured surfaces.</summary>
 /// <param name="report">The report.</param>
 /// <param name="folder">The folder that it was written to; null if nothing was written.</param>
 internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? folder) : Answer
 {
     private readonly byte[] _json = EvaluationReportJson.Write(report);
 
-    /// <inheritdoc/>
     public override byte[] ToJson() => _json;
 
-    /// <summary>What belongs into the folder.</summary>
+    /// <summary>The files to write.</summary>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files => [(In("evaluation.json"), _json), (In("evaluation.html"), EvaluationReportHtml.Write(report))];
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading(report.Before is { } was
@@ -38,7 +36,7 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
 
         page.Line("Errors along the normal, positive where material is left, less the stock of the stage. Profile by ISO 1101: twice the largest absolute error. Standard deviations use n - 1.");
 
-        // None is none for all of them.
+        // If one piece has no alignment, none has.
         if (report.Measured.Pieces[0].Alignment is null)
         {
             page.Line("Alignment: " + AlignmentWords.Of(null));

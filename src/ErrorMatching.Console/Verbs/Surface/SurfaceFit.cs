@@ -21,7 +21,6 @@ internal sealed class SurfaceFit : Verb
 
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write the surface to, as surface.stp and surface.igs: a nominal surface for a job, with its breaks, where only points are known. Without it nothing is written.");
 
-    /// <summary>The verb.</summary>
     public SurfaceFit()
         : base("fit", "Lays a surface through a grid of points and says how far it can be trusted.", "errormatch surface fit samples/surface-fit/points.csv --method through-curve-mesh --check samples/surface-fit/check.csv")
     {
@@ -32,7 +31,6 @@ internal sealed class SurfaceFit : Verb
         Demand(_method, name => FitMethod.Named(name) is not null, string.Join(", ", FitMethod.All));
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_points);

@@ -5,18 +5,17 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A fitted surface and how far it can be trusted.</summary>
+/// <summary>A fitted surface and its reliability.</summary>
 /// <param name="file">The points.</param>
-/// <param name="count">How many.</param>
+/// <param name="count">The number of points.</param>
 /// <param name="fit">The surface.</param>
-/// <param name="d1">Distance of the points.</param>
-/// <param name="d2">Distance of the points of the true surface; null if none are given.</param>
+/// <param name="d1">Distances of the points.</param>
+/// <param name="d2">Distances of the true surface's points; null if none are given.</param>
 /// <param name="folder">The folder that the surface was written to; null if nothing was written.</param>
 internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit, DistanceSummary d1, DistanceSummary? d2, string? folder) : DocumentAnswer
 {
     private const double UmPerMm = 1000;
 
-    /// <inheritdoc/>
     public override string Schema => "errormatch/surface-fit/1";
 
     /// <summary>The surface for other programs, and for a job.</summary>
@@ -31,7 +30,6 @@ internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit
 
     private string Method => fit.Method.Name;
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteString("file", file);
@@ -51,7 +49,6 @@ internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit
         json.Number("leaveLineOutUm", fit.LeaveLineOutMm * UmPerMm);
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading(string.Create(CultureInfo.InvariantCulture, $"Surface {Method}, {count} points of {file}"));
@@ -91,7 +88,8 @@ internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit
         json.WriteEndObject();
     }
 
-    /// <summary>Each break with the direction, the parameter, and the place in the middle of the surface, which a person finds on the piece.</summary>
+    /// <summary>Each break with its direction, its parameter, and a place in the middle of the surface, which a person can find on the
+    /// piece.</summary>
     private void WriteBreaks(Utf8JsonWriter json)
     {
         json.WriteStartArray("breaks");

@@ -2,10 +2,10 @@ using System.CommandLine;
 
 namespace ErrorMatching.Console;
 
-/// <summary>Options that several verbs of <c>errormatch surface</c> have.</summary>
+/// <summary>Options shared by several verbs of <c>errormatch surface</c>.</summary>
 internal static class SurfaceOptions
 {
-    /// <summary>Files of measured points, one at least.</summary>
+    /// <summary>Files of measured points; at least one.</summary>
     public static Option<string[]> Measured(string description) =>
         new("--measured") { Description = description, HelpName = "FILE", Required = true, AllowMultipleArgumentsPerToken = true, Arity = ArgumentArity.OneOrMore };
 

@@ -10,7 +10,6 @@ internal sealed class SurfacePlan : Verb
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write plan.csv to. Without it nothing is written.");
 
-    /// <summary>The verb.</summary>
     public SurfacePlan()
         : base("plan", "Decides where the surface is touched and in which order.", "errormatch surface plan samples/surface-one/job.json --out out")
     {
@@ -18,7 +17,6 @@ internal sealed class SurfacePlan : Verb
         Options.Add(_out);
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));

@@ -4,7 +4,7 @@ using ErrorMatching.Freeform;
 
 namespace ErrorMatching.Console;
 
-/// <summary>Where a surface is touched.</summary>
+/// <summary>The touch points of a surface.</summary>
 /// <param name="job">The job.</param>
 /// <param name="plan">The plan.</param>
 /// <param name="folder">The folder that it was written to; null if nothing was written.</param>
@@ -15,7 +15,6 @@ internal sealed class SurfacePlanAnswer(FreeformJob job, MeasuringPlan plan, str
 
     private const int RowsShown = 12;
 
-    /// <inheritdoc/>
     public override string Schema => "errormatch/surface-plan/1";
 
     /// <summary>Writes the members that a plan and its probing program share.</summary>
@@ -36,7 +35,7 @@ internal sealed class SurfacePlanAnswer(FreeformJob job, MeasuringPlan plan, str
         json.Number("travelMm", plan.TravelMm);
     }
 
-    /// <summary>Says in words what a plan and its probing program share.</summary>
+    /// <summary>Writes as text what a plan and its probing program share.</summary>
     public static void WriteSummary(Page page, MeasuringPlan plan)
     {
         var each = plan.Points.GroupBy(p => p.J).Select(g => g.Count()).Distinct().Order().ToArray();
@@ -63,7 +62,6 @@ internal sealed class SurfacePlanAnswer(FreeformJob job, MeasuringPlan plan, str
                 + $"mm, across at Z{plan.ClearanceZ:0.###}."));
     }
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         WriteSummary(json, job, plan);
@@ -92,7 +90,6 @@ internal sealed class SurfacePlanAnswer(FreeformJob job, MeasuringPlan plan, str
         json.WriteEndArray();
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading(string.Create(CultureInfo.InvariantCulture, $"{job.Name}: {plan.Points.Count} points on {plan.Surface.Name}"));

@@ -11,7 +11,6 @@ internal sealed class SurfaceProbe : Verb
     private readonly Option<string> _after = FileOption("--after", "A semi-finishing program: probing follows it in one program, which then stops for the finishing program.");
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write probe.nc and plan.csv to. Without it nothing is written.");
 
-    /// <summary>The verb.</summary>
     public SurfaceProbe()
         : base("probe", "Writes the program that measures the surface on the machine.", "errormatch surface probe samples/surface-one/job.json --out out")
     {
@@ -20,7 +19,6 @@ internal sealed class SurfaceProbe : Verb
         Options.Add(_out);
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));

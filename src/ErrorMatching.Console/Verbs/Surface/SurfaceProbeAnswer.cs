@@ -7,21 +7,19 @@ namespace ErrorMatching.Console;
 /// <summary>A probing program.</summary>
 /// <param name="job">The job.</param>
 /// <param name="probing">The program.</param>
-/// <param name="after">The program that it follows; null if it stands alone.</param>
+/// <param name="after">The program that it is appended to; null if it is separate.</param>
 /// <param name="folder">The folder that it was written to; null if nothing was written.</param>
 internal sealed class SurfaceProbeAnswer(FreeformJob job, ProbingProgram probing, string? after, string? folder) : DocumentAnswer
 {
     private const string FileName = "probe.nc";
 
-    /// <inheritdoc/>
     public override string Schema => "errormatch/surface-probe/1";
 
-    /// <summary>What belongs into the folder; nothing without one.</summary>
-    /// <param name="program">The program alone, or behind the other one.</param>
+    /// <summary>The files to write; none without a folder.</summary>
+    /// <param name="program">The program, alone or appended to the other one.</param>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program) =>
         folder is null ? [] : [(Path.Combine(folder, SurfacePlanAnswer.FileName), PlanCsv.Write(probing.Plan)), (Path.Combine(folder, FileName), program)];
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         SurfacePlanAnswer.WriteSummary(json, job, probing.Plan);
@@ -38,7 +36,6 @@ internal sealed class SurfaceProbeAnswer(FreeformJob job, ProbingProgram probing
         json.WriteEndArray();
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         page.Heading(string.Create(CultureInfo.InvariantCulture, $"{job.Name}: {probing.Plan.Points.Count} points are touched by a program for {probing.Dialect.Name}"));

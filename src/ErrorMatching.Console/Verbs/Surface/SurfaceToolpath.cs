@@ -17,7 +17,6 @@ internal sealed class SurfaceToolpath : Verb
 
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write the program to. Without it nothing is written.");
 
-    /// <summary>The verb.</summary>
     public SurfaceToolpath()
         : base("toolpath", "Writes the program that cuts the nominal surface, with its scallop and chordal error measured.", "errormatch surface toolpath samples/surface-one/job.json --stage semi-finishing --out out")
     {
@@ -27,7 +26,6 @@ internal sealed class SurfaceToolpath : Verb
         Options.Add(_out);
     }
 
-    /// <inheritdoc/>
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));

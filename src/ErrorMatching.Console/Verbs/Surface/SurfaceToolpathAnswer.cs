@@ -9,21 +9,19 @@ namespace ErrorMatching.Console;
 /// <summary>A tool path over a surface.</summary>
 /// <param name="job">The job.</param>
 /// <param name="path">The path.</param>
-/// <param name="dialect">The control that it is for.</param>
-/// <param name="stage">What it leaves.</param>
-/// <param name="callsTool">True if the program calls its tool; false if it begins with a stop and an alarm.</param>
+/// <param name="dialect">The control's dialect.</param>
+/// <param name="stage">The cutting stage.</param>
+/// <param name="callsTool">True if the program calls its tool; false if it starts with a stop and an alarm.</param>
 /// <param name="folder">The folder that the program was written to; null if nothing was written.</param>
 internal sealed class SurfaceToolpathAnswer(FreeformJob job, ToolPath path, NcDialect dialect, CuttingStage stage, bool callsTool, string? folder) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/surface-toolpath/1";
 
-    /// <summary>Where the program goes.</summary>
+    /// <summary>The program's path.</summary>
     public string File => Path.Combine(folder ?? "", FinishingProgram.FileOf(stage));
 
     private string Stage => Path.GetFileNameWithoutExtension(FinishingProgram.FileOf(stage));
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         var c = path.Certificate;
@@ -53,7 +51,6 @@ internal sealed class SurfaceToolpathAnswer(FreeformJob job, ToolPath path, NcDi
         json.WriteEndArray();
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         var c = path.Certificate;

@@ -2,10 +2,9 @@ using System.CommandLine;
 
 namespace ErrorMatching.Console;
 
-/// <summary><c>errormatch surface</c>: the verbs for free-form surfaces, in the order in which the help lists them.</summary>
+/// <summary><c>errormatch surface</c>: the verbs for free-form surfaces, in help order.</summary>
 internal sealed class SurfaceVerb : Command
 {
-    /// <summary>The group.</summary>
     public SurfaceVerb()
         : base("surface", "Plans, measures, compensates and evaluates free-form surfaces.")
     {

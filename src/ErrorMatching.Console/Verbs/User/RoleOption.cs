@@ -3,13 +3,12 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Console;
 
-/// <summary>The option that names a role.</summary>
+/// <summary>The option for a role.</summary>
 internal sealed class RoleOption : Option<string>
 {
-    // Not taken from the enumeration: building the command line must not load the cell's library. A test holds that they are the same.
+    // Not taken from the enumeration: building the command line must not load the cell's library. A test checks that they agree.
     internal static readonly string[] Words = ["operator", "setter", "administrator"];
 
-    /// <summary>The option.</summary>
     public RoleOption()
         : base("--role")
     {
@@ -25,7 +24,7 @@ internal sealed class RoleOption : Option<string>
         });
     }
 
-    /// <summary>The role that was named.</summary>
+    /// <summary>The selected role.</summary>
     public Role Of(ParseResult arguments) => (Role)Array.IndexOf(Words, arguments.GetRequiredValue(this));
 
     /// <summary>The word for a role.</summary>

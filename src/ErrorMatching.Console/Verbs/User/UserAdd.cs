@@ -8,7 +8,6 @@ internal sealed class UserAdd : UserVerb
 {
     private readonly RoleOption _role = new();
 
-    /// <summary>The verb.</summary>
     public UserAdd()
         : base(
             "add",
@@ -16,10 +15,8 @@ internal sealed class UserAdd : UserVerb
             "errormatch user add samples/cell/cell.json anna --role administrator",
             "the password of who signs (not for the first user), then the new user's") => Options.Add(_role);
 
-    /// <inheritdoc/>
     protected override bool MayBeFirst => true;
 
-    /// <inheritdoc/>
     protected override Outcome Run(UserBook users, string name, ParseResult arguments)
     {
         var role = _role.Of(arguments);

@@ -4,19 +4,16 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Console;
 
-/// <summary>A user as a verb left it.</summary>
+/// <summary>A user after a change.</summary>
 internal sealed class UserAnswer(string schema, User user, string sentence) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => schema;
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json) => WriteMembers(json, user);
 
-    /// <inheritdoc/>
     public override void WriteText(Page page) => page.Line(sentence);
 
-    /// <summary>Writes what is known of a user into the object that is open.</summary>
+    /// <summary>Writes a user's data to the current object.</summary>
     public static void WriteMembers(Utf8JsonWriter json, User user)
     {
         json.WriteString("name", user.Name);

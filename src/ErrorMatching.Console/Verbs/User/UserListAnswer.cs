@@ -8,16 +8,13 @@ namespace ErrorMatching.Console;
 /// <summary>All users of a cell.</summary>
 internal sealed class UserListAnswer(IReadOnlyList<User> users) : DocumentAnswer
 {
-    /// <inheritdoc/>
     public override string Schema => "errormatch/user-list/1";
 
-    /// <inheritdoc/>
     public override Failure? Failure => users.Any(u => u.Problem is not null)
         ? new(ExitCode.Refused, [.. users.Select(u => u.Problem).OfType<(PeopleError Error, string Message)>()
             .Select(p => new ErrorItem(FailureOfCell.CodeOf(p.Error), p.Message))])
         : null;
 
-    /// <inheritdoc/>
     public override void WriteJson(Utf8JsonWriter json)
     {
         json.WriteStartArray("users");
@@ -31,7 +28,6 @@ internal sealed class UserListAnswer(IReadOnlyList<User> users) : DocumentAnswer
         json.WriteEndArray();
     }
 
-    /// <inheritdoc/>
     public override void WriteText(Page page)
     {
         if (users.Count == 0)

@@ -10,7 +10,6 @@ internal sealed class UserPassword() : UserVerb(
     "errormatch user password samples/cell/cell.json anna --user anna",
     "the password of who signs, then the new one")
 {
-    /// <inheritdoc/>
     protected override Outcome Run(UserBook users, string name, ParseResult arguments)
     {
         var by = Sign(users, arguments);

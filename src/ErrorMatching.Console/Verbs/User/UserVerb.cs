@@ -12,7 +12,6 @@ internal abstract class UserVerb : SigningVerb
     protected UserVerb(string name, string description, string example, string lines = "the password of who signs")
         : base(name, description, example, lines) => Arguments.Add(_name);
 
-    /// <inheritdoc/>
     protected sealed override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         if (!MayBeFirst)
@@ -23,12 +22,12 @@ internal abstract class UserVerb : SigningVerb
         return WithStore(settings, store => Run(new UserBook(store, TimeProvider.System), arguments.GetRequiredValue(_name), arguments));
     }
 
-    /// <summary>True if the store need not be there yet.</summary>
+    /// <summary>True if the store need not exist yet.</summary>
     protected virtual bool MayBeFirst => false;
 
     /// <summary>Changes the user.</summary>
     protected abstract Outcome Run(UserBook users, string name, ParseResult arguments);
 
-    /// <summary>The user as changed.</summary>
+    /// <summary>The answer for a changed user.</summary>
     protected UserAnswer Answer(User user, Func<User, string> sentence) => new($"errormatch/user-{Name}/1", user, sentence(user));
 }
