@@ -43,8 +43,7 @@ public sealed class MeasurementException : Exception
     /// <summary>The expectation or remedy.</summary>
     public string Expected { get; }
 
-    /// <summary>The finding and expectation in one sentence without the location, for callers that print the location in their own
-    /// format.</summary>
+    /// <summary>The finding and expectation in one sentence without the location, for callers that print the location themselves.</summary>
     public string Problem => Sentence(Found, Expected);
 
     /// <summary>Quotes a text of a file for display, without control characters and limited to a screen line.</summary>

@@ -8,8 +8,7 @@ public static class Compensator
     // A mean smaller than this many standard errors is not significant.
     private const double Significant = 2;
 
-    // The residual between the points is excessive from this multiple of the residual at the points, unless it is smaller than the ridges
-    // of a ball.
+    // The residual between the points is excessive from this multiple of that at the points, unless smaller than the ridges of a ball.
     private const double MuchMore = 2;
     private const double RidgeMm = 0.001;
 
@@ -170,8 +169,7 @@ public static class Compensator
                 + $"{job.Compensation.LimitMm:0.####} mm.{hint}"));
     }
 
-    // Checked before fitting: neither the fit nor the noise test can tell a bad touch from a surface error, and it would be cut into the
-    // piece.
+    // Checked before fitting: neither fit nor noise test can tell a bad touch from a surface error, and it would be cut into the piece.
     private static FreeformRefusal? Outlying(
         IReadOnlyList<ErrorSample> samples, IReadOnlyList<ErrorSample>[] repeats, IReadOnlyList<MeasuredPoints> measured)
     {

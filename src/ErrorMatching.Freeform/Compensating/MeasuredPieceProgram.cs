@@ -1,7 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The program that cut the measured piece. A compensation starts from the nominal surface, so the program must be
-/// nominal.</summary>
+/// <summary>The program that cut the measured piece. A compensation starts from the nominal surface, so it must be nominal.</summary>
 /// <param name="File">The named program, which carries no marker; null if none was named, and a nominal one is assumed.</param>
 /// <param name="Sha256">SHA-256 of the program; null if none was named.</param>
 public sealed record MeasuredPieceProgram(string? File, string? Sha256)

@@ -3,8 +3,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Freeform;
 
 /// <summary>An error fitted over (u, v) by one of the surface methods: the points (u, v, error) were fitted as points in space.</summary>
-/// <param name="fit">The fitted surface: x is u, y is v, z is the error in millimeters; u and v are scaled to lengths on the
-/// surface.</param>
+/// <param name="fit">The fitted surface: x is u, y is v, z the error in millimeters; u and v are scaled to lengths on the surface.</param>
 /// <param name="scaleU">Millimeters per unit of u.</param>
 /// <param name="scaleV">Millimeters per unit of v.</param>
 /// <param name="standardUncertaintyMm">Standard uncertainty of the error.</param>
@@ -14,7 +13,6 @@ internal sealed class SurfaceHeightField(FittedSurface fit, double scaleU, doubl
 
     public FittedSurface Fit => fit;
 
-    /// <inheritdoc/>
     public override double At(double u, double v)
     {
         // Newton's method for the place over (u, v). Fits hardly shift their parameters.
@@ -43,7 +41,6 @@ internal sealed class SurfaceHeightField(FittedSurface fit, double scaleU, doubl
         return at.Position.Z;
     }
 
-    /// <inheritdoc/>
     public override double StandardUncertaintyAt(double u, double v) => standardUncertaintyMm;
 
     private double X(int endU, int endV) => Corner(endU, endV).X;

@@ -16,12 +16,10 @@ namespace ErrorMatching.Freeform;
 /// <param name="Errors">Expected systematic error at each measured point, in the order of the samples, in millimeters.</param>
 /// <param name="Statistics">Their statistics, including the scatter.</param>
 /// <param name="MeanUncertaintyMm">Standard uncertainty of the expected mean.</param>
-/// <param name="PointUncertaintyMm">Root mean square of the standard uncertainty of the expected error at a point, including the
-/// scatter.</param>
+/// <param name="PointUncertaintyMm">Root mean square standard uncertainty of the expected error at a point, with the scatter.</param>
 public sealed record SurfacePrediction(string Method, IReadOnlyList<double> Errors, DeviationStatistics Statistics, double MeanUncertaintyMm, double PointUncertaintyMm)
 {
-    // Shift of the normal quantile at which the largest of n points is expected. Blom, "Statistical Estimates and Transformed
-    // Beta-Variables", 1958.
+    // Shift of the normal quantile expected of the largest of n points. Blom, "Statistical Estimates and Transformed Beta-Variables", 1958.
     private const double BlomShift = 0.375;
 
     /// <summary>Predicts the error that remains of a field after another field is compensated.</summary>
@@ -67,8 +65,7 @@ public sealed record SurfacePrediction(string Method, IReadOnlyList<double> Erro
 
     private static double Square(double x) => x * x;
 
-    // This approximation (Abramowitz and Stegun, 26.2.23, error below 4.5e-4) is far finer than the prediction, so better tails are not
-    // needed.
+    // This approximation (Abramowitz and Stegun, 26.2.23, error below 4.5e-4) is far finer than the prediction, so this suffices.
     private static double NormalQuantile(double p)
     {
         var t = Math.Sqrt(-2 * Math.Log(1 - p));

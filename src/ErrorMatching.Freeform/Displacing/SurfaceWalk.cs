@@ -30,8 +30,7 @@ internal sealed class SurfaceWalk(PartSurface surface, ErrorField field, double 
         return new(over, normal * (-gain * field.At(foot.U, foot.V)));
     }
 
-    // Newton's method from the previous foot finds the nearest place if the surface is not hollower than the ball and the point is not far
-    // away.
+    // Newton's method from the previous foot finds the nearest place if the surface is not hollower than the ball and the point is near.
     private SurfacePoint Foot(Point3 center)
     {
         var (u, v) = (surface.Spline.KnotsU, surface.Spline.KnotsV);

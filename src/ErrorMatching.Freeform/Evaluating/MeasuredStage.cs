@@ -14,6 +14,5 @@ internal static class MeasuredStage
         return semi > 0 && found != job.Measuring.After && Math.Abs(meanMm - job.Stock.Of(found)) < semi / 4 ? found : job.Measuring.After;
     }
 
-    /// <summary>The common name of a stage.</summary>
     public static string Name(CuttingStage stage) => stage == CuttingStage.Finishing ? "finishing" : "semi-finishing";
 }

@@ -12,8 +12,7 @@ public static class SurfaceErrors
     /// <param name="points">Points of the measuring plan with their measured contacts, in millimeters.</param>
     /// <param name="stockMm">Expected stock on the surface.</param>
     /// <param name="file">Name of the file of measured points, for messages.</param>
-    /// <exception cref="FreeformException"><c>no-foot</c>: a point is so far away that no normal of the surface passes through
-    /// it.</exception>
+    /// <exception cref="FreeformException"><c>no-foot</c>: a point is too far away for any normal of the surface.</exception>
     public static IReadOnlyList<ErrorSample> Of(PartSurface surface, IEnumerable<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
     {
         ArgumentNullException.ThrowIfNull(surface);

@@ -7,8 +7,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="Together">All errors combined, as in table 3 of Lee 2019.</param>
 public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, DeviationStatistics Together)
 {
-    /// <summary>Range of the pieces' standard deviations (largest minus smallest), in millimeters: their repeatability (table 2 of Lee
-    /// 2019).</summary>
+    /// <summary>Range of the pieces' standard deviations (largest - smallest) in mm: their repeatability (table 2 of Lee 2019).</summary>
     public double RangeOfStandardDeviationsMm => Pieces.Max(p => p.Statistics.StandardDeviationMm) - Pieces.Min(p => p.Statistics.StandardDeviationMm);
 
     /// <summary>Evaluates pieces.</summary>

@@ -3,7 +3,6 @@ namespace ErrorMatching.Freeform;
 /// <summary>Limits for reading surface files. A broken or hostile file must end in a message, not exhaust memory.</summary>
 internal static class ExchangeLimits
 {
-    /// <summary>Largest file in bytes.</summary>
     public const int MaxBytes = 1 << 28;
 
     /// <summary>Maximum number of poles of one surface or curve.</summary>

@@ -8,8 +8,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="J">Number of its curve (along v), from 0.</param>
 /// <param name="U">First parameter of the foot on the nominal surface.</param>
 /// <param name="V">Second parameter of the foot.</param>
-/// <param name="Nominal">The foot: the place on the nominal finished surface whose normal passes through the measured point, in
-/// millimeters.</param>
+/// <param name="Nominal">The foot: the point of the nominal finished surface whose normal passes through the measured point, in mm.</param>
 /// <param name="Normal">Unit normal out of the material there.</param>
 /// <param name="ErrorMm">Signed distance of the measured point from the surface required by the stage (nominal plus stock), positive out
 /// of the material, in millimeters.</param>

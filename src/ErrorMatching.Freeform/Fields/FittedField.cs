@@ -45,12 +45,10 @@ public sealed class FittedField : ErrorField
     /// <summary>Measured error minus field at each sample, in the given order.</summary>
     public IReadOnlyList<double> Residuals { get; }
 
-    /// <summary>Root of the sum of squared residuals divided by the remaining degrees of freedom (samples minus
-    /// <see cref="Freedom"/>).</summary>
+    /// <summary>Root of the sum of squared residuals per remaining degree of freedom (samples minus <see cref="Freedom"/>).</summary>
     public double ResidualStandardDeviationMm { get; }
 
-    /// <summary>Degrees of freedom used by the fit: the number of terms of a polynomial, otherwise the trace of the smoothing
-    /// matrix.</summary>
+    /// <summary>Degrees of freedom used by the fit: the terms of a polynomial, otherwise the trace of the smoothing matrix.</summary>
     public double Freedom => _model.Freedom;
 
     /// <summary>Standard deviation of the noise of one sample, as the model estimates it.</summary>

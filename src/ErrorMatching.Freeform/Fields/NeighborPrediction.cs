@@ -105,7 +105,6 @@ internal sealed class NeighborPrediction
         }
     }
 
-    /// <summary>Undoes <see cref="SetAside"/>.</summary>
     public void PutBack(int k)
     {
         _aside[k] = false;

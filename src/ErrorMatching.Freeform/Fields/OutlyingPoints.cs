@@ -22,8 +22,7 @@ namespace ErrorMatching.Freeform;
 /// </remarks>
 internal static class OutlyingPoints
 {
-    /// <summary>Minimum number of points. With fewer, too little is known between them; 5 by 6 points still distinguish a rim from a
-    /// chip.</summary>
+    /// <summary>Minimum number of points. With fewer, too little is known between them; 5 by 6 still tell a rim from a chip.</summary>
     public const int LeastPoints = 30;
 
     /// <summary>Robust standard deviations beyond which a residual is not noise.</summary>
@@ -41,8 +40,7 @@ internal static class OutlyingPoints
     // At most one point in this many may be outlying. With more, none would be an exception.
     private const int OneIn = 10;
 
-    /// <summary>Returns the outlying points in the order of the samples; none if there are fewer than <see cref="LeastPoints"/>
-    /// samples.</summary>
+    /// <summary>Returns the outlying points in sample order; none if there are fewer than <see cref="LeastPoints"/> samples.</summary>
     /// <param name="samples">Errors on the curves of a grid, each point once.</param>
     public static IReadOnlyList<OutlyingPoint> Of(IReadOnlyList<ErrorSample> samples)
     {

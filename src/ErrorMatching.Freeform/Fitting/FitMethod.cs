@@ -2,8 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A method of fitting a surface to a grid of points: the paper's five (Lee 2019, section 2.3), and one that selects the
-/// best.</summary>
+/// <summary>A method of fitting a surface to a grid: the paper's five (Lee 2019, section 2.3), and one that selects the best.</summary>
 /// <remarks>A new method needs a line here, a file that implements it, and its name in <c>freeform.schema.json</c>.</remarks>
 public sealed class FitMethod
 {

@@ -15,8 +15,7 @@ internal static class LineOutError
     /// <summary>From this number of points, each line has enough of them for fewer lines to give the mean.</summary>
     private const int ManyPoints = 1000;
 
-    /// <summary>Returns the mean distance in millimeters along the normals of the fitted surfaces; NaN if no direction has an inner
-    /// line.</summary>
+    /// <summary>Returns the mean distance in millimeters along the fitted surfaces' normals; NaN if there is no inner line.</summary>
     /// <param name="grid">The points.</param>
     /// <param name="parameters">The same points with parameters, near which the feet are.</param>
     /// <param name="lay">Fits a surface over the parameters 0 to 1 to part of the points.</param>

@@ -5,8 +5,7 @@ namespace ErrorMatching.Freeform;
 /// <summary>Studio surface: a bicubic smoothed by the bending energy of a thin plate, with one pole per point up to a limit.</summary>
 internal static class StudioFit
 {
-    /// <summary>Maximum number of poles along a direction. Smoothing leaves no finer detail, and the time grows with the fourth
-    /// power.</summary>
+    /// <summary>Maximum number of poles along a direction. Smoothing leaves no finer detail, and time grows with the 4th power.</summary>
     private const int MostPoles = 20;
 
     /// <summary>The smoothed surface.</summary>

@@ -27,8 +27,7 @@ public sealed class SurfaceDistance
         });
     }
 
-    /// <summary>Signed distance of a point from its foot on the surface, in millimeters, positive on the side of the normal Du x
-    /// Dv.</summary>
+    /// <summary>Signed distance of a point from its foot on the surface, in millimeters, positive towards the normal Du x Dv.</summary>
     public double To(Point3 point)
     {
         var (u, v) = Nearest(point);
@@ -64,8 +63,8 @@ public sealed class SurfaceDistance
             : breaks[k / SamplesPerPiece] + ((breaks[(k / SamplesPerPiece) + 1] - breaks[k / SamplesPerPiece]) * (k % SamplesPerPiece) / SamplesPerPiece))];
     }
 
-    /// <summary>The place whose normal passes through the point. If there is none nearby, or only far beyond an edge, the nearest
-    /// place.</summary>
+    /// <summary>The place whose normal passes through the point. If there is none nearby, or only far beyond an edge, the
+    /// nearest place.</summary>
     private SurfacePoint Foot(Point3 point, double u, double v)
     {
         if (NormalFoot.Of(_surface, point, u, v) is { } foot && IsWithin(_surface.KnotsU, foot.U) && IsWithin(_surface.KnotsV, foot.V))

@@ -5,8 +5,7 @@ using ErrorMatching.Json;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Defines the surface, its measurement and the use of its error. A setter writes this file once for a free-form piece.</summary>
-/// <remarks>The schema describes every key of the file (<see cref="FreeformTemplate.Schema"/>). Lengths in millimeters, angles in
-/// degrees.</remarks>
+/// <remarks>The schema describes every key (<see cref="FreeformTemplate.Schema"/>). Lengths in millimeters, angles in degrees.</remarks>
 public sealed record FreeformJob
 {
     private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(Encoding.UTF8.GetBytes(FreeformTemplate.Schema), "freeform.schema.json"));

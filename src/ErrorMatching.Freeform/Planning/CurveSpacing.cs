@@ -31,8 +31,7 @@ internal sealed class CurveSpacing
     /// <summary>Length of the curves between the ends, in millimeters.</summary>
     public double LengthMm { get; private set; }
 
-    /// <summary>Returns the mean spacing of curves between two parameters. Only parts in the region count, or everything if there are
-    /// none.</summary>
+    /// <summary>Returns the mean spacing of curves between two parameters. Only parts in the region count, if any.</summary>
     public static CurveSpacing Of(IReadOnlyList<IsoCurve> curves, double start, double end)
     {
         var spacing = new CurveSpacing(start, end);

@@ -11,7 +11,6 @@ internal sealed record IsoCurve(PartSurface Surface, bool AlongU, double Fixed)
     /// <summary>Knots of the varying parameter.</summary>
     public KnotVector Knots => AlongU ? Surface.Spline.KnotsU : Surface.Spline.KnotsV;
 
-    /// <summary>The surface point at a parameter.</summary>
     public SurfacePoint At(double t) => AlongU ? Surface.Spline.At(t, Fixed) : Surface.Spline.At(Fixed, t);
 
     /// <summary>Which of its places belong to the piece.</summary>

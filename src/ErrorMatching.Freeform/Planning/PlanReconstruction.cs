@@ -2,8 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>How well the points of a plan represent the nominal surface: its distance from a surface made from these points
-/// alone.</summary>
+/// <summary>How well the points of a plan represent the nominal surface: its distance from a surface made of these points alone.</summary>
 /// <remarks>The surface is piecewise cubic: Lagrange through the four nearest points of a curve, then through the four nearest curves,
 /// never across a curvature break. This is a cautious substitute for the fits, which are smoother. It is compared with the nominal surface
 /// at the midpoints and quarter points between points.</remarks>

@@ -121,8 +121,7 @@ internal sealed class ShortWay
         return length;
     }
 
-    // Applies single changes as long as they help, at every point whose neighbors on the path have changed. Returns the reduction in
-    // length.
+    // Applies single changes while they help, at every point whose neighbors on the path have changed. Returns the reduction in length.
     private double Improve()
     {
         var gain = 0.0;

@@ -38,7 +38,6 @@ internal sealed class SurfaceCloud
         }
     }
 
-    /// <summary>Height of the highest point.</summary>
     public double Top { get; private set; } = double.NegativeInfinity;
 
     /// <summary>Points that may be within the radius of a vertical line.</summary>

@@ -6,8 +6,7 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads the measured points of a surface: the log of the probing program, a table of points, or a gauge's table of
-/// features.</summary>
+/// <summary>Reads the measured points of a surface: a probing program's log, a table of points, or a gauge's feature table.</summary>
 /// <remarks>
 /// A log starts with the word ERRORMATCH. A table has a header with <c>point</c> (as in plan.csv) or <c>i,j</c>, and <c>x,y,z</c> in
 /// millimeters, separated by commas, semicolons or tabs, with decimal points.

@@ -4,8 +4,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads a table with one line per point: a header with the columns point, or i and j, and x, y, z. Other columns are
-/// ignored.</summary>
+/// <summary>Reads a table with one line per point: header columns point, or i and j, and x, y, z. Others are ignored.</summary>
 internal sealed class MeasuredTableReader(string file, bool isCenter)
 {
     private static readonly SearchValues<char> OfNumbers = SearchValues.Create("-+.0123456789");

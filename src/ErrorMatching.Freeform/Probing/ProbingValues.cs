@@ -31,7 +31,6 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
         _ => OfOne(place, point!),
     };
 
-    /// <summary>True if a condition is met.</summary>
     public bool Holds(string condition, PlanPoint? point, ProbedBehind? behind) => condition switch
     {
         ProbingTemplate.Merged => behind is not null,

@@ -31,15 +31,12 @@ public static class GridReader
     public static PointGrid Read(string path) => Grid(NumberTable.Read(path, "i", "j", "x", "y", "z"));
 
     /// <summary>Reads a grid from the bytes of a file.</summary>
-    /// <param name="bytes">UTF-8 with decimal points. Cells are separated by commas, or by semicolons or tabs if the header has
-    /// them.</param>
+    /// <param name="bytes">UTF-8 with decimal points. Cells are separated by commas, or semicolons or tabs if the header has them.</param>
     /// <param name="file">The file name for errors.</param>
-    /// <exception cref="MeasurementException">The bytes are not a grid. The message states where, what was found, and what is
-    /// expected.</exception>
+    /// <exception cref="MeasurementException">Not a grid. The message states where, what was found, and what is expected.</exception>
     public static PointGrid Read(ReadOnlyMemory<byte> bytes, string file) => Grid(NumberTable.Read(bytes, file, "i", "j", "x", "y", "z"));
 
-    /// <summary>Reads points without indices, to check a surface with: columns <c>x</c>, <c>y</c> and <c>z</c>, in the order of the
-    /// file.</summary>
+    /// <summary>Reads points without indices, for checking a surface: columns <c>x</c>, <c>y</c> and <c>z</c>, in file order.</summary>
     /// <param name="path">The file, as named in errors.</param>
     /// <exception cref="MeasurementException">The file cannot be read or does not contain such points. The message states where, what was
     /// found, and what is expected.</exception>

@@ -23,7 +23,6 @@ internal sealed record TemplateGrammar
 
     public required IReadOnlyList<string> Sections { get; init; }
 
-    /// <summary>The required section.</summary>
     public required string Needed { get; init; }
 
     /// <summary>The content of the required section, for messages.</summary>

@@ -43,7 +43,6 @@ internal static class TemplateText
         }
     }
 
-    /// <summary>Fills the placeholders of a line.</summary>
     public static string Fill(string line, Func<string, string> valueOf)
     {
         var text = new StringBuilder();

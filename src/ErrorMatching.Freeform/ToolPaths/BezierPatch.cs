@@ -40,16 +40,13 @@ internal sealed class BezierPatch
         (Lowest, Highest) = (minZ, maxZ);
     }
 
-    /// <summary>First pair of parameters.</summary>
     public Point2 From { get; }
 
-    /// <summary>Last pair of parameters.</summary>
     public Point2 To { get; }
 
     /// <summary>Center of a ball that contains the patch.</summary>
     public Point3 Middle { get; }
 
-    /// <summary>Radius of that ball.</summary>
     public double Radius { get; }
 
     /// <summary>A lower bound of the patch's height.</summary>
@@ -58,7 +55,6 @@ internal sealed class BezierPatch
     /// <summary>An upper bound of the patch's height.</summary>
     public double Highest { get; }
 
-    /// <summary>The pieces of a surface.</summary>
     public static IEnumerable<BezierPatch> Of(SplineSurface surface)
     {
         foreach (var piece in surface.Pieces())
@@ -89,7 +85,6 @@ internal sealed class BezierPatch
         return (over * over) + (beside * beside) >= distance * distance;
     }
 
-    /// <summary>True if a corner of the patch is nearer to a point than a distance.</summary>
     public bool HasCornerNearer(Point3 point, double distance)
     {
         var (row, column) = (_rows - 1, _columns - 1);
@@ -97,7 +92,6 @@ internal sealed class BezierPatch
             || (point - At(0, column)).Length < distance || (point - At(row, 0)).Length < distance;
     }
 
-    /// <summary>The height of the highest corner.</summary>
     public double HighestCorner => Math.Max(Math.Max(At(0, 0).Z, At(_rows - 1, _columns - 1).Z), Math.Max(At(0, _columns - 1).Z, At(_rows - 1, 0).Z));
 
     /// <summary>Splits the patch across its longer side (de Casteljau).</summary>

@@ -29,14 +29,12 @@ internal sealed class CenterLine
     /// <summary>The segment that starts at a point: its ends, its unit direction (zero if it has no length) and its length.</summary>
     public CenterPiece Piece(int from) => new(_centers[from], _centers[from + 1], _along[from + 1], _lengths[from + 1]);
 
-    /// <summary>True if an end of a segment was raised.</summary>
     public bool IsRaised(int from) => _raised[from] > 0 || _raised[from + 1] > 0;
 
     /// <summary>True if the line, with u ascending, covers a parameter u.</summary>
     public bool Covers(double u) => Count > 1 && _places[0].X <= u && u <= _places[Count - 1].X;
 
-    /// <summary>The segment of a line along u that contains a parameter, or the first or last one. The search starts at the given
-    /// segment.</summary>
+    /// <summary>The segment of a line along u that contains a parameter, or the first or last one; searched from a given one.</summary>
     public int PieceAt(double u, int piece)
     {
         var places = Places;
@@ -53,7 +51,6 @@ internal sealed class CenterLine
         return piece;
     }
 
-    /// <summary>True if any point was raised.</summary>
     public bool HasRaised { get; private set; }
 
     /// <summary>Four segments by their start indices: start points as vectors from the origin, unit directions and lengths.</summary>

@@ -6,7 +6,6 @@ namespace ErrorMatching.Freeform;
 /// <param name="V">Its parameter.</param>
 internal sealed record CutPass(double V)
 {
-    /// <summary>The definitions of its pieces.</summary>
     public List<CutPiece> Pieces { get; } = [];
 
     /// <summary>The first and the last place of each piece.</summary>

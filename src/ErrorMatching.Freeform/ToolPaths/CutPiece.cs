@@ -11,7 +11,6 @@ internal sealed record CutPiece(IReadOnlyList<Point2> Guide, double Finer, doubl
     /// <summary>True if the tool moves from the last point to the first.</summary>
     public bool Backwards { get; init; }
 
-    /// <summary>The points, if some were raised or the path is short enough to keep them; null if they are recalculated from the
-    /// guide.</summary>
+    /// <summary>The points, if some were raised or the path is short enough; null if they are recalculated from the guide.</summary>
     public IReadOnlyList<Point3>? Centers { get; init; }
 }

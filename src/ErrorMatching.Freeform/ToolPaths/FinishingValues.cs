@@ -10,7 +10,6 @@ internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingSta
     public static readonly string[] OfProgram =
         ["name", "stage", "passes", "points", "minutes", "diameter", "flutes", "moves", "stock", "scallop", "chord", "rpm", "feed", "travel"];
 
-    /// <summary>The cutting feed.</summary>
     public string Feed { get; } = Word(job, "feedMmPerMin", job.Tool.FeedMmPerMin, 3);
 
     /// <summary>Fills the placeholders of lines.</summary>

@@ -3,11 +3,9 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Calculates centers of the ball on the exact offset S + d n of a surface, and places on the surface S + s n that the ball
-/// leaves.</summary>
+/// <summary>Calculates ball centers on the exact offset S + d n of a surface, and places on the surface S + s n that it leaves.</summary>
 /// <remarks>Nothing is approximated: every place is evaluated from the surface's own derivatives. For derivatives of the unit normal, see
-/// Piegl and Tiller, The NURBS Book, 2nd edition, section 11.4 (offsets). It caches the last line, so each thread needs its own
-/// instance.</remarks>
+/// Piegl and Tiller, The NURBS Book, 2nd edition, section 11.4 (offsets). It caches a line, so each thread needs its own.</remarks>
 internal sealed class OffsetSurface
 {
     // How far, as a share of the range, a normal is looked for beside a place that has none (a pole of a sphere).
@@ -35,10 +33,8 @@ internal sealed class OffsetSurface
 
     public double StockMm { get; }
 
-    /// <summary>Distance of the center from the surface.</summary>
     public double DistanceMm => RadiusMm + StockMm;
 
-    /// <summary>The center over a place.</summary>
     public CenterPoint At(double u, double v) => Moving(u, v, default);
 
     /// <summary>The center over a place, with its derivative along a direction in the parameters. Along u, the calculation is several
@@ -74,7 +70,6 @@ internal sealed class OffsetSurface
         return new(normal, new(center.X, center.Y, center.Z), velocity + (turning * DistanceMm));
     }
 
-    /// <summary>The center over a place.</summary>
     public Point3 CenterAt(double u, double v)
     {
         var (place, normal) = Left(u, v);

@@ -2,8 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Follows a guide in the parameters with centers of the ball. The curvature of the center's own curve determines the
-/// steps.</summary>
+/// <summary>Follows a guide in the parameters with centers of the ball. The curvature of the centers' curve determines the steps.</summary>
 /// <remarks>
 /// The deviation of the curve from its chord is |Δ²C''| / 8 (at the middle, to second order), where Δ²C'' is Δ times the difference of the
 /// exact derivatives at both ends. Steps are chosen by this formula.
@@ -26,7 +25,6 @@ internal sealed class PassBuilder(OffsetSurface offset, CenterRounding rounding,
     private readonly double[] _breaksV = Breaks(offset.Surface.Spline.KnotsV);
     private readonly List<double> _cuts = [];
 
-    /// <summary>Builds the polyline of a piece.</summary>
     public void Build(CutPiece piece, CenterLine into)
     {
         into.Clear();

@@ -1,7 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Predicts the distance to the next pass from the surface along the current pass, and from the heights of previous
-/// strips.</summary>
+/// <summary>Predicts the distance to the next pass from the surface along the current pass and the heights of previous strips.</summary>
 internal sealed class PassSpacing(OffsetSurface offset, double scallopMm)
 {
     private const int Samples = 48;

@@ -142,8 +142,7 @@ internal sealed partial class PathPlanning
         return null;
     }
 
-    // The smallest concave radius determines the ball, if it is smaller than the ball. Otherwise the gouged place is on another part of
-    // the surface.
+    // The smallest concave radius determines the ball, if it is smaller than the ball. Otherwise the gouge is on another part of it.
     private string Fitting()
     {
         const int Samples = 100;

@@ -91,8 +91,7 @@ internal sealed partial class PathPlanning
 
     private Point3 PlaceOf(Point2 at) => _offset.Left(at.X, at.Y).Place;
 
-    // A pass along the edge of a trimmed region. Where the edge is nearly parallel to the passes, the area between would otherwise have no
-    // pass.
+    // A pass along the edge of a trimmed region. Where it is nearly parallel to the passes, the area between would otherwise have none.
     private void MakeEdges()
     {
         foreach (var loop in _offset.Surface.Region.Loops)
@@ -252,7 +251,6 @@ internal sealed partial class PathPlanning
         return pass;
     }
 
-    /// <summary>Raises the gouging parts of a pass.</summary>
     private void Free(CutPass pass)
     {
         for (var i = 0; i < pass.Pieces.Count && _refusal is null; i++)

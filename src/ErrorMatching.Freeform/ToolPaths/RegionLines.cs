@@ -18,10 +18,8 @@ internal sealed class RegionLines
         Last = _region.IsWhole ? v.End : Math.Clamp(_region.Loops.SelectMany(l => l).Max(p => p.Y), v.Start, v.End);
     }
 
-    /// <summary>The first line.</summary>
     public double First { get; }
 
-    /// <summary>The last line.</summary>
     public double Last { get; }
 
     /// <summary>The parts of a line inside the region, from low to high.</summary>

@@ -110,8 +110,7 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
                 return (higher, at);
             }
 
-            // Both heights grow with the square of the distance from their pass. Over a strip with ridge h, their difference changes by 8
-            // h.
+            // Both heights grow with the square of the distance from their pass. Over a strip of ridge h, their difference changes by 8 h.
             slope = i == 0 ? 8 * scallopMm : (difference - last) / (x - lastX);
             (lastX, last) = (x, difference);
             x = Math.Clamp(x - (difference / Math.Max(slope, scallopMm)), 0.02, 0.98);

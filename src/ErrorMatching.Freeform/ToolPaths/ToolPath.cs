@@ -41,8 +41,7 @@ public sealed class ToolPath
     /// <summary>The measurements of the finished path.</summary>
     public ToolPathCertificate Certificate { get; }
 
-    /// <summary>All moves of the ball's center in order, starting above the first point at travel height. Memory is limited to one
-    /// pass.</summary>
+    /// <summary>All moves of the ball's center in order, from above the first point at travel height. Needs memory for one pass.</summary>
     public IEnumerable<ToolMove> Moves()
     {
         var builder = _builder();

@@ -9,8 +9,7 @@ namespace ErrorMatching.Freeform;
 /// <remarks>
 /// Spacing and steps are predicted from the curvature of the surface and of the center's own curve, then measured on the finished polyline
 /// with its rounded numbers. Anything out of tolerance is remade more finely. So the program itself is within the tolerances.
-/// Ridge between two balls on a surface of normal curvature k across the pass: h = w² (1/R + k) / 8, with k positive if the surface is
-/// convex.
+/// Ridge between two balls on a surface of normal curvature k across the pass: h = w² (1/R + k) / 8, k positive if the surface is convex.
 /// </remarks>
 public static class ToolPathPlanner
 {
@@ -53,8 +52,7 @@ public static class ToolPathPlanner
                 $"{dialect.Name} writes {increment} mm, more than the {finest} mm that scallopMm and chordMm ask for: rounding alone would exceed it. Ask for {increment} mm or more, or name a dialect whose metricDecimals is larger."));
         }
 
-        // On a convex surface, chords cut into the stock. The gouge limit is twice the chord, so at half of the stock it would be all of
-        // it.
+        // On a convex surface, chords cut into the stock. The gouge limit is twice the chord, so at half the stock it would be all of it.
         if (stockMm > 0 && toolpath.ChordMm >= stockMm / 2)
         {
             return new FreeformRefusal("chord-too-coarse", string.Create(

@@ -81,8 +81,7 @@ public sealed partial class Alignment
         double Value(double a) => (p * Math.Cos(2 * a)) + (q * Math.Sin(2 * a)) - (2 * ((d * Math.Cos(a)) + (f * Math.Sin(a))));
         double Slope(double a) => (2 * ((q * Math.Cos(2 * a)) - (p * Math.Sin(2 * a)))) + (2 * ((d * Math.Sin(a)) - (f * Math.Cos(a))));
 
-        // The slope has at most four zeros per turn. This grid separates them unless two meet, which is a flat point and not a separate
-        // minimum.
+        // The slope has at most four zeros per turn. This grid separates them unless two meet, which is a flat point, not another minimum.
         const int steps = 360;
         const double width = 2 * Math.PI / steps;
         var best = (At: 0.0, Value: double.PositiveInfinity);

@@ -69,8 +69,7 @@ public sealed class CircleFit
 
     /// <summary>The circle with the least sum of squared distances from the points.</summary>
     /// <param name="points">At least three noncollinear points.</param>
-    /// <param name="pointUncertaintyMm">The gauge's standard uncertainty of a point across the circle, in millimeters; zero if
-    /// unknown.</param>
+    /// <param name="pointUncertaintyMm">The gauge's standard uncertainty of a point across the circle in millimeters; 0 if unknown.</param>
     /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>;
     /// <see cref="GeometryError.CoincidentPoints"/> if fewer than three places differ by more than 1e-9 mm;
     /// <see cref="GeometryError.CollinearPoints"/> if the points are collinear or the radius would exceed

@@ -16,8 +16,7 @@ public sealed class CurveFit
     /// <summary>The fit of height over position along the chord, both in millimeters.</summary>
     public PolynomialFit Polynomial { get; }
 
-    /// <summary>Measured minus fitted height of each point, positive to the left of the chord, in the given order, in
-    /// millimeters.</summary>
+    /// <summary>Measured minus fitted height of each point, positive left of the chord, in the given order, in millimeters.</summary>
     public IReadOnlyList<double> Residuals => Polynomial.Residuals;
 
     /// <summary>Root of the sum of squared residuals divided by the remaining degrees of freedom, in millimeters.</summary>
@@ -64,8 +63,7 @@ public sealed class CurveFit
         return new(chord, PolynomialFit.Fit(along, height, options));
     }
 
-    /// <summary>The point of the fitted curve at a fraction of the chord: 0 at the foot of the first measured point, 1 at that of the
-    /// last.</summary>
+    /// <summary>The point of the fitted curve at a fraction of the chord: 0 at the first measured point's foot, 1 at the last.</summary>
     public Point2 At(double fraction)
     {
         var line = Chord.Line;

@@ -44,8 +44,7 @@ internal sealed class ForsytheBasis
     /// <summary>Residuals of the plain fit of each degree at each point.</summary>
     public DoubleDouble[][] Residuals { get; }
 
-    /// <summary>Builds the basis up to a degree, for points sorted by abscissa. The number of distinct abscissae exceeds the
-    /// degree.</summary>
+    /// <summary>Builds the basis up to a degree, for points sorted by abscissa. More abscissae are distinct than the degree.</summary>
     public static ForsytheBasis Build(DoubleDouble[] x, DoubleDouble[] y, int degree)
     {
         var halfWidth = ((x[^1] - x[0]) * 0.5).ToDouble();

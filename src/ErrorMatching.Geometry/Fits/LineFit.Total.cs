@@ -3,13 +3,11 @@ namespace ErrorMatching.Geometry;
 /// <content>Total least squares.</content>
 public sealed partial class LineFit
 {
-    /// <summary>The line with the least sum of squared perpendicular distances: through the centroid, along the principal axis of the
-    /// points.</summary>
+    /// <summary>The line with the least sum of squared perpendicular distances: through the centroid, along the principal axis.</summary>
     /// <remarks>The axis is the eigenvector of the larger eigenvalue of the scatter matrix of the centered points. Twice its angle to x is
     /// the direction of <c>(Sxx - Syy, 2 Sxy)</c>. It is exact to rounding, however thin the cloud is.</remarks>
     /// <param name="points">At least two points.</param>
-    /// <param name="pointUncertaintyMm">The gauge's standard uncertainty of a point across the line, in millimeters; zero if
-    /// unknown.</param>
+    /// <param name="pointUncertaintyMm">The gauge's standard uncertainty of a point across the line, in millimeters; 0 if unknown.</param>
     /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>;
     /// <see cref="GeometryError.CoincidentPoints"/> if all points are within 1e-9 mm; <see cref="GeometryError.RankDeficient"/> if the
     /// points spread equally in all directions.</exception>

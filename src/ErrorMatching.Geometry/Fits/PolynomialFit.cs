@@ -104,8 +104,7 @@ public sealed partial class PolynomialFit
     /// <summary>Trace of the hat matrix: the number of coefficients, reduced by the ridge.</summary>
     public double EffectiveDegreesOfFreedom { get; }
 
-    /// <summary>Root of the sum of squared residuals divided by n minus <see cref="EffectiveDegreesOfFreedom"/>; zero if this is
-    /// zero.</summary>
+    /// <summary>Root of the sum of squared residuals divided by n minus <see cref="EffectiveDegreesOfFreedom"/>; 0 if this is 0.</summary>
     public double ResidualStandardDeviation { get; }
 
     /// <summary>Root mean square error of predicting each point from the others; null if a point determines its own value, as with as many

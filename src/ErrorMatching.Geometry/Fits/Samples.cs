@@ -47,8 +47,7 @@ internal static class Samples
         return origin + (sum / points.Count);
     }
 
-    /// <summary>Residual standard deviation, with the number of unknowns subtracted from the number of points; zero if none
-    /// remain.</summary>
+    /// <summary>Residual standard deviation, with the unknowns subtracted from the number of points; zero if none remain.</summary>
     public static double StandardDeviation(IReadOnlyList<double> residuals, int unknowns)
     {
         var sum = 0.0;

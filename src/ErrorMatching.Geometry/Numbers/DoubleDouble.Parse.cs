@@ -11,8 +11,7 @@ public readonly partial record struct DoubleDouble
     /// <summary>The powers of ten that are exact as doubles.</summary>
     private static readonly double[] ExactPowersOfTen = [.. Enumerable.Range(0, 23).Select(k => (double)BigInteger.Pow(10, k))];
 
-    /// <summary>Parses a decimal text. Each of the two parts is correctly rounded, so digits beyond the precision of a double are
-    /// kept.</summary>
+    /// <summary>Parses a decimal text. Each of the two parts is correctly rounded, so digits beyond those of a double are kept.</summary>
     /// <param name="text">An optional sign, digits with an optional decimal point, an optional exponent. No blanks or digit groups;
     /// independent of the culture.</param>
     /// <exception cref="FormatException">The text is not such a number, or exceeds the range of <c>double</c>.</exception>
@@ -105,7 +104,6 @@ public readonly partial record struct DoubleDouble
         return (bits < 0 ? -magnitude : magnitude, Math.Max(biased, 1) - 1075);
     }
 
-    /// <summary>The double nearest to a fraction.</summary>
     private static double Nearest(BigInteger numerator, BigInteger denominator)
     {
         if (numerator.IsZero)

@@ -5,8 +5,7 @@ public sealed class Polynomial : IEquatable<Polynomial>
 {
     private readonly double[] _coefficients;
 
-    /// <summary>Creates a polynomial from ascending coefficients, constant first. Trailing zeros are dropped; no coefficients give
-    /// zero.</summary>
+    /// <summary>Creates a polynomial from ascending coefficients, constant first. Trailing zeros are dropped; none give zero.</summary>
     /// <param name="ascending">Coefficients of ascending powers, starting with the zeroth.</param>
     /// <exception cref="GeometryException">A coefficient is not finite (<see cref="GeometryError.NotFinite"/>).</exception>
     public Polynomial(params ReadOnlySpan<double> ascending)

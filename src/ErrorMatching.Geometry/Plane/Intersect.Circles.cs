@@ -7,8 +7,7 @@ public static partial class Intersect
     /// or coincident without ends.</summary>
     /// <param name="a">The first circle.</param>
     /// <param name="b">The second circle.</param>
-    /// <param name="tolerance">Tolerance for touching, and for differences of centers and radii of coincident circles, in
-    /// millimeters.</param>
+    /// <param name="tolerance">Tolerance for touching and for centers and radii of coincident circles, in millimeters.</param>
     public static Intersection2 Circles(Circle2 a, Circle2 b, double tolerance = DefaultTolerance)
     {
         var between = b.Center - a.Center;

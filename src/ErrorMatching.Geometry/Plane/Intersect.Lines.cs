@@ -3,8 +3,7 @@ namespace ErrorMatching.Geometry;
 /// <content>Lines and segments.</content>
 public static partial class Intersect
 {
-    /// <summary>Intersects two infinite lines: one crossing, parallel (to 1e-12 in the sine of their angle), or coincident without
-    /// ends.</summary>
+    /// <summary>Intersects two infinite lines: one crossing, parallel (sine of the angle to 1e-12), or coincident without ends.</summary>
     /// <param name="a">The first line.</param>
     /// <param name="b">The second line.</param>
     /// <param name="tolerance">Maximum distance between parallel lines that coincide, in millimeters.</param>

@@ -76,8 +76,7 @@ public static partial class Intersect
         return nearest;
     }
 
-    /// <summary>The properties of an element needed for the restriction: distance of a point, position along the element, and
-    /// ends.</summary>
+    /// <summary>The properties of an element needed for the restriction: point distance, position along the element, and ends.</summary>
     private sealed record Piece(Func<Point2, double> DistanceTo, Func<Point2, double> Along, Point2[] Ends)
     {
         public static Piece Of(Line2 line) => new(p => Math.Abs(line.SignedDistance(p)), line.Along, []);

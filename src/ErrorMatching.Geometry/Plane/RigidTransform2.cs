@@ -1,7 +1,6 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>A rigid motion of the plane with an optional reflection: reflection, then rotation about the origin, then
-/// translation.</summary>
+/// <summary>A rigid motion of the plane with an optional reflection: reflection, rotation about the origin, then translation.</summary>
 /// <param name="Mirror">The reflection before the rotation.</param>
 /// <param name="Rotation">Counterclockwise rotation about the origin.</param>
 /// <param name="Translation">Displacement after reflection and rotation.</param>

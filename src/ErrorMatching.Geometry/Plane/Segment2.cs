@@ -1,7 +1,6 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>A straight segment from a start to an end. If both coincide, it has no direction, but a length of zero and a nearest
-/// point.</summary>
+/// <summary>A straight segment from a start to an end. If both coincide, it has no direction, but length 0 and a nearest point.</summary>
 /// <param name="Start">First point.</param>
 /// <param name="End">Last point.</param>
 public readonly record struct Segment2(Point2 Start, Point2 End)

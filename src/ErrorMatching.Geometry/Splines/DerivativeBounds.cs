@@ -61,7 +61,6 @@ internal sealed class DerivativeBounds
     {
     }
 
-    /// <summary>No bounds.</summary>
     public static DerivativeBounds None { get; } = new();
 
     /// <summary>Bound of the derivative of order k in the first and l in the second parameter; k + l is at most 3.</summary>

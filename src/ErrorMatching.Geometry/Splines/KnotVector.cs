@@ -91,8 +91,7 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
         return new(degree, values.ToArray());
     }
 
-    /// <summary>The index of the knot at which the piece with a parameter starts. Parameters outside belong to the first or last
-    /// piece.</summary>
+    /// <summary>The index of the knot at which the piece with a parameter starts. Outside, it is the first or last piece.</summary>
     public int SpanAt(double t)
     {
         if (t >= End)
@@ -163,8 +162,7 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
     /// <param name="span">The piece, from <see cref="SpanAt"/>.</param>
     /// <param name="t">The parameter.</param>
     /// <param name="order">Highest derivative; those above the degree are zero.</param>
-    /// <param name="result">(order + 1) rows of degree + 1 numbers: row k contains the k-th derivatives for poles span - degree to
-    /// span.</param>
+    /// <param name="result">(order + 1) rows of degree + 1 numbers: row k has the k-th derivatives for poles span - degree to span.</param>
     internal void Basis(int span, double t, int order, Span<double> result)
     {
         var p = Degree;

@@ -64,7 +64,6 @@ internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int
         return this with { Knots = new(Knots.Degree, values) };
     }
 
-    /// <summary>The row at a parameter.</summary>
     public double[] RowAt(double t)
     {
         var p = Knots.Degree;
@@ -76,7 +75,6 @@ internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int
         return row;
     }
 
-    /// <summary>The reversed spline.</summary>
     public SplineRows Reverse()
     {
         var values = new double[Values.Length];

@@ -17,8 +17,7 @@ public sealed partial class SplineSurface
     }
 
     /// <summary>The same surface over knots that contain its own (knot insertion, Oslo algorithm).</summary>
-    /// <param name="finerU">Clamped knots of the same degree along u over the same range, or over a part of it, which gives that
-    /// part.</param>
+    /// <param name="finerU">Clamped knots of the same degree along u over the same range, or over a part, which gives that part.</param>
     /// <param name="finerV">The same along v.</param>
     /// <exception cref="GeometryException">The knots do not contain the surface's.</exception>
     public SplineSurface WithKnots(KnotVector finerU, KnotVector finerV)

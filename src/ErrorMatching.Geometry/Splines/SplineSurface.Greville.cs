@@ -8,8 +8,7 @@ public sealed partial class SplineSurface
     /// <param name="knotsU">Degree and knots along u; the multiplicity of inner knots is at most the degree.</param>
     /// <param name="knotsV">The same along v.</param>
     /// <param name="points">One point per pole, v varying fastest.</param>
-    /// <exception cref="GeometryException">The counts do not match, a point is not finite, or the multiplicity of a knot is too
-    /// high.</exception>
+    /// <exception cref="GeometryException">The counts do not match, a point is not finite, or a knot is repeated too often.</exception>
     public static SplineSurface AtGreville(KnotVector knotsU, KnotVector knotsV, ReadOnlySpan<Point3> points)
     {
         var through = new SplineSurface(knotsU, knotsV, points);

@@ -8,15 +8,13 @@ public sealed partial class SplineSurface
     /// <param name="u">An inner knot.</param>
     /// <returns>The surface, and a bound in millimeters of its displacement at the same parameters: the largest distance between the poles
     /// over the old knots. For a redundant knot, this is only rounding.</returns>
-    /// <exception cref="GeometryException">The parameter is not an inner knot, or a weight of the new surface would not be
-    /// positive.</exception>
+    /// <exception cref="GeometryException">The parameter is not an inner knot, or a new weight would not be positive.</exception>
     public (SplineSurface Surface, double MovedMm) RemoveKnotU(double u) => Remove(r => r.Remove(u), r => r);
 
     /// <summary>Removes a knot along v once from the clamped surface, as in <see cref="RemoveKnotU"/>.</summary>
     /// <param name="v">An inner knot.</param>
     /// <returns>The surface, and a bound of its displacement in millimeters.</returns>
-    /// <exception cref="GeometryException">The parameter is not an inner knot, or a weight of the new surface would not be
-    /// positive.</exception>
+    /// <exception cref="GeometryException">The parameter is not an inner knot, or a new weight would not be positive.</exception>
     public (SplineSurface Surface, double MovedMm) RemoveKnotV(double v) => Remove(r => r, r => r.Remove(v));
 
     private (SplineSurface Surface, double MovedMm) Remove(Func<SplineRows, SplineRows> alongU, Func<SplineRows, SplineRows> alongV)

@@ -45,13 +45,10 @@ internal sealed class SurfaceCell
     /// <summary>A piece over its own parameters; the whole surface for a part with inner breaks.</summary>
     public SplineSurface Surface { get; }
 
-    /// <summary>A box that contains the part.</summary>
     public Box3 Box { get; }
 
-    /// <summary>Its lowest parameters.</summary>
     public Point2 From { get; }
 
-    /// <summary>Its highest parameters.</summary>
     public Point2 To { get; }
 
     /// <summary>True if the part has no inner breaks, so that the following properties are valid.</summary>

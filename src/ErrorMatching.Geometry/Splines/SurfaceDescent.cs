@@ -36,8 +36,7 @@ internal static class SurfaceDescent
                 continue;
             }
 
-            // If Newton's step is cut off at the limit of one parameter, it may lead up along the other. Separate steps against each slope
-            // never do.
+            // If Newton's step is cut off at the limit of one parameter, it may lead up along the other. Steps against each slope never do.
             var lower = Lower(surface, p, at, du, dv) ?? (IsCutOff(at.U + du, u0, u1) || IsCutOff(at.V + dv, v0, v1) ? Lower(surface, p, at, Against(d, at.Du), Against(d, at.Dv)) : null);
             if (lower is null)
             {

@@ -229,7 +229,6 @@ public sealed class SurfaceLine
         /// <summary>The coefficients of the basis functions, power by power, in (u - middle) / half span.</summary>
         public double[] Powers { get; }
 
-        /// <summary>The parameter of the line.</summary>
         public double V { get; set; } = double.NaN;
 
         /// <summary>The coefficients of the line.</summary>

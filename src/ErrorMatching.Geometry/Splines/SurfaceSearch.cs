@@ -5,8 +5,7 @@ namespace ErrorMatching.Geometry;
 /// otherwise it is halved.</summary>
 internal struct SurfaceSearch(Point3 point, double tolerance)
 {
-    // So many cells occur only if very many places are equally close (a point at the center of a sphere). The accuracy then states what
-    // was achieved.
+    // So many cells occur only if very many places are equally close (a point at the center of a sphere). The accuracy states the result.
     private const int MaxCells = 5_000;
 
     private double _distance = double.PositiveInfinity;

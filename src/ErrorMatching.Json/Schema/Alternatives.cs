@@ -60,8 +60,7 @@ internal static class Alternatives
         {
             var (place, first) = (ruledOut[0].Item, ruledOut[0].Problem);
             var all = JsonProblem.At(place, first.Code, first.Found, ValueText.Or(ruledOut.Select(f => f.Problem.Expected)));
-            // A value that may be a word or something else, such as "auto" or a number, does not identify the kind of object that contains
-            // it.
+            // A value that may be a word or something else, such as "auto" or a number, does not identify the kind of its object.
             findings.Add(new(place, all, ruledOut.All(f => f.ByType), ruledOut.All(f => f.ByConst) && !ReferenceEquals(place, item)));
             return;
         }

@@ -15,7 +15,6 @@ internal static class FormatJson
     // The kinds of point arrangement. Their default columns are data, in a file of the same name.
     private static readonly MeasurementColumns[] Kinds = [new PointColumns(default, default, default, null), new FeatureTableColumns(default, default, default, default, null)];
 
-    /// <summary>The embedded format of a kind.</summary>
     public static MeasurementFormat Embedded(string kind)
     {
         using var stream = typeof(FormatJson).Assembly.GetManifestResourceStream($"ErrorMatching.Measurement.Formats.{kind}.json")!;
@@ -46,8 +45,7 @@ internal static class FormatJson
         }
         catch (InvalidOperationException e)
         {
-            // Escapes such as \ud800 are valid JSON but not valid text. Reading them as text is the only operation here that can be
-            // invalid.
+            // Escapes such as \ud800 are valid JSON but not valid text. Reading them as text is the only invalid operation possible here.
             throw new MeasurementException(MeasurementError.BadFormat, "an escape that is no character", "text", path: "$", cause: e);
         }
     }

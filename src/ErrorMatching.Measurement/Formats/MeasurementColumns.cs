@@ -12,7 +12,6 @@ public abstract record MeasurementColumns
     /// <summary>The kind of point arrangement, as in a format's <c>kind</c>.</summary>
     public abstract string Kind { get; }
 
-    /// <summary>The required columns.</summary>
     internal abstract IEnumerable<ColumnSelector> Required { get; }
 
     /// <summary>The names of the columns in a description, and whether each is optional.</summary>

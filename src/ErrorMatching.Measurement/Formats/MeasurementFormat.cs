@@ -25,7 +25,6 @@ public sealed record MeasurementFormat
     /// tolerance, are ignored.</summary>
     public static MeasurementFormat FeatureTable { get; } = FormatJson.Embedded("feature-table");
 
-    /// <summary>The layout of the table in the file.</summary>
     internal TableLayout Layout => new(SkipLines, Delimiter, DecimalComma, Columns.NeedHeader);
 
     /// <summary>The built-in formats. A description without a kind uses the first one for omitted members.</summary>

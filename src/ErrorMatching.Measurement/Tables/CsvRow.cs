@@ -7,7 +7,6 @@ namespace ErrorMatching.Measurement;
 /// <param name="Lines">The line of each cell; null if the record is on one line, as usual.</param>
 internal sealed record CsvRow(string File, int Line, IReadOnlyList<string> Texts, IReadOnlyList<int>? Lines)
 {
-    /// <summary>True for a blank line.</summary>
     public bool IsBlank => Texts is [var only] && string.IsNullOrWhiteSpace(only);
 
     /// <summary>The location of a cell by index from 0; after the last cell, the end of the record.</summary>

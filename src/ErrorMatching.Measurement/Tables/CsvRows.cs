@@ -7,8 +7,7 @@ namespace ErrorMatching.Measurement;
 /// <summary>Splits text into records (RFC 4180: a quoted cell may contain delimiters, doubled quotation marks and line breaks).</summary>
 internal static class CsvRows
 {
-    // No gauge writes more. For a line with only delimiters, the parser needs a hundred times its size, so the limits are checked before
-    // parsing.
+    // No gauge writes more. For a line of delimiters, the parser needs a hundred times its size, so limits are checked before parsing.
     private const int MostColumns = 1_000;
     private const int MostLines = 1_000_000;
     private const int MostCells = 4_000_000;
@@ -18,8 +17,7 @@ internal static class CsvRows
     /// <param name="file">The file name, as given by the caller.</param>
     /// <param name="firstLine">The line of the file at which the text starts.</param>
     /// <param name="delimiter">The cell separator.</param>
-    /// <exception cref="MeasurementException">There are too many columns, lines or cells; or a quotation mark is not closed or not
-    /// allowed.</exception>
+    /// <exception cref="MeasurementException">Too many columns, lines or cells, or a quotation mark is unclosed or misplaced.</exception>
     public static IEnumerable<CsvRow> Read(string text, string file, int firstLine, char delimiter)
     {
         ThrowIfTooMany(text, file, firstLine, delimiter);

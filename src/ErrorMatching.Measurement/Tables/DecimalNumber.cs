@@ -17,17 +17,14 @@ internal readonly record struct DecimalNumber
     /// <summary>The number with a decimal point and all digits.</summary>
     public string Text { get; }
 
-    /// <summary>The nearest double.</summary>
     public double Value => double.Parse(Text, NumberStyles.Float, CultureInfo.InvariantCulture);
 
-    /// <summary>True if all digits are zero.</summary>
     public bool IsZero => Mantissa.IsZero;
 
     /// <summary>The value of one unit in the last digit.</summary>
     public double LastPlace => Math.Pow(10, _exponent - _fraction);
 
-    /// <summary>The number times exactly 25.4, as the nearest double. The product is calculated in integers, so that it is rounded only
-    /// once.</summary>
+    /// <summary>The number times exactly 25.4, as the nearest double. The product is calculated in integers and rounded once.</summary>
     public double InchesInMillimeters =>
         double.Parse(string.Create(CultureInfo.InvariantCulture, $"{Mantissa * 254}E{_exponent - _fraction - 1}"), NumberStyles.Float, CultureInfo.InvariantCulture);
 

@@ -2,8 +2,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Reporting;
 
-/// <summary>Colors for signed values: blue below zero, nearly white at zero, orange above, which is readable with red-green color
-/// blindness.</summary>
+/// <summary>Colors for signed values: blue below zero, nearly white at zero, orange above; readable if red-green color-blind.</summary>
 /// <remarks>In both directions from zero, lightness decreases and colorfulness increases evenly in Oklab (B. Ottosson, "A perceptual color
 /// space for image processing", 2020), so that equal steps of the value look equal.</remarks>
 public static class DivergingColors

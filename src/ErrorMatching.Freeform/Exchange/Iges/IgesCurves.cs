@@ -2,8 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads curves of an IGES file as B-splines: 126, lines 110, arcs 100, ellipses 104, polylines 106, and composite curves
-/// 102.</summary>
+/// <summary>Reads curves of an IGES file as B-splines: 126, lines 110, arcs 100, ellipses 104, polylines 106, composites 102.</summary>
 /// <param name="file">The file.</param>
 internal sealed class IgesCurves(IgesFile file)
 {

@@ -37,7 +37,6 @@ internal sealed class IgesFile
         Entities = entities;
     }
 
-    /// <summary>File name for messages.</summary>
     public string Name => _sections.File;
 
     public double MillimetersPerUnit { get; }
@@ -84,7 +83,6 @@ internal sealed class IgesFile
         return parameters;
     }
 
-    /// <summary>Creates an error for this file.</summary>
     public FreeformException Fail(string code, string problem, int? line = null) => new(code, Name, problem, line);
 
     // Records of different entities may overlap in a broken file. Their total must not exceed the size of the file.

@@ -7,7 +7,6 @@ internal sealed class IgesParameters(IgesSections sections, IgesEntity entity, R
 {
     private int _next = 1; // the first one repeats the entity's type
 
-    /// <summary>Number of unread parameters.</summary>
     public int Left => Math.Max(0, tokens.Count - _next);
 
     /// <summary>Restarts after the entity type.</summary>
@@ -58,7 +57,6 @@ internal sealed class IgesParameters(IgesSections sections, IgesEntity entity, R
         throw Fail("bad-number", $"{ExchangeLimits.Quote(value.ToString())} for {name}; a number is expected");
     }
 
-    /// <summary>Reads consecutive numbers.</summary>
     public double[] Reals(string name, int count)
     {
         Need(count, name);

@@ -41,13 +41,10 @@ internal sealed class IgesSections
         }
     }
 
-    /// <summary>File name for messages.</summary>
     public string File { get; }
 
-    /// <summary>Number of directory records.</summary>
     public int DirectoryCount => _directory.Count;
 
-    /// <summary>Number of parameter records.</summary>
     public int ParameterCount => _parameters.Count;
 
     /// <summary>The 72 columns of a global record; null after the last.</summary>
@@ -61,13 +58,11 @@ internal sealed class IgesSections
     /// <param name="field">Number of the field from 0 to 8.</param>
     public string Field(int record, int field) => _text.Substring(_directory[record].Offset + (8 * field), 8);
 
-    /// <summary>Line of a directory record.</summary>
     public int DirectoryLine(int record) => _directory[record].Line;
 
     /// <summary>The 64 data columns of a parameter record; null after the last.</summary>
     public ReadOnlyMemory<char>? Parameters(int record) => record < _parameters.Count ? _text.AsMemory(_parameters[record].Offset, 64) : default(ReadOnlyMemory<char>?);
 
-    /// <summary>Line of a parameter record.</summary>
     public int ParameterLine(int record) => _parameters[Math.Clamp(record, 0, _parameters.Count - 1)].Line;
 
     private bool Add(int start, int end, int line)

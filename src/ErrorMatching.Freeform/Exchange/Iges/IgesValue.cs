@@ -9,7 +9,6 @@ internal sealed record IgesValue(string Text)
     /// <summary>An integer or a pointer.</summary>
     public static implicit operator IgesValue(int value) => new(value.ToString(CultureInfo.InvariantCulture));
 
-    /// <summary>A real number.</summary>
     public static implicit operator IgesValue(double value) => new(ExchangeNumber.Of(value));
 
     /// <summary>A Hollerith string.</summary>

@@ -2,8 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Writes a surface as an IGES file (version 5.3, fixed form, millimeters): entity 128, inside entity 144 if the surface is
-/// trimmed.</summary>
+/// <summary>Writes a surface as an IGES file (version 5.3, fixed form, millimeters): entity 128, inside 144 if trimmed.</summary>
 /// <remarks>The same surface gives the same bytes, because the dates in the file are constant. Numbers round-trip exactly.</remarks>
 public static class IgesWriter
 {
@@ -24,8 +23,7 @@ public static class IgesWriter
         var basis = Spline(file, spline, dependent: true, "");
         var boundaries = loops.Select(l => Boundary(file, basis, l)).ToList();
 
-        // Loops do not state whether they are outer boundaries or holes; the inside is found by counting crossings. So the largest one
-        // comes first.
+        // Loops do not state whether they are outer boundaries or holes; readers count crossings. So the largest comes first.
         var first = Enumerable.Range(0, loops.Count).MaxBy(i => Math.Abs(RegionLoop.Area(loops[i])));
         file.Fill(trimmed, 144, 0, dependent: false, surface.Name, [basis, 1, loops.Count - 1, boundaries[first], .. boundaries.Where((_, i) => i != first).Select(b => (IgesValue)b)]);
         return file.ToBytes(Largest(spline));

@@ -30,7 +30,6 @@ internal sealed class StepFile
         }
     }
 
-    /// <summary>File name for messages.</summary>
     public string Name { get; }
 
     /// <summary>Instances whose types satisfy a condition, in file order. The type of a complex instance is empty.</summary>

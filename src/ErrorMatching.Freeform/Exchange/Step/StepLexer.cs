@@ -50,7 +50,6 @@ internal sealed class StepLexer(string text, int at, Func<int, string, FreeformE
         At = found == expected ? At + 1 : throw Unexpected($"\"{expected}\"");
     }
 
-    /// <summary>Reads a type name.</summary>
     public string Keyword()
     {
         Peek();

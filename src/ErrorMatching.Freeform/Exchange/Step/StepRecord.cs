@@ -13,7 +13,6 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
 {
     public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"#{Id} {Keyword}");
 
-    /// <summary>Reads a number.</summary>
     public double Real(int index) => Of(index, StepValueKind.Number, "a number").Number;
 
     /// <summary>Reads an integer within limits.</summary>
@@ -29,7 +28,6 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
     /// <summary>Reads a word between periods.</summary>
     public string Word(int index) => At(index).Kind == StepValueKind.Omitted ? "" : Of(index, StepValueKind.Word, "a word between points").Text;
 
-    /// <summary>Reads a Boolean.</summary>
     public bool Flag(int index) => Word(index) switch
     {
         "T" => true,
@@ -37,10 +35,8 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
         var other => throw Fail("bad-value", $"{ExchangeLimits.Quote(other)} as attribute {index + 1}; .T. or .F. is expected"),
     };
 
-    /// <summary>Reads a list.</summary>
     public IReadOnlyList<StepValue> List(int index) => Of(index, StepValueKind.List, "a list").Items;
 
-    /// <summary>Reads a list of numbers.</summary>
     public double[] Reals(int index) => Reals(List(index), index);
 
     /// <summary>Reads the numbers of a list nested in an attribute.</summary>
@@ -55,10 +51,8 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
         return numbers;
     }
 
-    /// <summary>Reads the instances of a list of references.</summary>
     public IEnumerable<StepInstance> Instances(int index) => List(index).Select(v => Instance(v, index));
 
-    /// <summary>The instance that an attribute refers to.</summary>
     public StepInstance Instance(int index) => Instance(At(index), index);
 
     /// <summary>The instance that an element of an attribute refers to.</summary>
@@ -87,7 +81,6 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
 
     public StepValue At(int index) => index >= 0 && index < Values.Count ? Values[index] : throw Fail("bad-value", $"it has {Values.Count} attributes; more are expected");
 
-    /// <summary>Creates an error for this instance.</summary>
     public FreeformException Fail(string code, string problem) => new(code, File.Name, $"{this}: {problem}", Line);
 
     private StepValue Of(int index, StepValueKind kind, string expected) => At(index) is var value && value.Kind == kind ? value

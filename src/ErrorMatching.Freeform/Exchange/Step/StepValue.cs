@@ -7,6 +7,5 @@ namespace ErrorMatching.Freeform;
 /// <param name="Items">The values in parentheses.</param>
 internal sealed record StepValue(StepValueKind Kind, string Text, double Number, IReadOnlyList<StepValue> Items)
 {
-    /// <summary>An omitted value.</summary>
     public static StepValue Omitted { get; } = new(StepValueKind.Omitted, "", 0, []);
 }

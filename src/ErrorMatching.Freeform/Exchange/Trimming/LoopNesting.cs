@@ -56,8 +56,7 @@ internal sealed class LoopNesting
     }
 
     /// <summary>Throws if the loops are invalid.</summary>
-    /// <exception cref="FreeformException">A loop crosses itself or another one, or the loops are not one outer loop with holes in
-    /// it.</exception>
+    /// <exception cref="FreeformException">A loop crosses itself or another one, or they are not one outer loop with holes.</exception>
     public void Check()
     {
         var (tree, bands) = (new LoopSideTree(_sides), new RegionBands(_loops));

@@ -6,8 +6,7 @@ namespace ErrorMatching.Freeform;
 /// surface.</summary>
 internal static class LoopOnSurface
 {
-    /// <summary>Largest distance between a chord and the surface at the same share of its length: the tolerance of the boundaries
-    /// read.</summary>
+    /// <summary>Largest distance between a chord and the surface at the same share of its length: as for boundaries read.</summary>
     private const double ToleranceMm = RegionTracer.ToleranceMm;
 
     /// <summary>Maximum number of halvings of one side.</summary>

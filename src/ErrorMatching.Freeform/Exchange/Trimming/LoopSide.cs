@@ -16,7 +16,6 @@ internal readonly record struct LoopSide(int Loop, int Index, Point2 From, Point
 
     public Box3 Box => Box3.Around([Start, End]);
 
-    /// <summary>The point at a share of the length.</summary>
     public Point3 At(double share) => Start + ((End - Start) * share);
 
     /// <summary>Returns the shares of its length between which it is within a distance of a line segment; null if nowhere.</summary>

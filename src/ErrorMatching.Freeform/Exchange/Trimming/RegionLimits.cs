@@ -12,8 +12,7 @@ internal static class RegionLimits
     /// <param name="surface">The surface.</param>
     /// <param name="loops">The polygons.</param>
     /// <param name="fail">Creates an error from a code and a problem.</param>
-    /// <exception cref="FreeformException">A polygon leaves the surface, or the polygons cross, or are not one outer polygon with
-    /// holes.</exception>
+    /// <exception cref="FreeformException">A polygon leaves the surface, or they cross, or are not an outer one with holes.</exception>
     public static SurfaceRegion Of(SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
     {
         var seam = SurfaceSeam.Of(surface);
@@ -27,7 +26,6 @@ internal static class RegionLimits
         return new(inside);
     }
 
-    /// <summary>The border of the parameters.</summary>
     public static IReadOnlyList<Point2> Border(SplineSurface surface)
     {
         var (u, v) = (surface.KnotsU, surface.KnotsV);

@@ -3,8 +3,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Converts the boundary curves of a surface to closed polygons in its parameters, within <see cref="ToleranceMm"/> of the
-/// curves.</summary>
+/// <summary>Converts boundary curves of a surface to closed polygons in its parameters, within <see cref="ToleranceMm"/>.</summary>
 /// <param name="map">The surface.</param>
 /// <param name="fail">Creates an error from a code and a problem.</param>
 internal sealed class RegionTracer(SurfaceMap map, Func<string, string, FreeformException> fail)
@@ -23,7 +22,6 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
     private int _curves;
     private int _points;
 
-    /// <summary>The closed polygons.</summary>
     public IReadOnlyList<IReadOnlyList<Point2>> Loops => _loops;
 
     /// <summary>Continues the loop along a curve in space.</summary>

@@ -6,8 +6,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="PointAt">The point at a pair of parameters, in millimeters.</param>
 /// <param name="FootOf">The parameters of the place closest to a point. The second argument is a place near it, if known, so that a path
 /// stays on its side of a seam.</param>
-/// <param name="Seam">Where a surface with the file's own parameters closes on itself. The parameters of other surfaces continue beyond a
-/// turn.</param>
+/// <param name="Seam">Where a surface with the file's own parameters closes on itself. Other parameters continue beyond a turn.</param>
 internal sealed record SurfaceMap(Func<Point2, Point3> PointAt, Func<Point3, Point2?, Point2> FootOf, SurfaceSeam Seam = default)
 {
     private const double FootToleranceMm = 1e-6;

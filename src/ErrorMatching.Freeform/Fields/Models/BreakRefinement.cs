@@ -5,8 +5,7 @@ internal static class BreakRefinement
 {
     private const int MostSteps = 30;
 
-    /// <summary>Stops after a step that leaves more than this share of the sum of squares: the criterion then changes by far less than
-    /// one.</summary>
+    /// <summary>The last step leaves more than this share of the sum of squares: the criterion then changes by far less than 1.</summary>
     private const double LeastShare = 1 - 1e-5;
 
     /// <summary>Returns the model with its optimized breaks.</summary>

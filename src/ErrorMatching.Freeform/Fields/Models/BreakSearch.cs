@@ -26,8 +26,7 @@ internal sealed class BreakSearch
         _lines = _data.LinePlaces();
     }
 
-    /// <summary>Returns the model without breaks, and those with more breaks that improve the criterion enough over all models with
-    /// fewer.</summary>
+    /// <summary>Returns the model without breaks, and those whose breaks improve the criterion enough over all with fewer.</summary>
     public IReadOnlyList<PolynomialModel> Run()
     {
         var model = PolynomialModel.Choose(_all, [], []);

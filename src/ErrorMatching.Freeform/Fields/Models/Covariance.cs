@@ -11,7 +11,6 @@ internal abstract class Covariance
 
     public abstract double LogDeterminant { get; }
 
-    /// <summary>Trace of the inverse.</summary>
     public abstract double InverseTrace { get; }
 
     /// <summary>True if there are few values, or a grid with few enough lines.</summary>

@@ -27,8 +27,7 @@ internal abstract class FieldModel(FieldData data)
     /// <summary>Variance of <see cref="At"/> for a given noise standard deviation.</summary>
     public abstract double VarianceAt(double u, double v, double noise);
 
-    /// <summary>Fits the same kind of model, with the same terms and parameters, to other values; null if they do not determine
-    /// it.</summary>
+    /// <summary>Fits the same kind of model, with the same terms and parameters, to other values; null if undetermined.</summary>
     public abstract FieldModel? Refit(FieldData other);
 
     /// <summary>Degree along u of the spline that equals the model, or approximates it with few pieces.</summary>
@@ -61,8 +60,7 @@ internal abstract class FieldModel(FieldData data)
         return result;
     }
 
-    /// <summary>The difference and index of each left-out value. A value may occur for both of its lines. Calculated once; not
-    /// thread-safe.</summary>
+    /// <summary>The difference and index of each left-out value. A value may occur for both lines. Cached; not thread-safe.</summary>
     public IReadOnlyList<(int Number, double Difference)> LeaveLinesOut()
     {
         if (_leftOut is not null)

@@ -1,7 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Selects the polynomial, Gaussian process or cubic spline with the least error when lines are left out. Breaks must be
-/// worthwhile.</summary>
+/// <summary>Selects the polynomial, Gaussian process or cubic spline with the least line-out error. Breaks must be worthwhile.</summary>
 /// <remarks>Whole lines are left out, because leaving out single values reveals little on grids: the neighbors on both lines determine
 /// each value.</remarks>
 internal static class ModelChoice

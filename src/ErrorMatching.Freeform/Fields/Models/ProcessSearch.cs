@@ -42,8 +42,7 @@ internal static class ProcessSearch
         return best is null ? null : ProcessModel.Fit(few == data ? trend : ProcessTrend.Of(data, terms), Improved(trend, best));
     }
 
-    /// <summary>Returns a process about a polynomial with one break at the greatest likelihood; null if no place is likely
-    /// enough.</summary>
+    /// <summary>Returns a process about a polynomial with one break at the greatest likelihood; null if none is likely enough.</summary>
     public static ProcessModel? WithBreak(ProcessModel smooth)
     {
         var (linesU, linesV) = smooth.Data.LinePlaces();
@@ -158,7 +157,6 @@ internal static class ProcessSearch
     private static Kernel Improved(ProcessTrend trend, double[] start) =>
         KernelOf(Simplex.Minimum(x => Cost(trend, x), start, 0.7, MostEvaluations, 1e-3));
 
-    /// <summary>All terms up to a total degree.</summary>
     public static Term[] Trend(int degree) =>
         [.. from a in Enumerable.Range(0, degree + 1) from b in Enumerable.Range(0, degree + 1 - a) select new Term(new(a), new(b))];
 

@@ -12,7 +12,6 @@ internal sealed class SplineAxis
         _knots = [breaks[0], breaks[0], breaks[0], .. breaks, breaks[^1], breaks[^1], breaks[^1]];
     }
 
-    /// <summary>Number of poles.</summary>
     public int Count => _breaks.Length + 2;
 
     /// <summary>Where the pieces meet, including both ends.</summary>

@@ -109,8 +109,7 @@ internal sealed class SplineModel : FieldModel
     /// <summary>Bandwidth of the equations left of the diagonal.</summary>
     private static int Width(SplineAxis v) => (3 * v.Count) + 3;
 
-    /// <summary>The integral of f_uu^2 + 2 f_uv^2 + f_vv^2 as a quadratic form of the poles. Row i contains the columns from i - width to
-    /// i.</summary>
+    /// <summary>The integral of f_uu^2 + 2 f_uv^2 + f_vv^2 as a quadratic form of the poles. Row i has columns i - width to i.</summary>
     private static double[][] Bending(SplineAxis u, SplineAxis v)
     {
         var (u0, u1, u2) = (u.Products(0), u.Products(1), u.Products(2));

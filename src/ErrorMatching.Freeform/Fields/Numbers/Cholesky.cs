@@ -9,7 +9,6 @@ internal sealed class Cholesky
 
     private Cholesky(double[][] rows, int width) => (_rows, _width) = (rows, width);
 
-    /// <summary>Logarithm of the determinant of A.</summary>
     public double LogDeterminant
     {
         get

@@ -29,7 +29,6 @@ internal static class Vectors
         return sum;
     }
 
-    /// <summary>The elementwise product.</summary>
     public static double[] Products(ReadOnlySpan<double> a, ReadOnlySpan<double> b)
     {
         var result = new double[a.Length];
@@ -60,7 +59,6 @@ internal static class Vectors
         }
     }
 
-    /// <summary>Subtracts a multiple of a vector from another.</summary>
     public static void Subtract(Span<double> from, double multiple, ReadOnlySpan<double> vector)
     {
         ref var x = ref MemoryMarshal.GetReference(from);

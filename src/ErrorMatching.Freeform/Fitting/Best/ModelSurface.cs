@@ -2,8 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Converts the models of a grid to one B-spline surface: exactly if they are splines, otherwise within
-/// <see cref="ToleranceMm"/>.</summary>
+/// <summary>Converts the models of a grid to a B-spline surface: exactly if splines, otherwise within <see cref="ToleranceMm"/>.</summary>
 internal static class ModelSurface
 {
     /// <summary>Largest distance of a coordinate from its model, in millimeters: a thousandth of a micrometer.</summary>

@@ -11,8 +11,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="Values">The values over the parameters, one set per direction.</param>
 internal sealed record PlacedGrid(ParameterRange U, ParameterRange V, (Vector3 Middle, Vector3 AlongU, Vector3 AlongV) Base, Vector3[] Directions, FieldData[] Values)
 {
-    /// <summary>A direction within this angle (in radians) of an axis is set to the axis, because grids are intended to be
-    /// straight.</summary>
+    /// <summary>A direction within this angle (in radians) of an axis is set to the axis, because grids are meant to be straight.</summary>
     private const double Straight = 0.02;
 
     /// <summary>Largest distance of a rim point inside the parallelogram, as a share of the line spacing.</summary>
@@ -23,8 +22,7 @@ internal sealed record PlacedGrid(ParameterRange U, ParameterRange V, (Vector3 M
 
     public static PlacedGrid Of(PointGrid grid) => OverPlane(grid, Largest) ?? OverPlane(grid, normal => normal.Normalize()) ?? OverChords(grid);
 
-    /// <summary>Heights along an axis selected by the mean normal; null if the points are not heights or do not fill a
-    /// parallelogram.</summary>
+    /// <summary>Heights along an axis selected by the mean normal; null if the points are no heights or fill no parallelogram.</summary>
     private static PlacedGrid? OverPlane(PointGrid grid, Func<Vector3, Vector3> choose)
     {
         var curves = grid.Curves;

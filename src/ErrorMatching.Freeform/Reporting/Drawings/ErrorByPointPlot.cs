@@ -2,8 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Plots error against point number before and after, as in figures 10 to 12 of Lee 2019: circles before, plus signs
-/// after.</summary>
+/// <summary>Plots error by point number before and after, as in figures 10 to 12 of Lee 2019: circles before, plus signs after.</summary>
 /// <param name="points">The points in the order of measuring.</param>
 internal sealed class ErrorByPointPlot(IReadOnlyList<PlottedError> points)
 {

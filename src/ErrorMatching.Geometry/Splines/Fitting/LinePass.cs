@@ -36,7 +36,6 @@ internal static class LinePass
         return equations.Solve();
     }
 
-    /// <summary>The coordinates of points in sequence.</summary>
     public static double[] Numbers(ReadOnlySpan<Point3> points)
     {
         var numbers = new double[3 * points.Length];
@@ -53,7 +52,6 @@ internal static class LinePass
         return numbers;
     }
 
-    /// <summary>The points of coordinates in sequence.</summary>
     public static Point3[] Points(ReadOnlySpan<double> numbers)
     {
         var points = new Point3[numbers.Length / 3];
@@ -65,7 +63,6 @@ internal static class LinePass
         return points;
     }
 
-    /// <summary>A grid with rows and columns exchanged.</summary>
     public static double[] Transposed(ReadOnlySpan<double> grid, int rows, int columns)
     {
         var result = new double[grid.Length];

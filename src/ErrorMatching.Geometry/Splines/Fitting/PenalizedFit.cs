@@ -103,8 +103,7 @@ internal sealed class PenalizedFit(int poles, int reach)
         return _equations.Count * squares / (freedom * freedom);
     }
 
-    /// <summary>Points minus the trace of A^-1 G, with G = A - weight P, to avoid cancellation if the fit nearly passes through the
-    /// points.</summary>
+    /// <summary>Points minus the trace of A^-1 G, with G = A - weight P, to avoid cancellation in a nearly exact fit.</summary>
     private double Freedom(BandedSymmetric factors, double weight) => _equations.Count - poles + (weight * TraceOfProduct(factors.Inverse(), _bending));
 
     /// <summary>The fit for a weight; null if it is not determined to rounding.</summary>
@@ -134,8 +133,7 @@ internal sealed class PenalizedFit(int poles, int reach)
         return (solution, factors);
     }
 
-    /// <summary>The residual of the normal equations for fitted poles, calculated from the points, and the sum of squared
-    /// distances.</summary>
+    /// <summary>The residual of the normal equations for fitted poles, from the points, and the sum of squared distances.</summary>
     private (double[] Left, double SquareSum) Rest(double[] solution, double weight)
     {
         var rest = new double[solution.Length];

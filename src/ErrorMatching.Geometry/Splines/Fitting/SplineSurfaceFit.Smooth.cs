@@ -8,11 +8,9 @@ public static partial class SplineSurfaceFit
     /// <param name="points">At least three points in any order, on a grid or scattered.</param>
     /// <param name="us">One parameter u per point.</param>
     /// <param name="vs">One parameter v per point.</param>
-    /// <param name="knotsU">Degree, at least 2, and knots along u. The time grows with the poles along u and the cube of the poles along
-    /// v.</param>
+    /// <param name="knotsU">Degree, at least 2, and knots along u. Time grows with the poles along u and the cube of those along v.</param>
     /// <param name="knotsV">Degree, at least 2, and knots along v.</param>
-    /// <param name="lengthU">Length of the surface along u in mm, so that the bending is that of the surface and not of its
-    /// parameters.</param>
+    /// <param name="lengthU">Length of the surface along u in mm, so that bending is that of the surface, not of its parameters.</param>
     /// <param name="lengthV">Length of the surface along v in mm.</param>
     /// <param name="weight">The weight in mm^2; null selects it.</param>
     /// <exception cref="GeometryException"><see cref="GeometryError.RankDeficient"/> if the points do not even determine a plane over the

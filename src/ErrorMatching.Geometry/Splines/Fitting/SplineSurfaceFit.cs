@@ -23,8 +23,7 @@ public static partial class SplineSurfaceFit
     /// <param name="vs">Ascending parameters along v.</param>
     /// <param name="degreeU">The highest degree along u; lower if there are too few points.</param>
     /// <param name="degreeV">The highest degree along v; lower if there are too few points.</param>
-    /// <exception cref="GeometryException">The parameters do not ascend or do not match the points, or a coordinate is not
-    /// finite.</exception>
+    /// <exception cref="GeometryException">The parameters do not ascend or match the points, or a coordinate is not finite.</exception>
     public static SplineSurface Interpolate(ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, int degreeU = 3, int degreeV = 3) => LeastSquares(
         points,
         us,
@@ -40,8 +39,7 @@ public static partial class SplineSurfaceFit
     /// <param name="knotsU">Degree and knots along u.</param>
     /// <param name="knotsV">Degree and knots along v.</param>
     /// <exception cref="GeometryException"><see cref="GeometryError.RankDeficient"/> if the points do not determine every pole
-    /// (<see cref="FittingKnots.Determine"/>); the parameters do not ascend or do not match the points; a coordinate is not
-    /// finite.</exception>
+    /// (<see cref="FittingKnots.Determine"/>); the parameters do not ascend or match the points; a coordinate is not finite.</exception>
     public static SplineSurface LeastSquares(ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, KnotVector knotsU, KnotVector knotsV)
     {
         ArgumentNullException.ThrowIfNull(knotsU);
