@@ -1,7 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The systematic error of a surface on its net, in millimeters: as measured, and as expected after either
-/// compensation.</summary>
+/// <summary>The systematic error of a surface on its net, in millimeters: as measured, and as expected after either compensation.</summary>
 /// <param name="Net">The places.</param>
 /// <param name="BeforeMm">The systematic field, positive out of the material.</param>
 /// <param name="MirrorMm">The remaining error after mirroring.</param>

@@ -1,17 +1,13 @@
 namespace ErrorMatching.Freeform;
 
 /// <summary>The expected measurement of the finished surface, if nothing changes except the compensation.</summary>
-/// <remarks>
-/// The compensation removes its share of the systematic error at each point. Two independent contributions are added to the spread by root
-/// sum of squares: new random scatter, since cutting and probing do not repeat, and the uncertainty of the field, which was cut into the
-/// surface.
-/// The residuals of a fit understate the scatter because the fit follows part of the noise. If the fit knows its degrees of freedom, the
-/// residuals are scaled by them. A fit through every point has no residuals, so only its uncertainty is used.
-/// The error of left-out lines does not measure its noise: it is the error of a grid half as dense. With short-wave errors measured
-/// without noise, it was 0.3 to 1 um, while nothing remained at the points.
-/// If a surface was fitted to the compensation points, its own distance from the nominal surface is the compensation. At the points, it
-/// includes the noise that it follows; between them, it may deviate.
-/// </remarks>
+/// <remarks>The compensation removes its share of the systematic error at each point. Two independent contributions are added to the spread
+/// by root sum of squares: new random scatter, since cutting and probing do not repeat, and the uncertainty of the field, which was cut
+/// into the surface. The residuals of a fit understate the scatter because the fit follows part of the noise. If the fit knows its degrees
+/// of freedom, the residuals are scaled by them. A fit through every point has no residuals, so only its uncertainty is used. The error of
+/// left-out lines does not measure its noise: it is the error of a grid half as dense. With short-wave errors measured without noise, it
+/// was 0.3 to 1 um, while nothing remained at the points. If a surface was fitted to the compensation points, its own distance from the
+/// nominal surface is the compensation. At the points, it includes the noise that it follows; between them, it may deviate.</remarks>
 /// <param name="Method">Name of the compensation: <c>mirror</c> or <c>tool-radius</c>.</param>
 /// <param name="Errors">Expected systematic error at each measured point, in the order of the samples, in millimeters.</param>
 /// <param name="Statistics">Their statistics, including the scatter.</param>

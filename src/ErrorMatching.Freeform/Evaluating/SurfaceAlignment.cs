@@ -3,11 +3,9 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Freeform;
 
 /// <summary>A small rigid motion that aligns measured points to the surface: rotation about the points' center, then translation.</summary>
-/// <remarks>
-/// The default is no alignment, because it hides every error that a rigid motion can produce. It minimizes the squared distances along the
-/// normals (point to plane; Chen and Medioni, "Object modelling by registration of multiple range images", 1992)
-/// and recalculates the feet until the motion converges. Motions that the surface does not resist (along a straight profile) stay zero.
-/// </remarks>
+/// <remarks>The default is no alignment, because it hides every error that a rigid motion can produce. It minimizes the squared distances
+/// along the normals (point to plane; Chen and Medioni, "Object modelling by registration of multiple range images", 1992) and recalculates
+/// the feet until the motion converges. Motions that the surface does not resist (along a straight profile) stay zero.</remarks>
 /// <param name="TranslateMm">The translation.</param>
 /// <param name="RotateDegrees">The rotation, as small angles about X, Y and Z.</param>
 /// <param name="Center">The center of rotation, in millimeters.</param>

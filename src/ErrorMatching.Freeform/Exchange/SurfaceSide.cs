@@ -12,8 +12,7 @@ internal static class SurfaceSide
     private const double Level = 1e-9;
 
     /// <summary>Returns +1 if the surface's own normal points out of the material, otherwise -1.</summary>
-    /// <exception cref="FreeformException">The normal points up in some places and down in others, or is horizontal
-    /// everywhere.</exception>
+    /// <exception cref="FreeformException">The normal points up in some places and down in others, or is horizontal everywhere.</exception>
     public static int Of(ReadSurface surface, string file, bool outsideIsUp)
     {
         var (spline, up, down) = (surface.Spline, default(SurfacePoint?), default(SurfacePoint?));

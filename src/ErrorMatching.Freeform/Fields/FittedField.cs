@@ -1,12 +1,9 @@
 namespace ErrorMatching.Freeform;
 
 /// <summary>A field fitted to measured errors, with measures of its reliability. Lengths in millimeters.</summary>
-/// <remarks>
-/// Beyond the outermost samples, the field continues straight for one mean line spacing and is then constant. Its uncertainty grows
-/// accordingly.
-/// Breaks are found only along grid lines, with at least two lines on each side. An oblique break is not found; a spline or process then
-/// rounds it off.
-/// </remarks>
+/// <remarks>Beyond the outermost samples, the field continues straight for one mean line spacing and is then constant. Its uncertainty
+/// grows accordingly. Breaks are found only along grid lines, with at least two lines on each side. An oblique break is not found; a spline
+/// or process then rounds it off.</remarks>
 public sealed class FittedField : ErrorField
 {
     private readonly FieldModel _model;

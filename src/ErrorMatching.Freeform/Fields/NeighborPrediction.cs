@@ -1,14 +1,12 @@
 namespace ErrorMatching.Freeform;
 
 /// <summary>Predicts the error at each measured point from its neighbors alone.</summary>
-/// <remarks>
-/// A quadratic in u and v is fitted to the <see cref="Neighbors"/> nearest other points, with tricube weights by distance, as in
-/// Cleveland, "Robust Locally Weighted Regression and Smoothing Scatterplots", 1979, equation (2.1).
-/// With u and v relative to the point, the prediction is the constant of the fit. Project the columns sqrt(w) (u, v, u^2, u v, v^2) out of
-/// the column c = sqrt(w): q = c - projection. The prediction is then the sum of l_m e_m with
-/// l_m = sqrt(w_m) q_m / q^2 (Frisch, Waugh and Lovell). Its variance is the leverage, the sum of l_m^2, times that of one point: about
-/// 0.3 in the middle, and more at edges and corners, where the fit extrapolates.
-/// </remarks>
+/// <remarks>A quadratic in u and v is fitted to the <see cref="Neighbors"/> nearest other points, with tricube weights by distance, as in
+/// Cleveland, "Robust Locally Weighted Regression and Smoothing Scatterplots", 1979, equation (2.1). With u and v relative to the point,
+/// the prediction is the constant of the fit. Project the columns sqrt(w) (u, v, u^2, u v, v^2) out of the column c = sqrt(w): q = c -
+/// projection. The prediction is then the sum of l_m e_m with l_m = sqrt(w_m) q_m / q^2 (Frisch, Waugh and Lovell). Its variance is the
+/// leverage, the sum of l_m^2, times that of one point: about 0.3 in the middle, and more at edges and corners, where the fit
+/// extrapolates.</remarks>
 internal sealed class NeighborPrediction
 {
     /// <summary>Number of points that predict one.</summary>

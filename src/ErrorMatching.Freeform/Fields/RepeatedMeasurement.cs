@@ -3,11 +3,9 @@ using System.Globalization;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Several measurements of the same points, averaged point by point, with their repeatability. Lengths in millimeters.</summary>
-/// <remarks>
-/// A measurement is reported as an outlier if it differs from the median of its point by more than <see cref="OutlierFactor"/> robust
-/// standard deviations of all differences (1.4826 times the median of the absolute values; Huber, Robust Statistics, section 5.1).
-/// It stays in the mean. The user may exclude it if the cause is known.
-/// </remarks>
+/// <remarks>A measurement is reported as an outlier if it differs from the median of its point by more than <see cref="OutlierFactor"/>
+/// robust standard deviations of all differences (1.4826 times the median of the absolute values; Huber, Robust Statistics, section 5.1).
+/// It stays in the mean. The user may exclude it if the cause is known.</remarks>
 public sealed class RepeatedMeasurement
 {
     /// <summary>Robust standard deviations beyond which a measurement is an outlier.</summary>

@@ -3,12 +3,9 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Finds places where the curvature or direction of a curve jumps.</summary>
-/// <remarks>
-/// There are two criteria. At a knot of multiplicity degree - 1 or more, the second derivative may jump, so both sides are compared. A
-/// smooth spline fitted across a break (a surface from a grid of points)
-/// spreads it over a knot or two: the curvature changes by most of its range within a fiftieth of the curve. Waves of a tenth of the curve
-/// or longer do not.
-/// </remarks>
+/// <remarks>There are two criteria. At a knot of multiplicity degree - 1 or more, the second derivative may jump, so both sides are
+/// compared. A smooth spline fitted across a break (a surface from a grid of points) spreads it over a knot or two: the curvature changes
+/// by most of its range within a fiftieth of the curve. Waves of a tenth of the curve or longer do not.</remarks>
 internal static class CurvatureBreaks
 {
     /// <summary>Number of parts into which a curve is divided.</summary>

@@ -2,18 +2,13 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>
-/// Shortens an open path through points by 2-opt (reversing a piece) and or-opt (moving up to three points) until no single change helps.
-/// For few points, it then swaps adjacent pieces repeatedly and tries both again, to escape local minima.
-/// The sequence of swaps is fixed, so the same points always give the same path.
-/// </summary>
-/// <remarks>
-/// Sources: Or, Traveling salesman-type combinatorial problems, Northwestern University 1976; Bentley, Fast algorithms for geometric
-/// traveling salesman problems, ORSA Journal on Computing 4 (1992): only the nearest points are tried, and only where the path has
-/// changed;
-/// Dueck and Scheuer, Threshold accepting, Journal of Computational Physics 90 (1990): the search continues from a slightly longer path.
-/// Finding the nearest points takes quadratic time.
-/// </remarks>
+/// <summary>Shortens an open path through points by 2-opt (reversing a piece) and or-opt (moving up to three points) until no single change
+/// helps. For few points, it then swaps adjacent pieces repeatedly and tries both again, to escape local minima. The sequence of swaps is
+/// fixed, so the same points always give the same path.</summary>
+/// <remarks>Sources: Or, Traveling salesman-type combinatorial problems, Northwestern University 1976; Bentley, Fast algorithms for
+/// geometric traveling salesman problems, ORSA Journal on Computing 4 (1992): only the nearest points are tried, and only where the path
+/// has changed; Dueck and Scheuer, Threshold accepting, Journal of Computational Physics 90 (1990): the search continues from a slightly
+/// longer path. Finding the nearest points takes quadratic time.</remarks>
 internal sealed class ShortWay
 {
     /// <summary>Number of neighbors that are tried for each point.</summary>

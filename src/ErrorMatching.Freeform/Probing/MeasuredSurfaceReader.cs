@@ -7,13 +7,11 @@ using ErrorMatching.Measurement;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Reads the measured points of a surface: a probing program's log, a table of points, or a gauge's feature table.</summary>
-/// <remarks>
-/// A log starts with the word ERRORMATCH. A table has a header with <c>point</c> (as in plan.csv) or <c>i,j</c>, and <c>x,y,z</c> in
-/// millimeters, separated by commas, semicolons or tabs, with decimal points.
-/// A gauge's table of features (<see cref="MeasurementFormat.FeatureTable"/>, same separators) names points by their numbers (12, P12).
-/// Centers of the ball are converted to contacts: the center minus the ball's radius along the normal at
-/// the foot of the center on the nominal surface. This is exact wherever the ball touched, also on a slope.
-/// </remarks>
+/// <remarks>A log starts with the word ERRORMATCH. A table has a header with <c>point</c> (as in plan.csv) or <c>i,j</c>, and <c>x,y,z</c>
+/// in millimeters, separated by commas, semicolons or tabs, with decimal points. A gauge's table of features
+/// (<see cref="MeasurementFormat.FeatureTable"/>, same separators) names points by their numbers (12, P12). Centers of the ball are
+/// converted to contacts: the center minus the ball's radius along the normal at the foot of the center on the nominal surface. This is
+/// exact wherever the ball touched, also on a slope.</remarks>
 public static class MeasuredSurfaceReader
 {
     /// <summary>Maximum file size in bytes.</summary>

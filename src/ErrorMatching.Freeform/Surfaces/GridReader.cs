@@ -4,12 +4,9 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>
-/// Reads grids of points from CSV files: a header with <c>i</c>, <c>j</c>, <c>x</c>, <c>y</c> and <c>z</c> (<c>x_mm</c> also works; other
-/// columns are ignored), then one line per point, in any order.
-/// i is the index of a point along its curve, j that of the curve, both from 0 or 1 without gaps. Curves may have different numbers of
-/// points.
-/// </summary>
+/// <summary>Reads grids of points from CSV files: a header with <c>i</c>, <c>j</c>, <c>x</c>, <c>y</c> and <c>z</c> (<c>x_mm</c> also
+/// works; other columns are ignored), then one line per point, in any order. i is the index of a point along its curve, j that of the
+/// curve, both from 0 or 1 without gaps. Curves may have different numbers of points.</summary>
 public static class GridReader
 {
     /// <summary>Maximum number of points of a file.</summary>

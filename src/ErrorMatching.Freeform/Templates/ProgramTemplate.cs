@@ -3,11 +3,9 @@ using System.Text;
 namespace ErrorMatching.Freeform;
 
 /// <summary>The text of a program, or the text around its moves, with placeholders, for a control, a probe or a shop.</summary>
-/// <remarks>
-/// A line that starts with <c>@</c> is a directive. <c>@about</c> states the purpose of the template. Sections start with their names.
-/// <c>@if</c> to <c>@endif</c>, optionally with <c>@else</c>, depends on a condition.
-/// Every other line is written with its placeholders filled. A placeholder is a name in braces; <c>{{</c> is a brace.
-/// </remarks>
+/// <remarks>A line that starts with <c>@</c> is a directive. <c>@about</c> states the purpose of the template. Sections start with their
+/// names. <c>@if</c> to <c>@endif</c>, optionally with <c>@else</c>, depends on a condition. Every other line is written with its
+/// placeholders filled. A placeholder is a name in braces; <c>{{</c> is a brace.</remarks>
 public abstract class ProgramTemplate
 {
     /// <summary>Maximum template size in bytes.</summary>

@@ -3,11 +3,9 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Follows a guide in the parameters with centers of the ball. The curvature of the centers' curve determines the steps.</summary>
-/// <remarks>
-/// The deviation of the curve from its chord is |Δ²C''| / 8 (at the middle, to second order), where Δ²C'' is Δ times the difference of the
-/// exact derivatives at both ends. Steps are chosen by this formula.
-/// The finished polyline is then measured (<see cref="CenterLine.MeasureChord"/>).
-/// </remarks>
+/// <remarks>The deviation of the curve from its chord is |Δ²C''| / 8 (at the middle, to second order), where Δ²C'' is Δ times the
+/// difference of the exact derivatives at both ends. Steps are chosen by this formula. The finished polyline is then measured
+/// (<see cref="CenterLine.MeasureChord"/>).</remarks>
 internal sealed class PassBuilder(OffsetSurface offset, CenterRounding rounding, double chordMm, double liftMm)
 {
     /// <summary>The part of the scallop that a chord out of the material may take: with as much for the ridge, the path has the fewest points.</summary>

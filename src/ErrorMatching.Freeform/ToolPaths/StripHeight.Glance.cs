@@ -6,8 +6,7 @@ namespace ErrorMatching.Freeform;
 /// <content>Tests four places at once, if one segment of each pass gives a sufficient bound.</content>
 internal sealed partial class StripHeight
 {
-    // If the surface is not trimmed and nothing is raised, one line of each pass covers the whole strip, and every place of it is
-    // measured.
+    // If the surface is not trimmed and nothing is raised, one line of each pass covers the whole strip, and every place of it is measured.
     private bool Glances(IReadOnlyList<CenterLine> first, IReadOnlyList<CenterLine> second) =>
         offset.Surface.Region.IsWhole && first.Count == 1 && second.Count == 1 && !first[0].HasRaised && !second[0].HasRaised && first[0].Count > 1 && second[0].Count > 1;
 

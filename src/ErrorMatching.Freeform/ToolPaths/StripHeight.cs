@@ -5,13 +5,11 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>Measures the height of the material between two neighboring passes above the stage's required surface, along its normal. It
 /// includes everything: ridge, chords, rounding.</summary>
-/// <remarks>
-/// A ball that moves along the polyline removes a tube. A normal of the surface enters the tube of each pass somewhere; material remains
-/// below both places. The ridge is where both are equally high. It is searched at every point of both polylines
-/// and halfway between. Further passes and links between passes are ignored, so the true height is never larger.
-/// Most places do not need this search. The height left by any one segment of each pass halfway between them is an upper bound of the
-/// ridge, and is mostly below the highest ridge so far. Four places are tested at once.
-/// </remarks>
+/// <remarks>A ball that moves along the polyline removes a tube. A normal of the surface enters the tube of each pass somewhere; material
+/// remains below both places. The ridge is where both are equally high. It is searched at every point of both polylines and halfway
+/// between. Further passes and links between passes are ignored, so the true height is never larger. Most places do not need this search.
+/// The height left by any one segment of each pass halfway between them is an upper bound of the ridge, and is mostly below the highest
+/// ridge so far. Four places are tested at once.</remarks>
 internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine> edges, double scallopMm)
 {
     private const int Corrections = 4;

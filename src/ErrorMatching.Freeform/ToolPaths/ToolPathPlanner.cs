@@ -6,11 +6,10 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>Plans streamline passes of a ball end mill over a surface, along one of its parameters, with the center on the exact offset.
 /// The scallop determines the spacing, and the chordal error the steps.</summary>
-/// <remarks>
-/// Spacing and steps are predicted from the curvature of the surface and of the center's own curve, then measured on the finished polyline
-/// with its rounded numbers. Anything out of tolerance is remade more finely. So the program itself is within the tolerances.
-/// Ridge between two balls on a surface of normal curvature k across the pass: h = w² (1/R + k) / 8, k positive if the surface is convex.
-/// </remarks>
+/// <remarks>Spacing and steps are predicted from the curvature of the surface and of the center's own curve, then measured on the finished
+/// polyline with its rounded numbers. Anything out of tolerance is remade more finely. So the program itself is within the tolerances.
+/// Ridge between two balls on a surface of normal curvature k across the pass: h = w² (1/R + k) / 8, k positive if the surface is
+/// convex.</remarks>
 public static class ToolPathPlanner
 {
     /// <summary>Plans the path.</summary>
@@ -19,15 +18,12 @@ public static class ToolPathPlanner
     /// <param name="toolpath">Direction, tolerances and clearance.</param>
     /// <param name="stockMm">Stock to leave on the surface along its normal, in millimeters.</param>
     /// <param name="dialect">The control for the path. Coordinates are rounded to its least increment.</param>
-    /// <returns>
-    /// The path, or a refusal: the increment is coarser than a tolerance (<c>increment-too-coarse</c>), the chord is not smaller than half
-    /// of the stock (<c>chord-too-coarse</c>), the surface has no normal (<c>no-normal</c>), faces down (<c>faces-down</c>) or contains an
-    /// edge (<c>edge-in-surface</c>),
-    /// the ball does not fit (<c>ball-does-not-fit</c>) or cannot leave the surface (<c>no-way-out</c>), a tolerance cannot be met
-    /// (<c>tolerance-not-reached</c>), or the path would be too long (<c>path-too-long</c>).
-    /// </returns>
-    /// <exception cref="ArgumentOutOfRangeException">A length is not positive, the stock is negative, or a value is not
-    /// finite.</exception>
+    /// <returns>The path, or a refusal: the increment is coarser than a tolerance (<c>increment-too-coarse</c>), the chord is not smaller
+    /// than half of the stock (<c>chord-too-coarse</c>), the surface has no normal (<c>no-normal</c>), faces down (<c>faces-down</c>) or
+    /// contains an edge (<c>edge-in-surface</c>), the ball does not fit (<c>ball-does-not-fit</c>) or cannot leave the surface
+    /// (<c>no-way-out</c>), a tolerance cannot be met (<c>tolerance-not-reached</c>), or the path would be too long
+    /// (<c>path-too-long</c>).</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A length is not positive, the stock is negative, or a value is not finite.</exception>
     public static ToolPathResult Plan(PartSurface surface, JobTool tool, JobToolpath toolpath, double stockMm, NcDialect dialect)
     {
         ArgumentNullException.ThrowIfNull(surface);

@@ -5,13 +5,11 @@ public sealed partial class Alignment
 {
     /// <summary>Alignment with the least sum of squared residuals among the free motions: a rotation about the origin of the frame, then a
     /// translation whose locked components are zero.</summary>
-    /// <remarks>
-    /// For any rotation, the free components of the best translation equal the difference of the means. So coordinates along a free axis
-    /// are relative to their mean, and along a locked axis to the origin of the frame. This leaves a function of the rotation alone,
-    /// <c>const + p cos 2a + q sin 2a - 2 (d cos a + f sin a)</c>. If both axes are free or both locked, p and q vanish and <c>a =
+    /// <remarks>For any rotation, the free components of the best translation equal the difference of the means. So coordinates along a
+    /// free axis are relative to their mean, and along a locked axis to the origin of the frame. This leaves a function of the rotation
+    /// alone, <c>const + p cos 2a + q sin 2a - 2 (d cos a + f sin a)</c>. If both axes are free or both locked, p and q vanish and <c>a =
     /// atan2(f, d)</c> (the planar case of Horn 1987). If one is locked, it has at most two minima. Both are found to rounding, and the
-    /// lower one is used.
-    /// </remarks>
+    /// lower one is used.</remarks>
     /// <param name="actual">Measured points: at least two if the rotation is free, otherwise one.</param>
     /// <param name="theoretical">Their theoretical positions, in the same number and order.</param>
     /// <param name="freedom">The free motions.</param>

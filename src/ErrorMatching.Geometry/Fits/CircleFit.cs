@@ -4,12 +4,10 @@ using MathNet.Numerics.LinearAlgebra;
 namespace ErrorMatching.Geometry;
 
 /// <summary>A circle fitted to measured points by least squares of the radial distances. Immutable.</summary>
-/// <remarks>
-/// Starts with the algebraic fit of Kasa about the centroid, then applies Levenberg-Marquardt to center and radius until the step is below
-/// 1e-13 of the circle's size.
-/// The standard errors are based on the standard deviation of a point: that of the residuals (<c>n - 3</c> degrees of freedom) or the
-/// caller's uncertainty, whichever is larger. Three points have no residuals, so only the stated uncertainty counts.
-/// </remarks>
+/// <remarks>Starts with the algebraic fit of Kasa about the centroid, then applies Levenberg-Marquardt to center and radius until the step
+/// is below 1e-13 of the circle's size. The standard errors are based on the standard deviation of a point: that of the residuals (<c>n -
+/// 3</c> degrees of freedom) or the caller's uncertainty, whichever is larger. Three points have no residuals, so only the stated
+/// uncertainty counts.</remarks>
 public sealed class CircleFit
 {
     /// <summary>Points whose fitted radius exceeds their extent by this factor are collinear: the arc bulges by less than an

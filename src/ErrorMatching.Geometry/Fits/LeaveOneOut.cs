@@ -1,11 +1,9 @@
 namespace ErrorMatching.Geometry;
 
 /// <summary>Leave-one-out errors of every degree and ridge weight in closed form, and the selection based on them.</summary>
-/// <remarks>
-/// A linear smoother with hat matrix H, whose penalty does not change when a point is left out, misses that point by <c>r[i] / (1 -
-/// h[i,i])</c>. In the orthonormal basis
-/// q, the hat matrix is the sum of <c>s[k] q[k] q[k]^T</c> with <c>s[k] = 1 / (1 + weight k^4)</c>, so one pass gives all errors.
-/// </remarks>
+/// <remarks>A linear smoother with hat matrix H, whose penalty does not change when a point is left out, misses that point by <c>r[i] / (1
+/// - h[i,i])</c>. In the orthonormal basis q, the hat matrix is the sum of <c>s[k] q[k] q[k]^T</c> with <c>s[k] = 1 / (1 + weight k^4)</c>,
+/// so one pass gives all errors.</remarks>
 internal sealed class LeaveOneOut
 {
     /// <summary>A point with a leverage this close to 1 determines its own value: the fit without it is undetermined.</summary>
@@ -66,9 +64,8 @@ internal sealed class LeaveOneOut
         return Math.Sqrt(sum / n);
     }
 
-    /// <summary>Selects the pair with the lowest leave-one-out error. Ties within 1e-6, and fits after one that is exact to rounding, go
-    /// to the lower degree, then to the earlier weight. If no pair can be judged (a single point), the lowest degree is
-    /// selected.</summary>
+    /// <summary>Selects the pair with the lowest leave-one-out error. Ties within 1e-6, and fits after one that is exact to rounding, go to
+    /// the lower degree, then to the earlier weight. If no pair can be judged (a single point), the lowest degree is selected.</summary>
     public (int Degree, double Ridge) Choose(IEnumerable<int> degrees, IReadOnlyList<double> ridges, double largest)
     {
         (int Degree, double Ridge)? chosen = null;

@@ -94,8 +94,7 @@ public sealed partial class PolynomialFit
     /// <summary>The <c>Degree + 1</c> coefficients in ascending powers of the original x.</summary>
     public IReadOnlyList<double> Coefficients { get; }
 
-    /// <summary>Standard errors of <see cref="Coefficients"/>, from the full covariance. They do not include the bias of a
-    /// ridge.</summary>
+    /// <summary>Standard errors of <see cref="Coefficients"/>, from the full covariance. They do not include the bias of a ridge.</summary>
     public IReadOnlyList<double> StandardErrors { get; }
 
     /// <summary>Measured minus fitted ordinates, in the given order.</summary>

@@ -2,12 +2,10 @@ namespace ErrorMatching.Geometry;
 
 /// <summary>A number with about 32 digits: the unevaluated sum of two nonoverlapping doubles. It has the range of <c>double</c> and twice
 /// its precision, enough for badly conditioned fits of measured decimals without loss.</summary>
-/// <remarks>
-/// Algorithms and error bounds: Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
-/// arithmetic", ACM TOMS 44 (2017).
-/// With u = 2^-53, the relative errors are below 4 u^2 (sum), 5 u^2 (product) and 15 u^2 (quotient), where u^2 = 1.2e-32, unless an
-/// intermediate result overflows or underflows. An undefined operation (0/0, root of a negative number) gives NaN, as for <c>double</c>.
-/// </remarks>
+/// <remarks>Algorithms and error bounds: Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic building blocks of
+/// double-word arithmetic", ACM TOMS 44 (2017). With u = 2^-53, the relative errors are below 4 u^2 (sum), 5 u^2 (product) and 15 u^2
+/// (quotient), where u^2 = 1.2e-32, unless an intermediate result overflows or underflows. An undefined operation (0/0, root of a negative
+/// number) gives NaN, as for <c>double</c>.</remarks>
 public readonly partial record struct DoubleDouble : IComparable<DoubleDouble>
 {
     private DoubleDouble(double high, double low) => (High, Low) = (high, low);

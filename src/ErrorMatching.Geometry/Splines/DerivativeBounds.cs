@@ -2,12 +2,9 @@ namespace ErrorMatching.Geometry;
 
 /// <summary>Upper bounds of the lengths of a Bezier surface's derivatives, up to the third order, with respect to parameters from -1 to 1
 /// over the surface.</summary>
-/// <remarks>
-/// A polynomial is inside the hull of its poles, and the poles of its derivatives are differences of them. A rational surface S = A / w is
-/// bounded by
-/// w S^(k,l) = A^(k,l) - sum C(k,i) C(l,j) w^(i,j) S^(k-i,l-j) (The NURBS Book, equation 4.20), after subtracting its tangent plane at the
-/// middle so that all S on the right are small.
-/// </remarks>
+/// <remarks>A polynomial is inside the hull of its poles, and the poles of its derivatives are differences of them. A rational surface S =
+/// A / w is bounded by w S^(k,l) = A^(k,l) - sum C(k,i) C(l,j) w^(i,j) S^(k-i,l-j) (The NURBS Book, equation 4.20), after subtracting its
+/// tangent plane at the middle so that all S on the right are small.</remarks>
 internal sealed class DerivativeBounds
 {
     private const int Orders = 4;

@@ -1,11 +1,9 @@
 namespace ErrorMatching.Geometry;
 
 /// <summary>The degree and knots of a B-spline: where its polynomial pieces meet, and how smoothly.</summary>
-/// <remarks>
-/// The knots do not decrease, and their multiplicity is at most degree + 1. n poles of degree p need n + p + 1 knots. The parameter ranges
-/// from knot p to knot n (<see cref="Start"/> to <see cref="End"/>).
-/// Algorithms and their numbers: Piegl and Tiller, The NURBS Book, 2nd edition, chapter 2.
-/// </remarks>
+/// <remarks>The knots do not decrease, and their multiplicity is at most degree + 1. n poles of degree p need n + p + 1 knots. The
+/// parameter ranges from knot p to knot n (<see cref="Start"/> to <see cref="End"/>). Algorithms and their numbers: Piegl and Tiller, The
+/// NURBS Book, 2nd edition, chapter 2.</remarks>
 public sealed partial class KnotVector : IEquatable<KnotVector>
 {
     /// <summary>The highest supported degree. Beyond it, a B-spline loses digits, and no exchange format contains it.</summary>

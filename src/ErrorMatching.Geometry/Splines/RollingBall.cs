@@ -2,16 +2,12 @@ namespace ErrorMatching.Geometry;
 
 /// <summary>Proves that a ball may roll over parts of a surface: wherever it touches such a part, on either side, no point of the whole
 /// surface is inside the ball.</summary>
-/// <remarks>
-/// A ball of radius R that touches at p with unit normal n contains a point q if n (q - p) exceeds |q - p|^2 / 2R. Follow the surface from
-/// p to q along a straight line in the parameters. Over a length L, the normal turns by at most k L, where k is the largest normal
-/// curvature, so n (q - p) is at most k L^2 / 2.
-/// If the directions of all such paths are within an angle a, |q - p| is at least L cos a. So the ball is free if k R is at most cos^2 a
-/// over a rectangle of parameters that contains the part and everything nearer to it than 2 R; the ball does not reach farther (compare
-/// Blaschke's rolling theorem).
-/// Both quantities are bounded over cells by derivatives up to the third order (<see cref="DerivativeBounds"/>). If the proof fails, the
-/// ball may still be free.
-/// </remarks>
+/// <remarks>A ball of radius R that touches at p with unit normal n contains a point q if n (q - p) exceeds |q - p|^2 / 2R. Follow the
+/// surface from p to q along a straight line in the parameters. Over a length L, the normal turns by at most k L, where k is the largest
+/// normal curvature, so n (q - p) is at most k L^2 / 2. If the directions of all such paths are within an angle a, |q - p| is at least L
+/// cos a. So the ball is free if k R is at most cos^2 a over a rectangle of parameters that contains the part and everything nearer to it
+/// than 2 R; the ball does not reach farther (compare Blaschke's rolling theorem). Both quantities are bounded over cells by derivatives up
+/// to the third order (<see cref="DerivativeBounds"/>). If the proof fails, the ball may still be free.</remarks>
 public sealed class RollingBall
 {
     // Cells whose first derivatives change by a smaller share are not halved further, because the bounds would hardly improve.

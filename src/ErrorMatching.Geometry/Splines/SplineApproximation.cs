@@ -14,12 +14,10 @@ public sealed record SplineApproximation(SplineSurface Surface, double ErrorMm)
     private static readonly double[] Places = [0.1, 0.3, 0.5, 0.7, 0.9];
 
     /// <summary>Interpolates a function at the Greville points of the knots, and refines the knots where the error is too large.</summary>
-    /// <remarks>
-    /// A function of a surface's normals is once less smooth than the surface. If the surface's knots are breaks of such a function, start
-    /// with their multiplicity increased by one.
-    /// The error in each direction is measured where the other direction is exact, so that only the direction that needs knots gets them.
-    /// If the tolerance is not reached with 400 poles along u or v, the best surface is returned with its error.
-    /// </remarks>
+    /// <remarks>A function of a surface's normals is once less smooth than the surface. If the surface's knots are breaks of such a
+    /// function, start with their multiplicity increased by one. The error in each direction is measured where the other direction is
+    /// exact, so that only the direction that needs knots gets them. If the tolerance is not reached with 400 poles along u or v, the best
+    /// surface is returned with its error.</remarks>
     /// <param name="function">The function; evaluated within the range of the knots.</param>
     /// <param name="u">The degree and range along u, and the initial knots. They must include breaks of the function's derivatives with
     /// the right multiplicity (the degree for a kink), at most the degree.</param>

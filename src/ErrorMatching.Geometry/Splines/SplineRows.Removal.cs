@@ -5,11 +5,9 @@ internal sealed partial record SplineRows
 {
     /// <summary>The closest spline with one knot less: the largest displacement of a pole over the old knots is as small as possible with
     /// fixed ends.</summary>
-    /// <remarks>
-    /// Boehm's insertion of the knot gives the old poles as P = A Q. They have that form if n P = 0 for the single vector n with n A = 0.
-    /// The smallest change that achieves this moves the affected poles, except the ends,
-    /// by n P / sum |n|, each with the sign of its n.
-    /// </remarks>
+    /// <remarks>Boehm's insertion of the knot gives the old poles as P = A Q. They have that form if n P = 0 for the single vector n with n
+    /// A = 0. The smallest change that achieves this moves the affected poles, except the ends, by n P / sum |n|, each with the sign of its
+    /// n.</remarks>
     /// <param name="t">An inner knot of this clamped spline.</param>
     public SplineRows Remove(double t)
     {

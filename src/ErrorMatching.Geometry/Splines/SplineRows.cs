@@ -8,12 +8,9 @@ namespace ErrorMatching.Geometry;
 internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int Width)
 {
     /// <summary>The same spline, or a part of it, over clamped knots of the same degree that contain its own.</summary>
-    /// <remarks>
-    /// Every new pole is the blossom of the old spline at its new knots. With the first piece of its support and ascending order, all
-    /// weights are positive, so no digits are lost
-    /// (Oslo algorithm: Cohen, Lyche and Riesenfeld, Discrete B-splines and subdivision techniques, Computer Graphics and Image Processing
-    /// 14, 1980).
-    /// </remarks>
+    /// <remarks>Every new pole is the blossom of the old spline at its new knots. With the first piece of its support and ascending order,
+    /// all weights are positive, so no digits are lost (Oslo algorithm: Cohen, Lyche and Riesenfeld, Discrete B-splines and subdivision
+    /// techniques, Computer Graphics and Image Processing 14, 1980).</remarks>
     public SplineRows Onto(KnotVector finer)
     {
         if (Knots.Equals(finer))

@@ -9,14 +9,11 @@ public sealed partial class SplineSurface
     internal SurfaceCell Cells => _cells ??= new(this);
 
     /// <summary>The point of the surface closest to a given point.</summary>
-    /// <remarks>
-    /// Global, by branch and bound over parts of the surface. The distance found exceeds the smallest one by at most
-    /// <see cref="SurfaceFoot.Accuracy"/>. This is at most the tolerance (or the rounding of the coordinates)
-    /// unless a large part of the surface is equally close, as from the center of a sphere. The parameters are those of a local minimum,
-    /// to the last digits of Newton's method.
-    /// The bounds are based on derivatives up to the third order, which are inside the hull of their poles
-    /// (<see cref="DerivativeBounds"/>). The first searches take longer, because the parts that they examine are cached.
-    /// </remarks>
+    /// <remarks>Global, by branch and bound over parts of the surface. The distance found exceeds the smallest one by at most
+    /// <see cref="SurfaceFoot.Accuracy"/>. This is at most the tolerance (or the rounding of the coordinates) unless a large part of the
+    /// surface is equally close, as from the center of a sphere. The parameters are those of a local minimum, to the last digits of
+    /// Newton's method. The bounds are based on derivatives up to the third order, which are inside the hull of their poles
+    /// (<see cref="DerivativeBounds"/>). The first searches take longer, because the parts that they examine are cached.</remarks>
     /// <param name="p">The point.</param>
     /// <param name="tolerance">Required accuracy of the distance in millimeters, positive.</param>
     /// <exception cref="GeometryException">The point is not finite or the tolerance not positive.</exception>

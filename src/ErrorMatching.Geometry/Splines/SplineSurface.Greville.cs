@@ -3,8 +3,7 @@ namespace ErrorMatching.Geometry;
 /// <content>Interpolation at Greville parameters.</content>
 public sealed partial class SplineSurface
 {
-    /// <summary>The surface over given knots that passes through one point per pole, each at the Greville parameters of its
-    /// pole.</summary>
+    /// <summary>The surface over given knots that passes through one point per pole, each at the Greville parameters of its pole.</summary>
     /// <param name="knotsU">Degree and knots along u; the multiplicity of inner knots is at most the degree.</param>
     /// <param name="knotsV">The same along v.</param>
     /// <param name="points">One point per pole, v varying fastest.</param>

@@ -5,11 +5,9 @@ namespace ErrorMatching.Geometry;
 
 /// <summary>Evaluates a surface at successive places on lines of constant v, several times as fast as separately, and faster still four at
 /// a time.</summary>
-/// <remarks>
-/// Over one span of u, a line is a polynomial. Its coefficients about the middle of the span are cached until v changes (the basis
-/// functions as polynomials: The NURBS Book, section 6.6), so that a place costs two Horner schemes.
-/// The result equals that of <see cref="SplineSurface.At"/> except for rounding. Because of the cache, each thread needs its own instance.
-/// </remarks>
+/// <remarks>Over one span of u, a line is a polynomial. Its coefficients about the middle of the span are cached until v changes (the basis
+/// functions as polynomials: The NURBS Book, section 6.6), so that a place costs two Horner schemes. The result equals that of
+/// <see cref="SplineSurface.At"/> except for rounding. Because of the cache, each thread needs its own instance.</remarks>
 public sealed class SurfaceLine
 {
     // At higher degrees, polynomials about a middle lose digits.

@@ -1,12 +1,10 @@
 namespace ErrorMatching.Json;
 
 /// <summary>A JSON Schema of draft 2020-12, restricted to keywords that are checked exactly.</summary>
-/// <remarks>
-/// Checked keywords: <c>type, enum, const, required, properties, additionalProperties: false, items, prefixItems, minItems, maxItems,
-/// minimum, maximum, exclusiveMinimum, exclusiveMaximum, minLength, pattern, oneOf, anyOf, $ref</c> to <c>#</c> or <c>#/$defs/NAME</c>.
-/// Informative keywords: <c>$schema, $id, $defs, $comment, title, description, examples, default</c>. Every other keyword is refused, so
-/// that a schema never claims anything that is not checked.
-/// </remarks>
+/// <remarks>Checked keywords: <c>type, enum, const, required, properties, additionalProperties: false, items, prefixItems, minItems,
+/// maxItems, minimum, maximum, exclusiveMinimum, exclusiveMaximum, minLength, pattern, oneOf, anyOf, $ref</c> to <c>#</c> or
+/// <c>#/$defs/NAME</c>. Informative keywords: <c>$schema, $id, $defs, $comment, title, description, examples, default</c>. Every other
+/// keyword is refused, so that a schema never claims anything that is not checked.</remarks>
 public sealed class JsonSchema
 {
     private readonly SchemaRule _root;

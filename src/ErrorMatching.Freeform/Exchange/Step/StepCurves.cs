@@ -3,8 +3,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads curves of a STEP file as B-splines: LINE, CIRCLE, ELLIPSE, POLYLINE and B-splines, between two of their
-/// points.</summary>
+/// <summary>Reads curves of a STEP file as B-splines: LINE, CIRCLE, ELLIPSE, POLYLINE and B-splines, between two of their points.</summary>
 internal static class StepCurves
 {
     private const double SamePlaceMm = 1e-3;

@@ -5,12 +5,9 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>Checks that loops bound a piece in the usual CAD sense: one outer loop with holes in it, none crossing itself or another.
 /// Other loops would include unintended areas.</summary>
-/// <remarks>
-/// Loops are written inexactly and may touch. So only those stretches of a loop are decisive that are further than
-/// <see cref="RegionTracer.GapMm"/> from anything they might cross. The winding numbers are constant
-/// along such a stretch, so one place represents it: the same loops enclose it, and the loop itself winds once around one of its two
-/// sides.
-/// </remarks>
+/// <remarks>Loops are written inexactly and may touch. So only those stretches of a loop are decisive that are further than
+/// <see cref="RegionTracer.GapMm"/> from anything they might cross. The winding numbers are constant along such a stretch, so one place
+/// represents it: the same loops enclose it, and the loop itself winds once around one of its two sides.</remarks>
 internal sealed class LoopNesting
 {
     private const double NearMm = RegionTracer.GapMm;

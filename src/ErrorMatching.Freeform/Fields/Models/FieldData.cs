@@ -8,8 +8,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="Z">The values.</param>
 internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, double[] Z)
 {
-    /// <summary>Maximum number of lines left out in one direction, evenly chosen. More would cost time without changing the
-    /// mean.</summary>
+    /// <summary>Maximum number of lines left out in one direction, evenly chosen. More would cost time without changing the mean.</summary>
     private const int MostLinesOut = 12;
 
     private const int FewLinesOut = 4;

@@ -82,11 +82,9 @@ internal sealed class PolynomialModel : FieldModel
     }
 
     /// <inheritdoc/>
-    /// <remarks>
-    /// Terms selected without breaks are reselected. Otherwise they would carry information about the left-out values, and the polynomial
-    /// would seem better than it is.
-    /// Breaks are moved for the same reason. A few lines locate them, and all lines refine them.
-    /// </remarks>
+    /// <remarks>Terms selected without breaks are reselected. Otherwise they would carry information about the left-out values, and the
+    /// polynomial would seem better than it is. Breaks are moved for the same reason. A few lines locate them, and all lines refine
+    /// them.</remarks>
     public override FieldModel? Refit(FieldData other)
     {
         if (_isFree)

@@ -2,12 +2,9 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>Selects the terms of a polynomial with given breaks. Forward selection takes the term that reduces the sum of squares most,
 /// provided that its lower terms in both directions are present. The length with the lowest corrected criterion is kept.</summary>
-/// <remarks>
-/// AICc = n ln(S / n) + 2 k + 2 k (k + 1) / (n - k - 1), with k the number of terms, breaks and the noise (Burnham and Anderson, Model
-/// Selection and Multimodel Inference, 2nd edition, equation 2.4).
-/// A term is rejected if the fit would predict a place between neighboring values with more than the variance of one measured value: the
-/// polynomial oscillates there.
-/// </remarks>
+/// <remarks>AICc = n ln(S / n) + 2 k + 2 k (k + 1) / (n - k - 1), with k the number of terms, breaks and the noise (Burnham and Anderson,
+/// Model Selection and Multimodel Inference, 2nd edition, equation 2.4). A term is rejected if the fit would predict a place between
+/// neighboring values with more than the variance of one measured value: the polynomial oscillates there.</remarks>
 internal sealed class TermSelection
 {
     public const int HighestDegree = 8;

@@ -5,14 +5,11 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>Fits a surface through a grid of points by the same method as error fields: sparse polynomials with breaks of the curvature,
 /// Gaussian processes for waves, cubic splines as a last resort.</summary>
-/// <remarks>
-/// A grid over a parallelogram in a coordinate plane, or in its own mean plane, is fitted as a height over it, so that a quadratic height
-/// is reproduced exactly. The parameters are then lengths along the sides of the parallelogram.
-/// Any other grid is fitted in x, y and z over its mean chord lengths from 0 to 1.
-/// Breaks of the curvature are found only along grid lines, with at least two lines on each side. Oblique breaks, and breaks too faint for
-/// the noise, are rounded off.
-/// Waves need a Gaussian process. Beyond about 300 points it requires a grid of straight lines; otherwise the cubic spline is used.
-/// </remarks>
+/// <remarks>A grid over a parallelogram in a coordinate plane, or in its own mean plane, is fitted as a height over it, so that a quadratic
+/// height is reproduced exactly. The parameters are then lengths along the sides of the parallelogram. Any other grid is fitted in x, y and
+/// z over its mean chord lengths from 0 to 1. Breaks of the curvature are found only along grid lines, with at least two lines on each
+/// side. Oblique breaks, and breaks too faint for the noise, are rounded off. Waves need a Gaussian process. Beyond about 300 points it
+/// requires a grid of straight lines; otherwise the cubic spline is used.</remarks>
 public static class BestSurface
 {
     /// <summary>Returns the surface, with its breaks and its line-out error.</summary>
