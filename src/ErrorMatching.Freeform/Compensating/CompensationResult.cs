@@ -32,8 +32,7 @@ public sealed record CompensationResult
     /// mean is not significant.</summary>
     public required ConstantField Mean { get; init; }
 
-    /// <summary>The surface to cut. It has the parametrization and boundaries of the nominal surface, or its own if it was fitted to the
-    /// points.</summary>
+    /// <summary>The surface to cut. It has the parameters and boundaries of the nominal one, or its own if fitted to the points.</summary>
     public required PartSurface Surface { get; init; }
 
     /// <summary>The surface through the compensation points; null if the error was fitted.</summary>

@@ -16,8 +16,7 @@ public static class Compensator
     private const double FarMore = 4;
 
     /// <summary>Calculates the compensated surface, or returns the reasons for refusing it.</summary>
-    /// <exception cref="FreeformException">A measured point has no foot on the surface, or there are too few points for the job's fit or
-    /// alignment.</exception>
+    /// <exception cref="FreeformException">A measured point has no foot, or there are too few for the job's fit or alignment.</exception>
     public static CompensationOutcome Compensate(CompensationInput input)
     {
         ArgumentNullException.ThrowIfNull(input);

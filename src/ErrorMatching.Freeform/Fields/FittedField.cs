@@ -60,8 +60,7 @@ public sealed class FittedField : ErrorField
     /// <param name="v">Second parameter of the nominal surface.</param>
     public override double StandardUncertaintyAt(double u, double v) => Combine(u, v, (a, b) => Math.Sqrt(_model.VarianceAt(a, b, _noise)), straight: false);
 
-    /// <summary>Evaluates within the samples. Beyond them, mirrors about the edge (2 f(edge) - f(inside)), or sums the parts of that
-    /// combination.</summary>
+    /// <summary>Evaluates within the samples. Beyond them, mirrors about the edge (2 f(edge) - f(inside)), or sums these parts.</summary>
     private double Combine(double u, double v, Func<double, double, double> value, bool straight)
     {
         var (a, b) = (_u.ToUnit(u), _v.ToUnit(v));

@@ -76,8 +76,7 @@ internal sealed class NeighborPrediction
         }
     }
 
-    /// <summary>Error minus prediction of each point, in millimeters; NaN if the arrangement of the neighbors does not determine a
-    /// prediction.</summary>
+    /// <summary>Error minus prediction of each point, in millimeters; NaN if the neighbors do not determine a prediction.</summary>
     public IReadOnlyList<double> Residuals => _residuals;
 
     /// <summary>The residuals divided by sqrt(1 + leverage). In smooth fields, all have the standard deviation of the noise.</summary>

@@ -12,8 +12,7 @@ internal sealed record OutlyingPoint(ErrorSample Sample, double SaidMm)
     /// <summary>Error minus prediction, in millimeters.</summary>
     public double OffMm => Sample.ErrorMm - SaidMm;
 
-    /// <summary>Describes the furthest of some points with its place and both errors, and lists the numbers of the others. No period at
-    /// the end.</summary>
+    /// <summary>Describes the furthest of some points with place and both errors, and lists the other numbers. No final period.</summary>
     /// <param name="points">At least one.</param>
     public static string Words(IReadOnlyList<OutlyingPoint> points)
     {

@@ -30,8 +30,7 @@ internal sealed record CurveMeshFit(CurveFamily AlongU, CurveFamily AlongV, doub
         return Compact(SplineSurfaceFit.Gordon(alongU, grid.Vs, alongV, grid.Us, double.PositiveInfinity), grid.Us, grid.Vs);
     }
 
-    /// <summary>The points of each curve along v. The points of a ragged grid do not line up across, so they are taken from the curves
-    /// along u.</summary>
+    /// <summary>The points of each curve along v. In a ragged grid, they are taken from the curves along u.</summary>
     private static Point3[][] Across(FitGrid grid, SplineCurve[] alongU) =>
         [.. grid.Us.Select((u, i) => grid.IsRectangular ? Array.ConvertAll(grid.Curves, c => c[i]) : Array.ConvertAll(alongU, c => c.PointAt(u)))];
 

@@ -1,7 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Points on curves of a surface. Each curve has one j, and its points have ascending i. Curves may have different numbers of
-/// points.</summary>
+/// <summary>Points on curves of a surface. Each curve has one j, and its points have ascending i. Numbers of points may differ.</summary>
 /// <param name="Curves">The curves by ascending j, each with its points by ascending i.</param>
 public sealed record PointGrid(IReadOnlyList<IReadOnlyList<GridPoint>> Curves)
 {

@@ -31,7 +31,6 @@ public sealed record SurfaceRegion(IReadOnlyList<IReadOnlyList<Point2>> Loops)
     /// <inheritdoc/>
     public override int GetHashCode() => Loops.GetHashCode();
 
-    /// <summary>True if a place belongs to the region. The first call prepares an index; if two threads both do so, the results are
-    /// identical.</summary>
+    /// <summary>True if a place belongs to the region. The first call prepares an index; two threads may both do so, identically.</summary>
     public bool Contains(double u, double v) => IsWhole || (_bands ??= new(Loops)).Contains(u, v);
 }

@@ -3,8 +3,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Freeform;
 
 /// <summary>A surface divided into patches, to test whether the ball gouges any of it. Parts outside the region are excluded.</summary>
-/// <remarks>Results are based on bounds for every place of the surface, not on samples. Patches are halved on demand and stay so for later
-/// tests.</remarks>
+/// <remarks>Results are based on bounds for the whole surface, not on samples. Patches are halved on demand and stay halved.</remarks>
 internal sealed class PatchTree
 {
     private const int MostPatches = 200_000;

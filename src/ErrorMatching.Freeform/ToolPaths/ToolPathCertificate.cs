@@ -2,8 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The measurements of the finished path against the exact surface, with its numbers as rounded in the program. Lengths in
-/// millimeters.</summary>
+/// <summary>The measurements of the finished path, rounded as in the program, against the exact surface. Lengths in millimeters.</summary>
 /// <param name="ChordMm">Largest distance between the polyline of centers and the exact curve of centers, over all passes, sampled at
 /// every point and three times between two.</param>
 /// <param name="ChordAt">Its place on the surface.</param>

@@ -61,8 +61,7 @@ public sealed class CircleFit
     /// <summary>Standard error of the radius, in millimeters, to first order.</summary>
     public double RadiusStandardError { get; }
 
-    /// <summary>Condition number of the linearized fit: about 1 for points all around, growing with the inverse square of the arc's
-    /// angle.</summary>
+    /// <summary>Condition number of the linearized fit: about 1 for points all around, growing with 1 / (arc angle)^2.</summary>
     public double Condition { get; }
 
     /// <summary>The circle with the least sum of squared distances from the points.</summary>

@@ -13,7 +13,6 @@ public sealed record PolynomialFitOptions
     /// weight k^4</c>. Zero is plain least squares; null selects zero or one of 10^-6, 10^-5.5 .. 1 by the leave-one-out error.</summary>
     public double? Ridge { get; init; } = 0;
 
-    /// <summary>The gauge's standard uncertainty of a point's ordinate, in millimeters. Standard errors use it if it exceeds that of the
-    /// residuals.</summary>
+    /// <summary>The gauge's standard uncertainty of a point's ordinate, in millimeters. Used if it exceeds that of the residuals.</summary>
     public double PointUncertaintyMm { get; init; }
 }

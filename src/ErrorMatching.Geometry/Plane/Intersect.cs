@@ -17,8 +17,7 @@ namespace ErrorMatching.Geometry;
 /// </remarks>
 public static partial class Intersect
 {
-    /// <summary>The default tolerance in millimeters: far below the rounding of coordinates in a program, and far above that of
-    /// <c>double</c>.</summary>
+    /// <summary>The default tolerance in millimeters: far below the rounding in a program, and far above that of <c>double</c>.</summary>
     public const double DefaultTolerance = 1e-9;
 
     /// <summary>Sine of the largest angle between parallel lines: they diverge by 1e-9 mm per meter.</summary>

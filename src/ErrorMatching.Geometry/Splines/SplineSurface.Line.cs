@@ -5,8 +5,7 @@ namespace ErrorMatching.Geometry;
 /// <content>Support for <see cref="SurfaceLine"/>.</content>
 public sealed partial class SplineSurface
 {
-    /// <summary>The weighted line at v over one span of u, and its derivative with respect to v, as combinations of the basis functions
-    /// along u.</summary>
+    /// <summary>The weighted line at v over one span of u, and its derivative with respect to v, in the basis functions along u.</summary>
     /// <param name="spanU">The span.</param>
     /// <param name="v">The parameter of the line.</param>
     /// <param name="rows">One row of degree + 1 factors for each number of the result.</param>

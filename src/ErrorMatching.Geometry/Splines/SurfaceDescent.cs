@@ -6,8 +6,7 @@ internal static class SurfaceDescent
     private const int MaxSteps = 40;
     private const int MaxHalvings = 40;
 
-    /// <summary>Descends from a pair of parameters to a local minimum of the distance, to the last digits wherever the surface is
-    /// smooth.</summary>
+    /// <summary>Descends from a pair of parameters to a minimum of the distance, to the last digits where the surface is smooth.</summary>
     public static SurfacePoint From(SplineSurface surface, Point3 p, double u, double v)
     {
         var (knotsU, knotsV) = (surface.KnotsU, surface.KnotsV);

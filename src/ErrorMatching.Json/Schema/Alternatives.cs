@@ -68,8 +68,7 @@ internal static class Alternatives
         findings.Add(new(item, JsonProblem.At(item, "no-alternative", ValueText.Of(item), ValueText.Or(alternatives.Select(Name)))));
     }
 
-    /// <summary>True if an alternative was not intended: the value is of another type, or a const of the alternative or of one of its
-    /// members differs.</summary>
+    /// <summary>True if an alternative was not intended: another type of value, or another const in it or in one of its members.</summary>
     private static bool RulesOut(Finding finding, JsonItem item) =>
         IsOfOtherType(finding, item) || (finding.ByConst && (ReferenceEquals(finding.Item, item) || item.Members.Any(m => ReferenceEquals(m.Value, finding.Item))));
 

@@ -1,7 +1,6 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>Assigns the columns of a file. Each kind of point arrangement is a subfolder with its columns, its rows, and its default
-/// format as data.</summary>
+/// <summary>Assigns the columns of a file. Each kind of point arrangement is a subfolder with columns, rows and a default format.</summary>
 /// <remarks>A new kind derives from this class and is registered in <see cref="FormatJson"/>.</remarks>
 public abstract record MeasurementColumns
 {

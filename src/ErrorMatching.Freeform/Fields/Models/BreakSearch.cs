@@ -56,8 +56,7 @@ internal sealed class BreakSearch
         return found;
     }
 
-    /// <summary>Selects the terms over all values, with the breaks of a low-degree polynomial. Moving those of a high-degree one would
-    /// take too long.</summary>
+    /// <summary>Selects the terms over all values, with the breaks of a low-degree polynomial. Moving others takes too long.</summary>
     private PolynomialModel OverAll(PolynomialModel model)
     {
         var low = PolynomialModel.Fit(_all, Low(model.BreaksU, model.BreaksV)) is { } fit ? BreakRefinement.Run(fit) : model;

@@ -11,8 +11,7 @@ internal sealed class BandedSymmetric
     private BandedSymmetric(double[] triangle, int count, int width) => (_triangle, _count, _width) = (triangle, count, width);
 
     /// <summary>Factors a matrix; null if it is not positive definite to rounding.</summary>
-    /// <param name="matrix">Row by row, the elements from <paramref name="width"/> - 1 places left of the diagonal to the diagonal;
-    /// overwritten.</param>
+    /// <param name="matrix">Row by row, <paramref name="width"/> elements, up to and including the diagonal; overwritten.</param>
     /// <param name="count">Number of rows.</param>
     /// <param name="width">Elements per row.</param>
     public static BandedSymmetric? Factor(double[] matrix, int count, int width)
