@@ -53,7 +53,7 @@ public sealed record MeasuringPlan
     /// <summary>Why the plan cannot be used; empty if every point can be touched.</summary>
     public IReadOnlyList<FreeformRefusal> Refusals => Refusal is { } refusal ? [refusal] : Access.Refusals;
 
-    /// <summary>True if every point faces down, as in a job with "outside": "-z". No vertical stylus reaches them, but the plan tells a
+    /// <summary>True if every point faces down, as in a job with "outside": "-z". No vertical stylus reaches them, but the plan shows a
     /// machine that measures from below where to measure.</summary>
     public bool FacesDown => Points.Count > 0 && Points.All(p => p.Normal.Z < 0);
 

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <content>Combines pieces into the tool's path: what is cut without leaving the surface, and how the tool comes and goes.</content>
+/// <content>Combines pieces into the tool's path: what is cut without leaving the surface, and how the tool enters and leaves.</content>
 internal sealed partial class PathPlanning
 {
     private void AddChain(IReadOnlyList<CutPiece> pieces)

@@ -24,16 +24,12 @@ public sealed class CurveFit
 
     /// <summary>Fits a curve to points in order.</summary>
     /// <param name="points">At least three points, each farther along the chord than the previous one.</param>
-    /// <param name="options">Degree, ridge and stated uncertainty; null selects the degree and does not regularize. E GeometryException
-    /// <see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>; <see cref="GeometryError.CoincidentPoints"/> if the
+    /// <param name="options">Degree, ridge and stated uncertainty; null selects the degree and does not regularize.</param>
+    /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>;
+    /// <see cref="GeometryError.CoincidentPoints"/> if the
     /// first and last point, or two neighbors, are within 1e-9 mm; <see cref="GeometryError.FoldedCurve"/> if a point is not farther along
     /// the chord than the previous one; or as for
-    /// <see cref="PolynomialFit.Fit(IReadOnlyList{DoubleDouble}, IReadOnlyList{DoubleDouble}, PolynomialFitOptions?)"/>.</param>
-    /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>;
-    /// <see cref="GeometryError.CoincidentPoints"/> if the first and last point, or two neighbors, lie within 1e-9 mm;
-    /// <see cref="GeometryError.FoldedCurve"/> if a point is not farther along the chord than the one before; what
-    /// <see cref="PolynomialFit.Fit(IReadOnlyList{DoubleDouble}, IReadOnlyList{DoubleDouble}, PolynomialFitOptions?)"/>
-    /// refuses.</exception>
+    /// <see cref="PolynomialFit.Fit(IReadOnlyList{DoubleDouble}, IReadOnlyList{DoubleDouble}, PolynomialFitOptions?)"/>.</exception>
     public static CurveFit Fit(IReadOnlyList<Point2> points, PolynomialFitOptions? options = null)
     {
         Samples.Check(points, 3, "A curve");

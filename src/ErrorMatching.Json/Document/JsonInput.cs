@@ -25,14 +25,11 @@ public static class JsonInput
     /// <summary>Parses a document.</summary>
     /// <param name="bytes">UTF-8 text.</param>
     /// <param name="file">Name for messages.</param>
-    /// <param name="limits">The size limits; <see cref="JsonLimits.Default"/> if null. E JsonDocumentException The document is too large
+    /// <param name="limits">The size limits; <see cref="JsonLimits.Default"/> if null.</param>
+    /// <exception cref="JsonDocumentException">The document is too large
     /// (<c>too-big</c>), empty (<c>empty-document</c>), not UTF-8 (<c>not-utf8</c>), not JSON (<c>not-json</c>), nested too deeply
     /// (<c>too-deep</c>), has too many values (<c>too-many-values</c>), a number beyond the range of a double (<c>number-out-of-range</c>),
-    /// or a duplicate key (<c>duplicate-key</c>). After 100 problems, <c>too-many-problems</c> is the last.</param>
-    /// <exception cref="JsonDocumentException">The bytes are too many (<c>too-big</c>), empty (<c>empty-document</c>), not UTF-8
-    /// (<c>not-utf8</c>), not JSON (<c>not-json</c>), nested too deeply (<c>too-deep</c>), hold too many values (<c>too-many-values</c>), a
-    /// number beyond the range of a double (<c>number-out-of-range</c>) or a key twice (<c>duplicate-key</c>). After 100 problems,
-    /// <c>too-many-problems</c> is the last.</exception>
+    /// or a duplicate key (<c>duplicate-key</c>). After 100 problems, <c>too-many-problems</c> is the last.</exception>
     public static JsonItem Read(ReadOnlySpan<byte> bytes, string file, JsonLimits? limits = null)
     {
         limits ??= JsonLimits.Default;

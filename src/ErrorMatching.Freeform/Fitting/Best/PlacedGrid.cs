@@ -22,7 +22,7 @@ internal sealed record PlacedGrid(ParameterRange U, ParameterRange V, (Vector3 M
 
     public static PlacedGrid Of(PointGrid grid) => OverPlane(grid, Largest) ?? OverPlane(grid, normal => normal.Normalize()) ?? OverChords(grid);
 
-    /// <summary>Heights along an axis selected by the mean normal; null if the points are no heights or fill no parallelogram.</summary>
+    /// <summary>Heights along an axis selected by the mean normal; null if they are not heights or do not fill a parallelogram.</summary>
     private static PlacedGrid? OverPlane(PointGrid grid, Func<Vector3, Vector3> choose)
     {
         var curves = grid.Curves;
