@@ -12,7 +12,7 @@ public static class FieldFit
     /// process, or a cubic spline.</summary>
     /// <param name="samples">Measured errors on the lines of a grid, in any order; curves may have different numbers of points.</param>
     /// <param name="pointUncertaintyMm">Stated standard uncertainty of one measured point along the normal, in millimeters; zero if
-    /// unknown. Results never claim a smaller noise than this.</param>
+    /// unknown. Stated uncertainties are never smaller than it allows.</param>
     /// <exception cref="FreeformException"><c>no-samples</c>; <c>too-many-samples</c>; <c>not-finite</c> if a parameter or an error is not
     /// a finite number.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The uncertainty is negative or not finite.</exception>

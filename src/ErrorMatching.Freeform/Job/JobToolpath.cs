@@ -27,6 +27,6 @@ public sealed record JobToolpath
     /// <summary>The shop's own template of the text around the moves, relative to the job; null for the dialect's.</summary>
     public string? Template { get; init; }
 
-    /// <summary>The tool that the program calls; null if the job does not name it; it then starts with a stop and an alarm.</summary>
+    /// <summary>The tool that the program calls; null if the job names none: the program then starts with a stop and an alarm.</summary>
     public ToolCall? Tool { get; init; }
 }
