@@ -1,6 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Where and in which order a surface is probed, and the obstacles.</summary>
+/// <summary>Where and in which order a surface is probed, and what prevents it.</summary>
 /// <remarks>Lengths in millimeters, in the work offset of the surface.</remarks>
 public sealed record MeasuringPlan
 {

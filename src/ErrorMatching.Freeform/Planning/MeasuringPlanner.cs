@@ -19,8 +19,8 @@ public static class MeasuringPlanner
     /// <summary>Returns the plan for a surface.</summary>
     /// <remarks>Points get equal shares of a curve's turning angle, blended with its length (Lee 2019, section 2.3). If
     /// <see cref="JobMeasuring.ReconstructionErrorMm"/> is given, points are added along the parameter that needs them until
-    /// <see cref="MeasuringPlan.ReconstructionErrorMm"/> reaches it. Points are numbered along a short path of the probe (nearest neighbor,
-    /// 2-opt). Each point is checked for collisions of ball and shank; unreachable points are in
+    /// <see cref="MeasuringPlan.ReconstructionErrorMm"/> reaches it. Points are numbered along a short path of the probe (2-opt
+    /// and or-opt). Each point is checked for collisions of ball and shank; unreachable points are in
     /// <see cref="MeasuringPlan.Refusals"/>.</remarks>
     /// <param name="surface">The nominal finished surface.</param>
     /// <param name="measuring">The number of points and the stylus.</param>

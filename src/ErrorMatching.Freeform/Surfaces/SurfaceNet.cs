@@ -6,7 +6,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="CountU">Number of places along u.</param>
 /// <param name="CountV">Number of places along v.</param>
 /// <param name="Places">The places in millimeters, v varying fastest.</param>
-/// <param name="Outside">Indices of cells outside the piece, ascending; cell (i, j) has i * (<paramref name="CountV"/> - 1) + j.</param>
+/// <param name="Outside">Indices of cells outside the piece, ascending; cell (i, j) is i * (<paramref name="CountV"/> - 1) + j.</param>
 public sealed record SurfaceNet(int CountU, int CountV, IReadOnlyList<Point3> Places, IReadOnlyList<int> Outside)
 {
     private const int CellsU = 24, CellsV = 20;

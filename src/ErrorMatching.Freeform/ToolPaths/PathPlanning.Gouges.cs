@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <content>Finds where the ball would gouge the whole surface, and raises it or refuses the path.</content>
+/// <content>Checks centers against the whole surface for gouges, and raises them or refuses the path.</content>
 internal sealed partial class PathPlanning
 {
     // Heights are found to this length and rounded up.
@@ -142,7 +142,7 @@ internal sealed partial class PathPlanning
         return null;
     }
 
-    // The smallest concave radius determines the ball, if it is smaller than the ball. Otherwise the gouge is on another part of it.
+    // The smallest concave radius determines the ball if it is smaller than the ball. Otherwise another part of the surface is gouged.
     private string Fitting()
     {
         const int Samples = 100;

@@ -9,7 +9,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="ScallopMm">Greatest height of the material left between passes above the stage's required surface, along its normal:
 /// ridge, chords and rounding combined, at least 0. Sampled at the points of both passes and halfway between.</param>
 /// <param name="ScallopAt">Its place on the surface.</param>
-/// <param name="GougeMm">How much nearer than radius and stock a center may be to the surface; no center is nearer anywhere.</param>
+/// <param name="GougeMm">By how much a center may be nearer to the surface than radius plus stock; none is nearer anywhere.</param>
 /// <param name="RaisedPoints">Number of points raised because the ball would have gouged the surface elsewhere.</param>
 /// <param name="RaisedMm">Largest height by which a point was raised; about that much more material is left there.</param>
 /// <param name="RaisedAt">Its place on the surface.</param>
