@@ -2,17 +2,18 @@ using System.Globalization;
 
 namespace ErrorMatching.Measurement;
 
-/// <summary>A range of numbered labels in short: <c>5..14</c> stands for 5, 6, ... 14, and <c>P05..P14</c> for P05, P06, ... P14.</summary>
+/// <summary>A range of numbered labels: <c>5..14</c> stands for 5, 6, ... 14, and <c>P05..P14</c> for P05, P06, ... P14.</summary>
 public static class LabelRange
 {
     private const string Dots = "..";
     private const int LongestRange = 100_000;
     private const int MostDigits = 9;
 
-    /// <summary>The labels that a range stands for, in rising order; a text without two dots stands for itself.</summary>
-    /// <param name="range">A label, or two labels of one prefix that end in whole numbers, the smaller first, with two dots between them. Where the first
-    /// number is written with leading zeros, all numbers have as many digits.</param>
-    /// <exception cref="MeasurementException">The range falls, is longer than 100,000, or its ends are no labels of this kind (<see cref="MeasurementError.BadRange"/>).</exception>
+    /// <summary>Returns the labels of a range in ascending order. A text without two dots is returned unchanged.</summary>
+    /// <param name="range">A label, or two labels with a common prefix that end in integers, in ascending order, separated by two dots. If
+    /// the first number has leading zeros, all numbers have the same number of digits.</param>
+    /// <exception cref="MeasurementException">The range descends, is longer than 100,000, or its ends are not such labels
+    /// (<see cref="MeasurementError.BadRange"/>).</exception>
     public static IReadOnlyList<string> Expand(string range)
     {
         var dots = range.IndexOf(Dots, StringComparison.Ordinal);

@@ -3,18 +3,18 @@ using System.Text;
 
 namespace ErrorMatching.Measurement;
 
-/// <summary>A measurement, its format or a rule about it that cannot be used: where, what was found, and what is expected instead.</summary>
+/// <summary>An unusable measurement, format or rule, with its location, the finding and the expectation.</summary>
 public sealed class MeasurementException : Exception
 {
-    /// <summary>An error in a file or in the description of one.</summary>
-    /// <param name="code">One of the words of <see cref="MeasurementError"/>.</param>
-    /// <param name="found">What was found, as the middle of a sentence.</param>
-    /// <param name="expected">What is expected or to be done, as the end of a sentence without its full stop.</param>
-    /// <param name="file">The file as the caller named it; null if no file is concerned.</param>
-    /// <param name="line">Line of the file, counted from 1.</param>
-    /// <param name="column">Cell of the line, counted from 1 as a spreadsheet counts columns.</param>
-    /// <param name="path">Place in the JSON description of a format, such as <c>$.columns.x</c>.</param>
-    /// <param name="cause">The error of the operating system or of a parser that led here.</param>
+    /// <summary>Creates an exception about a file or its description.</summary>
+    /// <param name="code">One of the codes of <see cref="MeasurementError"/>.</param>
+    /// <param name="found">The finding, as the middle of a sentence.</param>
+    /// <param name="expected">The expectation or remedy, as the end of a sentence without a period.</param>
+    /// <param name="file">The file name, as given by the caller; null if no file is concerned.</param>
+    /// <param name="line">Line of the file, from 1.</param>
+    /// <param name="column">Cell of the line, from 1, as in a spreadsheet.</param>
+    /// <param name="path">Path in the JSON description of a format, such as <c>$.columns.x</c>.</param>
+    /// <param name="cause">The underlying error of the operating system or a parser.</param>
     public MeasurementException(string code, string found, string expected, string? file = null, int? line = null, int? column = null, string? path = null, Exception? cause = null)
         : base(Compose(found, expected, file, line, column, path), cause)
     {
@@ -22,31 +22,31 @@ public sealed class MeasurementException : Exception
         (File, Line, Column, Path) = (file, line, column, path);
     }
 
-    /// <summary>One of the words of <see cref="MeasurementError"/>.</summary>
+    /// <summary>One of the codes of <see cref="MeasurementError"/>.</summary>
     public string Code { get; }
 
-    /// <summary>The file as the caller named it; null if no file is concerned.</summary>
+    /// <summary>The file name, as given by the caller; null if no file is concerned.</summary>
     public string? File { get; }
 
-    /// <summary>Line of the file, counted from 1; null if no line is concerned.</summary>
+    /// <summary>Line of the file, from 1; null if no line is concerned.</summary>
     public int? Line { get; }
 
-    /// <summary>Cell of the line, counted from 1 as a spreadsheet counts columns; null if no line is concerned.</summary>
+    /// <summary>Cell of the line, from 1, as in a spreadsheet; null if no line is concerned.</summary>
     public int? Column { get; }
 
-    /// <summary>Place in the JSON description of a format, such as <c>$.columns.x</c>; null for errors in measured data.</summary>
+    /// <summary>Path in the JSON description of a format, such as <c>$.columns.x</c>; null for errors in measured data.</summary>
     public string? Path { get; }
 
-    /// <summary>What was found.</summary>
+    /// <summary>The finding.</summary>
     public string Found { get; }
 
-    /// <summary>What is expected, or what to do.</summary>
+    /// <summary>The expectation or remedy.</summary>
     public string Expected { get; }
 
-    /// <summary>What was found and what is expected as one sentence without the place, for callers that print the place in their own form.</summary>
+    /// <summary>The finding and expectation in one sentence without the location, for callers that print the location themselves.</summary>
     public string Problem => Sentence(Found, Expected);
 
-    /// <summary>A text of a file as it may be shown: in quotation marks, without control characters, and not longer than a line of a screen.</summary>
+    /// <summary>Quotes a text of a file for display, without control characters and limited to a screen line.</summary>
     internal static string Quote(string text)
     {
         const int longest = 60;

@@ -5,24 +5,27 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>The surface to cut instead of the nominal one.</summary>
 /// <param name="Surface">The surface.</param>
-/// <param name="ThroughPoints">The fit through the compensation points; null where the error was fitted.</param>
-/// <param name="ApproximationMm">How far the surface may be from the exact nominal one moved by the field.</param>
-/// <param name="LargestMoveMm">Largest distance from the nominal surface, over a dense grid and the measured points.</param>
-/// <param name="Between">Of a fit through the compensation points: how far it lies out of the nominal surface along its normal at places of the piece between the measured points, with the parameters of their feet; empty where the error was fitted.</param>
+/// <param name="ThroughPoints">The fit through the compensation points; null if the error was fitted.</param>
+/// <param name="ApproximationMm">Largest distance of the surface from the exact nominal surface displaced by the field.</param>
+/// <param name="LargestMoveMm">Largest distance from the nominal surface, checked on a dense grid and at the measured points.</param>
+/// <param name="Between">For a fit through the compensation points: its signed distance from the nominal surface along the normal, sampled
+/// between the measured points, with the parameters of each foot. Empty if the error was fitted.</param>
 internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? ThroughPoints, double ApproximationMm, double LargestMoveMm, IReadOnlyList<(double U, double V, double MovedMm)> Between)
 {
-    /// <summary>How far the surface that is written may be from what it stands for: a hundredth of what any probe tells.</summary>
+    /// <summary>Largest distance between the written surface and the exact one: a hundredth of what a probe can resolve.</summary>
     public const double ToleranceMm = 1e-5;
 
-    /// <summary>How far the points of a fit may stay from the edges: a probe does not meet a place to better than that, and CAD systems write edges no better.</summary>
+    /// <summary>Largest distance between the outermost points of a fit and the edge. Probes do not reach a place more accurately, and CAD
+    /// systems do not write edges more accurately.</summary>
     private const double EdgeMm = RegionTracer.GapMm;
 
     private const int Dense = 60;
 
-    // A foot this much beyond the outermost points, as a share of half their range, is beside them: rounding.
+    // Rounding: a foot beyond the outermost points by this share of half their range is still on the edge.
     private const double OnEdge = 1e-9;
 
-    /// <summary>Why no surface may be laid through the compensation points: it would end with them, and knows of no trimming, so that holes were cut over and edges left standing.</summary>
+    /// <summary>Returns why no surface may be fitted through the compensation points, or null. Such a surface ends at its points and
+    /// ignores trimming: it would cut across holes and leave edges uncut.</summary>
     public static FreeformRefusal? Refusal(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, ErrorField field)
     {
         const string instead = "Use \"of\": \"error\" under fit, which keeps the limits of the nominal surface";
@@ -76,7 +79,7 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
 
     private static bool IsThroughPoints(FreeformJob job, ErrorField field) => !job.Fit.OfError && job.Compensation.Mirror && field is not ConstantField;
 
-    // The ends of each curve, and the first and the last curve all along, with their distances from the edges there.
+    // The ends of each curve and all points of the first and last curve, with their distances from the edge.
     private static IEnumerable<(ErrorSample Sample, double ShortMm)> Ends(SplineSurface nominal, IReadOnlyList<ErrorSample> samples)
     {
         var (u, v) = (nominal.KnotsU, nominal.KnotsV);
@@ -145,7 +148,7 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
 
     private static double At(KnotVector knots, int i) => knots.Start + ((knots.End - knots.Start) * i / Dense);
 
-    /// <summary>Knots to begin with: where the normal of the nominal surface or the error is less smooth than elsewhere, the surface may be too.</summary>
+    /// <summary>The initial knots. The surface may be less smooth where the nominal normal or the error is.</summary>
     private static KnotVector Knots(KnotVector nominal, IReadOnlyList<double> breaks)
     {
         var degree = Math.Max(3, nominal.Degree);
@@ -158,7 +161,7 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
 
         foreach (var at in breaks.Where(b => b > nominal.Start && b < nominal.End))
         {
-            // Where the curvature of the error breaks, its slope does not.
+            // Where the curvature of the error breaks, its slope is continuous.
             knots[at] = Math.Max(knots.GetValueOrDefault(at), degree - 1);
         }
 

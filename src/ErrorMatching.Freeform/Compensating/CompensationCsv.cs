@@ -6,7 +6,7 @@ namespace ErrorMatching.Freeform;
 /// <summary>Compensation points as a table: <c>point,x,y,z,errorUm</c>.</summary>
 public static class CompensationCsv
 {
-    /// <summary>The table: UTF-8 without a byte order mark, lines end with a line feed, coordinates in millimetres to a nanometre.</summary>
+    /// <summary>Writes the table: UTF-8 without a byte order mark, lines ending in a line feed, millimeters to the nanometer.</summary>
     public static byte[] Write(CompensationResult result)
     {
         ArgumentNullException.ThrowIfNull(result);

@@ -1,61 +1,64 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>A compensated surface, what it was made of, and what is expected of it. Lengths in millimetres.</summary>
+/// <summary>A compensated surface, its inputs, and the expected outcome. Lengths in millimeters.</summary>
 public sealed record CompensationResult
 {
     internal CompensationResult()
     {
     }
 
-    /// <summary>What it was made of.</summary>
+    /// <summary>The inputs.</summary>
     public required CompensationInput Input { get; init; }
 
-    /// <summary>How the points were laid onto the surface; null if they stayed where they were measured.</summary>
+    /// <summary>The alignment of the points to the surface; null if they were not moved.</summary>
     public required SurfaceAlignment? Alignment { get; init; }
 
-    /// <summary>The error at each measured point, of several measurements their mean.</summary>
+    /// <summary>The error at each measured point; the mean if the point was measured several times.</summary>
     public required IReadOnlyList<ErrorSample> Samples { get; init; }
 
-    /// <summary>What the errors come to.</summary>
+    /// <summary>Statistics of the measured errors.</summary>
     public required DeviationStatistics Before { get; init; }
 
-    /// <summary>Whether errors of neighbors are alike.</summary>
+    /// <summary>Whether the errors of neighboring points are alike.</summary>
     public required SpatialStructure Structure { get; init; }
 
-    /// <summary>What is systematic in the errors: a field, or their mean where neighbors are not alike.</summary>
+    /// <summary>The systematic part of the errors: a field, or the mean if neighbors are not alike.</summary>
     public required ErrorField Systematic { get; init; }
 
     /// <summary>The field that is compensated, before the gain.</summary>
     public required ErrorField Compensated { get; init; }
 
-    /// <summary>What a modified tool radius compensates, before the gain: the mean error, or nothing where neighbors are not alike and it is not significant.</summary>
+    /// <summary>The error that a modified tool radius compensates, before the gain: the mean, or zero if neighbors are not alike and the
+    /// mean is not significant.</summary>
     public required ConstantField Mean { get; init; }
 
-    /// <summary>The surface to cut, with the parametrization and the limits of the nominal one (or that of the points, where a surface was fitted to them).</summary>
+    /// <summary>The surface to cut. It has the parameters and boundaries of the nominal one, or its own if fitted to the points.</summary>
     public required PartSurface Surface { get; init; }
 
-    /// <summary>The surface through the compensation points; null where the error was fitted.</summary>
+    /// <summary>The surface through the compensation points; null if the error was fitted.</summary>
     public required FittedSurface? ThroughPoints { get; init; }
 
-    /// <summary>Largest distance between <see cref="Surface"/> as written and the exact nominal surface moved by the field, measured densely; zero where a surface was fitted to points.</summary>
+    /// <summary>Largest distance between <see cref="Surface"/> as written and the exact nominal surface displaced by the field, sampled
+    /// densely. Zero if a surface was fitted to the points.</summary>
     public required double ApproximationMm { get; init; }
 
-    /// <summary>Largest distance of the surface from the nominal one, measured densely and at the measured points.</summary>
+    /// <summary>Largest distance from the nominal surface, sampled densely and at the measured points.</summary>
     public required double LargestMoveMm { get; init; }
 
-    /// <summary>What mirroring is expected to leave.</summary>
+    /// <summary>The error that is expected to remain after mirroring.</summary>
     public required SurfacePrediction Mirror { get; init; }
 
-    /// <summary>What a modified tool radius is expected to leave.</summary>
+    /// <summary>The error that is expected to remain after modifying the tool radius.</summary>
     public required SurfacePrediction ToolRadius { get; init; }
 
-    /// <summary>Sentences that a person must not overlook.</summary>
+    /// <summary>Warnings, in sentences.</summary>
     public required IReadOnlyList<string> Warnings { get; init; }
 
-    /// <summary>Sentences that a person may want to read.</summary>
+    /// <summary>Notes, in sentences.</summary>
     public required IReadOnlyList<string> Notes { get; init; }
 
-    /// <summary>The compensation point of a measured one: the ideal point moved by the compensated share of its own error (equations 1 and 2).</summary>
+    /// <summary>Returns the compensation point of a measured point: the ideal point moved by the compensated share of its own error
+    /// (equations 1 and 2).</summary>
     public Geometry.Point3 PointOf(ErrorSample sample)
     {
         ArgumentNullException.ThrowIfNull(sample);
@@ -63,8 +66,9 @@ public sealed record CompensationResult
         return MirrorEquations.Compensated(sample.Nominal, sample.Normal, error, Input.Job.Compensation.Gain);
     }
 
-    /// <summary>By how much the surface that is cut lies away from the nominal one at a measured point, in millimetres: what the field says there, or the way to the surface that was fitted to the compensation points.</summary>
-    /// <remarks>That is not the way to <see cref="PointOf"/>: a point's own error has its noise, which no fit follows.</remarks>
+    /// <summary>Returns the displacement of the cut surface from the nominal surface at a measured point, in millimeters: the value of the
+    /// field, or the vector to the surface fitted to the compensation points.</summary>
+    /// <remarks>This differs from the vector to <see cref="PointOf"/>: a point's own error includes noise, which no fit follows.</remarks>
     public Geometry.Vector3 MoveAt(ErrorSample sample)
     {
         ArgumentNullException.ThrowIfNull(sample);
@@ -73,7 +77,8 @@ public sealed record CompensationResult
             : -Surface.Spline.ClosestPoint(sample.Nominal).Offset;
     }
 
-    /// <summary>By how much the surface that is cut lies out of the nominal one at a place of it, along the normal, in millimetres: positive leaves material. Beyond the edge of a surface that was fitted to points its edge counts.</summary>
+    /// <summary>Returns the signed distance of the cut surface from the nominal surface along the normal, in millimeters; positive leaves
+    /// material. Beyond the edge of a surface fitted to points, the edge is used.</summary>
     internal double MovedMmAt(double u, double v)
     {
         if (ThroughPoints is null)
@@ -81,11 +86,11 @@ public sealed record CompensationResult
             return -Input.Job.Compensation.Gain * Compensated.At(u, v);
         }
 
-        // From the nominal surface to the cut one and back: beyond an edge the way there would not be along the normal.
+        // Project onto the cut surface and back. Beyond an edge, the direct vector would not be along the normal.
         var cut = Surface.Spline.ClosestPoint(Input.Surface.Spline.PointAt(u, v)).At.Position;
         return Input.Surface.Spline.ClosestPoint(cut, u, v).Height * Input.Surface.Outside;
     }
 
-    /// <summary>The prediction for the compensation that was made.</summary>
+    /// <summary>The prediction for the selected compensation.</summary>
     public SurfacePrediction Predicted => Input.Job.Compensation.Mirror ? Mirror : ToolRadius;
 }

@@ -2,22 +2,21 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>From a measured surface to the surface that is to be cut instead (Lee 2019, sections 2.4 and 2.5).</summary>
+/// <summary>Calculates the compensated surface from the measured one (Lee 2019, sections 2.4 and 2.5).</summary>
 public static class Compensator
 {
-    // A mean that is smaller than this many of its standard errors may be none.
+    // A mean smaller than this many standard errors is not significant.
     private const double Significant = 2;
 
-    // What a fit leaves between its points is much more than at them from here on, if it is more than the ridges that a ball leaves anyway.
+    // The residual between the points is excessive from this multiple of that at the points, unless smaller than the ridges of a ball.
     private const double MuchMore = 2;
     private const double RidgeMm = 0.001;
 
-    // The error of left-out lines is near that of a point where noise makes both: this many times it is no noise.
+    // If only noise is present, the error of left-out lines is close to that at the points. From this multiple it is not noise.
     private const double FarMore = 4;
 
-    /// <summary>Makes the compensated surface, or says why not.</summary>
-    /// <exception cref="FreeformException">A measured point has no foot on the surface,
-    /// or there are too few for the job's fit or alignment.</exception>
+    /// <summary>Calculates the compensated surface, or returns the reasons for refusing it.</summary>
+    /// <exception cref="FreeformException">A measured point has no foot, or there are too few for the job's fit or alignment.</exception>
     public static CompensationOutcome Compensate(CompensationInput input)
     {
         ArgumentNullException.ThrowIfNull(input);
@@ -55,7 +54,7 @@ public static class Compensator
         var statistics = DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
         var structure = SpatialStructure.Of(samples);
         var systematic = Systematic(job, samples, statistics, structure, notes, warnings);
-        // Where nothing but noise was found, the mean was judged already: it is what is systematic, or nothing is.
+        // If only noise was found, the significance of the mean has already been decided.
         var mean = systematic as ConstantField
             ?? new ConstantField(statistics.MeanMm, statistics.StandardDeviationMm / Math.Sqrt(samples.Count));
         var compensated = job.Compensation.Mirror ? systematic : mean;
@@ -107,7 +106,7 @@ public static class Compensator
         return new(result.ThroughPoints is null ? result : result with { Mirror = ThroughPoints(result, surface.Between, warnings) }, []);
     }
 
-    // What the surface through the points really leaves: it may miss the nominal one, and what was measured, by any amount.
+    // The actual residual of the surface through the points. It may miss the nominal surface and the measurement by any amount.
     private static SurfacePrediction ThroughPoints(
         CompensationResult result, IReadOnlyList<(double U, double V, double MovedMm)> places, List<string> warnings)
     {
@@ -135,7 +134,7 @@ public static class Compensator
         return SurfacePrediction.Of("mirror", samples, systematic, left, between);
     }
 
-    // Mirrored as if it were an error, stock that is not there or was left would spoil the piece.
+    // Mirroring missing or remaining stock as if it were an error would spoil the piece.
     private static FreeformRefusal? OtherStage(IReadOnlyList<ErrorSample> samples, string file, FreeformJob job, double stock)
     {
         var mean = samples.Sum(s => s.ErrorMm) / samples.Count;
@@ -169,8 +168,7 @@ public static class Compensator
                 + $"{job.Compensation.LimitMm:0.####} mm.{hint}"));
     }
 
-    // Before anything is fitted: neither the fit nor the test for noise knows one bad touch from an error of the surface,
-    // and it would be cut into the piece.
+    // Checked before fitting: neither fit nor noise test can tell a bad touch from a surface error, and it would be cut into the piece.
     private static FreeformRefusal? Outlying(
         IReadOnlyList<ErrorSample> samples, IReadOnlyList<ErrorSample>[] repeats, IReadOnlyList<MeasuredPoints> measured)
     {
@@ -192,7 +190,7 @@ public static class Compensator
                 + $"points.");
     }
 
-    // As many digits as it takes to see that a length is beyond its limit.
+    // Uses enough digits to show that a length exceeds its limit.
     private static string Beyond(double mm, double limitMm)
     {
         var limit = limitMm.ToString("0.####", CultureInfo.InvariantCulture);
@@ -256,7 +254,7 @@ public static class Compensator
                     + $"{outlier.Measurement + 1}. It counts all the same: measure again if that was a chip or a touch gone wrong."));
         }
 
-        // Pieces that were mixed up, or clamped anew, look like this.
+        // Mixed-up or reclamped pieces look like this.
         var spread = DeviationStatistics.Of([.. mean.Means.Select(m => m.ErrorMm)]).StandardDeviationMm;
         if (mean.RepeatabilityMm > spread)
         {

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The field that a job wants fitted to the errors.</summary>
+/// <summary>Fits the error field that the job selects.</summary>
 internal static class ErrorFit
 {
-    /// <summary>The field by the best rule, or the error laid over (u, v) by one of the paper's ways of fitting surfaces.</summary>
+    /// <summary>Fits the field by the best method, or fits the error over (u, v) by one of the paper's surface methods.</summary>
     public static ErrorField Of(FreeformJob job, IReadOnlyList<ErrorSample> samples)
     {
         var best = FieldFit.Fit(samples, job.Measuring.UncertaintyMm);
@@ -18,7 +18,7 @@ internal static class ErrorFit
         return new SurfaceHeightField(fit, scaleU, scaleV, Math.Max(job.Measuring.UncertaintyMm, double.IsNaN(fit.LeaveLineOutMm) ? 0 : fit.LeaveLineOutMm));
     }
 
-    /// <summary>Millimetres on the surface that one of a parameter stands for, on average over the points.</summary>
+    /// <summary>Millimeters on the surface per unit of a parameter, averaged over the points.</summary>
     private static double Scale(IReadOnlyList<ErrorSample> samples, Func<ErrorSample, double> parameter, bool along)
     {
         var (length, change) = (0.0, 0.0);

@@ -1,10 +1,10 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The systematic error of a surface at the places of its net, in millimetres: as it is, and as either way of compensating is expected to leave it.</summary>
+/// <summary>The systematic error of a surface on its net, in millimeters: as measured, and as expected after either compensation.</summary>
 /// <param name="Net">The places.</param>
-/// <param name="BeforeMm">The field that is taken as systematic, positive out of the material.</param>
-/// <param name="MirrorMm">What mirroring leaves of it.</param>
-/// <param name="ToolRadiusMm">What a modified tool radius leaves of it.</param>
+/// <param name="BeforeMm">The systematic field, positive out of the material.</param>
+/// <param name="MirrorMm">The remaining error after mirroring.</param>
+/// <param name="ToolRadiusMm">The remaining error after modifying the tool radius.</param>
 public sealed record ErrorMap(SurfaceNet Net, IReadOnlyList<double> BeforeMm, IReadOnlyList<double> MirrorMm, IReadOnlyList<double> ToolRadiusMm)
 {
     /// <summary>The map of a compensation.</summary>
@@ -15,7 +15,7 @@ public sealed record ErrorMap(SurfaceNet Net, IReadOnlyList<double> BeforeMm, IR
         (double U, double V)[] places = [.. SurfaceNet.Parameters(result.Input.Surface)];
         double[] before = [.. places.Select(p => result.Systematic.At(p.U, p.V))];
 
-        // A surface through points leaves what it leaves; a field that was compensated, its share.
+        // A surface through points leaves its own distance. A compensated field leaves its uncompensated share.
         double[] mirror = result.ThroughPoints is null ? Array.ConvertAll(before, e => e - (gain * e)) : [.. before.Zip(places, (e, p) => e + result.MovedMmAt(p.U, p.V))];
         return new(SurfaceNet.Of(result.Input.Surface), before, mirror, Array.ConvertAll(before, e => e - (gain * result.Mean.At(0, 0))));
     }

@@ -2,22 +2,20 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>An error that one of the surface fits laid over (u, v): the points (u, v, error) were fitted as if they were places in space.</summary>
-/// <param name="fit">The fitted surface: x is u, y is v, z the error in millimetres, u and v scaled to lengths of the surface.</param>
-/// <param name="scaleU">Millimetres that one of u stands for.</param>
-/// <param name="scaleV">Millimetres that one of v stands for.</param>
+/// <summary>An error fitted over (u, v) by one of the surface methods: the points (u, v, error) were fitted as points in space.</summary>
+/// <param name="fit">The fitted surface: x is u, y is v, z the error in millimeters; u and v are scaled to lengths on the surface.</param>
+/// <param name="scaleU">Millimeters per unit of u.</param>
+/// <param name="scaleV">Millimeters per unit of v.</param>
 /// <param name="standardUncertaintyMm">Standard uncertainty of the error.</param>
 internal sealed class SurfaceHeightField(FittedSurface fit, double scaleU, double scaleV, double standardUncertaintyMm) : ErrorField
 {
     private const int MostSteps = 50;
 
-    /// <summary>The fit itself.</summary>
     public FittedSurface Fit => fit;
 
-    /// <inheritdoc/>
     public override double At(double u, double v)
     {
-        // Newton's method for the place over (u, v): fits move their parameters hardly at all.
+        // Newton's method for the place over (u, v). Fits hardly shift their parameters.
         var (x, y) = (u * scaleU, v * scaleV);
         var surface = fit.Surface;
         var (s, t) = (Within(surface.KnotsU, (x - X(0, 0)) / Nonzero(X(1, 0) - X(0, 0))), Within(surface.KnotsV, (y - Y(0, 0)) / Nonzero(Y(0, 1) - Y(0, 0))));
@@ -43,7 +41,6 @@ internal sealed class SurfaceHeightField(FittedSurface fit, double scaleU, doubl
         return at.Position.Z;
     }
 
-    /// <inheritdoc/>
     public override double StandardUncertaintyAt(double u, double v) => standardUncertaintyMm;
 
     private double X(int endU, int endV) => Corner(endU, endV).X;

@@ -1,38 +1,39 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>What the finished surface is expected to show when it is measured like the one before, if nothing but the compensation changes.</summary>
-/// <remarks>
-/// At each measured point the compensation takes its part off the systematic error. Two things come on top, independent of each other and of what is left, and are added to the spread by root sum of squares: what the field does
-/// not explain (cutting and probing do not repeat) comes again, drawn anew; and the field is itself off by its uncertainty, which was cut into the surface. The residuals of a fit tell less than the first, because it follows
-/// part of the noise: they count by the degrees of freedom that it left, where it knows them. A fit that goes through every point has no residuals at all; its uncertainty is then all there is:
-/// the error of left-out lines is no measure of its noise, for it is that of a grid half as dense. Where errors of short waves were measured without noise it was 0.3 to 1 um, and nothing was left at the points.
-/// Where a surface was fitted to the compensation points, its own distance from the nominal one is what the compensation takes off: at the points, with the noise that it follows, and between them, where it may go its own way.
-/// </remarks>
+/// <summary>The expected measurement of the finished surface, if nothing changes except the compensation.</summary>
+/// <remarks>The compensation removes its share of the systematic error at each point. Two independent contributions are added to the spread
+/// by root sum of squares: new random scatter, since cutting and probing do not repeat, and the uncertainty of the field, which was cut
+/// into the surface. The residuals of a fit understate the scatter because the fit follows part of the noise. If the fit knows its degrees
+/// of freedom, the residuals are scaled by them. A fit through every point has no residuals, so only its uncertainty is used. The error of
+/// left-out lines does not measure its noise: it is the error of a grid half as dense. With short-wave errors measured without noise, it
+/// was 0.3 to 1 um, while nothing remained at the points. If a surface was fitted to the compensation points, its own distance from the
+/// nominal surface is the compensation. At the points, it includes the noise that it follows; between them, it may deviate.</remarks>
 /// <param name="Method">Name of the compensation: <c>mirror</c> or <c>tool-radius</c>.</param>
-/// <param name="Errors">Expected systematic error at each measured point, in the order of the samples, in millimetres.</param>
-/// <param name="Statistics">What they come to, with the scatter.</param>
+/// <param name="Errors">Expected systematic error at each measured point, in the order of the samples, in millimeters.</param>
+/// <param name="Statistics">Their statistics, including the scatter.</param>
 /// <param name="MeanUncertaintyMm">Standard uncertainty of the expected mean.</param>
-/// <param name="PointUncertaintyMm">Root mean square of the standard uncertainty of the expected error at a point, the scatter included.</param>
+/// <param name="PointUncertaintyMm">Root mean square standard uncertainty of the expected error at a point, with the scatter.</param>
 public sealed record SurfacePrediction(string Method, IReadOnlyList<double> Errors, DeviationStatistics Statistics, double MeanUncertaintyMm, double PointUncertaintyMm)
 {
-    // A normal quantile: of n points the largest is expected about here. Blom, "Statistical Estimates and Transformed Beta-Variables", 1958.
+    // Shift of the normal quantile expected of the largest of n points. Blom, "Statistical Estimates and Transformed Beta-Variables", 1958.
     private const double BlomShift = 0.375;
 
-    /// <summary>Predicts what is left of a field where another one is compensated.</summary>
+    /// <summary>Predicts the error that remains of a field after another field is compensated.</summary>
     /// <param name="method">Name of the compensation.</param>
     /// <param name="samples">The measured errors.</param>
-    /// <param name="systematic">What is systematic in them.</param>
-    /// <param name="compensation">What is compensated, before the gain.</param>
-    /// <param name="gain">Share that is compensated.</param>
+    /// <param name="systematic">The systematic part of the errors.</param>
+    /// <param name="compensation">The compensated field, before the gain.</param>
+    /// <param name="gain">Compensated share.</param>
     internal static SurfacePrediction Of(string method, IReadOnlyList<ErrorSample> samples, ErrorField systematic, ErrorField compensation, double gain) =>
         Of(method, samples, systematic, [.. samples.Select(s => systematic.At(s.U, s.V) - (gain * compensation.At(s.U, s.V)))], []);
 
-    /// <summary>Predicts what is left.</summary>
+    /// <summary>Predicts the remaining error.</summary>
     /// <param name="method">Name of the compensation.</param>
     /// <param name="samples">The measured errors.</param>
-    /// <param name="systematic">What is systematic in them.</param>
-    /// <param name="left">What is left of it at each of them.</param>
-    /// <param name="between">What is left of it at places between them, where that does not follow from the points: who measures elsewhere finds it, so the larger of both is expected.</param>
+    /// <param name="systematic">The systematic part of the errors.</param>
+    /// <param name="left">The remaining systematic error at each sample.</param>
+    /// <param name="between">The remaining systematic error between the samples, if it does not follow from them. A measurement elsewhere
+    /// would find it, so the larger of the two is expected.</param>
     internal static SurfacePrediction Of(string method, IReadOnlyList<ErrorSample> samples, ErrorField systematic, double[] left, double[] between)
     {
         var noise = systematic is FittedField { ResidualStandardDeviationMm: >= 0 } fitted ? fitted.ResidualStandardDeviationMm : Math.Sqrt(samples.Sum(s => Square(s.ErrorMm - systematic.At(s.U, s.V))) / Math.Max(1, samples.Count - 1));
@@ -46,7 +47,7 @@ public sealed record SurfacePrediction(string Method, IReadOnlyList<double> Erro
             statistics with
             {
                 StandardDeviationMm = Hypot(Math.Max(statistics.StandardDeviationMm, everywhere.StandardDeviationMm), spread),
-                // The largest on either side is the largest of twice as many on one.
+                // The largest absolute value of n points is the largest of 2n one-sided values.
                 ProfileIsoMm = 2 * Hypot(Math.Max(statistics.ProfileIsoMm, everywhere.ProfileIsoMm) / 2, spread * Outermost(2 * samples.Count)),
                 ProfileRangeMm = Hypot(Math.Max(statistics.ProfileRangeMm, everywhere.ProfileRangeMm), 2 * spread * Outermost(samples.Count)),
             },
@@ -60,7 +61,7 @@ public sealed record SurfacePrediction(string Method, IReadOnlyList<double> Erro
 
     private static double Square(double x) => x * x;
 
-    // Beasley and Springer with Moro's tails are not needed here: a rational approximation of the middle (Abramowitz and Stegun, 26.2.23, error below 4.5e-4) is far finer than what is predicted.
+    // This approximation (Abramowitz and Stegun, 26.2.23, error below 4.5e-4) is far finer than the prediction, so this suffices.
     private static double NormalQuantile(double p)
     {
         var t = Math.Sqrt(-2 * Math.Log(1 - p));

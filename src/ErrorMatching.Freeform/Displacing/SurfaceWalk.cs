@@ -2,10 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Finds the feet of centers that follow one another: mostly near the one before.</summary>
+/// <summary>Finds the feet of consecutive ball centers, usually near the previous foot.</summary>
 internal sealed class SurfaceWalk(PartSurface surface, ErrorField field, double gain, double radiusMm, bool programsTip)
 {
-    // A foot this much beyond the edge, as a share of the range, is on the edge.
+    // Share of the parameter range by which a foot may exceed the edge and still be on it.
     private const double OnEdge = 1e-9;
 
     private readonly Box3 _box = surface.Spline.Box();
@@ -25,12 +25,12 @@ internal sealed class SurfaceWalk(PartSurface surface, ErrorField field, double 
         var offset = center - foot.Position;
         var height = offset.Dot(normal);
 
-        // Below the surface, but beside it: what lies beyond an edge cuts nothing.
+        // A center below the surface but beyond an edge cuts nothing.
         var over = height >= 0 || (offset - (normal * height)).Length < 1e-6 ? (height < 0 ? -offset.Length : offset.Length) - radiusMm : offset.Length - radiusMm;
         return new(over, normal * (-gain * field.At(foot.U, foot.V)));
     }
 
-    // Newton's method from the foot before leads to the nearest place as long as the surface is not hollower than the ball, and the point not far.
+    // Newton's method from the previous foot finds the nearest place if the surface is not hollower than the ball and the point is near.
     private SurfacePoint Foot(Point3 center)
     {
         var (u, v) = (surface.Spline.KnotsU, surface.Spline.KnotsV);

@@ -1,9 +1,10 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>After which stage a surface was measured, told by its points: a fifth of a millimetre is no error of a surface that is to be good to micrometres.</summary>
+/// <summary>Determines the stage after which a surface was measured. A fifth of a millimeter cannot be the error of a surface that is
+/// accurate to micrometers.</summary>
 internal static class MeasuredStage
 {
-    /// <summary>The stage that points lie at, if it is clear; else the one that the job names.</summary>
+    /// <summary>Returns the stage whose surface the points are on, if that is clear; otherwise the job's stage.</summary>
     /// <param name="job">The job.</param>
     /// <param name="meanMm">Mean distance of the points from the nominal surface, without any stock.</param>
     public static CuttingStage Of(FreeformJob job, double meanMm)
@@ -13,6 +14,5 @@ internal static class MeasuredStage
         return semi > 0 && found != job.Measuring.After && Math.Abs(meanMm - job.Stock.Of(found)) < semi / 4 ? found : job.Measuring.After;
     }
 
-    /// <summary>What people call a stage.</summary>
     public static string Name(CuttingStage stage) => stage == CuttingStage.Finishing ? "finishing" : "semi-finishing";
 }

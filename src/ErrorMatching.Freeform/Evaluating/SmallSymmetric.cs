@@ -3,7 +3,7 @@ namespace ErrorMatching.Freeform;
 /// <summary>Solves small symmetric systems that may leave unknowns undetermined.</summary>
 internal static class SmallSymmetric
 {
-    /// <summary>The shortest least-squares solution: directions whose eigenvalue is below a share of the largest one are left at zero.</summary>
+    /// <summary>The shortest least-squares solution: directions with an eigenvalue below a share of the largest stay zero.</summary>
     /// <remarks>Eigenvectors by Jacobi's rotations (Golub and Van Loan, Matrix Computations, 4th edition, section 8.5).</remarks>
     public static double[] Solve(double[,] matrix, double[] right, double share)
     {

@@ -2,22 +2,21 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A small rigid motion that lays measured points onto the surface: turned about the first three axes through the points' center, then moved.</summary>
-/// <remarks>
-/// It hides whatever a motion can hide, so none is the default. Found by least squares of the distances along the normals (point to plane; Chen and Medioni, "Object modelling by registration of multiple range images", 1992),
-/// repeated with new feet until it moves no more. Motions that the surface does not resist (along a straight profile) stay zero.
-/// </remarks>
-/// <param name="TranslateMm">How the points were moved.</param>
-/// <param name="RotateDegrees">How they were turned, as small angles about X, Y and Z.</param>
-/// <param name="Center">The point about which they were turned, in millimetres.</param>
+/// <summary>A small rigid motion that aligns measured points to the surface: rotation about the points' center, then translation.</summary>
+/// <remarks>The default is no alignment, because it hides every error that a rigid motion can produce. It minimizes the squared distances
+/// along the normals (point to plane; Chen and Medioni, "Object modelling by registration of multiple range images", 1992) and recalculates
+/// the feet until the motion converges. Motions that the surface does not resist (along a straight profile) stay zero.</remarks>
+/// <param name="TranslateMm">The translation.</param>
+/// <param name="RotateDegrees">The rotation, as small angles about X, Y and Z.</param>
+/// <param name="Center">The center of rotation, in millimeters.</param>
 public sealed record SurfaceAlignment(Vector3 TranslateMm, Vector3 RotateDegrees, Point3 Center)
 {
     private const int MostRounds = 30;
 
-    // A motion that moves no point by this much off the surface is not resisted.
+    // A motion that moves every point off the surface by less than this share is not resisted.
     private const double RelativeResistance = 1e-6;
 
-    /// <summary>A point after the motion.</summary>
+    /// <summary>Applies the motion to a point.</summary>
     public Point3 Apply(Point3 point)
     {
         var r = RotateDegrees * (Math.PI / 180);
@@ -34,12 +33,12 @@ public sealed record SurfaceAlignment(Vector3 TranslateMm, Vector3 RotateDegrees
         return Center + (arm * cos) + (axis.Cross(arm) * sin) + (axis * (axis.Dot(arm) * (1 - cos))) + TranslateMm;
     }
 
-    /// <summary>The motion that fits points best to the surface with its stock.</summary>
+    /// <summary>Returns the best-fit motion of points to the surface with its stock.</summary>
     /// <param name="surface">The nominal surface.</param>
-    /// <param name="points">Points of the plan with what was measured for each; at least six.</param>
-    /// <param name="stockMm">Stock that should lie on the surface.</param>
+    /// <param name="points">Points of the plan with their measured contacts; at least six.</param>
+    /// <param name="stockMm">Expected stock on the surface.</param>
     /// <param name="file">Name of the file of measured points, for messages.</param>
-    /// <exception cref="FreeformException"><c>too-few-points</c>; <c>no-foot</c> as of <see cref="SurfaceErrors.Of"/>.</exception>
+    /// <exception cref="FreeformException"><c>too-few-points</c>; <c>no-foot</c> as for <see cref="SurfaceErrors.Of"/>.</exception>
     public static SurfaceAlignment BestFit(PartSurface surface, IReadOnlyList<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
     {
         ArgumentNullException.ThrowIfNull(points);
@@ -64,12 +63,12 @@ public sealed record SurfaceAlignment(Vector3 TranslateMm, Vector3 RotateDegrees
         return alignment;
     }
 
-    // Least squares by the eigenvectors of the normal matrix: the directions that are not resisted are left out.
+    // Least squares by the eigenvectors of the normal matrix, without the directions that the surface does not resist.
     private static (Vector3 Move, Vector3 Turn) Step(IReadOnlyList<ErrorSample> samples, SurfaceAlignment alignment)
     {
         var matrix = new double[6, 6];
         var right = new double[6];
-        // Turning is scaled to the size of the piece, so that both kinds of unknowns are lengths.
+        // Rotations are scaled by the size of the piece, so that all unknowns are lengths.
         var size = samples.Max(s => (s.Nominal - alignment.Center).Length);
         foreach (var s in samples)
         {

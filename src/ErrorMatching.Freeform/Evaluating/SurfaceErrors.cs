@@ -3,15 +3,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>From measured points to errors along the normal.</summary>
+/// <summary>Converts measured points to errors along the normal.</summary>
 public static class SurfaceErrors
 {
-    /// <summary>The error at each measured point: its signed distance from the nominal surface along the normal at its foot, less the stock that the stage leaves.</summary>
+    /// <summary>Returns the error at each measured point: its signed distance from the nominal surface along the normal, minus the stock
+    /// of the stage.</summary>
     /// <param name="surface">The nominal surface.</param>
-    /// <param name="points">Points of the measuring plan with the point of contact that was measured for each, in millimetres.</param>
-    /// <param name="stockMm">Stock that should lie on the surface.</param>
+    /// <param name="points">Points of the measuring plan with their measured contacts, in millimeters.</param>
+    /// <param name="stockMm">Expected stock on the surface.</param>
     /// <param name="file">Name of the file of measured points, for messages.</param>
-    /// <exception cref="FreeformException"><c>no-foot</c>: a point is so far off that no normal of the surface leads to it.</exception>
+    /// <exception cref="FreeformException"><c>no-foot</c>: a point is too far away for any normal of the surface.</exception>
     public static IReadOnlyList<ErrorSample> Of(PartSurface surface, IEnumerable<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
     {
         ArgumentNullException.ThrowIfNull(surface);

@@ -2,19 +2,20 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>What one or several measured pieces of a design come to, one by one and together.</summary>
+/// <summary>Evaluation of one or more measured pieces of a design, individually and combined.</summary>
 /// <param name="Pieces">The pieces, at least one: replicas of one design.</param>
-/// <param name="Together">All their errors as one set, as in table 3 of Lee 2019.</param>
+/// <param name="Together">All errors combined, as in table 3 of Lee 2019.</param>
 public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, DeviationStatistics Together)
 {
-    /// <summary>Largest minus smallest standard deviation of the pieces, in millimetres: how well they repeat (table 2 of Lee 2019).</summary>
+    /// <summary>Range of the pieces' standard deviations (largest - smallest) in mm: their repeatability (table 2 of Lee 2019).</summary>
     public double RangeOfStandardDeviationsMm => Pieces.Max(p => p.Statistics.StandardDeviationMm) - Pieces.Min(p => p.Statistics.StandardDeviationMm);
 
     /// <summary>Evaluates pieces.</summary>
     /// <param name="job">Stock, stage and alignment.</param>
     /// <param name="surface">The nominal surface.</param>
     /// <param name="pieces">At least one.</param>
-    /// <exception cref="FreeformException">Two pieces are one measurement (<c>same-measurement</c>); as of <see cref="SurfaceErrors.Of"/> and <see cref="SurfaceAlignment.BestFit"/>.</exception>
+    /// <exception cref="FreeformException">Two pieces are the same measurement (<c>same-measurement</c>); otherwise as for
+    /// <see cref="SurfaceErrors.Of"/> and <see cref="SurfaceAlignment.BestFit"/>.</exception>
     public static SurfaceEvaluation Of(FreeformJob job, PartSurface surface, IReadOnlyList<MeasuredPoints> pieces)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -52,7 +53,7 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
     private static EvaluatedPiece Piece(MeasuredPoints piece, CuttingStage stage, FreeformJob job, SurfaceAlignment? alignment, IReadOnlyList<ErrorSample> samples) =>
         new(piece.File, piece.Sha256, stage, stage != job.Measuring.After, alignment, samples, DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]), [.. piece.Warnings, .. Outlying(piece, samples)]);
 
-    // A piece that is measured to be judged is judged with all its points, but a chip under the stylus is not the piece.
+    // A piece is judged by all its points, but a chip under the stylus is not part of the piece, so outlying points are reported.
     private static IEnumerable<string> Outlying(MeasuredPoints piece, IReadOnlyList<ErrorSample> samples)
     {
         var points = OutlyingPoints.Of(samples);

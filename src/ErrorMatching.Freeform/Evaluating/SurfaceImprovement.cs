@@ -2,15 +2,15 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>By how much errors became smaller by compensation.</summary>
-/// <param name="StandardDeviationPercent">By how many percent of what it was the standard deviation became smaller; negative if it became larger.</param>
-/// <param name="ProfileIsoPercent">The same of the profile by ISO 1101.</param>
+/// <summary>The reduction of errors by compensation.</summary>
+/// <param name="StandardDeviationPercent">Reduction of the standard deviation in percent; negative if it grew.</param>
+/// <param name="ProfileIsoPercent">Reduction of the profile to ISO 1101 in percent.</param>
 public sealed record SurfaceImprovement(double StandardDeviationPercent, double ProfileIsoPercent)
 {
     /// <summary>Both in a sentence.</summary>
     public string Words => $"Standard deviation {Change(StandardDeviationPercent)}, profile {Change(ProfileIsoPercent)}.";
 
-    /// <summary>From what pieces came to before and after; null where there is nothing to compare with.</summary>
+    /// <summary>Compares pieces before and after compensation; null if there is nothing to compare.</summary>
     public static SurfaceImprovement? Of(SurfaceEvaluation? before, SurfaceEvaluation? after) =>
         before is null || after is null || before.Together is not { StandardDeviationMm: > 0 and var spread, ProfileIsoMm: > 0 and var profile }
             ? null

@@ -2,10 +2,9 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Numbers as IGES and STEP spell reals: always with a point, and in the fewest digits that give the same double back.</summary>
+/// <summary>Formats real numbers for IGES and STEP: always with a decimal point, in the fewest digits that round-trip.</summary>
 internal static class ExchangeNumber
 {
-    /// <summary>The number's text.</summary>
     public static string Of(double value)
     {
         var text = value == 0 ? "0" : value.ToString("R", CultureInfo.InvariantCulture);

@@ -3,18 +3,18 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Chooses among the surfaces of a file: by name, by number from 1, or the only one.</summary>
+/// <summary>Selects a surface of a file: by name, by number from 1, or the only one.</summary>
 internal static class SurfaceChoice
 {
     private const int Listed = 12;
     private const int Places = 16;
 
-    /// <summary>Index of the surface that is meant.</summary>
-    /// <param name="file">Name of the file in messages.</param>
-    /// <param name="names">What each surface is called, empty if nothing; at least one.</param>
+    /// <summary>Returns the index of the selected surface.</summary>
+    /// <param name="file">File name for messages.</param>
+    /// <param name="names">The name of each surface, empty if it has none; at least one.</param>
     /// <param name="entity">Name or number; null for the only one.</param>
-    /// <param name="read">Reads a surface, to say where it lies.</param>
-    /// <exception cref="FreeformException">None or several are meant.</exception>
+    /// <param name="read">Reads a surface, to report its extent.</param>
+    /// <exception cref="FreeformException">No surface matches, or several do.</exception>
     public static int Of(string file, IReadOnlyList<string> names, string? entity, Func<int, ReadSurface> read)
     {
         if (entity is null)
@@ -29,7 +29,7 @@ internal static class SurfaceChoice
             : throw new FreeformException("no-such-surface", file, $"no surface is called or numbered {ExchangeLimits.Quote(entity)}; it has {List(names, read)}");
     }
 
-    /// <summary>The name of a surface, or its number if it has none.</summary>
+    /// <summary>The name of a surface, or its number if it has no name.</summary>
     public static string NameOf(IReadOnlyList<string> names, int index) =>
         names[index].Length > 0 ? names[index] : (index + 1).ToString(CultureInfo.InvariantCulture);
 
@@ -39,7 +39,7 @@ internal static class SurfaceChoice
         return string.Join(", ", shown) + (names.Count > Listed ? ", ..." : "");
     }
 
-    // Where a surface lies tells which one it is when none has a name.
+    // The extent identifies surfaces without names.
     private static string Extent(Func<ReadSurface> read)
     {
         try

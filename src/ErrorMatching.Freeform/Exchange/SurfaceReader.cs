@@ -4,23 +4,24 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads the nominal surface from an IGES or STEP file, or lays it through a grid of points.</summary>
+/// <summary>Reads the nominal surface from an IGES or STEP file, or interpolates a grid of points.</summary>
 public static partial class SurfaceReader
 {
-    /// <summary>Largest file that is read, in bytes.</summary>
+    /// <summary>Maximum file size in bytes.</summary>
     public const int MaxBytes = ExchangeLimits.MaxBytes;
 
-    /// <summary>No machine of this trade is a kilometer long.</summary>
+    /// <summary>No machine tool is a kilometer long.</summary>
     private const double LargestMm = 1e6;
 
-    /// <summary>The surface of a file.</summary>
-    /// <param name="bytes">What is in the file.</param>
-    /// <param name="file">Its name; it goes into messages, and its extension decides where the content does not.</param>
-    /// <param name="entity">Name or number, from 1, of the surface where the file has several; null if it has one.</param>
-    /// <param name="outsideIsUp">True if the material lies below the surface (towards -z), false if above it.</param>
-    /// <returns>The surface in millimetres with its limits.</returns>
-    /// <exception cref="Measurement.MeasurementException">A grid (<c>.csv</c>) cannot be read, or its points determine no surface.</exception>
-    /// <exception cref="FreeformException">The file is broken, has no such surface or several, or the surface is upright somewhere or folded, so that up and down tell nothing.</exception>
+    /// <summary>Reads a surface from a file.</summary>
+    /// <param name="bytes">The content of the file.</param>
+    /// <param name="file">The file name, for messages. Its extension decides the format if the content does not.</param>
+    /// <param name="entity">Name or number, from 1, of the surface if the file has several; null if it has one.</param>
+    /// <param name="outsideIsUp">True if the material is below the surface (towards -z), false if above it.</param>
+    /// <returns>The surface in millimeters with its boundaries.</returns>
+    /// <exception cref="Measurement.MeasurementException">A grid (<c>.csv</c>) is unreadable or does not determine a surface.</exception>
+    /// <exception cref="FreeformException">The file is broken, does not contain the surface, or contains several matching ones; or the
+    /// surface is vertical somewhere or folded, so that up and down are ambiguous.</exception>
     public static PartSurface Read(ReadOnlySpan<byte> bytes, string file, string? entity, bool outsideIsUp)
     {
         if (bytes.Length > ExchangeLimits.MaxBytes)
@@ -46,7 +47,7 @@ public static partial class SurfaceReader
 
     private static bool IsGrid(string file) => file.EndsWith(".csv", StringComparison.OrdinalIgnoreCase);
 
-    // A STEP file says what it is; an IGES file shows by the letter of a section in column 73 of its first record.
+    // A STEP file identifies itself. An IGES file has a section letter in column 73 of its first record.
     private static bool IsStep(ReadOnlySpan<byte> bytes, string file)
     {
         var start = Encoding.Latin1.GetString(bytes[..Math.Min(bytes.Length, 4096)]);

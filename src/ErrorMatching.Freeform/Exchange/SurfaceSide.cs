@@ -2,17 +2,17 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>On which side of a surface the material lies, from up and down.</summary>
+/// <summary>Determines on which side of a surface the material is, from up and down.</summary>
 internal static class SurfaceSide
 {
     private const int Steps = 24;
     private const int Many = 200;
 
-    /// <summary>Below it a normal is level: neither up nor down.</summary>
+    /// <summary>A normal with a smaller z component is horizontal.</summary>
     private const double Level = 1e-9;
 
-    /// <summary>+1 if the surface's own normal points out of the material, else -1.</summary>
-    /// <exception cref="FreeformException">The normal points up here and down there, or nowhere up or down.</exception>
+    /// <summary>Returns +1 if the surface's own normal points out of the material, otherwise -1.</summary>
+    /// <exception cref="FreeformException">The normal points up in some places and down in others, or is horizontal everywhere.</exception>
     public static int Of(ReadSurface surface, string file, bool outsideIsUp)
     {
         var (spline, up, down) = (surface.Spline, default(SurfacePoint?), default(SurfacePoint?));
@@ -38,7 +38,7 @@ internal static class SurfaceSide
         };
     }
 
-    // Inside of each piece and at its ends, so that no piece of a surface of many is missed.
+    // Samples inside each span and at its ends, so that no span of the surface is missed.
     private static IEnumerable<double> Places(KnotVector knots)
     {
         var breaks = knots.Breaks;

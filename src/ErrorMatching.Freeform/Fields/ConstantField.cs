@@ -1,7 +1,7 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The same error everywhere: what a modified tool radius compensates.</summary>
-/// <param name="errorMm">The error in millimetres, positive out of the material.</param>
+/// <summary>The same error everywhere, as a modified tool radius compensates it.</summary>
+/// <param name="errorMm">The error in millimeters, positive out of the material.</param>
 /// <param name="standardUncertaintyMm">Its standard uncertainty.</param>
 public sealed class ConstantField(double errorMm, double standardUncertaintyMm) : ErrorField
 {

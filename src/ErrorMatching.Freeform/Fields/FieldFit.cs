@@ -2,16 +2,19 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Fits a smooth field to measured errors: what is systematic in them, between the points as well.</summary>
+/// <summary>Fits a smooth field to measured errors: their systematic part, also between the points.</summary>
 public static class FieldFit
 {
-    /// <summary>As many samples are taken at most.</summary>
+    /// <summary>Maximum number of samples.</summary>
     public const int MostSamples = 200_000;
 
-    /// <summary>The field with the least error when whole lines of the grid are left out: a polynomial of few terms with breaks, a Gaussian process, or a cubic spline.</summary>
+    /// <summary>Returns the field with the least error when whole grid lines are left out: a sparse polynomial with breaks, a Gaussian
+    /// process, or a cubic spline.</summary>
     /// <param name="samples">Measured errors on the lines of a grid, in any order; curves may have different numbers of points.</param>
-    /// <param name="pointUncertaintyMm">Standard uncertainty of one measured point along the normal that the probe states, in millimetres; zero if unknown. Uncertainties are not stated better than it allows.</param>
-    /// <exception cref="FreeformException"><c>no-samples</c>; <c>too-many-samples</c>; <c>not-finite</c> if a parameter or an error is no finite number.</exception>
+    /// <param name="pointUncertaintyMm">Stated standard uncertainty of one measured point along the normal, in millimeters; zero if
+    /// unknown. Stated uncertainties are never smaller than it allows.</param>
+    /// <exception cref="FreeformException"><c>no-samples</c>; <c>too-many-samples</c>; <c>not-finite</c> if a parameter or an error is not
+    /// a finite number.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The uncertainty is negative or not finite.</exception>
     public static FittedField Fit(IReadOnlyList<ErrorSample> samples, double pointUncertaintyMm = 0)
     {

@@ -1,14 +1,14 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>What kind of function describes a field best.</summary>
+/// <summary>The kind of function that describes a field best.</summary>
 public enum FieldModelKind
 {
-    /// <summary>Few terms of a polynomial, with breaks of the second derivative where there are any.</summary>
+    /// <summary>A sparse polynomial, with breaks of the second derivative if needed.</summary>
     Polynomial,
 
-    /// <summary>A Gaussian process with a squared-exponential kernel about a low polynomial: waves.</summary>
+    /// <summary>A Gaussian process with a squared-exponential kernel about a low-degree polynomial, for waves.</summary>
     GaussianProcess,
 
-    /// <summary>A smoothed cubic spline: what neither of the others describes.</summary>
+    /// <summary>A smoothing cubic spline, if neither of the others fits.</summary>
     CubicSpline,
 }

@@ -1,10 +1,9 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>A field fitted to measured errors, with all that tells how far it can be trusted. Lengths in millimetres.</summary>
-/// <remarks>
-/// Beyond the outermost samples the field goes on straight for one mean distance of the lines and then stays as it is; its uncertainty grows accordingly.
-/// A break is found only along a grid line, with two lines at least on each side; one that runs obliquely is not found, and the field is then a spline or a process that rounds it off.
-/// </remarks>
+/// <summary>A field fitted to measured errors, with measures of its reliability. Lengths in millimeters.</summary>
+/// <remarks>Beyond the outermost samples, the field continues straight for one mean line spacing and is then constant. Its uncertainty
+/// grows accordingly. Breaks are found only along grid lines, with at least two lines on each side. An oblique break is not found; a spline
+/// or process then rounds it off.</remarks>
 public sealed class FittedField : ErrorField
 {
     private readonly FieldModel _model;
@@ -27,39 +26,41 @@ public sealed class FittedField : ErrorField
         BreaksV = [.. model.BreaksV.Select(v.FromUnit)];
     }
 
-    /// <summary>Which kind of function described the samples best.</summary>
+    /// <summary>The kind of function that described the samples best.</summary>
     public FieldModelKind Kind => _model.Kind;
 
-    /// <summary>Parameters u at which the second derivative of the field jumps, rising.</summary>
+    /// <summary>Parameters u at which the second derivative of the field jumps, ascending.</summary>
     public IReadOnlyList<double> BreaksU { get; }
 
-    /// <summary>Parameters v at which the second derivative of the field jumps, rising.</summary>
+    /// <summary>Parameters v at which the second derivative of the field jumps, ascending.</summary>
     public IReadOnlyList<double> BreaksV { get; }
 
-    /// <summary>Mean absolute difference of the samples of whole grid lines from the field fitted without their line (the kernel kept, breaks moved and the terms of a polynomial without breaks chosen anew); NaN if there are fewer than three lines in both directions.</summary>
+    /// <summary>Mean absolute difference between samples and the field fitted without their grid line; NaN if both directions have fewer
+    /// than three lines. These fits keep the kernel, but move breaks and reselect the terms of polynomials without breaks.</summary>
     public double LeaveLineOutMm => _model.LineOut;
 
-    /// <summary>Measured error less field of each sample, in the order given.</summary>
+    /// <summary>Measured error minus field at each sample, in the given order.</summary>
     public IReadOnlyList<double> Residuals { get; }
 
-    /// <summary>Root of the sum of squared residuals over the degrees of freedom that the fit leaves (samples less <see cref="Freedom"/>).</summary>
+    /// <summary>Root of the sum of squared residuals per remaining degree of freedom (samples minus <see cref="Freedom"/>).</summary>
     public double ResidualStandardDeviationMm { get; }
 
-    /// <summary>How many samples the fit uses up: the number of terms of a polynomial, the trace of the smoothing matrix otherwise.</summary>
+    /// <summary>Degrees of freedom used by the fit: the terms of a polynomial, otherwise the trace of the smoothing matrix.</summary>
     public double Freedom => _model.Freedom;
 
-    /// <summary>Standard deviation of the noise of one sample, as the model estimates it: what it does not take for systematic.</summary>
+    /// <summary>Standard deviation of the noise of one sample, as the model estimates it.</summary>
     public double NoiseMm => _model.Noise;
 
     /// <inheritdoc/>
     public override double At(double u, double v) => Combine(u, v, _model.At, straight: true);
 
-    /// <summary>Standard uncertainty of <see cref="At"/> in millimetres, from the covariance of the fit and the larger of its noise and the probe's stated uncertainty. That the model itself is wrong is not in it.</summary>
+    /// <summary>Standard uncertainty of <see cref="At"/> in millimeters. It combines the covariance of the fit with its noise or the
+    /// probe's stated uncertainty, whichever is larger. It does not cover errors of the model itself.</summary>
     /// <param name="u">First parameter of the nominal surface.</param>
     /// <param name="v">Second parameter of the nominal surface.</param>
     public override double StandardUncertaintyAt(double u, double v) => Combine(u, v, (a, b) => Math.Sqrt(_model.VarianceAt(a, b, _noise)), straight: false);
 
-    /// <summary>A value within the samples; beyond them mirrored about the edge (2 f(edge) - f(inside)), or the sum of what that combines.</summary>
+    /// <summary>Evaluates within the samples. Beyond them, mirrors about the edge (2 f(edge) - f(inside)), or sums these parts.</summary>
     private double Combine(double u, double v, Func<double, double, double> value, bool straight)
     {
         var (a, b) = (_u.ToUnit(u), _v.ToUnit(v));

@@ -1,25 +1,26 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>What the neighbors of each measured point say of the error there, the point itself left out.</summary>
-/// <remarks>
-/// A quadratic in u and v is fitted to the <see cref="Neighbors"/> nearest others, weighted by the tricube of their distance, as in Cleveland, "Robust Locally Weighted Regression and Smoothing Scatterplots", 1979, equation (2.1).
-/// With u and v counted from the point, the prediction is the constant of the fit: with the columns sqrt(w) (u, v, u^2, u v, v^2) taken out of the column c = sqrt(w) of the constant, q = c - projection, it is sum of l_m e_m with
-/// l_m = sqrt(w_m) q_m / q^2 (Frisch, Waugh and Lovell), and its variance is the leverage sum of l_m^2 times that of one point: about 0.3 in the middle, more at edges and corners, where the fit goes beyond its points.
-/// </remarks>
+/// <summary>Predicts the error at each measured point from its neighbors alone.</summary>
+/// <remarks>A quadratic in u and v is fitted to the <see cref="Neighbors"/> nearest other points, with tricube weights by distance, as in
+/// Cleveland, "Robust Locally Weighted Regression and Smoothing Scatterplots", 1979, equation (2.1). With u and v relative to the point,
+/// the prediction is the constant of the fit. Project the columns sqrt(w) (u, v, u^2, u v, v^2) out of the column c = sqrt(w): q = c -
+/// projection. The prediction is then the sum of l_m e_m with l_m = sqrt(w_m) q_m / q^2 (Frisch, Waugh and Lovell). Its variance is the
+/// leverage, the sum of l_m^2, times that of one point: about 0.3 in the middle, and more at edges and corners, where the fit
+/// extrapolates.</remarks>
 internal sealed class NeighborPrediction
 {
-    /// <summary>As many points predict one.</summary>
+    /// <summary>Number of points that predict one.</summary>
     public const int Neighbors = 16;
 
-    /// <summary>So many of them lie next to it on a grid.</summary>
+    /// <summary>Number of these that are adjacent to it on a grid.</summary>
     public const int Next = 8;
 
-    // The furthest neighbor still counts, by a share.
+    // Weights reach zero at this multiple of the furthest neighbor's distance, so that it still has some weight.
     private const double Reach = 1.2;
 
     private const int Terms = 6;
 
-    // Less than this share of a column's square is left beside the others: it depends on them, as v^2 does where there are two curves.
+    // A column depends on the others if less than this share of its square remains, such as v^2 with two curves.
     private const double Dependent = 1e-10;
 
     private readonly double[] _x;
@@ -35,7 +36,7 @@ internal sealed class NeighborPrediction
     private readonly double[] _roots = new double[Neighbors];
     private readonly double[] _columns = new double[Terms * Neighbors];
 
-    /// <summary>The predictions of all points.</summary>
+    /// <summary>Predicts all points.</summary>
     /// <param name="samples">More than <see cref="Neighbors"/> errors on the curves of a grid.</param>
     public NeighborPrediction(IReadOnlyList<ErrorSample> samples)
     {
@@ -48,7 +49,8 @@ internal sealed class NeighborPrediction
             (first, last) = (Math.Min(first, samples[k].J), Math.Max(last, samples[k].J));
         }
 
-        // In mean distances of points, so that neighborhoods reach as many points far in either direction. The longer one is sorted by: fewer points lie within a distance along it.
+        // In mean point spacings, so that neighborhoods contain equally many points in both directions. Points are sorted along the longer
+        // direction, where fewer of them are within a distance.
         var curves = last - first + 1;
         if (Scaled(_x, ((double)n / curves) - 1) < Scaled(_y, curves - 1))
         {
@@ -74,16 +76,16 @@ internal sealed class NeighborPrediction
         }
     }
 
-    /// <summary>Error less prediction of each point, in millimetres; NaN where the neighbors do not lie around a point so that they say anything.</summary>
+    /// <summary>Error minus prediction of each point, in millimeters; NaN if the neighbors do not determine a prediction.</summary>
     public IReadOnlyList<double> Residuals => _residuals;
 
-    /// <summary>The residuals over sqrt(1 + leverage): in smooth fields all with the standard deviation of the noise.</summary>
+    /// <summary>The residuals divided by sqrt(1 + leverage). In smooth fields, all have the standard deviation of the noise.</summary>
     public IReadOnlyList<double> Standardized => _standardized;
 
-    /// <summary>True for a point that predicts no other.</summary>
+    /// <summary>True for a point that is excluded from predictions.</summary>
     public bool IsAside(int k) => _aside[k];
 
-    /// <summary>Lets a point predict no other any more.</summary>
+    /// <summary>Excludes a point from the prediction of others.</summary>
     public void SetAside(int k)
     {
         _aside[k] = true;
@@ -100,7 +102,6 @@ internal sealed class NeighborPrediction
         }
     }
 
-    /// <summary>Takes <see cref="SetAside"/> back.</summary>
     public void PutBack(int k)
     {
         _aside[k] = false;
@@ -110,7 +111,7 @@ internal sealed class NeighborPrediction
         }
     }
 
-    /// <summary>Robust standard deviation of the standardized residuals of all points that are not aside.</summary>
+    /// <summary>Robust standard deviation of the standardized residuals of all points that are not excluded.</summary>
     public double Scale()
     {
         var sizes = new double[_x.Length];
@@ -127,7 +128,7 @@ internal sealed class NeighborPrediction
         return count == 0 ? 0 : 1.4826 * (sizes[(count - 1) / 2] + sizes[count / 2]) / 2;
     }
 
-    /// <summary>Largest less smallest error of all points but one, and but those that are aside.</summary>
+    /// <summary>Largest minus smallest error of all points except one and the excluded ones.</summary>
     public double SpreadWithout(int k)
     {
         var (least, largest) = (double.MaxValue, double.MinValue);
@@ -142,7 +143,7 @@ internal sealed class NeighborPrediction
         return largest - least;
     }
 
-    /// <summary>By how much the error of a point differs from those of the points next to it: the second least of the differences.</summary>
+    /// <summary>The second smallest difference between the errors of a point and its adjacent points.</summary>
     public double SecondNearestError(int k)
     {
         var (least, second) = (double.MaxValue, double.MaxValue);
@@ -193,8 +194,8 @@ internal sealed class NeighborPrediction
         _standardized[k] = _residuals[k] / Math.Sqrt(1 + squares);
     }
 
-    /// <summary>Makes the columns orthogonal, and the last one to all others (modified Gram-Schmidt).</summary>
-    /// <returns>False if nothing is left of the last.</returns>
+    /// <summary>Orthonormalizes the columns, and orthogonalizes the last one to all others (modified Gram-Schmidt).</summary>
+    /// <returns>False if nothing remains of the last.</returns>
     private bool TakeOutOfLast()
     {
         for (var t = 0; t < Terms; t++)
@@ -228,7 +229,8 @@ internal sealed class NeighborPrediction
         return false;
     }
 
-    /// <summary>The nearest others, nearest first: along the order of x outward from a point, until everything further on is further away.</summary>
+    /// <summary>Finds the nearest other points, nearest first. It searches outward in the order of x until all further points are more
+    /// distant.</summary>
     private void Find(int k, Span<int> neighbors)
     {
         var count = 0;
@@ -272,8 +274,8 @@ internal sealed class NeighborPrediction
         return sum;
     }
 
-    /// <summary>Maps values to a range from 0 to a number of steps.</summary>
-    /// <returns>That number; zero if all values are the same.</returns>
+    /// <summary>Scales values to the range from 0 to a number of steps.</summary>
+    /// <returns>The number of steps; zero if all values are equal.</returns>
     private static double Scaled(double[] values, double steps)
     {
         var (least, largest) = (double.MaxValue, double.MinValue);

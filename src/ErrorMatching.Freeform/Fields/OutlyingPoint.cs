@@ -2,17 +2,17 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A measured point whose error is not what the points around it say.</summary>
+/// <summary>A measured point whose error contradicts its neighbors.</summary>
 /// <param name="Sample">The point.</param>
-/// <param name="SaidMm">The error that the points around it say is there, in millimetres, positive out of the material.</param>
+/// <param name="SaidMm">The error that its neighbors predict, in millimeters, positive out of the material.</param>
 internal sealed record OutlyingPoint(ErrorSample Sample, double SaidMm)
 {
     private const int MostNamed = 10;
 
-    /// <summary>By how much the point is off what is said, in millimetres.</summary>
+    /// <summary>Error minus prediction, in millimeters.</summary>
     public double OffMm => Sample.ErrorMm - SaidMm;
 
-    /// <summary>The furthest of some points with its place and both errors, and the numbers of the others; without a full stop.</summary>
+    /// <summary>Describes the furthest of some points with place and both errors, and lists the other numbers. No final period.</summary>
     /// <param name="points">At least one.</param>
     public static string Words(IReadOnlyList<OutlyingPoint> points)
     {
@@ -30,7 +30,7 @@ internal sealed record OutlyingPoint(ErrorSample Sample, double SaidMm)
                         + (others.Length > MostNamed ? ", ..." : ""));
     }
 
-    /// <summary>The one that is furthest off.</summary>
+    /// <summary>The point that is furthest off.</summary>
     /// <param name="points">At least one.</param>
     public static OutlyingPoint Furthest(IReadOnlyList<OutlyingPoint> points) => points.MaxBy(p => Math.Abs(p.OffMm))!;
 }

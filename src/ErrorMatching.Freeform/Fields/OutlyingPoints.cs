@@ -1,41 +1,46 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Finds measured points that are not what the points around them say: a chip under the stylus, a touch gone wrong.</summary>
+/// <summary>Finds measured points that contradict their neighbors, such as a chip under the stylus or a bad touch.</summary>
 /// <remarks>
 /// <para>
-/// The residual r of a point is its error less what a local fit through its neighbors predicts there (<see cref="NeighborPrediction"/>); over sqrt(1 + leverage) it has the same standard deviation everywhere, if errors are smooth but for noise.
-/// That is the deleted residual of regression (Belsley, Kuh and Welsch, Regression Diagnostics, 1980, section 2.1) with a robust scale in its place, 1.4826 times the median of their absolute values (Huber, Robust Statistics, section 5.1).
+/// The residual r of a point is its error minus the prediction of a local fit through its neighbors (<see cref="NeighborPrediction"/>).
+/// Divided by sqrt(1 + leverage), it has the same standard deviation everywhere if errors are smooth except for noise.
+/// This is the deleted residual of regression (Belsley, Kuh and Welsch, Regression Diagnostics, 1980, section 2.1) with a robust scale:
+/// 1.4826 times the median of the absolute values (Huber, Robust Statistics, section 5.1).
 /// </para>
 /// <para>
-/// A point is outlying if all of these hold: r is beyond <see cref="Sigmas"/> of those scales, which noise alone reaches once in 10^8; beyond <see cref="LeastMm"/>, for what is less does no harm that a refusal is worth;
-/// beyond <see cref="SpreadShare"/> of all that the other points differ, for the residuals at a kink of a smooth field are many scales large, but a small share of the field; and the point stands alone: at most one of its
-/// nearest neighbors has about its error. At the two sides of a step there are more, and a step is no touch gone wrong.
+/// A point is outlying if all of these conditions are met. The residual r exceeds <see cref="Sigmas"/> scales, which noise alone reaches
+/// once in 10^8. It exceeds <see cref="LeastMm"/>, below which the harm does not justify a refusal.
+/// It exceeds <see cref="SpreadShare"/> of the spread of the other points, because residuals at a kink of a smooth field are many scales
+/// large but a small share of the field. And the point is isolated:
+/// at most one of its nearest neighbors has about the same error. At a step there are more, and a step is not a bad touch.
 /// </para>
 /// <para>
-/// The most suspicious point is set aside and all others are judged anew, because the neighbors of an outlying point are predicted wrongly with its help, and the spread grows by it; at the end each that was set aside is judged by what is left.
+/// The most suspicious point is set aside and all others are judged again, because an outlying point distorts the predictions of its
+/// neighbors and the spread. Finally, each point that was set aside is judged by the remaining ones.
 /// </para>
 /// </remarks>
 internal static class OutlyingPoints
 {
-    /// <summary>With fewer points too little is known of what lies between them: 5 by 6 points still tell a rim from a chip.</summary>
+    /// <summary>Minimum number of points. With fewer, too little is known between them; 5 by 6 still tell a rim from a chip.</summary>
     public const int LeastPoints = 30;
 
-    /// <summary>Robust standard deviations beyond which a residual is no noise.</summary>
+    /// <summary>Robust standard deviations beyond which a residual is not noise.</summary>
     public const double Sigmas = 6;
 
-    /// <summary>Share of the other points' spread beyond which a residual is no property of a field that they show.</summary>
+    /// <summary>Share of the other points' spread beyond which a residual does not belong to their field.</summary>
     public const double SpreadShare = 0.5;
 
-    /// <summary>Residuals below this are let pass, in millimetres.</summary>
+    /// <summary>Smaller residuals are accepted, in millimeters.</summary>
     public const double LeastMm = 0.005;
 
-    /// <summary>A neighbor has about the error of a point if they differ by less than this share of the residual.</summary>
+    /// <summary>A neighbor has about the same error if the difference is less than this share of the residual.</summary>
     public const double AloneShare = 0.2;
 
-    // If it were more than one point in so many, none could be called an exception.
+    // At most one point in this many may be outlying. With more, none would be an exception.
     private const int OneIn = 10;
 
-    /// <summary>The outlying points in the order of the samples; none if there are fewer than <see cref="LeastPoints"/> samples.</summary>
+    /// <summary>Returns the outlying points in sample order; none if there are fewer than <see cref="LeastPoints"/> samples.</summary>
     /// <param name="samples">Errors on the curves of a grid, each point once.</param>
     public static IReadOnlyList<OutlyingPoint> Of(IReadOnlyList<ErrorSample> samples)
     {
@@ -89,7 +94,7 @@ internal static class OutlyingPoints
         return setAside.FindIndex(k => !IsOutlying(neighbors, k, scale));
     }
 
-    // What takes long comes last: hardly any point gets there.
+    // The slow checks come last, because few points reach them.
     private static bool IsOutlying(NeighborPrediction neighbors, int k, double scale)
     {
         var size = Math.Abs(neighbors.Residuals[k]);

@@ -2,34 +2,35 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Several measurements of the same points, averaged point by point, with what their scatter says about the probe. Lengths in millimetres.</summary>
-/// <remarks>
-/// A measurement that differs from the median of its point by more than <see cref="OutlierFactor"/> robust standard deviations of all differences (1.4826 times the median of their absolute values; Huber, Robust Statistics, section 5.1) is named as an outlier.
-/// It stays in the mean: whoever knows why it is off may leave it out.
-/// </remarks>
+/// <summary>Several measurements of the same points, averaged point by point, with their repeatability. Lengths in millimeters.</summary>
+/// <remarks>A measurement is reported as an outlier if it differs from the median of its point by more than <see cref="OutlierFactor"/>
+/// robust standard deviations of all differences (1.4826 times the median of the absolute values; Huber, Robust Statistics, section 5.1).
+/// It stays in the mean. The user may exclude it if the cause is known.</remarks>
 public sealed class RepeatedMeasurement
 {
-    /// <summary>Robust standard deviations beyond which a measurement is called an outlier.</summary>
+    /// <summary>Robust standard deviations beyond which a measurement is an outlier.</summary>
     public const double OutlierFactor = 5;
 
     private RepeatedMeasurement(IReadOnlyList<RepeatedPoint> points, IReadOnlyList<MeasurementOutlier> outliers, double repeatabilityMm) =>
         (Points, Outliers, RepeatabilityMm) = (points, outliers, repeatabilityMm);
 
-    /// <summary>Each point with its mean, in the order in which points appear first.</summary>
+    /// <summary>Each point with its mean, in the order of first appearance.</summary>
     public IReadOnlyList<RepeatedPoint> Points { get; }
 
-    /// <summary>Measurements that are far from the others of their point.</summary>
+    /// <summary>Measurements far from the others of their point.</summary>
     public IReadOnlyList<MeasurementOutlier> Outliers { get; }
 
-    /// <summary>Standard deviation of a single measurement, pooled over all points with n - 1 degrees of freedom each; NaN if no point was measured twice.</summary>
+    /// <summary>Standard deviation of a single measurement, pooled over all points with n - 1 degrees of freedom each; NaN if no point was
+    /// measured twice.</summary>
     public double RepeatabilityMm { get; }
 
     /// <summary>The means as samples, each at the place of the first measurement of its point.</summary>
     public IReadOnlyList<ErrorSample> Means => [.. Points.Select(p => p.Mean)];
 
     /// <summary>Averages measurements of the same points.</summary>
-    /// <param name="measurements">One list a measurement; points are told apart by their number, and some may be missing in some lists.</param>
-    /// <exception cref="FreeformException"><c>no-samples</c>; <c>doubled-point</c> if a list has a point twice; <c>not-finite</c>.</exception>
+    /// <param name="measurements">One list per measurement. Points are identified by their number, and lists may lack points.</param>
+    /// <exception cref="FreeformException"><c>no-samples</c>; <c>doubled-point</c> if a list contains a point twice;
+    /// <c>not-finite</c>.</exception>
     public static RepeatedMeasurement Of(IReadOnlyList<IReadOnlyList<ErrorSample>> measurements)
     {
         ArgumentNullException.ThrowIfNull(measurements);
@@ -86,7 +87,7 @@ public sealed class RepeatedMeasurement
 
     private static List<MeasurementOutlier> Far(List<int> order, Dictionary<int, List<(int Measurement, double Error)>> values)
     {
-        // With two values a point, both are equally far from their median: none can be named.
+        // Two values of a point are equally far from their median, so neither can be an outlier.
         var differences = order.Where(number => values[number].Count > 2).SelectMany(number =>
         {
             var median = Median([.. values[number].Select(v => v.Error)]);

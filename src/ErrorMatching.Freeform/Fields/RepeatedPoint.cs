@@ -1,8 +1,9 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>A point that was measured one or several times.</summary>
+/// <summary>A point that was measured once or several times.</summary>
 /// <param name="Mean">The point with the mean of its errors.</param>
-/// <param name="Count">How often it was measured.</param>
-/// <param name="StandardDeviationMm">Standard deviation of its measurements with n - 1, in millimetres; NaN for one measurement.</param>
-/// <param name="StandardErrorMm">Standard uncertainty of the mean, the standard deviation over the root of n, in millimetres; NaN for one measurement.</param>
+/// <param name="Count">Number of measurements.</param>
+/// <param name="StandardDeviationMm">Standard deviation of its measurements with n - 1, in millimeters; NaN for one measurement.</param>
+/// <param name="StandardErrorMm">Standard uncertainty of the mean, the standard deviation divided by the root of n, in millimeters; NaN
+/// for one measurement.</param>
 public sealed record RepeatedPoint(ErrorSample Mean, int Count, double StandardDeviationMm, double StandardErrorMm);

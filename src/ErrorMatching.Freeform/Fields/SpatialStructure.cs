@@ -1,26 +1,27 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Moran's I of values on a grid: are neighbors alike, or is it noise?</summary>
-/// <remarks>
-/// I = n / W * sum w_ij z_i z_j / sum z_i^2 with z the values less their mean. Neighbors, with weight 1, are the next points on the same curve and, on the curves before and after, the point nearest in u (the relation made symmetric);
-/// all other weights are zero. Expectation and variance are those under randomization (A. D. Cliff and J. K. Ord, Spatial Processes: Models and Applications, 1981, section 2.3): what all orders of the same values on the same places would give.
-/// Mean and trend of a systematic error count as structure; noise about a fitted field is judged by its residuals, whose I is a little below the expectation because a fit takes part of what neighbors share.
-/// </remarks>
-/// <param name="I">Moran's I: about 0 for noise, towards 1 for smooth fields, below 0 where neighbors alternate.</param>
+/// <summary>Moran's I of values on a grid: tests whether neighbors are alike or the values are noise.</summary>
+/// <remarks>I = n / W * sum w_ij z_i z_j / sum z_i^2, with z the values minus their mean. Neighbors have weight 1: the next points on the
+/// same curve and, on the previous and next curves, the point nearest in u (the relation is made symmetric). All other weights are zero.
+/// Expectation and variance are those under randomization (A. D. Cliff and J. K. Ord, Spatial Processes: Models and Applications, 1981,
+/// section 2.3), taken over all permutations of the values among the places. The trend of a systematic error counts as structure. Noise
+/// about a fitted field is judged by its residuals, whose I is slightly below the expectation because a fit absorbs part of what neighbors
+/// share.</remarks>
+/// <param name="I">Moran's I: about 0 for noise, towards 1 for smooth fields, below 0 if neighbors alternate.</param>
 /// <param name="Expectation">-1 / (n - 1).</param>
 /// <param name="Variance">Variance of I under randomization.</param>
 /// <param name="Z">(I - expectation) / standard deviation.</param>
-/// <param name="P">Probability that chance alone gives as large an I or a larger one, by the normal distribution.</param>
-/// <param name="Verdict">What follows at the 5 % level.</param>
+/// <param name="P">Probability that chance alone gives an I at least as large, by the normal distribution.</param>
+/// <param name="Verdict">The conclusion at the 5 % level.</param>
 public sealed record SpatialStructure(double I, double Expectation, double Variance, double Z, double P, SpatialVerdict Verdict)
 {
     /// <summary>The probability below which neighbors count as alike.</summary>
     public const double Level = 0.05;
 
-    /// <summary>Below this number of points the normal distribution says nothing.</summary>
+    /// <summary>Minimum number of points for the normal distribution to be meaningful.</summary>
     public const int LeastPoints = 10;
 
-    /// <summary>The structure of measured errors.</summary>
+    /// <summary>Tests measured errors.</summary>
     /// <param name="samples">Errors on the curves of a grid.</param>
     public static SpatialStructure Of(IReadOnlyList<ErrorSample> samples)
     {
@@ -28,9 +29,9 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
         return Of(samples, [.. samples.Select(s => s.ErrorMm)]);
     }
 
-    /// <summary>The structure of what a field leaves of measured errors: systematic residuals mean that the field misses something.</summary>
-    /// <param name="samples">The samples the field was fitted to.</param>
-    /// <param name="values">One value a sample, such as <see cref="FittedField.Residuals"/>, in the same order.</param>
+    /// <summary>Tests the residuals of a field. Systematic residuals mean that the field misses something.</summary>
+    /// <param name="samples">The samples to which the field was fitted.</param>
+    /// <param name="values">One value per sample, such as <see cref="FittedField.Residuals"/>, in the same order.</param>
     /// <exception cref="ArgumentException">The counts differ.</exception>
     public static SpatialStructure Of(IReadOnlyList<ErrorSample> samples, IReadOnlyList<double> values)
     {
@@ -44,7 +45,7 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
         return Of([.. values], Neighbors(samples));
     }
 
-    /// <summary>The statistic for symmetric neighbors of weight 1.</summary>
+    /// <summary>Calculates the statistic for symmetric neighbors of weight 1.</summary>
     internal static SpatialStructure Of(double[] values, IReadOnlyCollection<(int A, int B)> neighbors)
     {
         double n = values.Length;
@@ -67,7 +68,8 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
             degrees[b]++;
         }
 
-        // Cliff and Ord: S0 the sum of the weights, S1 half the sum of (w_ij + w_ji)^2, S2 the sum of the squared sums of rows and columns; b2 the kurtosis.
+        // Cliff and Ord: S0 is the sum of the weights, S1 half the sum of (w_ij + w_ji)^2, S2 the sum of the squared sums of rows and
+        // columns; b2 is the kurtosis.
         var s0 = 2.0 * neighbors.Count;
         var s1 = 2 * s0;
         var s2 = degrees.Sum(d => 4 * d * d);
@@ -80,7 +82,7 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
         return new(i, expectation, variance, score, p, values.Length < LeastPoints ? SpatialVerdict.Undetermined : p < Level ? SpatialVerdict.Systematic : SpatialVerdict.Noise);
     }
 
-    /// <summary>Pairs of neighbors, each once, the smaller number first.</summary>
+    /// <summary>Pairs of neighbors, each once, the smaller index first.</summary>
     internal static HashSet<(int A, int B)> Neighbors(IReadOnlyList<ErrorSample> samples)
     {
         var order = new int[samples.Count];
@@ -89,7 +91,7 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
             order[k] = k;
         }
 
-        // Curve by curve, along each; samples of the same place in the order given.
+        // Sorted by curve, then along the curve; samples at the same place keep the given order.
         Array.Sort(order, (a, b) => samples[a].J != samples[b].J ? samples[a].J.CompareTo(samples[b].J) : samples[a].I != samples[b].I ? samples[a].I.CompareTo(samples[b].I) : a.CompareTo(b));
         var curves = new List<int[]>();
         for (var start = 0; start < order.Length;)
@@ -127,7 +129,8 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
         }
     }
 
-    /// <summary>Probability that a standard normal number is larger: a series near zero, a continued fraction beyond 3 (Abramowitz and Stegun, Handbook of Mathematical Functions, 26.2.11 and 26.2.14).</summary>
+    /// <summary>Upper tail probability of the standard normal distribution: a series near zero, a continued fraction beyond 3 (Abramowitz
+    /// and Stegun, Handbook of Mathematical Functions, 26.2.11 and 26.2.14).</summary>
     internal static double NormalTail(double x)
     {
         var density = Math.Exp(-0.5 * x * x) / Math.Sqrt(2 * Math.PI);

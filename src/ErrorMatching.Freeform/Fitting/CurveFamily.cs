@@ -2,17 +2,18 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Curves side by side, all of the lowest degree, and then of the fewest poles, whose mean distance from the points is under a tolerance on every curve (Lee 2019, section 2.3).</summary>
-/// <param name="Degree">Degree of the curves; lower where a curve has too few points for it.</param>
-/// <param name="Poles">Poles of each curve; fewer where a curve has fewer points.</param>
+/// <summary>Neighboring curves that share the lowest degree, and then the fewest poles, for which the mean distance from the points is
+/// below a tolerance on every curve (Lee 2019, section 2.3).</summary>
+/// <param name="Degree">Degree of the curves; lower if a curve has too few points for it.</param>
+/// <param name="Poles">Poles of each curve; fewer if a curve has fewer points.</param>
 internal sealed record CurveFamily(int Degree, int Poles)
 {
     private const int HighestDegree = 3;
 
-    /// <summary>What the curves need.</summary>
+    /// <summary>Selects degree and poles.</summary>
     /// <param name="points">The points of each curve, at least two.</param>
-    /// <param name="parameters">Rising parameters of the points of each curve, all over the same range.</param>
-    /// <param name="toleranceMm">Largest mean distance in millimetres.</param>
+    /// <param name="parameters">Ascending parameters of the points of each curve, all over the same range.</param>
+    /// <param name="toleranceMm">Largest mean distance in millimeters.</param>
     public static CurveFamily Choose(Point3[][] points, double[][] parameters, double toleranceMm)
     {
         var most = points.Max(p => p.Length);
@@ -25,7 +26,7 @@ internal sealed record CurveFamily(int Degree, int Poles)
             }
         }
 
-        // Cubics with more pieces. With one pole a point they go through all points.
+        // Cubics with more pieces. With one pole per point, they pass through all points.
         var (tooFew, enough) = (Math.Min(HighestDegree + 1, most - 1), most);
         while (enough - tooFew > 1)
         {
@@ -37,9 +38,9 @@ internal sealed record CurveFamily(int Degree, int Poles)
         return new(Math.Min(HighestDegree, most - 1), enough);
     }
 
-    /// <summary>The curves; where all have the same parameters, over the same knots.</summary>
+    /// <summary>Fits the curves, with common knots if all have the same parameters.</summary>
     /// <param name="points">The points of each curve, at least two.</param>
-    /// <param name="parameters">Rising parameters of the points of each curve, all over the same range.</param>
+    /// <param name="parameters">Ascending parameters of the points of each curve, all over the same range.</param>
     public SplineCurve[] Fit(Point3[][] points, double[][] parameters)
     {
         if (parameters.All(p => ReferenceEquals(p, parameters[0])))
@@ -77,7 +78,7 @@ internal sealed record CurveFamily(int Degree, int Poles)
         return true;
     }
 
-    /// <summary>Distance from the curve to first order: what is left across its direction at the point's parameter.</summary>
+    /// <summary>First-order distance from the curve: the residual across its direction at the point's parameter.</summary>
     private static double Distance(SplineCurve curve, double t, Point3 point)
     {
         Span<Vector3> d = stackalloc Vector3[2];

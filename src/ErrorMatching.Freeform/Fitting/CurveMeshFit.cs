@@ -2,19 +2,18 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>
-/// Through curve mesh: the Gordon surface through the fitted curves of both directions, then on the smallest net of poles that keeps it within the curves' tolerance on average. The Gordon sum itself carries
-/// the knots of three surfaces, more poles than there are points, and with them the noise of each.
-/// </summary>
-/// <param name="AlongU">What the curves along u need.</param>
-/// <param name="AlongV">What the curves along v need.</param>
-/// <param name="ToleranceMm">Largest mean distance in millimetres between the Gordon surface and the one on the smaller net.</param>
+/// <summary>Through curve mesh: the Gordon surface through the fitted curves of both directions, reduced to the smallest net of poles that
+/// keeps it within the curves' tolerance on average. The Gordon sum itself has the knots of three surfaces: more poles than points, and
+/// the noise of each.</summary>
+/// <param name="AlongU">Degree and poles of the curves along u.</param>
+/// <param name="AlongV">Degree and poles of the curves along v.</param>
+/// <param name="ToleranceMm">Largest mean distance in millimeters between the Gordon surface and the reduced one.</param>
 internal sealed record CurveMeshFit(CurveFamily AlongU, CurveFamily AlongV, double ToleranceMm)
 {
-    /// <summary>Nets between that of the curves and one pole a point.</summary>
+    /// <summary>Number of nets between that of the curves and one pole per point.</summary>
     private const int Nets = 4;
 
-    /// <summary>The curves that keep the tolerance.</summary>
+    /// <summary>Selects curves within the tolerance.</summary>
     public static CurveMeshFit Choose(FitGrid grid, double toleranceMm)
     {
         var alongU = CurveFamily.Choose(grid.Curves, grid.CurveUs, toleranceMm);
@@ -22,17 +21,16 @@ internal sealed record CurveMeshFit(CurveFamily AlongU, CurveFamily AlongV, doub
         return new(alongU, CurveFamily.Choose(across, VsOf(across, grid), toleranceMm), toleranceMm);
     }
 
-    /// <summary>The surface.</summary>
     public SplineSurface Fit(FitGrid grid)
     {
         var alongU = AlongU.Fit(grid.Curves, grid.CurveUs);
         var across = Across(grid, alongU);
         var alongV = AlongV.Fit(across, VsOf(across, grid));
-        // Both families are fits of the same points: where they should meet, they pass within what the fits leave.
+        // Both families fit the same points. They miss each other at the crossings only by the residuals of the fits.
         return Compact(SplineSurfaceFit.Gordon(alongU, grid.Vs, alongV, grid.Us, double.PositiveInfinity), grid.Us, grid.Vs);
     }
 
-    /// <summary>The points of each curve along v. Across a ragged grid no points face each other: the curves along u do.</summary>
+    /// <summary>The points of each curve along v. In a ragged grid, they are taken from the curves along u.</summary>
     private static Point3[][] Across(FitGrid grid, SplineCurve[] alongU) =>
         [.. grid.Us.Select((u, i) => grid.IsRectangular ? Array.ConvertAll(grid.Curves, c => c[i]) : Array.ConvertAll(alongU, c => c.PointAt(u)))];
 
@@ -61,7 +59,7 @@ internal sealed record CurveMeshFit(CurveFamily AlongU, CurveFamily AlongV, doub
 
     private static double MeanDistance(Point3[] a, Point3[] b) => a.Zip(b, (p, q) => (p - q).Length).Average();
 
-    /// <summary>The parameters and the middles between them.</summary>
+    /// <summary>The parameters and their midpoints.</summary>
     private static double[] Halved(double[] parameters) =>
         [.. Enumerable.Range(0, (2 * parameters.Length) - 1).Select(k => (parameters[k / 2] + parameters[(k + 1) / 2]) / 2)];
 }

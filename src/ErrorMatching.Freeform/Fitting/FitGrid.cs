@@ -2,41 +2,37 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A grid of points with parameters from 0 to 1: what every way of fitting starts from.</summary>
-/// <remarks>
-/// Parameters are in proportion to the chords as they are seen along the coordinate axis that the surface faces: over a plane that designs are drawn on, a height that is a polynomial stays one, where true chords
-/// would bend it. Where a chord looks shorter than half, because the surface is steep or closed, true chords are taken for all.
-/// </remarks>
+/// <summary>A grid of points with parameters from 0 to 1, as the basis of every fit.</summary>
+/// <remarks>Parameters are proportional to the chords projected along the coordinate axis that the surface faces. A height that is
+/// polynomial over a design plane then stays polynomial, where true chords would distort it. If a projected chord is shorter than half its
+/// true length, because the surface is steep or closed, true chords are used for all.</remarks>
 internal sealed class FitGrid
 {
-    /// <summary>Places on each curve of a ragged grid between which the curves' distances are taken.</summary>
+    /// <summary>Number of places on each curve of a ragged grid at which the distances between curves are measured.</summary>
     private const int Places = 11;
 
     private FitGrid(Point3[][] curves, double[][] us, double[] vs, bool isRectangular, double lengthU, double lengthV) =>
         (Curves, CurveUs, Vs, IsRectangular, LengthU, LengthV) = (curves, us, vs, isRectangular, lengthU, lengthV);
 
-    /// <summary>The points of each curve along u.</summary>
     public Point3[][] Curves { get; }
 
-    /// <summary>The parameters u of the points of each curve; the same for all curves of a rectangular grid.</summary>
+    /// <summary>The parameters u of the points of each curve; equal for all curves of a rectangular grid.</summary>
     public double[][] CurveUs { get; }
 
-    /// <summary>The parameter v of each curve.</summary>
     public double[] Vs { get; }
 
-    /// <summary>True if the points have curves in both directions.</summary>
+    /// <summary>True if the points form curves in both directions.</summary>
     public bool IsRectangular { get; }
 
-    /// <summary>Mean length of the curves along u in millimetres.</summary>
+    /// <summary>Mean length of the curves along u in millimeters.</summary>
     public double LengthU { get; }
 
-    /// <summary>Mean length across the curves in millimetres.</summary>
+    /// <summary>Mean length across the curves in millimeters.</summary>
     public double LengthV { get; }
 
-    /// <summary>The parameters u of the curve with the most points.</summary>
     public double[] Us => CurveUs.MaxBy(u => u.Length)!;
 
-    /// <summary>The points of a rectangular grid, v running faster.</summary>
+    /// <summary>The points of a rectangular grid, v varying fastest.</summary>
     public Point3[] ByV()
     {
         var points = new Point3[Us.Length * Vs.Length];
@@ -54,8 +50,9 @@ internal sealed class FitGrid
         [.. CurveUs.SelectMany(u => u)],
         [.. Curves.SelectMany((c, j) => Enumerable.Repeat(Vs[j], c.Length))]);
 
-    /// <summary>The grid with its parameters.</summary>
-    /// <exception cref="GeometryException">There are fewer than two curves or a curve has fewer than two points; neighbors coincide; a coordinate is not finite.</exception>
+    /// <summary>Assigns parameters to a grid.</summary>
+    /// <exception cref="GeometryException">There are fewer than two curves, or a curve has fewer than two points; neighbors coincide; or a
+    /// coordinate is not finite.</exception>
     public static FitGrid Of(PointGrid grid)
     {
         if (grid.Curves.Count < 2 || grid.Curves.Any(c => c.Count < 2))
@@ -91,13 +88,13 @@ internal sealed class FitGrid
         return new(curves, us, vs, false, MeanLength(curves), MeanLength(across));
     }
 
-    /// <summary>How points are seen for their parameters: along the axis that the surface faces, or as they are.</summary>
+    /// <summary>The projection for the parameters: along the axis that the surface faces, or none.</summary>
     private static Func<Point3[], Point3[]> Flat(Point3[][] lines)
     {
         var (x, y, z) = (0.0, 0.0, 0.0);
         for (var k = 1; k < lines.Length; k++)
         {
-            // The area between two lines, twice, by the diagonals of their ends.
+            // Twice the area between two lines, from the diagonals of their ends.
             var area = (lines[k][^1] - lines[k - 1][0]).Cross(lines[k][0] - lines[k - 1][^1]);
             (x, y, z) = (x + Math.Abs(area.X), y + Math.Abs(area.Y), z + Math.Abs(area.Z));
         }

@@ -2,13 +2,13 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A way to lay a surface through a grid of points: the paper's five (Lee 2019, section 2.3), and the one that chooses.</summary>
-/// <remarks>A new way is a line here, beside the file that computes it, and its name in <c>freeform.schema.json</c>.</remarks>
+/// <summary>A method of fitting a surface to a grid: the paper's five (Lee 2019, section 2.3), and one that selects the best.</summary>
+/// <remarks>A new method needs a line here, a file that implements it, and its name in <c>freeform.schema.json</c>.</remarks>
 public sealed class FitMethod
 {
     private FitMethod(string name, Func<PointGrid, double, FitMethod, FittedSurface> fit) => (Name, Fit) = (name, fit);
 
-    /// <summary>The method with the lowest error when whole grid lines are left out, curvature breaks found.</summary>
+    /// <summary>The method with the lowest line-out error; finds curvature breaks.</summary>
     public static FitMethod Best { get; } = new("best", (grid, tolerance, _) => BestFit.Of(grid, tolerance));
 
     /// <summary>A Gordon surface through both families of curves.</summary>
@@ -26,7 +26,7 @@ public sealed class FitMethod
     /// <summary>Least squares on a fixed net of poles.</summary>
     public static FitMethod FitSurface { get; } = Laid("fit-surface", (g, _) => Same(g, NetFit.Fit));
 
-    /// <summary>A fit smoothed by the bending energy of a thin plate, its weight by cross-validation.</summary>
+    /// <summary>A fit smoothed by the bending energy of a thin plate, with the weight from cross-validation.</summary>
     public static FitMethod StudioSurface { get; } = Laid(
         "studio-surface",
         (g, _) =>
@@ -38,22 +38,22 @@ public sealed class FitMethod
     /// <summary>Tensor-product interpolation through every point.</summary>
     public static FitMethod Tensor { get; } = Laid("tensor", (g, _) => Same(g, GridSurface.Interpolate));
 
-    /// <summary>All ways, the one that chooses first.</summary>
+    /// <summary>All methods, the selecting one first.</summary>
     public static IReadOnlyList<FitMethod> All { get; } = [Best, ThroughCurveMesh, ThroughCurves, FitSurface, StudioSurface, Tensor];
 
-    /// <summary>The name that files and the console use.</summary>
+    /// <summary>The name used in files and on the console.</summary>
     public string Name { get; }
 
-    // The grid, the tolerance of curves in mm, and this.
+    // Arguments: the grid, the tolerance of curves in mm, and this method.
     internal Func<PointGrid, double, FitMethod, FittedSurface> Fit { get; }
 
-    /// <summary>The way of a name; null if none has it.</summary>
+    /// <summary>The method of a name; null if there is none.</summary>
     public static FitMethod? Named(string name) => All.FirstOrDefault(m => m.Name == name);
 
     /// <inheritdoc/>
     public override string ToString() => Name;
 
-    // The surface, and how to lay one through a part of the points: with the degree, poles or weight that all points have chosen.
+    // The surface, and a function that fits one to part of the points with the degree, poles or weight selected from all points.
     private static FitMethod Laid(string name, Func<FitGrid, double, (SplineSurface Surface, Func<FitGrid, SplineSurface> Again)> lay) => new(
         name,
         (grid, tolerance, method) =>

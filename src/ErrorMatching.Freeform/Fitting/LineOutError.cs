@@ -2,24 +2,23 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>
-/// The error of a way of fitting where the true surface is unknown: each inner line of the grid, in both directions, is left out as a whole and its points are compared with the surface fitted without it.
-/// Leaving out single points is blind on grids, where the neighbors of the point still tell its line's shape.
-/// </summary>
+/// <summary>The error of a fit if the true surface is unknown. Each inner grid line in both directions is left out, and its points are
+/// compared with the surface fitted without it. Leaving out single points reveals little on grids, because the neighbors still define the
+/// shape of the line.</summary>
 internal static class LineOutError
 {
-    /// <summary>Lines of one direction that are left out at most, evenly chosen: more hardly change the mean, only the time.</summary>
+    /// <summary>Maximum number of lines left out in one direction, evenly chosen. More cost time and hardly change the mean.</summary>
     private const int MostLines = 50;
 
     private const int MostLinesOfMany = 12;
 
-    /// <summary>From so many points on, every line holds enough of them for fewer lines to tell the mean.</summary>
+    /// <summary>From this number of points, each line has enough of them for fewer lines to give the mean.</summary>
     private const int ManyPoints = 1000;
 
-    /// <summary>Mean distance in millimetres along the fitted surfaces' normals; NaN if no direction has an inner line.</summary>
+    /// <summary>Returns the mean distance in millimeters along the fitted surfaces' normals; NaN if there is no inner line.</summary>
     /// <param name="grid">The points.</param>
-    /// <param name="parameters">The same with parameters, near which the feet lie.</param>
-    /// <param name="lay">Lays a surface over the parameters 0 to 1 through a part of the points.</param>
+    /// <param name="parameters">The same points with parameters, near which the feet are.</param>
+    /// <param name="lay">Fits a surface over the parameters 0 to 1 to part of the points.</param>
     public static double Mean(PointGrid grid, FitGrid parameters, Func<PointGrid, SplineSurface> lay)
     {
         var (sum, count) = (0.0, 0);
@@ -31,7 +30,7 @@ internal static class LineOutError
 
         foreach (var number in Chosen(grid.Curves.SelectMany(c => c.Skip(1).SkipLast(1)).Select(p => p.I).Distinct().Order()))
         {
-            // The ends of every curve stay: beyond them no fit is asked for.
+            // The ends of every curve stay, so that no fit extrapolates.
             bool IsOut(int curve, int k) => grid.Curves[curve][k].I == number && k > 0 && k < grid.Curves[curve].Count - 1;
             LeaveOut(IsOut, new([.. grid.Curves.Select((c, j) => (IReadOnlyList<GridPoint>)[.. c.Where((_, k) => !IsOut(j, k))])]));
         }

@@ -2,14 +2,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Fit surface: least squares on a fixed net of poles, that of one bicubic patch.</summary>
+/// <summary>Fit surface: least squares on the fixed net of poles of one bicubic patch.</summary>
 internal static class NetFit
 {
     private const int Poles = 4;
 
     public static SplineSurface Fit(FitGrid grid)
     {
-        // A ragged grid is as good as its shortest curve.
+        // The shortest curve of a ragged grid limits the poles.
         var (knotsU, knotsV) = (Knots(grid.Curves.Min(c => c.Length)), Knots(grid.Vs.Length));
         if (grid.IsRectangular)
         {

@@ -3,18 +3,19 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Distances of points from a surface along its normals.</summary>
-/// <remarks>The surface counts as continued a little beyond its edges, so that a point that lies beyond by a trifle has a distance across the surface and none along it.</remarks>
+/// <remarks>The surface is continued slightly beyond its edges, so that the distance of a point just beyond an edge does not include the
+/// offset along the surface.</remarks>
 public sealed class SurfaceDistance
 {
     private const int SamplesPerPiece = 3;
 
-    /// <summary>How far feet may lie beyond an edge, as a share of the parameters.</summary>
+    /// <summary>How far a foot may be beyond an edge, as a share of the parameters.</summary>
     private const double Beyond = 0.05;
 
     private readonly SplineSurface _surface;
     private readonly Lazy<(double[] Us, double[] Vs, Point3[] Points)> _samples;
 
-    /// <summary>Distances from a surface.</summary>
+    /// <summary>Prepares distances from a surface.</summary>
     public SurfaceDistance(SplineSurface surface)
     {
         ArgumentNullException.ThrowIfNull(surface);
@@ -26,21 +27,21 @@ public sealed class SurfaceDistance
         });
     }
 
-    /// <summary>Signed distance of a point from its foot on the surface, in millimetres, positive on the side of the normal Du x Dv.</summary>
+    /// <summary>Signed distance of a point from its foot on the surface, in millimeters, positive towards the normal Du x Dv.</summary>
     public double To(Point3 point)
     {
         var (u, v) = Nearest(point);
         return To(point, u, v);
     }
 
-    /// <summary>The same from parameters that are known to be near the foot.</summary>
+    /// <summary>The same, starting from parameters near the foot.</summary>
     internal double To(Point3 point, double u, double v)
     {
         var at = Foot(point, u, v);
         return (point - at.Position).Dot(at.Normal);
     }
 
-    /// <summary>Mean and largest distance of points, regardless of the side, in millimetres.</summary>
+    /// <summary>Mean and largest absolute distance of points, in millimeters.</summary>
     /// <param name="points">At least one.</param>
     public DistanceSummary Of(IEnumerable<Point3> points)
     {
@@ -62,7 +63,8 @@ public sealed class SurfaceDistance
             : breaks[k / SamplesPerPiece] + ((breaks[(k / SamplesPerPiece) + 1] - breaks[k / SamplesPerPiece]) * (k % SamplesPerPiece) / SamplesPerPiece))];
     }
 
-    /// <summary>The place whose normal goes through the point; where there is none nearby, or only far beyond an edge, the nearest place.</summary>
+    /// <summary>The place whose normal passes through the point. If there is none nearby, or only far beyond an edge, the
+    /// nearest place.</summary>
     private SurfacePoint Foot(Point3 point, double u, double v)
     {
         if (NormalFoot.Of(_surface, point, u, v) is { } foot && IsWithin(_surface.KnotsU, foot.U) && IsWithin(_surface.KnotsV, foot.V))
@@ -79,7 +81,7 @@ public sealed class SurfaceDistance
         return t >= knots.Start - margin && t <= knots.End + margin;
     }
 
-    /// <summary>The nearest of places spread over the surface.</summary>
+    /// <summary>The nearest of samples spread over the surface.</summary>
     private (double U, double V) Nearest(Point3 point)
     {
         var (us, vs, samples) = _samples.Value;

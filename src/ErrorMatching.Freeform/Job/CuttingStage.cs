@@ -9,6 +9,6 @@ public enum CuttingStage
     /// <summary>Leaves the semi-finishing stock.</summary>
     SemiFinishing,
 
-    /// <summary>Leaves nothing.</summary>
+    /// <summary>Leaves no stock.</summary>
     Finishing,
 }

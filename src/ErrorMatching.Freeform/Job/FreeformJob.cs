@@ -4,8 +4,8 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Which surface is cut, how it is measured, and what is made of its error: the file that a setter writes once for a free-form piece.</summary>
-/// <remarks>Every key of the file is described by its schema (<see cref="FreeformTemplate.Schema"/>). Lengths in millimetres, angles in degrees.</remarks>
+/// <summary>Defines the surface, its measurement and the use of its error. A setter writes this file once for a free-form piece.</summary>
+/// <remarks>The schema describes every key (<see cref="FreeformTemplate.Schema"/>). Lengths in millimeters, angles in degrees.</remarks>
 public sealed record FreeformJob
 {
     private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(Encoding.UTF8.GetBytes(FreeformTemplate.Schema), "freeform.schema.json"));
@@ -14,50 +14,52 @@ public sealed record FreeformJob
     {
     }
 
-    /// <summary>The file as the caller named it.</summary>
+    /// <summary>The file name, as given by the caller.</summary>
     public required string File { get; init; }
 
-    /// <summary>SHA-256 of the file's bytes as 64 lower-case hexadecimal digits.</summary>
+    /// <summary>SHA-256 of the file's bytes as 64 lowercase hexadecimal digits.</summary>
     public required string Sha256 { get; init; }
 
-    /// <summary>What the report calls the job.</summary>
+    /// <summary>The name of the job in the report.</summary>
     public required string Name { get; init; }
 
-    /// <summary>The shop's number of the order; null if the job has none.</summary>
+    /// <summary>The shop's order number; null if the job has none.</summary>
     public string? WorkOrder { get; init; }
 
-    /// <summary>The nominal surface and which side of it is air.</summary>
+    /// <summary>The nominal surface and its open side.</summary>
     public required JobSurface Surface { get; init; }
 
-    /// <summary>What is left on the surface before finishing.</summary>
+    /// <summary>The stock on the surface before finishing.</summary>
     public required JobStock Stock { get; init; }
 
-    /// <summary>The ball end mill and how it is driven.</summary>
+    /// <summary>The ball end mill with its speed and feed.</summary>
     public required JobTool Tool { get; init; }
 
     /// <summary>How the surface is measured.</summary>
     public required JobMeasuring Measuring { get; init; }
 
-    /// <summary>What is fitted to the measured points.</summary>
+    /// <summary>How the measured points are fitted.</summary>
     public required JobFit Fit { get; init; }
 
     /// <summary>How the surface is cut.</summary>
     public required JobToolpath Toolpath { get; init; }
 
-    /// <summary>What is made of the error.</summary>
+    /// <summary>How the error is compensated.</summary>
     public required JobMirror Compensation { get; init; }
 
     internal IReadOnlyDictionary<string, JsonPlace> Places { get; init; } = new Dictionary<string, JsonPlace>();
 
     /// <summary>Where the file names another file, a dialect, a template or a tool.</summary>
-    /// <param name="path">The JSON path, such as <c>$.surface</c>, <c>$.toolpath.dialect</c>, <c>$.measuring.template</c>, <c>$.toolpath.tool.name</c> or <c>$.measuring.cutBy</c>.</param>
-    /// <returns>Null if it does not.</returns>
+    /// <param name="path">The JSON path, such as <c>$.surface</c>, <c>$.toolpath.dialect</c>, <c>$.measuring.template</c>,
+    /// <c>$.toolpath.tool.name</c> or <c>$.measuring.cutBy</c>.</param>
+    /// <returns>Null if the file does not name it.</returns>
     public JsonPlace? PlaceOf(string path) => Places.TryGetValue(path, out var place) ? place : null;
 
-    /// <summary>The job in some bytes.</summary>
+    /// <summary>Parses a job.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
-    /// <param name="file">Name for messages, and the place that relative paths start from.</param>
-    /// <exception cref="JsonDocumentException">The bytes are no JSON, break the schema, or the job contradicts itself; all problems are in it.</exception>
+    /// <param name="file">Name for messages. Relative paths are resolved against it.</param>
+    /// <exception cref="JsonDocumentException">The bytes are not JSON or violate the schema, or the job contradicts itself. The exception
+    /// lists all problems.</exception>
     public static FreeformJob Parse(ReadOnlySpan<byte> bytes, string file)
     {
         var document = JsonInput.Read(bytes, file);
@@ -72,6 +74,6 @@ public sealed record FreeformJob
         return reader.Problems.Count == 0 ? job : throw new JsonDocumentException(file, reader.Problems);
     }
 
-    /// <summary>A path of the job as seen from where the caller is: relative ones start from the job's folder, absolute ones stay.</summary>
+    /// <summary>Resolves a path of the job: relative paths start from the job's folder, absolute paths are kept.</summary>
     public string PathOf(string path) => Path.Combine(Path.GetDirectoryName(File) ?? "", path);
 }

@@ -2,7 +2,7 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Makes a job of a document that keeps the schema, and collects what a schema cannot say.</summary>
+/// <summary>Converts a schema-valid document to a job, and collects the problems that a schema cannot detect.</summary>
 internal sealed class FreeformJobReader(JsonItem root)
 {
     public List<JsonProblem> Problems { get; } = [];
@@ -23,7 +23,7 @@ internal sealed class FreeformJobReader(JsonItem root)
         Places = Named().OfType<JsonItem>().ToDictionary(i => i.Path, i => i.Place),
     };
 
-    // What names a file, a dialect or a tool, which is looked at later.
+    // Values that name a file, a dialect or a tool, which are checked later.
     private IEnumerable<JsonItem?> Named()
     {
         yield return root["surface"];

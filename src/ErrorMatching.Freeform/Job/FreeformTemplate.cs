@@ -2,13 +2,13 @@ using System.Text;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Texts that help to write a free-form job.</summary>
+/// <summary>The template and the schema for free-form jobs.</summary>
 public static class FreeformTemplate
 {
-    /// <summary>A commented job to start from. It passes the check, and runs beside files with the names it mentions.</summary>
+    /// <summary>A commented template for jobs. It passes the check, and runs if the files that it names exist next to it.</summary>
     public static string Text { get; } = Resource("freeform.template.json");
 
-    /// <summary>The JSON Schema (draft 2020-12) that jobs are checked against, with descriptions and examples for editors.</summary>
+    /// <summary>The JSON Schema (draft 2020-12) for jobs, with descriptions and examples for editors.</summary>
     public static string Schema { get; } = Resource("freeform.schema.json");
 
     private static string Resource(string name)

@@ -2,29 +2,28 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Places at which the curvature or the direction of a curve jumps.</summary>
-/// <remarks>
-/// Two ways to see one. At a knot of multiplicity degree - 1 or more the second derivative may jump: both sides are compared there. A smooth spline laid through a break (a surface from a grid of points)
-/// has it spread over a knot or two: there the curvature changes by most of its whole range within a fiftieth of the curve, which waves of a tenth of the curve and longer do not.
-/// </remarks>
+/// <summary>Finds places where the curvature or direction of a curve jumps.</summary>
+/// <remarks>There are two criteria. At a knot of multiplicity degree - 1 or more, the second derivative may jump, so both sides are
+/// compared. A smooth spline fitted across a break (a surface from a grid of points) spreads it over a knot or two: the curvature changes
+/// by most of its range within a fiftieth of the curve. Waves of a tenth of the curve or longer do not.</remarks>
 internal static class CurvatureBreaks
 {
-    /// <summary>Parts into which a curve is divided to look for jumps.</summary>
+    /// <summary>Number of parts into which a curve is divided.</summary>
     private const int Parts = 500;
 
-    /// <summary>Parts within which a jump takes place.</summary>
+    /// <summary>Number of parts within which a jump occurs.</summary>
     private const int Window = 10;
 
-    /// <summary>Share of the curvature's largest value that a jump at a knot must have, and share of its range that a spread one must have.</summary>
+    /// <summary>Minimum jump at a knot as a share of the largest curvature, and minimum spread jump as a share of its range.</summary>
     private const double KnotShare = 0.1, SpreadShare = 0.5;
 
-    /// <summary>Smallest jump of curvature (a radius of 100 m against a plane) and of direction (radians) that counts.</summary>
+    /// <summary>Smallest significant jump of curvature (a radius of 100 m against a plane) and of direction (radians).</summary>
     private const double LeastCurvature = 1e-5, LeastAngle = 1e-4;
 
-    /// <summary>Lines on which common breaks are looked for.</summary>
+    /// <summary>Number of lines on which common breaks are searched.</summary>
     private const int Lines = 9;
 
-    /// <summary>Breaks of a curve by rising parameter; none at its ends.</summary>
+    /// <summary>Breaks of a curve by ascending parameter; none at its ends.</summary>
     public static IReadOnlyList<double> On(IsoCurve curve)
     {
         var knots = curve.Knots;
@@ -50,7 +49,7 @@ internal static class CurvatureBreaks
         return found;
     }
 
-    /// <summary>Breaks that at least half of the curves in a direction have at the same place.</summary>
+    /// <summary>Breaks that occur at the same place on at least half of the curves in a direction.</summary>
     public static IReadOnlyList<double> Common(PartSurface surface, bool alongU)
     {
         var across = alongU ? surface.Spline.KnotsV : surface.Spline.KnotsU;
@@ -83,7 +82,7 @@ internal static class CurvatureBreaks
         return common;
     }
 
-    /// <summary>Parameters closer to one another than this are one break.</summary>
+    /// <summary>Parameters closer than this are the same break.</summary>
     public static double Same(KnotVector knots) => (knots.End - knots.Start) * Window / Parts;
 
     private static List<double> AtKnots(IsoCurve curve, double largest)
@@ -126,7 +125,7 @@ internal static class CurvatureBreaks
                 continue;
             }
 
-            // The steepest change near by; what follows within two windows is the same break.
+            // The steepest change nearby. Anything within two windows is the same break.
             var (best, steepest) = (i, 0.0);
             for (var k = i; k < Math.Min(i + (2 * Window), bends.Length - 1); k++)
             {

@@ -1,10 +1,11 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>How points are spread along a curve: equal shares of the angle that its direction turns by, blended with equal shares of its length, so that straight stretches get points too.</summary>
+/// <summary>Spreads points along a curve. It blends equal shares of the turning angle with equal shares of the length, so that straight
+/// stretches get points too.</summary>
 /// <remarks>Lee 2019, section 2.3: denser where the slope changes much between neighbors, sparser where it changes little.</remarks>
 internal sealed class CurveSpacing
 {
-    /// <summary>Part of a share that is length; the rest is angle.</summary>
+    /// <summary>The weight of the length; the rest is the angle.</summary>
     private const double LengthPart = 0.3;
 
     /// <summary>A curve that turns by less than this, in radians, is straight.</summary>
@@ -24,13 +25,13 @@ internal sealed class CurveSpacing
         (_t[0], _t[^1]) = (start, end);
     }
 
-    /// <summary>Angle that the curves turn by between the ends, in radians.</summary>
+    /// <summary>Turning angle of the curves between the ends, in radians.</summary>
     public double AngleRad { get; private set; }
 
-    /// <summary>Length of the curves between the ends, in millimetres.</summary>
+    /// <summary>Length of the curves between the ends, in millimeters.</summary>
     public double LengthMm { get; private set; }
 
-    /// <summary>The mean spacing of some curves between two parameters; only what lies in the region counts, or everything if nothing does.</summary>
+    /// <summary>Returns the mean spacing of curves between two parameters. Only parts in the region count, if any.</summary>
     public static CurveSpacing Of(IReadOnlyList<IsoCurve> curves, double start, double end)
     {
         var spacing = new CurveSpacing(start, end);
@@ -42,9 +43,9 @@ internal sealed class CurveSpacing
         return spacing;
     }
 
-    /// <summary>The parameters of points, by rising parameter.</summary>
-    /// <param name="count">How many; at least two and the breaks.</param>
-    /// <param name="breaks">Places strictly between the ends that get a point of their own.</param>
+    /// <summary>Returns the parameters of points, ascending.</summary>
+    /// <param name="count">Number of points; at least two plus the breaks.</param>
+    /// <param name="breaks">Places strictly between the ends that get their own point.</param>
     public IReadOnlyList<(double T, PlanReason Reason)> Place(int count, IReadOnlyList<double> breaks)
     {
         double[] nodes = [_t[0], .. breaks, _t[^1]];
@@ -106,7 +107,7 @@ internal sealed class CurveSpacing
 
     private double At(double share)
     {
-        // The first part that reaches the share: in a hole nothing grows, and the edge before it is taken.
+        // The first part that reaches the share. The sum does not grow in a hole, so the edge before it is taken.
         var (low, high) = (0, Parts);
         while (low < high)
         {

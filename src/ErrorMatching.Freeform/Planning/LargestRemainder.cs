@@ -1,11 +1,12 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Divides whole things in proportion to shares: each gets the whole part of what is due to it, and what is left goes to the largest fractions, the first of equal ones.</summary>
+/// <summary>Divides a count in proportion to shares. Each share gets its whole part; the rest goes to the largest fractions, the first of
+/// equal ones.</summary>
 internal static class LargestRemainder
 {
-    /// <summary>How many each share gets.</summary>
-    /// <param name="count">How many there are.</param>
-    /// <param name="shares">Numbers that are not negative; all alike if they are all zero.</param>
+    /// <summary>Returns the count of each share.</summary>
+    /// <param name="count">The count to divide.</param>
+    /// <param name="shares">Nonnegative numbers; equal shares if all are zero.</param>
     public static int[] Divide(int count, IReadOnlyList<double> shares)
     {
         var sum = 0.0;

@@ -2,12 +2,12 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>An order of points with a short way across: to and fro over the curves, made shorter by <see cref="ShortWay"/>.</summary>
+/// <summary>Orders points for a short path: alternately along the curves, then shortened by <see cref="ShortWay"/>.</summary>
 internal static class MeasuringOrder
 {
-    /// <summary>Indexes into the points, in the order of measuring.</summary>
+    /// <summary>Returns indices of the points, in the order of measuring.</summary>
     /// <param name="points">Where each point is approached, seen from above.</param>
-    /// <param name="curves">The number of each point's curve; points come curve by curve.</param>
+    /// <param name="curves">The index of each point's curve. Points are sorted by curve.</param>
     public static int[] Of(IReadOnlyList<Point2> points, IReadOnlyList<int> curves)
     {
         var fro = new int[points.Count];
@@ -29,11 +29,11 @@ internal static class MeasuringOrder
 
         var order = ShortWay.From([.. points], fro);
 
-        // Both ways are as long: it begins at the end that comes first in the grid.
+        // Both directions are equally long. The path starts at the end that comes first in the grid.
         return order.Length == 0 || order[0] <= order[^1] ? order : [.. order.Reverse()];
     }
 
-    /// <summary>Length of the way across.</summary>
+    /// <summary>Length of the path seen from above.</summary>
     public static double Length(IReadOnlyList<Point2> points, IReadOnlyList<int> order)
     {
         var length = 0.0;

@@ -3,29 +3,31 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Decides where a surface is measured: on curves along u, denser where their slope turns, with ends and curvature breaks always.</summary>
+/// <summary>Plans the measuring points of a surface: on curves along u, denser where their slope changes, always at ends and curvature
+/// breaks.</summary>
 public static class MeasuringPlanner
 {
-    /// <summary>The most points that a plan may have.</summary>
+    /// <summary>Maximum number of points of a plan.</summary>
     public const int MaxPoints = 20_000;
 
-    /// <summary>The most points that a wanted error may take: at some seconds a point they are a shift.</summary>
+    /// <summary>Maximum number of points for a required error: at several seconds per point, they take a shift.</summary>
     private const int MostForError = 5_000;
 
-    /// <summary>Points and curves with which the search for a wanted error begins.</summary>
+    /// <summary>Number of points and curves with which the search for a required error starts.</summary>
     private const int FirstCount = 4;
 
-    /// <summary>The plan for a surface.</summary>
-    /// <remarks>
-    /// Points get equal shares of the angle that a curve turns by, blended with its length (Lee 2019, section 2.3). Where <see cref="JobMeasuring.ReconstructionErrorMm"/> is given, points are added along the
-    /// parameter that lacks them until the nominal surface is known to it (<see cref="MeasuringPlan.ReconstructionErrorMm"/>). Their numbers follow a short way of the probe (nearest neighbor, 2-opt). Each point
-    /// is checked for whether ball and shank reach it; those that they do not are in <see cref="MeasuringPlan.Refusals"/>.
-    /// </remarks>
+    /// <summary>Returns the plan for a surface.</summary>
+    /// <remarks>Points get equal shares of a curve's turning angle, blended with its length (Lee 2019, section 2.3). If
+    /// <see cref="JobMeasuring.ReconstructionErrorMm"/> is given, points are added along the parameter that needs them until
+    /// <see cref="MeasuringPlan.ReconstructionErrorMm"/> reaches it. Points are numbered along a short path of the probe (2-opt
+    /// and or-opt). Each point is checked for collisions of ball and shank; unreachable points are in
+    /// <see cref="MeasuringPlan.Refusals"/>.</remarks>
     /// <param name="surface">The nominal finished surface.</param>
-    /// <param name="measuring">How many points, and with which stylus.</param>
-    /// <param name="stockMm">What lies on the nominal surface along its normal when it is measured.</param>
-    /// <param name="rimSetInMm">How far points stay from the ends of the surface; 0: the ends themselves are measured. From trimmed edges they stay half a millimeter at least.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A length is negative or no finite number.</exception>
+    /// <param name="measuring">The number of points and the stylus.</param>
+    /// <param name="stockMm">Stock on the nominal surface along its normal during measurement.</param>
+    /// <param name="rimSetInMm">Distance of points from the ends of the surface; 0 measures the ends themselves. The distance from trimmed
+    /// edges is at least half a millimeter.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A length is negative or not a finite number.</exception>
     public static MeasuringPlan Plan(PartSurface surface, JobMeasuring measuring, double stockMm = 0, double rimSetInMm = 0)
     {
         ArgumentNullException.ThrowIfNull(surface);
@@ -65,7 +67,7 @@ public static class MeasuringPlanner
             : measuring.PointsPerCurve is { } each ? layout.Even(curves, each) : layout.Spread(curves, points);
     }
 
-    // One more along the parameter that lacks points, more at once when there are many.
+    // Adds one along the parameter that needs points, or more if there are many already.
     private static IReadOnlyList<PlanCurve> Enough(PartSurface surface, PlanLayout layout, double wanted)
     {
         var (curves, each) = (Math.Max(FirstCount, layout.BreaksV.Count + 2), Math.Max(FirstCount, layout.BreaksU.Count + 2));

@@ -6,10 +6,11 @@ namespace ErrorMatching.Freeform;
 /// <summary>Writes a measuring plan as a table.</summary>
 public static class PlanCsv
 {
-    /// <summary>The header: number of the point in the order of measuring, its place in the grid, the point on the nominal surface in millimetres, its unit normal out of the material, and why it is there.</summary>
+    /// <summary>The header: number of the point in the order of measuring, its indices in the grid, the point on the nominal surface in
+    /// millimeters, its unit normal out of the material, and the reason for the point.</summary>
     public const string Header = "point,i,j,x,y,z,nx,ny,nz,reason";
 
-    /// <summary>One line a point by rising number, as UTF-8. Coordinates with six decimals, normals with nine.</summary>
+    /// <summary>Writes one line per point by ascending number, as UTF-8. Coordinates have six decimals, normals nine.</summary>
     public static byte[] Write(MeasuringPlan plan)
     {
         ArgumentNullException.ThrowIfNull(plan);
@@ -30,7 +31,7 @@ public static class PlanCsv
         _ => "slope",
     };
 
-    // A minus before zeros only is none.
+    // Avoids a negative zero.
     private static string Mm(double value) => (Math.Round(value, 6) + 0.0).ToString("0.000000", CultureInfo.InvariantCulture);
 
     private static string Unit(double value) => (Math.Round(value, 9) + 0.0).ToString("0.000000000", CultureInfo.InvariantCulture);

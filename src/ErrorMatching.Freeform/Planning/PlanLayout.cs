@@ -1,15 +1,16 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Where on a surface curves and their points may lie, and how a number of them is spread over it.</summary>
+/// <summary>Determines where curves and points may be on a surface, and distributes them.</summary>
 internal sealed class PlanLayout
 {
-    /// <summary>Distance that is kept from trimmed edges, mm: a touch beside an edge that is off by less still finds the surface.</summary>
+    /// <summary>Distance from trimmed edges, mm. A touch still finds the surface if the edge is off by less.</summary>
     public const double TrimSetInMm = 0.5;
 
-    /// <summary>Curves whose mean decides where points lie that all curves share.</summary>
+    /// <summary>Number of sample lines for a common spacing.</summary>
     private const int Lines = 9;
 
-    /// <summary>Part of a curve's share of all points that its turning decides; the rest is its length, for an error need not lie where the nominal surface bends.</summary>
+    /// <summary>Weight of a curve's turning angle in its share of all points; the rest is its length, because errors may occur where the
+    /// nominal surface is straight.</summary>
     private const double AnglePart = 0.3;
 
     private readonly PartSurface _surface;
@@ -17,7 +18,7 @@ internal sealed class PlanLayout
     private readonly (double Start, double End) _v;
     private readonly CurveSpacing _across;
 
-    // Where all curves can have the same u; null where each has its own.
+    // The spacing shared by all curves; null if each has its own.
     private readonly (CurveSpacing Spacing, double[] Breaks)? _shared;
 
     public PlanLayout(PartSurface surface, double rimSetInMm)
@@ -35,7 +36,8 @@ internal sealed class PlanLayout
 
     public IReadOnlyList<double> BreaksV { get; }
 
-    /// <summary>Curves with the same number of points. On a whole surface whose breaks lie on its parameter lines all curves have the same u, so that the points have curves in both directions.</summary>
+    /// <summary>Returns curves with equal numbers of points. On a whole surface whose breaks follow its parameter lines, all curves share
+    /// the same u, so that the points form curves in both directions.</summary>
     /// <exception cref="PlanRefusedException">Breaks and ends alone need more points, or a curve has no room in the region.</exception>
     public IReadOnlyList<PlanCurve> Even(int curves, int each)
     {
@@ -49,8 +51,8 @@ internal sealed class PlanLayout
         return [.. lines.Select(l => new PlanCurve(l.V, l.Reason, nodes))];
     }
 
-    /// <summary>Curves that share a number of points by how much each of them turns and how long it is.</summary>
-    /// <exception cref="PlanRefusedException">As of <see cref="Even"/>.</exception>
+    /// <summary>Distributes a number of points over curves by the turning angle and length of each.</summary>
+    /// <exception cref="PlanRefusedException">As for <see cref="Even"/>.</exception>
     public IReadOnlyList<PlanCurve> Spread(int curves, int points)
     {
         var lines = Curves(curves);
@@ -67,7 +69,7 @@ internal sealed class PlanLayout
         var most = LargestRemainder.Divide(points, [.. spacings.Select(s => (angle > 0 ? AnglePart * s.AngleRad / angle : 0) + ((1 - AnglePart) * s.LengthMm / length))]);
         var counts = most.Select((m, j) => Math.Max(m, breaks[j].Length + 2)).ToArray();
 
-        // What curves got beyond their share so that they have their ends and breaks is taken from those that have most to spare.
+        // Ends and breaks may need points beyond a curve's share. These are taken from the curves with the most points to spare.
         for (var over = counts.Sum() - points; over > 0; over--)
         {
             counts[Enumerable.Range(0, counts.Length).MaxBy(j => counts[j] - breaks[j].Length)]--;
@@ -119,7 +121,7 @@ internal sealed class PlanLayout
         return range.Start < range.End ? range : throw PlanRefusedException.NoRoom("the region");
     }
 
-    // First and last place of a curve that lie in the region, set in.
+    // The first and last place of a curve inside the region, set in.
     private (double Start, double End) EndsOf(double v)
     {
         var (curve, knots) = (CurveAt(v), _surface.Spline.KnotsU);
@@ -156,7 +158,7 @@ internal sealed class PlanLayout
         return inside;
     }
 
-    // A length becomes a parameter by the speed of the curve at its end.
+    // A length is converted to a parameter by the derivative at the curve's end.
     private static (double Start, double End) SetIn(IsoCurve curve, double start, double end, double length) => length == 0
         ? (start, end)
         : (start + (length / curve.Derivative(curve.At(start)).Length), end - (length / curve.Derivative(curve.At(end)).Length));

@@ -2,11 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>How well the points of a plan know the nominal surface: its distance from a surface that is made of these points alone.</summary>
-/// <remarks>
-/// The surface is piecewise cubic (Lagrange through the four nearest points of a curve, then through the four nearest curves, never across a curvature break): a cautious stand-in for the fits, which are
-/// smoother. It is compared with the nominal one at the middles and quarters between points.
-/// </remarks>
+/// <summary>How well the points of a plan represent the nominal surface: its distance from a surface made of these points alone.</summary>
+/// <remarks>The surface is piecewise cubic: Lagrange through the four nearest points of a curve, then through the four nearest curves,
+/// never across a curvature break. This is a cautious substitute for the fits, which are smoother. It is compared with the nominal surface
+/// at the midpoints and quarter points between points.</remarks>
 internal sealed class PlanReconstruction
 {
     private const int Support = 4;
@@ -56,7 +55,7 @@ internal sealed class PlanReconstruction
         return (onCurves, everywhere);
     }
 
-    // Where the points reach; beyond them nothing is claimed.
+    // Only within the points. Nothing is claimed beyond them.
     private double ErrorAt(double u, double v)
     {
         Span<double> across = stackalloc double[Support];
@@ -89,7 +88,7 @@ internal sealed class PlanReconstruction
         return Math.Abs((new Point3(sum.X, sum.Y, sum.Z) - at.Position).Dot(at.Normal));
     }
 
-    // Lagrange's weights of the nodes around a parameter within its piece between breaks; the number of the first of them.
+    // Lagrange weights of the nodes around a parameter, within its interval between breaks. Returns the index of the first node.
     private static int Weights(double[] nodes, bool[] isBreak, double t, ref Span<double> weights)
     {
         var i = Math.Clamp(Array.BinarySearch(nodes, t) is var found && found >= 0 ? found : ~found - 1, 0, nodes.Length - 2);

@@ -3,11 +3,11 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Whether a stylus reaches a point on a machine of three axes: its ball and its shank, a vertical cylinder as thick as the ball, against the whole surface with its stock.</summary>
-/// <remarks>
-/// Looked at: the way straight down from clearance height to where the measuring move begins (which sweeps the cylinder), and the measuring move itself in steps. The surface is a cloud of points a quarter
-/// of the ball's radius apart; what is closer to the ball than its radius by more than a micrometer is a collision.
-/// </remarks>
+/// <summary>Checks whether a stylus reaches the points on a three-axis machine. Its ball and shank, a vertical cylinder as thick as the
+/// ball, are tested against the whole surface with its stock.</summary>
+/// <remarks>The check covers the straight descent from clearance height to the start of the measuring move (swept by the cylinder), and
+/// the measuring move in steps. The surface is a cloud of points a quarter of the ball's radius apart. A point closer to the ball's center
+/// than its radius by more than a micrometer is a collision.</remarks>
 internal sealed class ProbeAccess
 {
     private const double ToleranceMm = 0.001;
@@ -35,10 +35,10 @@ internal sealed class ProbeAccess
         Refusals = [.. points.Select(Refusal).OfType<FreeformRefusal>()];
     }
 
-    /// <summary>As of <see cref="MeasuringPlan.ClearanceZ"/>.</summary>
+    /// <summary>See <see cref="MeasuringPlan.ClearanceZ"/>.</summary>
     public double ClearanceZ { get; } = double.NaN;
 
-    /// <summary>As of <see cref="MeasuringPlan.TravelMm"/>.</summary>
+    /// <summary>See <see cref="MeasuringPlan.TravelMm"/>.</summary>
     public double TravelMm { get; }
 
     /// <summary>Why points cannot be touched.</summary>
@@ -81,7 +81,7 @@ internal sealed class ProbeAccess
         return null;
     }
 
-    // Where the surface is inside the ball or the cylinder above it; the deepest place.
+    // The deepest surface point inside the ball or the cylinder above it.
     private Point3? Meets(Point3 center)
     {
         var radius = _plan.StylusRadiusMm;

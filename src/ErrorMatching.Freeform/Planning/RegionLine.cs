@@ -1,15 +1,16 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>A line of constant u or v with its crossings of a region's edges: many places of it are asked for, and edges can be long.</summary>
+/// <summary>A line of constant u or v with its precomputed crossings of a region's edges, because many places are tested and edges can be
+/// long.</summary>
 internal sealed class RegionLine
 {
     // Null for the whole surface.
     private readonly double[]? _crossings;
 
-    /// <summary>A line.</summary>
+    /// <summary>Calculates the crossings of a line.</summary>
     /// <param name="region">The region.</param>
-    /// <param name="alongU">True if u runs.</param>
-    /// <param name="at">The parameter that stays.</param>
+    /// <param name="alongU">True if u varies.</param>
+    /// <param name="at">The fixed parameter.</param>
     public RegionLine(SurfaceRegion region, bool alongU, double at)
     {
         if (region.IsWhole)
@@ -35,7 +36,8 @@ internal sealed class RegionLine
         _crossings = [.. crossings];
     }
 
-    /// <summary>True if a place of the line belongs to the region: an odd number of crossings lies behind it, as <see cref="SurfaceRegion.Contains"/> counts.</summary>
+    /// <summary>True if a place on the line belongs to the region: an odd number of crossings follows it, as in
+    /// <see cref="SurfaceRegion.Contains"/>.</summary>
     public bool IsInside(double t)
     {
         if (_crossings is null)

@@ -2,32 +2,31 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>
-/// An open way through all of some points, made shorter in two ways until no single change helps: a piece is turned around (2-opt), or up to three points go elsewhere (or-opt). Among few points pieces then change places again and again before both are tried anew,
-/// which leads out of what single changes cannot better. Which pieces do is a fixed sequence, so the same points always have the same way.
-/// </summary>
-/// <remarks>
-/// Sources: Or, Traveling salesman-type combinatorial problems, Northwestern University 1976; Bentley, Fast algorithms for geometric traveling salesman problems, ORSA Journal on Computing 4 (1992): only the nearest points are tried, and only where the way has changed;
-/// Dueck and Scheuer, Threshold accepting, Journal of Computational Physics 90 (1990): a way that is a little longer is gone on from. Looking for the nearest points costs the square of their number.
-/// </remarks>
+/// <summary>Shortens an open path through points by 2-opt (reversing a piece) and or-opt (moving up to three points) until no single change
+/// helps. For few points, it then swaps adjacent pieces repeatedly and tries both again, to escape local minima. The sequence of swaps is
+/// fixed, so the same points always give the same path.</summary>
+/// <remarks>Sources: Or, Traveling salesman-type combinatorial problems, Northwestern University 1976; Bentley, Fast algorithms for
+/// geometric traveling salesman problems, ORSA Journal on Computing 4 (1992): only the nearest points are tried, and only where the path
+/// has changed; Dueck and Scheuer, Threshold accepting, Journal of Computational Physics 90 (1990): the search continues from a slightly
+/// longer path. Finding the nearest points takes quadratic time.</remarks>
 internal sealed class ShortWay
 {
-    /// <summary>Neighbors that a point is joined to by way of trial.</summary>
+    /// <summary>Number of neighbors that are tried for each point.</summary>
     private const int Nearest = 8;
 
-    /// <summary>The most points that go elsewhere together.</summary>
+    /// <summary>Maximum number of points that move together.</summary>
     private const int Moved = 3;
 
-    /// <summary>The longest pieces that change places.</summary>
+    /// <summary>Maximum length of swapped pieces.</summary>
     private const int Swapped = 10;
 
-    /// <summary>How often pieces change places, for each point.</summary>
+    /// <summary>Number of swaps per point.</summary>
     private const int Swaps = 10;
 
-    /// <summary>By how much of its mean step a way that is gone on from may be longer than the shortest.</summary>
+    /// <summary>How much longer than the shortest a path may be to continue from, as a share of its mean step.</summary>
     private const double Longer = 0.1;
 
-    /// <summary>Points up to which pieces change places: of more the way is short, but seldom the shortest.</summary>
+    /// <summary>Maximum number of points for swaps. Larger paths are short, but seldom the shortest.</summary>
     private const int Few = 300;
 
     private const double LeastGainMm = 1e-9;
@@ -36,7 +35,7 @@ internal sealed class ShortWay
     private readonly int[] _near;
     private readonly int _nearOfEach;
 
-    // The way is closed by a place that is at no distance from any point, the last index: so its ends are no special case.
+    // A virtual point at distance zero from all others, with the last index, closes the path. So its ends need no special handling.
     private readonly int[] _tour;
     private readonly int[] _at;
     private readonly int[] _buffer;
@@ -52,7 +51,7 @@ internal sealed class ShortWay
         Place();
     }
 
-    /// <summary>A shorter order than one that is given, or that one.</summary>
+    /// <summary>Returns a shorter order, or the given one.</summary>
     public static int[] From(Point2[] points, int[] order)
     {
         if (order.Length < 3)
@@ -76,7 +75,7 @@ internal sealed class ShortWay
         return [.. way._tour.AsSpan(end + 1), .. way._tour.AsSpan(0, end)];
     }
 
-    // Of each point, the nearest first.
+    // The neighbors of each point, nearest first.
     private static int[] NearestOf(Point2[] points, int count)
     {
         var (near, distances) = (new int[points.Length * count], new double[count]);
@@ -117,7 +116,7 @@ internal sealed class ShortWay
         return length;
     }
 
-    // Improves as far as single changes lead, from every point whose neighbors on the way have changed; by how much the way gets shorter.
+    // Applies single changes while they help, at every point whose neighbors on the path have changed. Returns the reduction in length.
     private double Improve()
     {
         var gain = 0.0;
@@ -142,7 +141,7 @@ internal sealed class ShortWay
         return gain;
     }
 
-    // Lets two pieces beside each other change places and improves what comes of it, and keeps the shortest.
+    // Swaps adjacent pieces, improves the result, and keeps the shortest path.
     private void Shake()
     {
         var (kept, shortest) = ((int[])_tour.Clone(), (int[])_tour.Clone());
@@ -179,11 +178,11 @@ internal sealed class ShortWay
         shortest.CopyTo(_tour, 0);
         Place();
 
-        // Linear congruential: Numerical Recipes, 3rd edition, section 7.1. The low bits hardly change.
+        // Linear congruential generator: Numerical Recipes, 3rd edition, section 7.1. Drops the low bits, which hardly change.
         int Next(int below) => (int)(((sequence = (1664525 * sequence) + 1013904223) >> 8) % (uint)below);
     }
 
-    // Lets the pieces of so many points behind a place change places; by how much the way gets longer.
+    // Swaps two adjacent pieces of the given lengths after a position. Returns the increase in length.
     private double Swap(int first, int one, int two)
     {
         var (before, start, end) = (At(first), At(first + 1), At(first + one));
@@ -203,7 +202,7 @@ internal sealed class ShortWay
         return Between(before, next) + Between(last, start) + Between(end, behind) - Between(before, start) - Between(end, next) - Between(last, behind);
     }
 
-    // Joins a point with one that is nearer than the next on the way, and turns around what lies between; by how much the way gets shorter.
+    // Joins a point with one that is nearer than its successor, and reverses the piece between them. Returns the reduction in length.
     private double Turn(int point, int forward)
     {
         var next = Step(point, forward);
@@ -231,7 +230,7 @@ internal sealed class ShortWay
         return 0;
     }
 
-    // Takes points, of which this is the first, out of the way and puts them where the first lies beside a near one; by how much the way gets shorter.
+    // Moves points, starting with this one, so that the first is next to a near point. Returns the reduction in length.
     private double Move(int point, int forward)
     {
         var (before, last) = (Step(point, -forward), point);
@@ -275,7 +274,7 @@ internal sealed class ShortWay
         return 0;
     }
 
-    // Writes the way anew: what is left, from behind the points on, with these between their new neighbors.
+    // Rewrites the path: the remaining points, starting after the moved ones, with these between their new neighbors.
     private void Insert(int point, int count, int forward, int other, int beyond)
     {
         var (length, from) = (0, forward > 0 ? _at[point] + count : _at[point] + 1);
@@ -293,7 +292,7 @@ internal sealed class ShortWay
         Place();
     }
 
-    // From one place to another, past the end of the array if it must; or all the others, which is the same way.
+    // Reverses from one position to another, across the end of the array if necessary; or the rest, which gives the same path.
     private void Reverse(int from, int to)
     {
         var count = ((to - from + _tour.Length) % _tour.Length) + 1;
@@ -327,7 +326,7 @@ internal sealed class ShortWay
         _changed.Push(c);
     }
 
-    // The end of the way is the nearest to every point.
+    // The virtual end is nearest to every point.
     private int NearOf(int point, int k) => k < 0 ? _points.Length : _near[(point * _nearOfEach) + k];
 
     private int At(int place) => _tour[(place + _tour.Length) % _tour.Length];

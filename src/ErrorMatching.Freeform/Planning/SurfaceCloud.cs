@@ -2,21 +2,21 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Many points of a surface with its stock, found by their place seen from above.</summary>
+/// <summary>A point cloud of a surface with its stock, searchable by horizontal position.</summary>
 internal sealed class SurfaceCloud
 {
-    /// <summary>Most points along each parameter.</summary>
+    /// <summary>Maximum number of points along each parameter.</summary>
     private const int Most = 500;
 
     private const int Fewest = 40;
     private readonly Dictionary<(int X, int Y), List<Point3>> _cells = [];
     private readonly double _cell;
 
-    /// <summary>Points of the region, closer to one another than a step where their number allows.</summary>
+    /// <summary>Samples the region with a step, unless that exceeds the maximum number.</summary>
     /// <param name="surface">The surface.</param>
-    /// <param name="stockMm">What lies on it along its normal.</param>
-    /// <param name="stepMm">Distance between neighbors that is aimed at.</param>
-    /// <param name="cellMm">Radius within which points are asked for.</param>
+    /// <param name="stockMm">Stock on the surface along its normal.</param>
+    /// <param name="stepMm">Target distance between neighbors.</param>
+    /// <param name="cellMm">Radius of queries.</param>
     public SurfaceCloud(PartSurface surface, double stockMm, double stepMm, double cellMm)
     {
         _cell = cellMm;
@@ -38,10 +38,9 @@ internal sealed class SurfaceCloud
         }
     }
 
-    /// <summary>Height of the highest point.</summary>
     public double Top { get; private set; } = double.NegativeInfinity;
 
-    /// <summary>Points whose distance from a vertical line may be the radius or less.</summary>
+    /// <summary>Points that may be within the radius of a vertical line.</summary>
     public IEnumerable<Point3> Near(double x, double y)
     {
         var (column, row) = Cell(x, y);

@@ -2,8 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A point of a plan with what was measured there.</summary>
-/// <param name="Planned">The point of the plan.</param>
-/// <param name="Contact">Where the ball touched the surface, in millimetres.</param>
-/// <param name="Line">Line of the file that it was read from.</param>
+/// <summary>A planned point with its measurement.</summary>
+/// <param name="Planned">The planned point.</param>
+/// <param name="Contact">Where the ball touched the surface, in millimeters.</param>
+/// <param name="Line">Line of the file.</param>
 public sealed record MeasuredPoint(PlanPoint Planned, Point3 Contact, int Line);

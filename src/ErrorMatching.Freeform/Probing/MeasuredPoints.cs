@@ -2,24 +2,23 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>What was measured at each point of a plan.</summary>
-/// <param name="File">The file as the caller named it.</param>
-/// <param name="Sha256">SHA-256 of the file's bytes as 64 lower-case hexadecimal digits.</param>
+/// <summary>The measured points of a plan.</summary>
+/// <param name="File">The file name, as given by the caller.</param>
+/// <param name="Sha256">SHA-256 of the file's bytes as 64 lowercase hexadecimal digits.</param>
 /// <param name="Points">Each point of the plan once, in the order of the plan.</param>
-/// <param name="Warnings">What is strange and does no harm, in sentences.</param>
+/// <param name="Warnings">Harmless irregularities, in sentences.</param>
 public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<MeasuredPoint> Points, IReadOnlyList<string> Warnings)
 {
-    /// <summary>
-    /// Of a log behind a program that follows a measurement: the SHA-256 of that measurement, or another word where it cannot be read any more; null where the file names none.
-    /// </summary>
+    /// <summary>The SHA-256 of the measurement that the cutting program followed, or another word if it cannot be read; null if the log
+    /// names none.</summary>
     public string? CutByMeasurement { get; init; }
 
-    /// <summary>Where the ball touched the surface at a point of the plan.</summary>
+    /// <summary>The measured contact of a planned point.</summary>
     /// <param name="point">The number of the point, from 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">The plan has no such point.</exception>
     public Point3 this[int point] => point >= 1 && point <= Points.Count ? Points[point - 1].Contact : throw new ArgumentOutOfRangeException(nameof(point), point, "The plan has no such point.");
 
-    /// <summary>Refuses files that hold the same measurement: it would count several times.</summary>
+    /// <summary>Throws if files contain the same measurement, which would count several times.</summary>
     /// <exception cref="FreeformException"><c>same-measurement</c>.</exception>
     internal static void ThrowIfTwice(IReadOnlyList<MeasuredPoints> files)
     {

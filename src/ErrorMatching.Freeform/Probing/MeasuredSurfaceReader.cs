@@ -6,28 +6,28 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads what was measured of a surface: the log of the probing program, a table of points, or a gauge's table of features.</summary>
-/// <remarks>
-/// A log begins with the word ERRORMATCH. A table has a header with <c>point</c> (as in plan.csv) or <c>i,j</c>, and <c>x,y,z</c> in millimetres, between commas, semicolons or tabs, with decimal points.
-/// A gauge's table of features (<see cref="MeasurementFormat.FeatureTable"/>, between the same) names points by their numbers (12, P12). Centers of the ball become contacts: the center less the ball's radius along the normal at
-/// the foot of the center on the nominal surface, which is exact wherever the ball touched, also on a slope.
-/// </remarks>
+/// <summary>Reads the measured points of a surface: a probing program's log, a table of points, or a gauge's feature table.</summary>
+/// <remarks>A log starts with the word ERRORMATCH. A table has a header with <c>point</c> (as in plan.csv) or <c>i,j</c>, and <c>x,y,z</c>
+/// in millimeters, separated by commas, semicolons or tabs, with decimal points. A gauge's table of features
+/// (<see cref="MeasurementFormat.FeatureTable"/>, same separators) names points by their numbers (12, P12). Centers of the ball are
+/// converted to contacts: the center minus the ball's radius along the normal at the foot of the center on the nominal surface. This is
+/// exact wherever the ball touched, also on a slope.</remarks>
 public static class MeasuredSurfaceReader
 {
-    /// <summary>Largest file that is read, in bytes.</summary>
+    /// <summary>Maximum file size in bytes.</summary>
     public const int MaxBytes = 1 << 26;
 
     private const double RoundingMm = 0.005;
 
-    /// <summary>The measured points of a plan.</summary>
+    /// <summary>Reads the measured points of a plan.</summary>
     /// <param name="bytes">The file's bytes.</param>
-    /// <param name="file">Its name for messages.</param>
-    /// <param name="plan">The plan that was measured.</param>
-    /// <param name="measuring">What the file holds (<see cref="JobMeasuring.ReportsStylusCenter"/>), and how far the surface may be from where it is expected: less than approach and overtravel.</param>
-    /// <exception cref="FreeformException">
-    /// The file cannot be read, a point of the plan is not in it (<c>missing-point</c>) or is in it twice (<c>doubled-point</c>), it has one that the plan has not (<c>unknown-point</c>) or has elsewhere (<c>contradictory-point</c>), or one is too far from
-    /// where it is expected (<c>far-off-point</c>).
-    /// </exception>
+    /// <param name="file">The file name, for messages.</param>
+    /// <param name="plan">The measured plan.</param>
+    /// <param name="measuring">The content of the file (<see cref="JobMeasuring.ReportsStylusCenter"/>), and approach and overtravel,
+    /// which limit the distance from the expected surface.</param>
+    /// <exception cref="FreeformException">The file cannot be read; a planned point is missing (<c>missing-point</c>) or occurs twice
+    /// (<c>doubled-point</c>); a point is unknown to the plan (<c>unknown-point</c>), at another place in it (<c>contradictory-point</c>),
+    /// or too far from the expected place (<c>far-off-point</c>).</exception>
     /// <exception cref="MeasurementException">A table of features cannot be read.</exception>
     public static MeasuredPoints Read(ReadOnlySpan<byte> bytes, string file, MeasuringPlan plan, JobMeasuring measuring)
     {
@@ -135,10 +135,10 @@ public static class MeasuredSurfaceReader
         return raw.Position + (plan.Surface.NormalOf(foot) * -plan.StylusRadiusMm);
     }
 
-    // Where the measuring move cannot have been, or has found nothing.
+    // Where the measuring move cannot have been, or has missed.
     private static void FarOff(MeasuredPoint[] points, MeasuringPlan plan, JobMeasuring measuring, RawPoint?[] found, string file)
     {
-        // Where the move ends without a touch the log has its end, rounded.
+        // If the move misses, the log contains its rounded end.
         var limit = Math.Min(measuring.ApproachMm, measuring.OvertravelMm) - RoundingMm;
         var far = points.Where(p => (p.Contact - plan.ContactOf(p.Planned)).Length >= limit).ToArray();
         if (far.Length == 0)

@@ -4,7 +4,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads a table with one line a point: a header with the columns point, or i and j, and x, y, z; other columns are passed over.</summary>
+/// <summary>Reads a table with one line per point: header columns point, or i and j, and x, y, z. Others are ignored.</summary>
 internal sealed class MeasuredTableReader(string file, bool isCenter)
 {
     private static readonly SearchValues<char> OfNumbers = SearchValues.Create("-+.0123456789");
@@ -42,7 +42,7 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
                 throw new FreeformException("short-row", file, FormattableString.Invariant($"found a line of {cells.Length} cells; expected {names.Length} as in the header."), row + 1);
             }
 
-            // A coordinate with a decimal comma would be taken for two, and the point for another one.
+            // A decimal comma would split a coordinate into two and give a different point.
             if (cells.Skip(names.Length).Any(c => c.Trim().Length > 0))
             {
                 throw new FreeformException("long-row", file, FormattableString.Invariant($"found a line of {cells.Length} cells; expected {names.Length} as in the header, and numbers with a decimal point."), row + 1);
@@ -67,11 +67,11 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
         }
     }
 
-    /// <summary>What stands between the columns of a table with this header.</summary>
+    /// <summary>The column separator of a table with this header.</summary>
     public static char DelimiterOf(string header) => header.Contains(';', StringComparison.Ordinal) ? ';' : header.Contains('\t', StringComparison.Ordinal) ? '\t' : ',';
 
-    /// <summary>The number in the name of a point: 12, P12, point 12.</summary>
-    /// <returns>The number, or -1 where there is none.</returns>
+    /// <summary>The number in a point's name: 12, P12, point 12.</summary>
+    /// <returns>The number, or -1 if there is none.</returns>
     public static int NumberOf(string label)
     {
         var digits = label.Length;

@@ -4,7 +4,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Puts a probing program behind another one and looks at both again: the first must do what it did, the second must go where it went alone.</summary>
+/// <summary>Appends a probing program to another program and checks both again: the first must not change its motion, the second must move
+/// as it does alone.</summary>
 internal sealed class ProbingMerge(ProbingProgram probing, string file, string? cutsIn)
 {
     private const string LeavesBehind = "it leaves a rotation, a shift, another work offset, a compensation or another mode behind in which probing would go elsewhere. End it before M30.";
@@ -19,7 +20,7 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file, string? 
         merged.Write(bytes.Span[..start]);
         merged.Write(Encoding.UTF8.GetBytes(definitions.ReplaceLineEndings(lineEnd)));
 
-        // Of the block that ends the program everything but its end stays: a spindle stop, a coolant word.
+        // Only the end itself is removed from the block that ends the program. A spindle stop or coolant word stays.
         merged.Write(bytes.Span[start..end.Start]);
         var rest = first[block].End is var blockEnd ? bytes.Span[end.End..Math.Max(end.End, blockEnd)] : default;
         merged.Write(rest);
@@ -52,7 +53,7 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file, string? 
         };
     }
 
-    // Definitions stand behind names, comments and the program's own definitions.
+    // Definitions follow names, comments and the program's own definitions.
     private static int BehindHead(NcProgram program)
     {
         if (program.Syntax != NcSyntax.Siemens)
@@ -112,10 +113,10 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file, string? 
         }
     }
 
-    // Behind a call whose way nobody knows a move begins elsewhere than the one before it ended: that is nothing that the program left behind.
+    // After a call with unknown motion, a move starts at another place than the previous one ended. The program did not cause that.
     private static MotionFlags Unknown(in NcMotion motion) => motion.UnknownStart == AxisSet.All ? MotionFlags.StartsElsewhere : MotionFlags.None;
 
-    // Probing goes in the work offset that the surface was cut in: behind the last cut it must not change any more.
+    // Probing uses the work offset of the cuts, so it must not change after the last cut.
     private static bool OffsetChanges(NcPath path)
     {
         var cut = path.Motions.Length - 1;

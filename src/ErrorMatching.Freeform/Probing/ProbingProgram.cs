@@ -4,8 +4,10 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The program that touches the points of a plan: the ball's center moves along each normal from its approach to the overtravel behind the surface, and where the probe stops it goes to a log.</summary>
-/// <remarks>All coordinates are those of the ball's center in the work offset of the surface, rounded to the control's least increment. Written lines of the log: <see cref="MeasuredSurfaceReader"/>.</remarks>
+/// <summary>The program that touches the points of a plan. The ball's center moves along each normal from the approach to the overtravel,
+/// and the program logs where the probe triggers.</summary>
+/// <remarks>All coordinates are those of the ball's center in the work offset of the surface, rounded to the control's least increment.
+/// For the format of the log, see <see cref="MeasuredSurfaceReader"/>.</remarks>
 public sealed class ProbingProgram
 {
     private readonly ProbingValues _values;
@@ -16,24 +18,26 @@ public sealed class ProbingProgram
         Bytes = Encoding.UTF8.GetBytes(Text([ProbingTemplate.Head, ProbingTemplate.Definitions, ProbingTemplate.Body, ProbingTemplate.Tail], behind: null));
     }
 
-    /// <summary>The plan whose points are touched.</summary>
+    /// <summary>The plan.</summary>
     public MeasuringPlan Plan { get; }
 
-    /// <summary>The control that it is for.</summary>
+    /// <summary>The dialect of the control.</summary>
     public NcDialect Dialect { get; }
 
-    /// <summary>How it was written.</summary>
+    /// <summary>The template.</summary>
     public ProbingTemplate Template { get; }
 
-    /// <summary>The program, which stands alone.</summary>
+    /// <summary>The standalone program.</summary>
     public ReadOnlyMemory<byte> Bytes { get; }
 
-    /// <summary>The program for a plan.</summary>
+    /// <summary>Creates the program for a plan.</summary>
     /// <param name="plan">A plan without refusals.</param>
     /// <param name="job">Name of the job, for a comment.</param>
     /// <param name="dialect">The control.</param>
-    /// <param name="template">How the control, the probe or the shop wants it: <see cref="ProbingTemplate.Named"/> with the dialect's name, or a shop's own.</param>
-    /// <exception cref="FreeformException">What comes of the template is no program that the dialect can follow (<c>bad-template</c>), or a value of the job would be written as 0 (<c>rounds-to-zero</c>).</exception>
+    /// <param name="template">The template for the control, probe or shop: <see cref="ProbingTemplate.Named"/> with the dialect's name, or
+    /// a shop's own.</param>
+    /// <exception cref="FreeformException">The dialect cannot interpret the result of the template (<c>bad-template</c>), or a value of
+    /// the job would be written as 0 (<c>rounds-to-zero</c>).</exception>
     /// <exception cref="ArgumentException">The plan has refusals or no points.</exception>
     public static ProbingProgram Of(MeasuringPlan plan, string job, NcDialect dialect, ProbingTemplate template)
     {
@@ -51,18 +55,20 @@ public sealed class ProbingProgram
         return program;
     }
 
-    /// <summary>What a log says about the plan that it belongs to: 16 hexadecimal digits of the SHA-256 of <see cref="PlanCsv"/>.</summary>
+    /// <summary>The plan's identifier in a log: 16 hexadecimal digits of the SHA-256 of <see cref="PlanCsv"/>.</summary>
     public static string PlanId(MeasuringPlan plan) => Convert.ToHexString(SHA256.HashData(PlanCsv.Write(plan)))[..16];
 
-    /// <summary>One program for one run of the control: semi-finishing, then probing, then a stop for the finishing program (Lee 2019, section 2.1).</summary>
+    /// <summary>Merges a program for one run of the control: semi-finishing, then probing, then a stop for the finishing program (Lee
+    /// 2019, section 2.1).</summary>
     /// <param name="semiFinishing">A program in the same dialect and work offset.</param>
-    /// <param name="file">Its name for messages.</param>
-    /// <param name="cutsIn">The dialect that the job cuts in, for messages.</param>
-    /// <exception cref="FreeformException">The dialect does not know a code of the program, its end cannot be found, or probing would not go where it must behind it (<c>not-mergeable</c>).</exception>
+    /// <param name="file">Its name, for messages.</param>
+    /// <param name="cutsIn">The dialect of the job's cutting programs, for messages.</param>
+    /// <exception cref="FreeformException">The dialect does not know a code of the program, its end cannot be found, or probing would move
+    /// differently after it (<c>not-mergeable</c>).</exception>
     /// <exception cref="NcException">The program is too large.</exception>
     public ReadOnlyMemory<byte> MergeAfter(ReadOnlyMemory<byte> semiFinishing, string file, string? cutsIn = null)
     {
-        // A program that follows a measurement cuts what must not be compensated as if it were nominal: the log says so.
+        // The surface cut by a program that follows a measurement must not be compensated like a nominal one, so the log records this.
         var markers = Marker.Find(NcProgram.Read(semiFinishing, Dialect.Syntax));
         var behind = new ProbedBehind(markers is [var (_, marker), ..] ? marker?.MeasurementSha256.ToUpperInvariant() ?? ProbedBehind.Damaged : null);
         return new ProbingMerge(this, file, cutsIn).After(semiFinishing, Text([ProbingTemplate.Definitions], behind), Text([ProbingTemplate.Body], behind));

@@ -2,11 +2,10 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The text of a probing program with places for values and a loop over points: how a control, a probe or a shop wants it.</summary>
-/// <remarks>
-/// Sections are <c>@head</c>, <c>@definitions</c>, <c>@body</c> and <c>@tail</c>; <c>@each point</c> to <c>@next</c> stands for each point. Head and tail are left out where the program follows another one; definitions then
-/// go to its beginning, the body to its end.
-/// </remarks>
+/// <summary>The text of a probing program with placeholders and a loop over points, for a control, a probe or a shop.</summary>
+/// <remarks>The sections are <c>@head</c>, <c>@definitions</c>, <c>@body</c> and <c>@tail</c>. The lines from <c>@each point</c> to
+/// <c>@next</c> are repeated for each point. If the program follows another one, head and tail are omitted; definitions go to its start,
+/// the body to its end.</remarks>
 public sealed class ProbingTemplate : ProgramTemplate
 {
     internal const string Head = "head", Definitions = "definitions", Body = "body", Tail = "tail";
@@ -31,16 +30,15 @@ public sealed class ProbingTemplate : ProgramTemplate
     {
     }
 
-    /// <summary>Names of the built-in templates; a dialect's own has its name.</summary>
+    /// <summary>Names of the built-in templates. A dialect's own template has the dialect's name.</summary>
     public static IReadOnlyList<string> Names => Grammar.BuiltIn;
 
-    /// <summary>What may stand in braces: values of the program, then those of a point within <c>@each point</c>. Lengths in millimetres in the least increment of the control.</summary>
+    /// <summary>The placeholders in braces: values of the program, then values of a point within <c>@each point</c>. Lengths are in
+    /// millimeters, rounded to the control's least increment.</summary>
     public static IReadOnlyList<string> Places { get; } = [.. Grammar.Places, .. Grammar.PointPlaces];
 
-    /// <summary>
-    /// What may stand behind <c>@if</c>: whether the measuring move is along an axis, which one, whether the program follows another and whether that one is compensated, whether the job names the probe as a tool, and
-    /// whether by name.
-    /// </summary>
+    /// <summary>The conditions after <c>@if</c>: whether the measuring move is along an axis, and which one; whether the program follows
+    /// another one, and whether that one is compensated; whether the job names the probe as a tool, and whether by name.</summary>
     public static IReadOnlyList<string> Conditions { get; } = [.. Grammar.PointConditions, .. Grammar.Conditions];
 
     /// <summary>A built-in template.</summary>
@@ -48,7 +46,7 @@ public sealed class ProbingTemplate : ProgramTemplate
     /// <exception cref="FreeformException">No built-in template has this name (<c>unknown-template</c>).</exception>
     public static ProbingTemplate Named(string name) => new(BuiltIn(name, Grammar));
 
-    /// <summary>The built-in template for a dialect: the one of its name, else the one of its family for a shop's own dialect.</summary>
+    /// <summary>The built-in template for a dialect: its own, or the one of its family for a shop's own dialect.</summary>
     /// <exception cref="FreeformException">There is none (<c>unknown-template</c>).</exception>
     public static ProbingTemplate For(NcDialect dialect)
     {
@@ -60,14 +58,14 @@ public sealed class ProbingTemplate : ProgramTemplate
             : dialect.Name);
     }
 
-    /// <summary>The text of a built-in template, to begin a shop's own with.</summary>
+    /// <summary>The text of a built-in template, as a start for a shop's own.</summary>
     /// <param name="name">One of <see cref="Names"/>.</param>
-    /// <exception cref="FreeformException">As of <see cref="Named"/>.</exception>
+    /// <exception cref="FreeformException">As for <see cref="Named"/>.</exception>
     public static string TextOf(string name) => TextOf(name, Grammar);
 
-    /// <summary>The template in some bytes.</summary>
+    /// <summary>Parses a template.</summary>
     /// <param name="bytes">UTF-8.</param>
     /// <param name="file">Name for messages.</param>
-    /// <exception cref="FreeformException">The bytes are no template (<c>bad-template</c>), with the line.</exception>
+    /// <exception cref="FreeformException">The bytes are not a template (<c>bad-template</c>), with the line.</exception>
     public static ProbingTemplate Parse(ReadOnlySpan<byte> bytes, string file) => new(Read(bytes, file, Grammar));
 }

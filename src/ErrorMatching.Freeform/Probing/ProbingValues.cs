@@ -4,10 +4,10 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The values that a template's places stand for, as a control reads them.</summary>
+/// <summary>The values of a template's placeholders, as the control reads them.</summary>
 internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect dialect, string template)
 {
-    /// <summary>The way to a point and back is this many times as fast as measuring.</summary>
+    /// <summary>Ratio of the feed to a point and back to the measuring feed.</summary>
     private const double ApproachSpeed = 10;
 
     public static readonly string[] OfProgram = ["job", "plan", "count", "clearance.z", "feed.measuring", "feed.approach", "stylus.diameter", "overtravel.mm", "approach.mm", "cut.measurement"];
@@ -31,7 +31,6 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
         _ => OfOne(place, point!),
     };
 
-    /// <summary>Whether a condition holds.</summary>
     public bool Holds(string condition, PlanPoint? point, ProbedBehind? behind) => condition switch
     {
         ProbingTemplate.Merged => behind is not null,
@@ -42,7 +41,7 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
         _ => AxisOf(point!) == condition[^1],
     };
 
-    // The axis that the measuring move is along: the other coordinates stay within half an increment.
+    // The axis of the measuring move, if the other coordinates stay within half an increment.
     private char? AxisOf(PlanPoint point)
     {
         var half = 0.5 * Math.Pow(10, -dialect.MetricDecimals) / (plan.Measuring.ApproachMm + plan.Measuring.OvertravelMm);
@@ -61,12 +60,12 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
         return Mm(place[^1] switch { 'x' => at.X, 'y' => at.Y, _ => at.Z });
     }
 
-    // What is more than 0 in the job must be so in the program: a control stands still at a feed of 0, and a probe that goes nowhere touches nothing.
+    // A positive value of the job must not round to 0: at a feed of 0 the control stops, and a probe that does not move touches nothing.
     private string NotZero(string key, double value) => Mm(value) is var text and not "0.0" ? text : throw new FreeformException("rounds-to-zero", template, string.Create(
         CultureInfo.InvariantCulture,
         $"measuring.{key} would be written as 0: {value} is less than half of the least increment of {dialect.Name}, {Math.Pow(10, -dialect.MetricDecimals)}. A larger one is expected"));
 
-    // In least increments, with a point always: some controls count increments without one.
+    // In least increments, always with a decimal point: without one, some controls count increments.
     private string Mm(double value, bool up = false)
     {
         var increments = Math.Pow(10, dialect.MetricDecimals);
@@ -74,7 +73,7 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
         return (rounded + 0.0).ToString("0.0" + new string('#', dialect.MetricDecimals - 1), CultureInfo.InvariantCulture);
     }
 
-    // Names go into comments and messages: nothing in them may end one.
+    // Names are written into comments and messages, so they must not contain anything that ends one.
     private static string Plain(string name)
     {
         var text = new StringBuilder();

@@ -3,10 +3,10 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A compensation as one HTML file that needs no network and no script.</summary>
+/// <summary>Writes a compensation as one HTML file without network access or scripts.</summary>
 public static class CompensationReportHtml
 {
-    /// <summary>The report as a page: UTF-8 without a byte order mark; the same report always gives the same bytes.</summary>
+    /// <summary>Writes the page as UTF-8 without a byte order mark. The same report always gives the same bytes.</summary>
     public static byte[] Write(CompensationReport report)
     {
         ArgumentNullException.ThrowIfNull(report);
@@ -47,7 +47,7 @@ public static class CompensationReportHtml
             }
         }
 
-        // A check mark beside an alarm would say "cut it" again.
+        // A check mark next to an alarm would suggest cutting.
         var isReady = report.CallsTool && result.LargestMoveMm > 0;
         using (html.In("p", ("class", isReady ? "verdict holds" : "verdict fails")))
         {

@@ -2,10 +2,10 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A compensation as JSON: millimetres, and micrometres where the key says so.</summary>
+/// <summary>Writes a compensation as JSON, in millimeters, or in micrometers if the key says so.</summary>
 public static class CompensationReportJson
 {
-    /// <summary>The document <c>errormatch/surface-compensate/1</c>.</summary>
+    /// <summary>Writes the document <c>errormatch/surface-compensate/1</c>.</summary>
     public static byte[] Write(CompensationReport report)
     {
         ArgumentNullException.ThrowIfNull(report);
@@ -29,7 +29,7 @@ public static class CompensationReportJson
         });
     }
 
-    /// <summary>Which program cut the measured piece: <c>cutBy</c>, with no file where a nominal one is taken for granted.</summary>
+    /// <summary>Writes the program that cut the measured piece as <c>cutBy</c>, without a file if a nominal one is assumed.</summary>
     public static void WriteCutBy(ReportWriter json, MeasuredPieceProgram cutBy)
     {
         ArgumentNullException.ThrowIfNull(json);
@@ -42,7 +42,7 @@ public static class CompensationReportJson
         });
     }
 
-    /// <summary>Members of what came of a compensation, in the object that is open: the same for a program that is made and for one that follows.</summary>
+    /// <summary>Writes the members of a compensation into the open object, for a new program or for a displaced one.</summary>
     public static void WriteResult(ReportWriter json, CompensationResult result)
     {
         ArgumentNullException.ThrowIfNull(json);
@@ -100,7 +100,7 @@ public static class CompensationReportJson
         json.Number("noiseUm", Known(fitted.NoiseMm));
     }
 
-    // Of points on two lines nobody can say what leaving one out would have cost.
+    // Points on only two lines have no line-out error.
     private static double? Known(double mm) => double.IsFinite(mm) ? mm * 1000 : null;
 
     private static void Surface(ReportWriter json, CompensationResult result)

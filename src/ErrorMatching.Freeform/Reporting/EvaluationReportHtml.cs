@@ -2,10 +2,10 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>An evaluation as one HTML file that needs no network and no script.</summary>
+/// <summary>Writes an evaluation as one HTML file without network access or scripts.</summary>
 public static class EvaluationReportHtml
 {
-    /// <summary>The report as a page: UTF-8 without a byte order mark; the same report always gives the same bytes.</summary>
+    /// <summary>Writes the page as UTF-8 without a byte order mark. The same report always gives the same bytes.</summary>
     public static byte[] Write(EvaluationReport report)
     {
         ArgumentNullException.ThrowIfNull(report);
@@ -55,7 +55,7 @@ public static class EvaluationReportHtml
         return said.Length == 0 ? "Not known: nothing was given to compare with." : string.Join(" ", said);
     }
 
-    // None is none for all of them.
+    // If one piece has no alignment, none has.
     private static string Alignment(EvaluationReport report) => report.Pieces.First().Alignment is null
         ? AlignmentWords.Of(null)
         : string.Join(" ", report.Pieces.Select(p => $"{p.File}: {AlignmentWords.Of(p.Alignment)}"));
@@ -101,7 +101,7 @@ public static class EvaluationReportHtml
         }
     }
 
-    // As figures 10 to 12 of Lee 2019: (a) by tool radius, (b) by mirroring.
+    // As in figures 10 to 12 of Lee 2019: (a) by tool radius, (b) by mirroring.
     private static int WritePlots(HtmlText html, SurfaceEvaluation? was, SurfaceEvaluation now, string way, int number)
     {
         for (var k = 0; k < now.Pieces.Count; k++)

@@ -2,10 +2,10 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>An evaluation as JSON: lengths in micrometres where the key says so.</summary>
+/// <summary>Writes an evaluation as JSON, with lengths in micrometers if the key says so.</summary>
 public static class EvaluationReportJson
 {
-    /// <summary>The document <c>errormatch/surface-evaluate/1</c>.</summary>
+    /// <summary>Writes the document <c>errormatch/surface-evaluate/1</c>.</summary>
     public static byte[] Write(EvaluationReport report)
     {
         ArgumentNullException.ThrowIfNull(report);
@@ -25,7 +25,7 @@ public static class EvaluationReportJson
         });
     }
 
-    /// <summary>Members of some statistics, in the object that is open.</summary>
+    /// <summary>Writes the members of statistics into the open object.</summary>
     internal static void Statistics(ReportWriter json, DeviationStatistics statistics)
     {
         json.Count("count", statistics.Count);
@@ -35,7 +35,7 @@ public static class EvaluationReportJson
         json.Number("profileRangeUm", statistics.ProfileRangeMm * 1000);
     }
 
-    /// <summary>Members of an alignment.</summary>
+    /// <summary>Writes the members of an alignment.</summary>
     internal static void Alignment(ReportWriter json, SurfaceAlignment? alignment)
     {
         json.Text("alignment", alignment is null ? "none" : "best-fit");

@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>What reports call the models of an error field.</summary>
+/// <summary>The names of error field models in reports.</summary>
 internal static class FieldWords
 {
-    /// <summary>The word in JSON documents.</summary>
+    /// <summary>The identifier in JSON documents.</summary>
     public static string Of(FieldModelKind kind) => kind switch
     {
         FieldModelKind.Polynomial => "polynomial",
@@ -13,10 +13,10 @@ internal static class FieldWords
         _ => "cubic-spline",
     };
 
-    /// <summary>A probability behind the letter p: one that is too small for four digits is said to be smaller than they show.</summary>
+    /// <summary>A probability to follow the letter p, with at most four decimals; smaller values are written as "less than".</summary>
     public static string Probability(double p) => p < 0.0001 ? "< 0.0001" : p.ToString("0.####", CultureInfo.InvariantCulture);
 
-    /// <summary>A sentence for people.</summary>
+    /// <summary>A sentence for HTML reports.</summary>
     public static string Sentence(FieldModelKind kind) => kind switch
     {
         FieldModelKind.Polynomial => "A polynomial of few terms, in pieces where the curvature breaks.",

@@ -2,10 +2,10 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Tables in the style of tables 2, 3 and 4 of Lee 2019: standard deviation, mean and profile in micrometres.</summary>
+/// <summary>Writes tables in the style of tables 2, 3 and 4 of Lee 2019: standard deviation, mean and profile in micrometers.</summary>
 internal static class SurfaceTables
 {
-    /// <summary>A table of statistics, one row each.</summary>
+    /// <summary>Writes a table of statistics, one per row.</summary>
     public static void WriteStatistics(HtmlText html, string id, string caption, IEnumerable<(string Name, DeviationStatistics Statistics)> rows) =>
         HtmlTable.Write(html, id, caption, [new("What"), new("Points", true), new("Mean, µm", true), new("Standard deviation, µm", true), new("Profile, ISO 1101, µm", true), new("Largest − smallest, µm", true)], rows, (row, item) =>
         {
@@ -17,7 +17,7 @@ internal static class SurfaceTables
             row.Number(Micrometres.OfMm(item.Statistics.ProfileRangeMm));
         });
 
-    /// <summary>A table of the measured points.</summary>
+    /// <summary>Writes a table of the measured points.</summary>
     public static void WritePoints(HtmlText html, string id, string caption, IReadOnlyList<ErrorSample> samples) =>
         HtmlTable.Write(html, id, caption, [new("Point"), new("i", true), new("j", true), new("X, mm", true), new("Y, mm", true), new("Z, mm", true), new("Error, µm", true)], samples, (row, s) =>
         {

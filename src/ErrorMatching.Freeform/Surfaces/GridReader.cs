@@ -4,38 +4,39 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>
-/// Reads grids of points from CSV files: a header with <c>i</c>, <c>j</c>, <c>x</c>, <c>y</c> and <c>z</c> (<c>x_mm</c> will do; other columns are ignored), then one line a point, in any order.
-/// i numbers the points along a curve, j the curves, both without gaps from 0 or from 1; curves may have different numbers of points.
-/// </summary>
+/// <summary>Reads grids of points from CSV files: a header with <c>i</c>, <c>j</c>, <c>x</c>, <c>y</c> and <c>z</c> (<c>x_mm</c> also
+/// works; other columns are ignored), then one line per point, in any order. i is the index of a point along its curve, j that of the
+/// curve, both from 0 or 1 without gaps. Curves may have different numbers of points.</summary>
 public static class GridReader
 {
-    /// <summary>The most points that a file may have.</summary>
+    /// <summary>Maximum number of points of a file.</summary>
     public const int MaxPoints = 100_000;
 
-    /// <summary>The largest number of a point along its curve, or of a curve: time grows with the square of the longest line.</summary>
+    /// <summary>Maximum index of a point or a curve. The time grows with the square of the longest line.</summary>
     public const int MaxNumber = 2_000;
 
-    /// <summary>No machine of this trade is a kilometer long: a coordinate beyond it has lost its decimal point or has another unit.</summary>
+    /// <summary>No machine tool is a kilometer long. A larger coordinate has lost its decimal point or has another unit.</summary>
     private const double LargestMm = 1e6;
 
-    /// <summary>Points of one curve that are nearer than this are one point.</summary>
+    /// <summary>Points of one curve closer than this coincide.</summary>
     private const double SamePlaceMm = 1e-6;
 
     /// <summary>Reads a grid from a file.</summary>
-    /// <param name="path">The file, named in errors as it is given here.</param>
-    /// <exception cref="MeasurementException">The file cannot be read, or is no grid: where, what was found, and what is expected.</exception>
+    /// <param name="path">The file, as named in errors.</param>
+    /// <exception cref="MeasurementException">The file cannot be read or is not a grid. The message states where, what was found, and what
+    /// is expected.</exception>
     public static PointGrid Read(string path) => Grid(NumberTable.Read(path, "i", "j", "x", "y", "z"));
 
     /// <summary>Reads a grid from the bytes of a file.</summary>
-    /// <param name="bytes">The bytes: UTF-8 with decimal points; commas between the cells, or semicolons or tabs where the header has them.</param>
-    /// <param name="file">The name of the file in errors.</param>
-    /// <exception cref="MeasurementException">The bytes are no grid: where, what was found, and what is expected.</exception>
+    /// <param name="bytes">UTF-8 with decimal points. Cells are separated by commas, or semicolons or tabs if the header has them.</param>
+    /// <param name="file">The file name for errors.</param>
+    /// <exception cref="MeasurementException">Not a grid. The message states where, what was found, and what is expected.</exception>
     public static PointGrid Read(ReadOnlyMemory<byte> bytes, string file) => Grid(NumberTable.Read(bytes, file, "i", "j", "x", "y", "z"));
 
-    /// <summary>Reads points without numbers, to check a surface with: columns <c>x</c>, <c>y</c> and <c>z</c>, in the order of the file.</summary>
-    /// <param name="path">The file, named in errors as it is given here.</param>
-    /// <exception cref="MeasurementException">The file cannot be read, or has no such points: where, what was found, and what is expected.</exception>
+    /// <summary>Reads points without indices, for checking a surface: columns <c>x</c>, <c>y</c> and <c>z</c>, in file order.</summary>
+    /// <param name="path">The file, as named in errors.</param>
+    /// <exception cref="MeasurementException">The file cannot be read or does not contain such points. The message states where, what was
+    /// found, and what is expected.</exception>
     public static IReadOnlyList<Point3> ReadPoints(string path) => Points(NumberTable.Read(path, "x", "y", "z"));
 
     private static Point3[] Points(NumberTable table)
@@ -82,7 +83,7 @@ public static class GridReader
             : throw Wrong(table, 0, "j", MeasurementError.MissingPoint, "a single curve", "at least two curves, each with a number j of its own: a surface needs points side by side");
     }
 
-    /// <summary>A curve begins with the number of the others, has no gap, and does not stand still.</summary>
+    /// <summary>Checks that a curve starts with the common first index, has no gap, and has no coinciding neighbors.</summary>
     private static void CheckCurve(NumberTable table, KeyValuePair<(int J, int I), int>[] curve, int firstI, Point3[] points)
     {
         for (var k = 0; k < curve.Length; k++)

@@ -2,15 +2,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The place of a surface whose normal goes through a point near by.</summary>
+/// <summary>Finds the place of a surface whose normal passes through a nearby point.</summary>
 internal static class NormalFoot
 {
     private const int Iterations = 50;
 
-    /// <summary>How far the foot may be off along the surface, mm: what that changes of a ball's contact is smaller by the curvature.</summary>
+    /// <summary>Accuracy of the foot along the surface, mm. The effect on a ball's contact is smaller by the curvature.</summary>
     private const double AccuracyMm = 1e-10;
 
-    /// <summary>The foot by Newton's method from a place near by (The NURBS Book, section 6.1); null where it does not settle. The surface is continued beyond its ends.</summary>
+    /// <summary>Returns the foot by Newton's method from a nearby place (The NURBS Book, section 6.1); null if it does not converge. The
+    /// surface is continued beyond its ends.</summary>
     public static SurfacePoint? Of(SplineSurface surface, Point3 point, double u, double v)
     {
         for (var i = 0; i < Iterations; i++)
@@ -21,7 +22,7 @@ internal static class NormalFoot
             var (a, b, c) = (at.Du.Dot(at.Du) + off.Dot(at.Duu), at.Du.Dot(at.Dv) + off.Dot(at.Duv), at.Dv.Dot(at.Dv) + off.Dot(at.Dvv));
             var determinant = (a * c) - (b * b);
 
-            // Behind the center of curvature the full step leads away: the first fundamental form alone leads on.
+            // Beyond the center of curvature, the full Newton step diverges. The first fundamental form alone still converges.
             if (!(determinant > 0) || !(a > 0))
             {
                 (a, b, c) = (at.Du.Dot(at.Du), at.Du.Dot(at.Dv), at.Dv.Dot(at.Dv));

@@ -2,9 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A surface of the piece: where the material ends. The nominal one as it was designed, or the compensated one with the same parametrization and limits.</summary>
-/// <remarks>Lengths in millimetres, in the work offset that probing and cutting share.</remarks>
-/// <param name="Name">What the file calls it, or its number there.</param>
+/// <summary>A surface of the piece, where the material ends: the nominal one, or the compensated one with the same parametrization and
+/// boundaries.</summary>
+/// <remarks>Lengths in millimeters, in the work offset shared by probing and cutting.</remarks>
+/// <param name="Name">Its name in the file, or its number.</param>
 /// <param name="Spline">The surface over its parameters.</param>
 /// <param name="Region">The part of the parameters that belongs to the piece.</param>
 /// <param name="Outside">+1 if the normal Du x Dv points out of the material, -1 if it points into it.</param>

@@ -2,16 +2,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The edges of a region's loops by bands of v, so that a place is looked for among few of them. Memory grows with the number of edges, however long they are.</summary>
+/// <summary>Sorts the edges of a region's loops into bands of v, so that only a few are searched for a place. Memory is proportional to
+/// the number of edges, regardless of their length.</summary>
 internal sealed class RegionBands
 {
-    // An edge lies in five bands in the mean, at most.
+    // An edge is in at most five bands on average.
     private const int Share = 4;
 
     private readonly double _first, _height;
     private readonly (Point2 A, Point2 B, int Loop, int Side)[][] _bands;
 
-    /// <summary>The bands of some loops.</summary>
     public RegionBands(IReadOnlyList<IReadOnlyList<Point2>> loops)
     {
         var edges = new List<(Point2 A, Point2 B, int Loop, int Side)>();
@@ -60,7 +60,7 @@ internal sealed class RegionBands
         _bands = [.. bands.Select(b => b.ToArray())];
     }
 
-    /// <summary>True if a place lies inside an odd number of the loops.</summary>
+    /// <summary>True if a place is inside an odd number of the loops.</summary>
     public bool Contains(double u, double v)
     {
         var inside = false;
@@ -75,11 +75,12 @@ internal sealed class RegionBands
         return inside;
     }
 
-    /// <summary>How often each loop goes round a place, counter-clockwise if positive; loops that do not go round it may be missing.</summary>
-    /// <param name="place">The place: on a line of one v, it counts as just above it.</param>
-    /// <param name="exceptLoop">Loop of a side that does not count, for places on it.</param>
-    /// <param name="exceptSide">That side of its polygon.</param>
-    /// <param name="turns">Receives loops and numbers.</param>
+    /// <summary>Returns the winding number of each loop around a place, positive counterclockwise. Loops with winding number 0 may be
+    /// missing.</summary>
+    /// <param name="place">The place. On a line of constant v, it counts as just above the line.</param>
+    /// <param name="exceptLoop">Loop of a side to ignore, for places on it.</param>
+    /// <param name="exceptSide">Index of that side in its polygon.</param>
+    /// <param name="turns">Receives loops and winding numbers.</param>
     public void Turns(Point2 place, int exceptLoop, int exceptSide, Dictionary<int, int> turns)
     {
         turns.Clear();
@@ -98,6 +99,6 @@ internal sealed class RegionBands
         }
     }
 
-    // Rounding is the same for edges and places, and grows with v: an edge that reaches over a place is in its band.
+    // Rounding is identical for edges and places and monotonic in v, so the band of a place contains every edge that spans it.
     private int BandOf(double v, int count) => (int)Math.Min((v - _first) / _height, count - 1);
 }

@@ -2,11 +2,11 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A surface as a net of places over its parameters, for drawing: the cells between them, and which of them belong to the piece.</summary>
+/// <summary>A net of places on a surface, for drawing: the cells between them, and which cells belong to the piece.</summary>
 /// <param name="CountU">Number of places along u.</param>
 /// <param name="CountV">Number of places along v.</param>
-/// <param name="Places">The places in millimetres, v running fastest.</param>
-/// <param name="Outside">Numbers of the cells that lie outside of the piece, ascending; cell (i, j) has the number i * (<paramref name="CountV"/> - 1) + j.</param>
+/// <param name="Places">The places in millimeters, v varying fastest.</param>
+/// <param name="Outside">Indices of cells outside the piece, ascending; cell (i, j) is i * (<paramref name="CountV"/> - 1) + j.</param>
 public sealed record SurfaceNet(int CountU, int CountV, IReadOnlyList<Point3> Places, IReadOnlyList<int> Outside)
 {
     private const int CellsU = 24, CellsV = 20;
@@ -22,7 +22,7 @@ public sealed record SurfaceNet(int CountU, int CountV, IReadOnlyList<Point3> Pl
             [.. Enumerable.Range(0, CellsU * CellsV).Where(c => !surface.Region.Contains(At(surface.Spline.KnotsU, (c / CellsV) + 0.5, CellsU), At(surface.Spline.KnotsV, (c % CellsV) + 0.5, CellsV)))]);
     }
 
-    /// <summary>The parameters of the places of a surface's net, in their order.</summary>
+    /// <summary>The parameters of the net's places, in order.</summary>
     internal static IEnumerable<(double U, double V)> Parameters(PartSurface surface) =>
         from i in Enumerable.Range(0, CellsU + 1)
         from j in Enumerable.Range(0, CellsV + 1)

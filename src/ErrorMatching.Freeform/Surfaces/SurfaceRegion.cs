@@ -2,8 +2,9 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The part of a surface's parameters that belongs to the piece: all of it, or what its trimming leaves.</summary>
-/// <param name="Loops">Closed polygons of (u, v), the last point joined to the first; none for the whole surface. A place belongs to the region if it lies inside an odd number of them.</param>
+/// <summary>The part of a surface's parameters that belongs to the piece: all of it, or the part inside its trimming loops.</summary>
+/// <param name="Loops">Closed polygons of (u, v), the last point joined to the first; none for the whole surface. A place belongs to the
+/// region if it is inside an odd number of them.</param>
 public sealed record SurfaceRegion(IReadOnlyList<IReadOnlyList<Point2>> Loops)
 {
     private RegionBands? _bands;
@@ -11,7 +12,8 @@ public sealed record SurfaceRegion(IReadOnlyList<IReadOnlyList<Point2>> Loops)
     /// <summary>The whole surface.</summary>
     public static SurfaceRegion Whole { get; } = new([]);
 
-    /// <summary>Closed polygons of (u, v), the last point joined to the first; none for the whole surface. A place belongs to the region if it lies inside an odd number of them.</summary>
+    /// <summary>Closed polygons of (u, v), the last point joined to the first; none for the whole surface. A place belongs to the region
+    /// if it is inside an odd number of them.</summary>
     public IReadOnlyList<IReadOnlyList<Point2>> Loops
     {
         get;
@@ -20,7 +22,7 @@ public sealed record SurfaceRegion(IReadOnlyList<IReadOnlyList<Point2>> Loops)
 
     = Loops;
 
-    /// <summary>True if nothing is cut away.</summary>
+    /// <summary>True if the surface is not trimmed.</summary>
     public bool IsWhole => Loops.Count == 0;
 
     /// <summary>True if the loops are the same.</summary>
@@ -29,6 +31,6 @@ public sealed record SurfaceRegion(IReadOnlyList<IReadOnlyList<Point2>> Loops)
     /// <inheritdoc/>
     public override int GetHashCode() => Loops.GetHashCode();
 
-    /// <summary>True if a place belongs to the region. The first question takes longer; two threads may both prepare for it, alike.</summary>
+    /// <summary>True if a place belongs to the region. The first call prepares an index; two threads may both do so, identically.</summary>
     public bool Contains(double u, double v) => IsWhole || (_bands ??= new(Loops)).Contains(u, v);
 }

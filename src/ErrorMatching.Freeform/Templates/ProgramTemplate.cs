@@ -2,35 +2,33 @@ using System.Text;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The text of a program, or of what stands around its moves, with places for values: how a control, a probe or a shop wants it.</summary>
-/// <remarks>
-/// A line that begins with <c>@</c> steers: <c>@about</c> says what the template is for; sections begin with their names; <c>@if</c> to
-/// <c>@endif</c>, with <c>@else</c> between, is for where a condition holds.
-/// Every other line is written with its places filled: a place is a name in braces, <c>{{</c> is a brace.
-/// </remarks>
+/// <summary>The text of a program, or the text around its moves, with placeholders, for a control, a probe or a shop.</summary>
+/// <remarks>A line that starts with <c>@</c> is a directive. <c>@about</c> states the purpose of the template. Sections start with their
+/// names. <c>@if</c> to <c>@endif</c>, optionally with <c>@else</c>, depends on a condition. Every other line is written with its
+/// placeholders filled. A placeholder is a name in braces; <c>{{</c> is a brace.</remarks>
 public abstract class ProgramTemplate
 {
-    /// <summary>Largest template that is read, in bytes.</summary>
+    /// <summary>Maximum template size in bytes.</summary>
     public const int MaxBytes = 1 << 18;
 
     private protected ProgramTemplate(TemplateContent content) => Content = content;
 
-    /// <summary>The file as the caller named it, or the name of a built-in template.</summary>
+    /// <summary>The file name, as given by the caller, or the name of a built-in template.</summary>
     public string File => Content.File;
 
-    /// <summary>What it is for, in a sentence; empty where it does not say.</summary>
+    /// <summary>Its purpose, in a sentence; empty if not stated.</summary>
     public string About => Content.About;
 
-    /// <summary>True if it says what is written where the job names the tool, and where it does not.</summary>
+    /// <summary>True if it tests whether the job names the tool.</summary>
     public bool AsksForTool => Content.Sections.Values.Any(Asks);
 
     internal TemplateContent Content { get; }
 
-    /// <summary>The lines of a section; none where it is missing.</summary>
+    /// <summary>The lines of a section; none if it is missing.</summary>
     internal IReadOnlyList<TemplateItem> Section(string name) => Content.Sections.GetValueOrDefault(name) ?? [];
 
-    /// <summary>A tool that the job names is never left out without a word.</summary>
-    /// <exception cref="FreeformException">The template has no place for it (<c>bad-template</c>).</exception>
+    /// <summary>Ensures that a tool named by the job is not silently omitted.</summary>
+    /// <exception cref="FreeformException">The template does not use the tool (<c>bad-template</c>).</exception>
     internal void CheckAsksFor(ToolCall? tool, string key)
     {
         if (tool is not null && !AsksForTool)

@@ -1,14 +1,14 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>What a part of a template is.</summary>
+/// <summary>The kind of a template item.</summary>
 internal enum TemplateItemKind
 {
-    /// <summary>A line with places for values.</summary>
+    /// <summary>A line with placeholders.</summary>
     Line,
 
-    /// <summary>Lines for each point.</summary>
+    /// <summary>Lines repeated for each point.</summary>
     Each,
 
-    /// <summary>Lines for where a condition holds, and for where it does not.</summary>
+    /// <summary>Lines for a true condition and for a false one.</summary>
     If,
 }

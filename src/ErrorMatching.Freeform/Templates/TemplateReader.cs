@@ -2,7 +2,7 @@ using System.Text;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads a template and says by its line what cannot be one.</summary>
+/// <summary>Reads a template and reports errors by line.</summary>
 internal sealed class TemplateReader(string file, TemplateGrammar grammar)
 {
     private readonly Dictionary<string, IReadOnlyList<TemplateItem>> _sections = new(StringComparer.Ordinal);

@@ -2,10 +2,10 @@ using System.Text;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Lines with places in braces.</summary>
+/// <summary>Finds and fills placeholders in braces.</summary>
 internal static class TemplateText
 {
-    /// <summary>The names in braces, in their order.</summary>
+    /// <summary>The names in braces, in order.</summary>
     public static IReadOnlyList<string> PlacesOf(string line, Func<Exception> unclosed)
     {
         var places = new List<string>();
@@ -13,11 +13,11 @@ internal static class TemplateText
         return places;
     }
 
-    /// <summary>Writes lines with their places filled, of conditions the ones that hold.</summary>
-    /// <param name="text">Where they go.</param>
+    /// <summary>Writes lines with their placeholders filled, including only the branches of conditions that apply.</summary>
+    /// <param name="text">The output.</param>
     /// <param name="items">The lines.</param>
-    /// <param name="holds">Whether a condition holds.</param>
-    /// <param name="valueOf">The value of a place.</param>
+    /// <param name="holds">Evaluates a condition.</param>
+    /// <param name="valueOf">Returns the value of a placeholder.</param>
     /// <param name="each">Writes the lines of a loop.</param>
     public static void Write(
         StringBuilder text,
@@ -43,7 +43,6 @@ internal static class TemplateText
         }
     }
 
-    /// <summary>The line with its places filled.</summary>
     public static string Fill(string line, Func<string, string> valueOf)
     {
         var text = new StringBuilder();

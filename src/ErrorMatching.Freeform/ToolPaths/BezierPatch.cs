@@ -4,13 +4,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>One polynomial or rational piece of a surface by its poles, which hold it: it lies in their hull (The NURBS Book, P1.9 and section 4.4).</summary>
+/// <summary>One polynomial or rational piece of a surface, bounded by its poles: it is inside their convex hull (The NURBS Book, P1.9 and
+/// section 4.4).</summary>
 internal sealed class BezierPatch
 {
-    // x w, y w, z w, w of each pole, v running faster.
+    // x w, y w, z w, w of each pole, v varying fastest.
     private readonly double[] _weighted;
 
-    // x of each pole, then y, then z; the last pole is repeated until four at once come out even.
+    // x of all poles, then y, then z. The last pole is repeated to a multiple of four.
     private readonly double[] _poles;
     private readonly int _padded;
     private readonly int _rows;
@@ -39,25 +40,21 @@ internal sealed class BezierPatch
         (Lowest, Highest) = (minZ, maxZ);
     }
 
-    /// <summary>First pair of parameters.</summary>
     public Point2 From { get; }
 
-    /// <summary>Last pair of parameters.</summary>
     public Point2 To { get; }
 
-    /// <summary>The middle of a ball that holds the patch.</summary>
+    /// <summary>Center of a ball that contains the patch.</summary>
     public Point3 Middle { get; }
 
-    /// <summary>Radius of that ball.</summary>
     public double Radius { get; }
 
-    /// <summary>Height that the patch does not fall below.</summary>
+    /// <summary>A lower bound of the patch's height.</summary>
     public double Lowest { get; }
 
-    /// <summary>Height that the patch does not exceed.</summary>
+    /// <summary>An upper bound of the patch's height.</summary>
     public double Highest { get; }
 
-    /// <summary>The pieces of a surface.</summary>
     public static IEnumerable<BezierPatch> Of(SplineSurface surface)
     {
         foreach (var piece in surface.Pieces())
@@ -73,10 +70,9 @@ internal sealed class BezierPatch
         }
     }
 
-    /// <summary>
-    /// True if no place of the patch is nearer to a point than a distance: it lies beyond a plane across the direction, or beside the point, or both. Seen along the normal at its foot, a point over a convex surface is as far from that
-    /// plane as from the surface, however large the patch.
-    /// </summary>
+    /// <summary>True if no place of the patch is nearer to a point than a distance, because the patch is beyond a plane across the
+    /// direction, or laterally distant from the point, or both. In the direction of the normal at its foot, a point over a convex surface
+    /// is as far from this plane as from the surface, however large the patch is.</summary>
     /// <param name="point">The point.</param>
     /// <param name="direction">A unit direction from the surface to the point.</param>
     /// <param name="distance">The distance.</param>
@@ -89,7 +85,6 @@ internal sealed class BezierPatch
         return (over * over) + (beside * beside) >= distance * distance;
     }
 
-    /// <summary>True if a corner of the patch is nearer to a point than a distance.</summary>
     public bool HasCornerNearer(Point3 point, double distance)
     {
         var (row, column) = (_rows - 1, _columns - 1);
@@ -97,10 +92,9 @@ internal sealed class BezierPatch
             || (point - At(0, column)).Length < distance || (point - At(row, 0)).Length < distance;
     }
 
-    /// <summary>The height of the highest corner.</summary>
     public double HighestCorner => Math.Max(Math.Max(At(0, 0).Z, At(_rows - 1, _columns - 1).Z), Math.Max(At(0, _columns - 1).Z, At(_rows - 1, 0).Z));
 
-    /// <summary>Both halves, cut across the longer side (de Casteljau).</summary>
+    /// <summary>Splits the patch across its longer side (de Casteljau).</summary>
     public (BezierPatch First, BezierPatch Second) Halves()
     {
         var (rows, columns) = (_rows - 1, _columns - 1);
@@ -132,7 +126,7 @@ internal sealed class BezierPatch
             : (new(first, _rows, _columns, From, new(To.X, middle.Y)), new(second, _rows, _columns, new(From.X, middle.Y), To));
     }
 
-    // How far the poles reach along a direction, from the middle.
+    // The largest extent of the poles along a direction, from the center.
     private double HighestAlong(Vector3 direction)
     {
         var middle = (Middle.X * direction.X) + (Middle.Y * direction.Y) + (Middle.Z * direction.Z);

@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A polyline of centers as a program states them, each with its place on the surface. Made again and again without new memory.</summary>
+/// <summary>A polyline of centers as rounded in the program, each with its place on the surface. Its memory is reused.</summary>
 internal sealed class CenterLine
 {
     private Point2[] _places = new Point2[64];
@@ -11,7 +11,7 @@ internal sealed class CenterLine
     private Vector3[] _normals = new Vector3[64];
     private double[] _raised = new double[64];
 
-    // Unit direction and length of the piece that ends at each point.
+    // Unit direction and length of the segment that ends at each point.
     private Vector3[] _along = new Vector3[64];
     private double[] _lengths = new double[64];
 
@@ -23,19 +23,18 @@ internal sealed class CenterLine
 
     public ReadOnlySpan<Vector3> Normals => _normals.AsSpan(0, Count);
 
-    /// <summary>By how much centers were raised where the ball would have cut elsewhere, in millimetres.</summary>
+    /// <summary>How far centers were raised to avoid gouges, in millimeters.</summary>
     public ReadOnlySpan<double> Raised => _raised.AsSpan(0, Count);
 
-    /// <summary>The straight piece that begins at a point: its ends, its unit direction (zero if it has no length) and its length.</summary>
+    /// <summary>The segment that starts at a point: its ends, its unit direction (zero if it has no length) and its length.</summary>
     public CenterPiece Piece(int from) => new(_centers[from], _centers[from + 1], _along[from + 1], _lengths[from + 1]);
 
-    /// <summary>True if one of the ends of a piece was raised.</summary>
     public bool IsRaised(int from) => _raised[from] > 0 || _raised[from + 1] > 0;
 
-    /// <summary>True if the line passes a parameter u, rising from its beginning.</summary>
+    /// <summary>True if the line, with u ascending, covers a parameter u.</summary>
     public bool Covers(double u) => Count > 1 && _places[0].X <= u && u <= _places[Count - 1].X;
 
-    /// <summary>The piece of a line along u that holds a parameter, or the first or last one, looked for from another on.</summary>
+    /// <summary>The segment of a line along u that contains a parameter, or the first or last one; searched from a given one.</summary>
     public int PieceAt(double u, int piece)
     {
         var places = Places;
@@ -52,10 +51,9 @@ internal sealed class CenterLine
         return piece;
     }
 
-    /// <summary>True if any of its points was raised.</summary>
     public bool HasRaised { get; private set; }
 
-    /// <summary>Four straight pieces by the points at which they begin: their beginnings as vectors from the origin, their unit directions and their lengths.</summary>
+    /// <summary>Four segments by their start indices: start points as vectors from the origin, unit directions and lengths.</summary>
     public void Pieces(int first, int second, int third, int fourth, out FourVectors from, out FourVectors along, out Vector256<double> lengthMm)
     {
         from = FourVectors.Of(Beginning(first), Beginning(second), Beginning(third), Beginning(fourth));
@@ -91,10 +89,11 @@ internal sealed class CenterLine
         Count++;
     }
 
-    /// <summary>What <see cref="MeasureChord"/> found last.</summary>
+    /// <summary>The last result of <see cref="MeasureChord"/>.</summary>
     public (double Mm, Point2 Place) Chord { get; private set; }
 
-    /// <summary>The largest distance of the exact curve from the polyline, sampled at every point and three times between two; where points were raised on purpose, nothing is measured.</summary>
+    /// <summary>Measures the largest distance of the exact curve from the polyline, sampled at every point and three times between two.
+    /// Segments with raised points are skipped.</summary>
     public (double Mm, Point2 Place) MeasureChord(OffsetSurface offset)
     {
         var (largest, where) = (0.0, Count > 0 ? _places[0] : default);
@@ -121,10 +120,10 @@ internal sealed class CenterLine
         return Chord;
     }
 
-    // Where along a piece it is measured.
+    // The sampled positions along a segment.
     private static Vector256<double> Samples => Vector256.Create(0, 0.25, 0.5, 0.75);
 
-    // All samples of a piece along a line of the surface at once; not a number where one has no normal.
+    // All samples of a segment along a surface line at once; NaN if one has no normal.
     private Vector256<double> Off(int i, OffsetSurface offset)
     {
         var (from, to) = (_places[i], _places[i + 1]);

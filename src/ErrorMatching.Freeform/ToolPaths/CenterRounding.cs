@@ -2,11 +2,9 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Rounds centers to the numbers that a program can state.</summary>
-/// <remarks>
-/// A point of a polyline may lie anywhere along the curve, so a coarse increment costs less than half of it across: of several places beside the wanted one, the one is taken whose rounded coordinates lie nearest to the curve,
-/// and rather in the material than out of it.
-/// </remarks>
+/// <summary>Rounds centers to the resolution of the program.</summary>
+/// <remarks>A point of a polyline may be anywhere along the curve, so a coarse increment need not cause half of it as error across.
+/// Several places near the wanted one are rounded, and the one nearest to the curve is selected, preferring the material side.</remarks>
 internal sealed class CenterRounding
 {
     // Golden section: places that no increment repeats.
@@ -18,8 +16,8 @@ internal sealed class CenterRounding
     private readonly double _good;
 
     /// <param name="decimals">Decimals of the program's coordinates.</param>
-    /// <param name="tipBelowMm">How far the programmed point lies below the center: the radius, or 0.</param>
-    /// <param name="finestMm">The finest tolerance that rounded places must keep.</param>
+    /// <param name="tipBelowMm">Distance of the programmed point below the center: the radius, or 0.</param>
+    /// <param name="finestMm">The smallest tolerance for rounded places.</param>
     public CenterRounding(int decimals, double tipBelowMm, double finestMm)
     {
         (_scale, _tipBelow) = (Math.Pow(10, decimals), tipBelowMm);
@@ -29,13 +27,13 @@ internal sealed class CenterRounding
 
     public double IncrementMm { get; }
 
-    /// <summary>What to expect across the curve.</summary>
+    /// <summary>The expected rounding error across the curve.</summary>
     public double ReserveMm => Math.Min(_good, 0.87 * IncrementMm);
 
     public Point3 Nearest(Point3 p) => new(
         Math.Round(p.X * _scale) / _scale, Math.Round(p.Y * _scale) / _scale, (Math.Round((p.Z - _tipBelow) * _scale) / _scale) + _tipBelow);
 
-    /// <summary>The point rounded, near its place along the curve.</summary>
+    /// <summary>Rounds a point, allowing a shift along the curve.</summary>
     /// <param name="p">The exact place.</param>
     /// <param name="along">Unit direction of the curve.</param>
     /// <param name="normal">Unit normal out of the material.</param>
@@ -71,6 +69,6 @@ internal sealed class CenterRounding
         return Math.Sqrt(Math.Max(0, off.Dot(off) - (forward * forward)));
     }
 
-    // Out of the material counts more: it adds to the ridge between two passes.
+    // A deviation out of the material is weighted more, because it adds to the ridge between two passes.
     private static double Cost(Vector3 off, double across, Vector3 normal) => Math.Max(across, 1.5 * off.Dot(normal));
 }

@@ -2,17 +2,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A pass along u: its pieces from low to high u.</summary>
+/// <summary>A pass along u, with its pieces from low to high u.</summary>
 /// <param name="V">Its parameter.</param>
 internal sealed record CutPass(double V)
 {
-    /// <summary>What its pieces are made from.</summary>
     public List<CutPiece> Pieces { get; } = [];
 
     /// <summary>The first and the last place of each piece.</summary>
     public List<(Point2 First, Point2 Last)> Ends { get; } = [];
 
-    /// <summary>The polylines of its pieces, as long as the next pass is measured against them.</summary>
+    /// <summary>The polylines of its pieces, kept until the next pass has been measured against them.</summary>
     public List<CenterLine> Lines { get; } = [];
 
     /// <summary>True if the ball had to be raised somewhere.</summary>

@@ -2,15 +2,15 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>What a piece of the path is made from, again and again alike: a polyline in the parameters, and how finely it is followed.</summary>
+/// <summary>Defines a piece of the path reproducibly: a polyline in the parameters, and how finely it is followed.</summary>
 /// <param name="Guide">At least two places, joined by straight lines in (u, v).</param>
-/// <param name="Finer">By what factor the curve is taken to be more bent than it shows at the ends of a step: 1, or more where that was not enough.</param>
+/// <param name="Finer">Factor applied to the curvature seen at the ends of a step: 1, or more if that was insufficient.</param>
 /// <param name="LongestStep">Longest step, as a share of a smooth section.</param>
 internal sealed record CutPiece(IReadOnlyList<Point2> Guide, double Finer, double LongestStep)
 {
-    /// <summary>True if the tool goes from the last point to the first.</summary>
+    /// <summary>True if the tool moves from the last point to the first.</summary>
     public bool Backwards { get; init; }
 
-    /// <summary>The points themselves where some had to be raised, or where the path is short enough to keep them; null where they are made again from the guide.</summary>
+    /// <summary>The points, if some were raised or the path is short enough; null if they are recalculated from the guide.</summary>
     public IReadOnlyList<Point3>? Centers { get; init; }
 }

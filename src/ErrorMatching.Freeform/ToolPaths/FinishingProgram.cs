@@ -5,7 +5,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Writes a tool path as a program for a control: modal words only where they change, coordinates to the control's least increment.</summary>
+/// <summary>Writes a tool path as a program for a control: modal words only if they change, coordinates rounded to the control's least
+/// increment.</summary>
 public static class FinishingProgram
 {
     /// <summary>What everybody is told first of a program that calls no tool, because the job names none.</summary>
@@ -16,9 +17,9 @@ public static class FinishingProgram
     /// <summary>The file name of a stage's program: <c>finishing.nc</c>, <c>semi-finishing.nc</c> or <c>roughing.nc</c>.</summary>
     public static string FileOf(CuttingStage stage) => NameOf(stage) + ".nc";
 
-    /// <summary>The program as bytes.</summary>
-    /// <exception cref="ArgumentException">As of the other one.</exception>
-    /// <exception cref="FreeformException">As of the other one.</exception>
+    /// <summary>Writes the program to memory.</summary>
+    /// <exception cref="ArgumentException">As for the other overload.</exception>
+    /// <exception cref="FreeformException">As for the other overload.</exception>
     public static byte[] Write(
         ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage = CuttingStage.Finishing, Marker? marker = null, FinishingTemplate? template = null)
     {
@@ -27,20 +28,18 @@ public static class FinishingProgram
         return stream.ToArray();
     }
 
-    /// <summary>
-    /// Writes the program to a stream. Passes are made one after another as they are written, so memory stays that of one pass however long the program is.
-    /// </summary>
+    /// <summary>Writes the program to a stream. Passes are calculated while they are written, so memory is limited to one pass, however
+    /// long the program is.</summary>
     /// <param name="path">The path.</param>
-    /// <param name="job">The job: name, tool and its call, speed, feed, and what of the ball is programmed.</param>
-    /// <param name="dialect">The control that the path was planned for.</param>
-    /// <param name="stage">What the program says that it does.</param>
-    /// <param name="stream">Where it goes; it stays open.</param>
-    /// <param name="marker">The comment by which a compensated program tells what it was made of; null where it follows no measurement.</param>
-    /// <param name="template">What stands around the moves; null for <see cref="FinishingTemplate.For"/> the dialect.</param>
-    /// <exception cref="ArgumentException">The path was planned for a control with another least increment.</exception>
-    /// <exception cref="FreeformException">
-    /// Speed or feed of the job would be written as 0 (<c>rounds-to-zero</c>), or with the template the moves would not be those of the path (<c>bad-template</c>).
-    /// </exception>
+    /// <param name="job">The job: name, tool and its call, speed, feed, and the programmed point of the ball.</param>
+    /// <param name="dialect">The control for which the path was planned.</param>
+    /// <param name="stage">The stage that the program states.</param>
+    /// <param name="stream">The output; it stays open.</param>
+    /// <param name="marker">The comment by which a compensated program identifies its sources; null if it follows no measurement.</param>
+    /// <param name="template">The text around the moves; null for the dialect's (<see cref="FinishingTemplate.For"/>).</param>
+    /// <exception cref="ArgumentException">The path was planned for a control with a different least increment.</exception>
+    /// <exception cref="FreeformException">Speed or feed of the job would be written as 0 (<c>rounds-to-zero</c>), or the template would
+    /// change the moves of the path (<c>bad-template</c>).</exception>
     public static void Write(
         ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage, Stream stream, Marker? marker = null, FinishingTemplate? template = null)
     {
@@ -74,7 +73,7 @@ public static class FinishingProgram
         stream.Write(tail);
     }
 
-    // Moves are written as absolute millimeters, the first one as a rapid across at the height of travel: what a shop writes before them must leave it so.
+    // Moves are written in absolute millimeters, starting with a rapid at travel height. The text before them must establish this state.
     private static void Check(ToolPath path, double tipBelow, NcDialect dialect, FinishingTemplate template, byte[] head, byte[] tail)
     {
         var first = path.Moves().First().Center;

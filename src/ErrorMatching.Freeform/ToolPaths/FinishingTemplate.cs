@@ -2,11 +2,9 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>What stands before and behind the moves of a program that cuts: the call of the tool, the work offset, the spindle.</summary>
-/// <remarks>
-/// Sections are <c>@head</c> and <c>@tail</c>. Behind <c>@if tool</c> goes the call of the tool that the job names, behind its <c>@else</c> what stops the machine where the job names none, so that nobody cuts with the tool
-/// that happens to be in the spindle.
-/// </remarks>
+/// <summary>The text before and after the moves of a cutting program: tool call, work offset, spindle.</summary>
+/// <remarks>The sections are <c>@head</c> and <c>@tail</c>. After <c>@if tool</c>, the template calls the tool that the job names. After
+/// its <c>@else</c>, it stops the machine if the job names none, so that no wrong tool cuts.</remarks>
 public sealed class FinishingTemplate : ProgramTemplate
 {
     internal const string Head = "head", Tail = "tail";
@@ -28,13 +26,13 @@ public sealed class FinishingTemplate : ProgramTemplate
     {
     }
 
-    /// <summary>Names of the built-in templates: those of the dialects.</summary>
+    /// <summary>Names of the built-in templates, which are those of the dialects.</summary>
     public static IReadOnlyList<string> Names => Grammar.BuiltIn;
 
-    /// <summary>What may stand in braces.</summary>
+    /// <summary>The placeholders in braces.</summary>
     public static IReadOnlyList<string> Places => Grammar.Places;
 
-    /// <summary>What may stand behind <c>@if</c>: whether the job names the tool, and whether by name.</summary>
+    /// <summary>The conditions after <c>@if</c>: whether the job names the tool, and whether by name.</summary>
     public static IReadOnlyList<string> Conditions => Grammar.Conditions;
 
     /// <summary>A built-in template.</summary>
@@ -42,7 +40,7 @@ public sealed class FinishingTemplate : ProgramTemplate
     /// <exception cref="FreeformException">No built-in template has this name (<c>unknown-template</c>).</exception>
     public static FinishingTemplate Named(string name) => new(BuiltIn(name, Grammar));
 
-    /// <summary>The built-in template for a dialect: its own, or for a shop's dialect that of the control that spells alike.</summary>
+    /// <summary>The built-in template for a dialect: its own, or for a shop's own dialect, the one for its syntax.</summary>
     public static FinishingTemplate For(NcDialect dialect)
     {
         ArgumentNullException.ThrowIfNull(dialect);
@@ -54,18 +52,18 @@ public sealed class FinishingTemplate : ProgramTemplate
         });
     }
 
-    /// <summary>The text of a built-in template, to begin a shop's own with.</summary>
+    /// <summary>The text of a built-in template, as a start for a shop's own.</summary>
     /// <param name="name">One of <see cref="Names"/>.</param>
-    /// <exception cref="FreeformException">As of <see cref="Named"/>.</exception>
+    /// <exception cref="FreeformException">As for <see cref="Named"/>.</exception>
     public static string TextOf(string name) => TextOf(name, Grammar);
 
-    /// <summary>The template in some bytes.</summary>
+    /// <summary>Parses a template.</summary>
     /// <param name="bytes">UTF-8.</param>
     /// <param name="file">Name for messages.</param>
-    /// <exception cref="FreeformException">The bytes are no template (<c>bad-template</c>), with the line.</exception>
+    /// <exception cref="FreeformException">The bytes are not a template (<c>bad-template</c>), with the line.</exception>
     public static FinishingTemplate Parse(ReadOnlySpan<byte> bytes, string file) => new(Read(bytes, file, Grammar));
 
-    /// <summary>True if what is written for a job calls its tool; false if the program stops with an alarm instead, because the job names no tool.</summary>
+    /// <summary>True if a job's program calls its tool; false if it stops with an alarm because the job names no tool.</summary>
     public bool CallsTool(FreeformJob job)
     {
         ArgumentNullException.ThrowIfNull(job);

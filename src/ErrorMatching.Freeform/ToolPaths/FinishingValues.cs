@@ -3,17 +3,16 @@ using System.Text;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The values that the places of a <see cref="FinishingTemplate"/> stand for.</summary>
+/// <summary>The values of the placeholders of a <see cref="FinishingTemplate"/>.</summary>
 internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingStage stage, string template)
 {
-    /// <summary>Names of the places, without those of the tool.</summary>
+    /// <summary>Names of the placeholders, except those of the tool.</summary>
     public static readonly string[] OfProgram =
         ["name", "stage", "passes", "points", "minutes", "diameter", "flutes", "moves", "stock", "scallop", "chord", "rpm", "feed", "travel"];
 
-    /// <summary>The feed of cuts.</summary>
     public string Feed { get; } = Word(job, "feedMmPerMin", job.Tool.FeedMmPerMin, 3);
 
-    /// <summary>Some lines with their values.</summary>
+    /// <summary>Fills the placeholders of lines.</summary>
     /// <exception cref="FreeformException">Speed or feed would be written as 0, or the tool has no such value.</exception>
     public byte[] Fill(IReadOnlyList<TemplateItem> items)
     {
@@ -44,7 +43,7 @@ internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingSta
         _ => job.Toolpath.Tool!.ValueOf(place, template),
     };
 
-    // A spindle that stands still, or a feed that never arrives, is nothing that a job can mean.
+    // A job cannot intend a stopped spindle or a feed of 0.
     private static string Word(FreeformJob job, string key, double value, int decimals) => Number(value, decimals) is var text and not "0"
         ? text
         : throw new FreeformException(
@@ -56,7 +55,7 @@ internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingSta
 
     private static string Count(int value) => value.ToString(CultureInfo.InvariantCulture);
 
-    // A name goes into comments: nothing in it may end one.
+    // Names are written into comments, so they must not contain anything that ends one.
     private static string Plain(string value) => string.Concat(value.Take(80).Select(c => c switch
     {
         '(' or '{' => '[',

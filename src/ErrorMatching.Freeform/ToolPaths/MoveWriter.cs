@@ -1,6 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Writes moves as blocks: words only where they change, numbers as exact decimals, straight into bytes.</summary>
+/// <summary>Writes moves as blocks directly to bytes: words only if they change, numbers as exact decimals.</summary>
 internal sealed class MoveWriter
 {
     private const int BlockBytes = 128;
@@ -18,11 +18,11 @@ internal sealed class MoveWriter
     private bool _fed;
     private int _count;
 
-    /// <param name="stream">Where bytes go.</param>
+    /// <param name="stream">The output.</param>
     /// <param name="decimals">Decimals of coordinates.</param>
-    /// <param name="tipBelowMm">How far the programmed point lies below the center.</param>
-    /// <param name="feed">The feed as it is written.</param>
-    /// <param name="travelCenterZ">Height at which the tool stands, with G0 active.</param>
+    /// <param name="tipBelowMm">Distance of the programmed point below the center.</param>
+    /// <param name="feed">The feed as written.</param>
+    /// <param name="travelCenterZ">Height of the tool at the start, with G0 active.</param>
     public MoveWriter(Stream stream, int decimals, double tipBelowMm, byte[] feed, double travelCenterZ)
     {
         (_stream, _decimals, _tipBelow, _feed) = (stream, decimals, tipBelowMm, feed);
@@ -91,7 +91,7 @@ internal sealed class MoveWriter
             _buffer[_count++] = (byte)'-';
         }
 
-        // From the last digit to the first: the decimals, the point, what is before it.
+        // From the last digit to the first: the decimals, the point, the integer part.
         var left = (ulong)Math.Abs(steps);
         var digits = _decimals + 2;
         for (var bound = left; bound >= TwoDigits; bound /= 10)
@@ -116,6 +116,6 @@ internal sealed class MoveWriter
         while (left > 0);
     }
 
-    // The first number whose part before the point has two digits.
+    // The first number whose integer part has two digits.
     private ulong TwoDigits => (ulong)_scale * 10;
 }

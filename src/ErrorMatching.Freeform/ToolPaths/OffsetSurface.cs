@@ -3,8 +3,9 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Where the ball's center may be: the exact offset S + d n of a surface, and the surface S + s n that the ball leaves.</summary>
-/// <remarks>Nothing is approximated: every place is evaluated from the surface's own derivatives. Derivatives of the unit normal: Piegl and Tiller, The NURBS Book, 2nd edition, section 11.4 (offsets). It keeps the line that it was asked about last: each thread needs its own.</remarks>
+/// <summary>Calculates ball centers on the exact offset S + d n of a surface, and places on the surface S + s n that it leaves.</summary>
+/// <remarks>Nothing is approximated: every place is evaluated from the surface's own derivatives. For derivatives of the unit normal, see
+/// Piegl and Tiller, The NURBS Book, 2nd edition, section 11.4 (offsets). It caches a line, so each thread needs its own.</remarks>
 internal sealed class OffsetSurface
 {
     // How far, as a share of the range, a normal is looked for beside a place that has none (a pole of a sphere).
@@ -32,13 +33,12 @@ internal sealed class OffsetSurface
 
     public double StockMm { get; }
 
-    /// <summary>Distance of the center from the surface.</summary>
     public double DistanceMm => RadiusMm + StockMm;
 
-    /// <summary>The center over a place.</summary>
     public CenterPoint At(double u, double v) => Moving(u, v, default);
 
-    /// <summary>The center over a place, and its derivative along a direction in the parameters; along u it is found several times as fast.</summary>
+    /// <summary>The center over a place, with its derivative along a direction in the parameters. Along u, the calculation is several
+    /// times as fast.</summary>
     public CenterPoint Moving(double u, double v, Vector2 along)
     {
         // Derivatives of position and of both tangents along the direction.
@@ -70,14 +70,13 @@ internal sealed class OffsetSurface
         return new(normal, new(center.X, center.Y, center.Z), velocity + (turning * DistanceMm));
     }
 
-    /// <summary>The center over a place.</summary>
     public Point3 CenterAt(double u, double v)
     {
         var (place, normal) = Left(u, v);
         return place + (normal * RadiusMm);
     }
 
-    /// <summary>A place on the surface that the ball leaves, and its unit normal out of the material.</summary>
+    /// <summary>A place on the surface that the ball leaves, with its unit normal out of the material.</summary>
     public (Point3 Place, Vector3 Normal) Left(double u, double v)
     {
         _line.At(u, v, out var on, out var du, out var dv);
@@ -88,8 +87,8 @@ internal sealed class OffsetSurface
         return (new(place.X, place.Y, place.Z), normal);
     }
 
-    /// <summary>Four places on the surface that the ball leaves, and their unit normals, as they come out one by one.</summary>
-    /// <returns>False if one of them has no normal of its own: ask one by one.</returns>
+    /// <summary>Four places on the surface that the ball leaves, with their unit normals, identical to the single results.</summary>
+    /// <returns>False if one of them has no normal of its own; calculate them singly.</returns>
     public bool Left(Vector256<double> u, double v, out FourVectors places, out FourVectors normals)
     {
         _line.At(u, v, out places, out var du, out var dv);
@@ -105,7 +104,7 @@ internal sealed class OffsetSurface
         return true;
     }
 
-    // The normal of a pole is that beside it; where there is none either, it is zero.
+    // A pole takes a neighboring normal; if there is none either, the normal is zero.
     private CenterPoint Degenerate(double u, double v, Vector3 place)
     {
         var (besideU, besideV) = (u + ((_middle.X - u) * Beside), v + ((_middle.Y - v) * Beside));

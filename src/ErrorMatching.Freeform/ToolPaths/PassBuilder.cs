@@ -2,11 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Follows a guide in the parameters with centers of the ball, as far apart as the curvature of the center's own curve allows.</summary>
-/// <remarks>
-/// Between two places the curve leaves its chord by |Δ²C''| / 8 (half way, to the second order), with Δ²C'' taken as Δ times the difference of the exact derivatives at both ends. Steps are chosen for that; whether they are small enough
-/// is measured on the finished polyline (<see cref="CenterLine.MeasureChord"/>).
-/// </remarks>
+/// <summary>Follows a guide in the parameters with centers of the ball. The curvature of the centers' curve determines the steps.</summary>
+/// <remarks>The deviation of the curve from its chord is |Δ²C''| / 8 (at the middle, to second order), where Δ²C'' is Δ times the
+/// difference of the exact derivatives at both ends. Steps are chosen by this formula. The finished polyline is then measured
+/// (<see cref="CenterLine.MeasureChord"/>).</remarks>
 internal sealed class PassBuilder(OffsetSurface offset, CenterRounding rounding, double chordMm, double liftMm)
 {
     /// <summary>The part of the scallop that a chord out of the material may take: with as much for the ridge, the path has the fewest points.</summary>
@@ -24,7 +23,6 @@ internal sealed class PassBuilder(OffsetSurface offset, CenterRounding rounding,
     private readonly double[] _breaksV = Breaks(offset.Surface.Spline.KnotsV);
     private readonly List<double> _cuts = [];
 
-    /// <summary>Makes the polyline of a piece.</summary>
     public void Build(CutPiece piece, CenterLine into)
     {
         into.Clear();
@@ -40,10 +38,10 @@ internal sealed class PassBuilder(OffsetSurface offset, CenterRounding rounding,
         }
     }
 
-    /// <summary>Knots at which the curvature or the tangent of a surface may break: there a step ends.</summary>
+    /// <summary>Knots at which the curvature or tangent of a surface may break; steps end there.</summary>
     private static double[] Breaks(KnotVector knots) => [.. knots.Breaks.Where(k => knots.Multiplicity(k) >= knots.Degree - 1)];
 
-    // Where a straight guide crosses such knots, as fractions of it, and its end.
+    // Where a straight guide crosses such knots, as fractions of its length, and its end.
     private List<double> Cuts(Point2 a, Point2 b)
     {
         _cuts.Clear();

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Predicts how far from a pass the next one may be, from the surface along it and from how the strips before came out.</summary>
+/// <summary>Predicts the distance to the next pass from the surface along the current pass and the heights of previous strips.</summary>
 internal sealed class PassSpacing(OffsetSurface offset, double scallopMm)
 {
     private const int Samples = 48;
@@ -38,7 +38,7 @@ internal sealed class PassSpacing(OffsetSurface offset, double scallopMm)
         return _factor * Math.Sqrt(scallopMm / _ridge);
     }
 
-    /// <summary>Takes note of how high a strip of a width came out.</summary>
+    /// <summary>Learns from the height of a strip.</summary>
     public void Learn(double width, double heightMm)
     {
         if (heightMm > 0 && _ridge > 0)
@@ -47,7 +47,7 @@ internal sealed class PassSpacing(OffsetSurface offset, double scallopMm)
         }
     }
 
-    // Height of the ridge for a strip as wide as one unit of the parameter.
+    // Height of the ridge of a strip with a width of one parameter unit.
     private double RidgeAt(double u, double v)
     {
         var at = offset.Surface.Spline.At(u, v);

@@ -2,8 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A surface cut into patches, to be asked whether the ball reaches into any of it. Parts outside the region of the piece are left out.</summary>
-/// <remarks>Answers are by bounds that hold for every place of the surface, not for samples of it. Patches are halved where a question needs it, and stay so for the next one.</remarks>
+/// <summary>A surface divided into patches, to test whether the ball gouges any of it. Parts outside the region are excluded.</summary>
+/// <remarks>Results are based on bounds for the whole surface, not on samples. Patches are halved on demand and stay halved.</remarks>
 internal sealed class PatchTree
 {
     private const int MostPatches = 200_000;
@@ -42,16 +42,16 @@ internal sealed class PatchTree
         HighestMm = _root is null ? double.NaN : Highest(_root, double.NegativeInfinity);
     }
 
-    /// <summary>Height that no place of the surface exceeds, and that it reaches within 0.01 mm.</summary>
+    /// <summary>An upper bound of the surface's height, at most 0.01 mm too high.</summary>
     public double HighestMm { get; }
 
     /// <summary>True if some place of the surface is nearer to a point than a distance.</summary>
     /// <param name="point">The point.</param>
-    /// <param name="normal">Unit normal of the surface at the point's foot, if it has one: what is asked is soonest answered along it.</param>
+    /// <param name="normal">Unit normal of the surface at the point's foot, if it has one. Tests are fastest in this direction.</param>
     /// <param name="distanceMm">The distance.</param>
     public bool IsNearer(Point3 point, Vector3 normal, double distanceMm) => _root is not null && IsNearer(_root, point, normal, distanceMm);
 
-    /// <summary>The distance of a point from the surface, to the tenth of a micrometre, if it is less than another.</summary>
+    /// <summary>The distance of a point from the surface, to a tenth of a micrometer, if it is less than a maximum.</summary>
     public double DistanceBelow(Point3 point, Vector3 normal, double mostMm)
     {
         var (low, high) = (0.0, mostMm);
@@ -126,7 +126,7 @@ internal sealed class PatchTree
 
         if (_patches > MostPatches)
         {
-            // What was made so far is made again where it is asked for.
+            // Discards all halves. They are recreated on demand.
             _root!.Forget();
             _patches = 0;
         }
@@ -136,7 +136,7 @@ internal sealed class PatchTree
         node.Halve(IsOutside(first) ? null : new(first), IsOutside(second) ? null : new(second));
     }
 
-    // No edge of the region enters the patch, and its middle is outside.
+    // No edge of the region enters the patch, and its center is outside.
     private bool IsOutside(BezierPatch patch)
     {
         if (_region.IsWhole)
@@ -165,7 +165,7 @@ internal sealed class PatchTree
         return true;
     }
 
-    /// <summary>A patch, halved or not, or two nodes as one.</summary>
+    /// <summary>A patch, halved or not, or two combined nodes.</summary>
     private sealed class Node
     {
         public Node(BezierPatch patch) => (Patch, Middle, Radius, Highest) = (patch, patch.Middle, patch.Radius, patch.Highest);

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <content>From pieces to the way of the tool: what is cut without leaving the surface, and how the tool comes and goes.</content>
+/// <content>Combines pieces into the tool's path: what is cut without leaving the surface, and how the tool enters and leaves.</content>
 internal sealed partial class PathPlanning
 {
     private void AddChain(IReadOnlyList<CutPiece> pieces)
@@ -24,7 +24,8 @@ internal sealed partial class PathPlanning
         }
     }
 
-    /// <summary>From an end of a piece to a place off the surface: along the normal, or straight up where something is in the way. From there the tool can go straight up.</summary>
+    /// <summary>From an end of a piece to a place off the surface: along the normal, or straight up if that is blocked. From there the
+    /// tool can retract straight up.</summary>
     private Vector3? Lead(CutPiece piece, bool first)
     {
         var guide = first == piece.Backwards ? piece.Guide[^1] : piece.Guide[0];
@@ -43,7 +44,7 @@ internal sealed partial class PathPlanning
         return null;
     }
 
-    // Behind its start, a straight way keeps the ball off the surface; looked at every quarter of a radius.
+    // After its start, a straight move keeps the ball off the surface. Checked every quarter of a radius.
     private bool IsFree(Point3 from, Point3 to, Vector3 normal)
     {
         var way = to - from;
@@ -59,7 +60,7 @@ internal sealed partial class PathPlanning
         return true;
     }
 
-    /// <summary>Joins passes to chains: to and fro with a short way along the edge between them, or each for itself.</summary>
+    /// <summary>Joins passes to chains: alternating in direction with short links along the edge, or each separately.</summary>
     private sealed class Chainer(PathPlanning planning)
     {
         private readonly CenterLine _link = new();
@@ -115,7 +116,7 @@ internal sealed partial class PathPlanning
                 return null;
             }
 
-            // The pass before ended where this one begins: at low u if it came backwards.
+            // The previous pass ended where this one starts: at low u if it ran backward.
             var (from, to) = _backwards ? (_last.Ends[0].Last, pass.Ends[0].Last) : (_last.Ends[0].First, pass.Ends[0].First);
             var region = planning._offset.Surface.Region;
             foreach (var fraction in (double[])[0.25, 0.5, 0.75])

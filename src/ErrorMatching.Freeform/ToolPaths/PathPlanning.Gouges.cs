@@ -3,16 +3,17 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <content>Where the ball would cut what it must not: found against the whole surface, raised, or refused.</content>
+/// <content>Checks centers against the whole surface for gouges, and raises them or refuses the path.</content>
 internal sealed partial class PathPlanning
 {
     // Heights are found to this length and rounded up.
     private const double RaiseStep = 0.0001;
 
-    // How much may be left at a place where the ball does not fit: as much as the stage leaves anyway, or the scallop.
+    // The most that may be left where the ball does not fit: the stock of the stage or the scallop, whichever is larger.
     private double MostRaised => Math.Max(_toolpath.ScallopMm, _offset.StockMm);
 
-    // Nothing of a line is raised yet, so that it leaves the exact offset by the chordal error at most: where the ball rolls freely on the exact one, nothing is nearer than that.
+    // A line that has not been raised is within the chordal error of the exact offset. If the ball rolls freely on the exact offset,
+    // nothing is nearer than that.
     private bool Gouges(CenterLine line)
     {
         var centers = line.Centers;
@@ -50,7 +51,7 @@ internal sealed partial class PathPlanning
 
     private static Point3 Middle(Point3 a, Point3 b) => a + ((b - a) * 0.5);
 
-    // The unit normal half way between two.
+    // The unit normal halfway between two.
     private static Vector3 Between(Vector3 a, Vector3 b)
     {
         var sum = a + b;
@@ -85,7 +86,7 @@ internal sealed partial class PathPlanning
         return piece with { Centers = line.Centers.ToArray() };
     }
 
-    // More points between two, as long as the ball would cut half way between them.
+    // Inserts points between two as long as the ball would gouge at the middle.
     private bool Refine(Point2 from, Point2 to, CenterLine raised, (Point3 Center, double Raised)? end, int depth)
     {
         if (end is not { } next)
@@ -141,7 +142,7 @@ internal sealed partial class PathPlanning
         return null;
     }
 
-    // The smallest hollow radius decides on the ball, if it is smaller than the ball: what lies further away is another part of the surface.
+    // The smallest concave radius determines the ball if it is smaller than the ball. Otherwise another part of the surface is gouged.
     private string Fitting()
     {
         const int Samples = 100;
@@ -181,7 +182,7 @@ internal sealed partial class PathPlanning
         return null;
     }
 
-    /// <summary>An edge inside the surface, where the normal jumps: the center would have to roll around it.</summary>
+    /// <summary>An edge inside the surface, where the normal jumps. The center would have to roll around it.</summary>
     private FreeformRefusal? EdgeInSurface()
     {
         var spline = _offset.Surface.Spline;

@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The planning of one path: passes one after another, each made, measured, and made finer until it holds.</summary>
+/// <summary>Plans one path. Each pass is made, measured, and refined until it is within tolerance.</summary>
 internal sealed partial class PathPlanning
 {
     /// <summary>Most points of a path: beyond it a tolerance or a unit is wrong.</summary>
@@ -49,11 +49,11 @@ internal sealed partial class PathPlanning
         _strip = new(offset, _edges, toolpath.ScallopMm);
     }
 
-    // A part of the planning that runs beside another: what it changes is its own.
+    // A part of the planning that runs concurrently with another, with its own state.
     private PathPlanning(PathPlanning whole)
         : this(new(whole._offset.Surface, whole._offset.RadiusMm, whole._offset.StockMm), whole._rounding, whole._toolpath, whole._decimals) => _edges.AddRange(whole._edges);
 
-    // The polyline leaves the exact offset by the chordal error at most; a center that is nearer than twice that touches elsewhere.
+    // The polyline is within the chordal error of the exact offset. A center nearer than twice that touches elsewhere.
     private double GougeMm => 2 * _toolpath.ChordMm;
 
     private double NearestMm => _offset.DistanceMm - GougeMm;
@@ -83,7 +83,7 @@ internal sealed partial class PathPlanning
             return refusal;
         }
 
-        // Where chords lie inside by more than the ridge is high nothing is left over the surface, and less than nothing is no height.
+        // If chords cut in by more than the height of the ridge, nothing is left over the surface. The height is then 0, not negative.
         var certificate = new ToolPathCertificate(
             _chord.Mm, PlaceOf(_chord.At), Math.Max(0, _scallop.Mm), PlaceOf(_scallop.At), GougeMm, _raisedPoints, _raised.Mm, PlaceOf(_raised.At));
         return new ToolPath(() => new(_offset, _rounding, _toolpath.ChordMm, PassBuilder.LiftShare * _toolpath.ScallopMm), _offset, _rounding, _chains, new(_passes, _points, _length, TravelCenterZ, certificate, _decimals));
@@ -91,7 +91,7 @@ internal sealed partial class PathPlanning
 
     private Point3 PlaceOf(Point2 at) => _offset.Left(at.X, at.Y).Place;
 
-    // A pass along the edge of a trimmed region: where it runs nearly along a pass, what lies between has no pass of its own.
+    // A pass along the edge of a trimmed region. Where it is nearly parallel to the passes, the area between would otherwise have none.
     private void MakeEdges()
     {
         foreach (var loop in _offset.Surface.Region.Loops)
@@ -105,7 +105,7 @@ internal sealed partial class PathPlanning
         }
     }
 
-    // One half on a second core: a pass in the middle belongs to both, and comes out alike.
+    // Half of the passes run on a second core. Both halves calculate the middle pass, with identical results.
     private void MakePasses()
     {
         var lines = new RegionLines(_offset.Surface);
@@ -136,7 +136,7 @@ internal sealed partial class PathPlanning
         _raised = part._raised.Mm > _raised.Mm ? part._raised : _raised;
     }
 
-    /// <summary>The passes from one line to another, both included if the first is that of the region.</summary>
+    /// <summary>The passes from one line to another. The first one is included only if it is the region's first line.</summary>
     private List<CutPass> Passes(RegionLines lines, double first, double last)
     {
         var spacing = new PassSpacing(_offset, _toolpath.ScallopMm);
@@ -192,7 +192,7 @@ internal sealed partial class PathPlanning
         {
             var to = width >= last - v ? last : width > (last - v) / 2 ? (v + last) / 2 : v + width;
             var candidate = MakePass(lines, to);
-            // Whether something is cut takes the longest to find: a pass that will probably have to be made again is asked last, unless it lies where balls are raised.
+            // The gouge test is the slowest. If the pass will probably be remade, it comes last, except where balls are raised.
             var isFreed = pass.IsRaised || attempt > 0;
             if (isFreed)
             {
@@ -251,7 +251,6 @@ internal sealed partial class PathPlanning
         return pass;
     }
 
-    /// <summary>Raises what of a pass would cut elsewhere.</summary>
     private void Free(CutPass pass)
     {
         for (var i = 0; i < pass.Pieces.Count && _refusal is null; i++)
@@ -264,11 +263,11 @@ internal sealed partial class PathPlanning
         }
     }
 
-    /// <summary>Makes a piece that keeps the chordal error and cuts nothing else.</summary>
+    /// <summary>Creates a piece within the chordal error, without gouges.</summary>
     private CutPiece? Make(IReadOnlyList<Point2> guide, CenterLine line) =>
         Follow(guide, line) is not { } piece ? null : Gouges(line) ? Raise(piece, line) : piece;
 
-    /// <summary>Makes a piece that keeps the chordal error.</summary>
+    /// <summary>Creates a piece within the chordal error.</summary>
     private CutPiece? Follow(IReadOnlyList<Point2> guide, CenterLine line)
     {
         var piece = new CutPiece(guide, 1, 0.25);
@@ -299,7 +298,7 @@ internal sealed partial class PathPlanning
         return piece;
     }
 
-    // What counts for the path as a whole, once a piece is part of it.
+    // Adds a piece to the totals of the path.
     private void Count(CenterLine line)
     {
         _points += line.Count;
@@ -329,7 +328,7 @@ internal sealed partial class PathPlanning
         "tolerance-not-reached",
         string.Create(CultureInfo.InvariantCulture, $"at {Named(at)} the {what} is {found:0.000000} mm, more than {wanted} mm, however close the points are laid. Allow more, or use a dialect with a finer increment than {_rounding.IncrementMm} mm."));
 
-    /// <summary>A place in the surface's own parameters and in millimetres.</summary>
+    /// <summary>A place in the surface's own parameters and in millimeters.</summary>
     private string Named(Point2 at)
     {
         var (u, v) = _toolpath.AlongU ? (at.X, at.Y) : (at.Y, at.X);

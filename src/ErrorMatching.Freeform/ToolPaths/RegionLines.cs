@@ -1,6 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Where lines of constant v lie in the region of a surface.</summary>
+/// <summary>Finds where lines of constant v are inside the region of a surface.</summary>
 internal sealed class RegionLines
 {
     // How far inside the region, as a share of its width, its first and last line are looked for: an edge of the region that is such a line belongs to it.
@@ -18,13 +18,11 @@ internal sealed class RegionLines
         Last = _region.IsWhole ? v.End : Math.Clamp(_region.Loops.SelectMany(l => l).Max(p => p.Y), v.Start, v.End);
     }
 
-    /// <summary>The first line.</summary>
     public double First { get; }
 
-    /// <summary>The last line.</summary>
     public double Last { get; }
 
-    /// <summary>The pieces of a line that lie in the region, from low to high.</summary>
+    /// <summary>The parts of a line inside the region, from low to high.</summary>
     public List<(double From, double To)> On(double v)
     {
         if (_region.IsWhole)

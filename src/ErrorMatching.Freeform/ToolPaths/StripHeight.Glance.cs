@@ -3,14 +3,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <content>Four places at once, where what one piece of each pass leaves is enough to know.</content>
+/// <content>Tests four places at once, if one segment of each pass gives a sufficient bound.</content>
 internal sealed partial class StripHeight
 {
-    // Nothing cut off the surface, and nothing raised: then a line of each pass covers the whole strip, and every place of it is measured.
+    // If the surface is not trimmed and nothing is raised, one line of each pass covers the whole strip, and every place of it is measured.
     private bool Glances(IReadOnlyList<CenterLine> first, IReadOnlyList<CenterLine> second) =>
         offset.Surface.Region.IsWhole && first.Count == 1 && second.Count == 1 && !first[0].HasRaised && !second[0].HasRaised && first[0].Count > 1 && second[0].Count > 1;
 
-    /// <summary>At which of four places in rising order the ridge is not higher than a height, one bit each; at the others it may be.</summary>
+    /// <summary>At which of four places in ascending order the ridge is surely not higher than a height, one bit each.</summary>
     private uint Lower(Vector256<double> u, double v, CenterLine a, CenterLine b, double mm)
     {
         if (!offset.Left(u, v, out var places, out var normals))
@@ -18,12 +18,13 @@ internal sealed partial class StripHeight
             return 0;
         }
 
-        // What is not a number is not lower.
+        // NaN is not lower.
         var heights = Vector256.Max(Leaves(places, normals, u, a, ref _aim), Leaves(places, normals, u, b, ref _otherAim));
         return Vector256.LessThanOrEqual(heights, Vector256.Create(mm)).ExtractMostSignificantBits();
     }
 
-    /// <summary>How far along each normal the tube of a polyline begins, or farther: the way around one straight piece, the one that is probably met first.</summary>
+    /// <summary>How far along each normal the tube of a polyline starts, or an upper bound: only the segment that is probably hit first is
+    /// evaluated.</summary>
     private Vector256<double> Leaves(in FourVectors places, in FourVectors normals, Vector256<double> u, CenterLine line, ref Aim aim)
     {
         var first = line.PieceAt(u[0] + aim.Ahead, aim.Piece);
@@ -32,7 +33,7 @@ internal sealed partial class StripHeight
         var fourth = line.PieceAt(u[3] + aim.Ahead, third);
         line.Pieces(first, second, third, fourth, out var from, out var along, out var length);
 
-        // As for one place and one piece; a piece without length is a ball by the same formula.
+        // Same formula as for one place and one segment. A segment without length is a ball.
         var p = from - places;
         var (nAlong, pAlong) = (normals.Dot(along), p.Dot(along));
         var (n, q) = (normals - (along * nAlong), p - (along * pAlong));
@@ -44,7 +45,7 @@ internal sealed partial class StripHeight
         var end = Vector256.Min(Vector256.Max(foot, Vector256<double>.Zero), length);
         if (!Vector256.EqualsAll(end, foot))
         {
-            // Beyond an end, and where the normal misses the tube, only the ball at that end is sure.
+            // Beyond an end, or where the normal misses the tube, only the ball at that end is certain.
             var center = p + (along * end);
             var over = normals.Dot(center);
             var inBall = (over * over) - center.Dot(center) + radius;
@@ -57,8 +58,8 @@ internal sealed partial class StripHeight
         return t;
     }
 
-    /// <summary>Where on a pass the tube is probably met.</summary>
-    /// <param name="Piece">The piece for the first of four places.</param>
+    /// <summary>Where on a pass the tube is probably hit.</summary>
+    /// <param name="Piece">The segment for the first of four places.</param>
     /// <param name="Ahead">How far ahead of the place, in the parameter.</param>
     private readonly record struct Aim(int Piece, double Ahead);
 }

@@ -3,12 +3,13 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>How high the material stands that two neighboring passes leave between them: over the surface that the stage asks for, along its normal, everything counted (ridge, chords, rounding).</summary>
-/// <remarks>
-/// A ball that runs along the polyline takes away a tube. A normal of the surface leaves the tube of each pass somewhere; below both places material stays. The ridge is where both are as high, looked for at every point of both polylines
-/// and half way between. Passes further away and the way between passes are left out of account, so the truth is never higher.
-/// Most places need not be looked at closely: what any one piece of each pass leaves half way between both is never less than the ridge, and mostly less than the highest ridge so far. That is asked for four places at once.
-/// </remarks>
+/// <summary>Measures the height of the material between two neighboring passes above the stage's required surface, along its normal. It
+/// includes everything: ridge, chords, rounding.</summary>
+/// <remarks>A ball that moves along the polyline removes a tube. A normal of the surface enters the tube of each pass somewhere; material
+/// remains below both places. The ridge is where both are equally high. It is searched at every point of both polylines and halfway
+/// between. Further passes and links between passes are ignored, so the true height is never larger. Most places do not need this search.
+/// The height left by any one segment of each pass halfway between them is an upper bound of the ridge, and is mostly below the highest
+/// ridge so far. Four places are tested at once.</remarks>
 internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<CenterLine> edges, double scallopMm)
 {
     private const int Corrections = 4;
@@ -18,10 +19,10 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
     private Aim _aim;
     private Aim _otherAim;
 
-    /// <summary>The highest place between two passes, or the first that is higher than the scallop may be.</summary>
-    /// <param name="first">Pieces of one pass.</param>
+    /// <summary>Returns the highest place between two passes, or the first one above the allowed scallop.</summary>
+    /// <param name="first">Lines of one pass.</param>
     /// <param name="v">Its parameter.</param>
-    /// <param name="second">Pieces of the next.</param>
+    /// <param name="second">Lines of the next pass.</param>
     /// <param name="next">Its parameter.</param>
     public (double Mm, Point2 Place) Measure(IReadOnlyList<CenterLine> first, double v, IReadOnlyList<CenterLine> second, double next)
     {
@@ -69,7 +70,7 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
         }
     }
 
-    // Every point of a line, and half way between two.
+    // Every point of a line, and halfway between two.
     private static double Sample(ReadOnlySpan<Point2> places, int i) => (i & 1) == 0 ? places[i >> 1].X : (places[i >> 1].X + places[(i >> 1) + 1].X) / 2;
 
     private static CenterLine? Covering(IReadOnlyList<CenterLine> lines, double u)
@@ -85,7 +86,7 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
         return null;
     }
 
-    // The ridge at u, or something above it that is no higher than what was found elsewhere.
+    // The ridge at u, or an upper bound that is no higher than the highest so far.
     private (double Mm, double V) Ridge(double u, CenterLine a, double v, CenterLine b, double next, double highest)
     {
         var (x, slope) = (0.5, 0.0);
@@ -98,7 +99,7 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
                 return Open(u, a, b, v, next);
             }
 
-            // Rising from one pass and falling to the other, the ridge is never higher than the higher of both, wherever that is looked at.
+            // One height rises from its pass and the other falls, so at any place the higher of both is an upper bound of the ridge.
             var (place, normal) = offset.Left(u, at);
             var (ta, tb) = (Leaves(place, normal, a, ref _hint), Leaves(place, normal, b, ref _otherHint));
             var (higher, difference) = (Math.Max(ta, tb), ta - tb);
@@ -107,7 +108,7 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
                 return (higher, at);
             }
 
-            // Both rise with the square of the distance from their pass: over a strip whose ridge is h, their difference changes by 8 h.
+            // Both heights grow with the square of the distance from their pass. Over a strip of ridge h, their difference changes by 8 h.
             slope = i == 0 ? 8 * scallopMm : (difference - last) / (x - lastX);
             (lastX, last) = (x, difference);
             x = Math.Clamp(x - (difference / Math.Max(slope, scallopMm)), 0.02, 0.98);
@@ -118,7 +119,7 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
         }
     }
 
-    // Where a trimmed strip has one pass only, or its middle lies outside, the pass along the edge of the region helps.
+    // If a trimmed strip has only one pass, or its middle is outside, the pass along the region's edge is included.
     private (double Mm, double V) Open(double u, CenterLine? a, CenterLine? b, double v, double next)
     {
         var (highest, where) = (double.NegativeInfinity, v);
@@ -152,7 +153,8 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
         return enough;
     }
 
-    /// <summary>How far along the normal the tube of a polyline begins; infinite where the normal misses it. Places beside raised points are not measured.</summary>
+    /// <summary>How far along the normal the tube of a polyline starts; infinite if the normal misses it. Places near raised points are
+    /// not measured.</summary>
     private double Leaves(Point3 place, Vector3 normal, CenterLine line, ref int hint)
     {
         var last = line.Count - 2;
@@ -179,7 +181,7 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
         return best;
     }
 
-    // Where a ray enters the ball's way along one straight piece, and on which side of the piece it would do so earlier.
+    // Where a ray enters the tube of one segment, and on which side of the segment it would enter earlier.
     private (double Mm, int Side) LeavesPiece(Point3 place, Vector3 normal, in CenterPiece piece)
     {
         var p = piece.From - place;

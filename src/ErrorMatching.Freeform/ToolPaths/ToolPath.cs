@@ -2,7 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The way of a ball end mill over a surface, with what was measured on it. Of a long path it holds what the passes are made from, not their points: these are made again, alike, when they are asked for.</summary>
+/// <summary>The path of a ball end mill over a surface, with the measured errors. For a long path, it stores only the definitions of the
+/// passes and recalculates identical points on demand.</summary>
 public sealed class ToolPath
 {
     private readonly Func<PassBuilder> _builder;
@@ -16,31 +17,31 @@ public sealed class ToolPath
         (Passes, Points, LengthMm, TravelCenterZ, Certificate, Decimals) = (plan.Passes, plan.Points, plan.LengthMm, plan.TravelCenterZ, plan.Certificate, plan.Decimals);
     }
 
-    /// <summary>Radius of the ball in millimetres.</summary>
+    /// <summary>Radius of the ball in millimeters.</summary>
     public double RadiusMm => _offset.RadiusMm;
 
-    /// <summary>What is left on the surface, in millimetres.</summary>
+    /// <summary>Stock left on the surface, in millimeters.</summary>
     public double StockMm => _offset.StockMm;
 
     /// <summary>Number of passes over the surface.</summary>
     public int Passes { get; }
 
-    /// <summary>Number of points on the surface: leads and positioning not counted.</summary>
+    /// <summary>Number of points on the surface, without leads and positioning.</summary>
     public int Points { get; }
 
-    /// <summary>Length of the cuts in millimetres: leads and positioning not counted.</summary>
+    /// <summary>Length of the cuts in millimeters, without leads and positioning.</summary>
     public double LengthMm { get; }
 
-    /// <summary>Height of the ball's center when it travels over the piece, in millimetres.</summary>
+    /// <summary>Travel height of the ball's center, in millimeters.</summary>
     public double TravelCenterZ { get; }
 
-    /// <summary>Decimals that the coordinates were rounded to.</summary>
+    /// <summary>Decimals to which the coordinates are rounded.</summary>
     public int Decimals { get; }
 
-    /// <summary>What was measured on the finished path.</summary>
+    /// <summary>The measurements of the finished path.</summary>
     public ToolPathCertificate Certificate { get; }
 
-    /// <summary>All moves of the ball's center in order, beginning with one over the first point at the height of travel. Memory stays that of one pass.</summary>
+    /// <summary>All moves of the ball's center in order, from above the first point at travel height. Needs memory for one pass.</summary>
     public IEnumerable<ToolMove> Moves()
     {
         var builder = _builder();

@@ -4,24 +4,26 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Lays streamline passes of a ball end mill over a surface: along one of its parameters, as far apart as the scallop allows, in steps as long as the chordal error allows, with the center on the exact offset.</summary>
-/// <remarks>
-/// Spacing and steps are predicted from the curvature of the surface and of the center's own curve, and then measured on the finished polyline with its rounded numbers; what exceeds a tolerance is made again, finer. So the tolerances hold
-/// for what the program states, not for what was aimed at. Ridge between two balls on a surface of normal curvature k across the pass: h = w² (1/R + k) / 8, k positive where the surface is convex.
-/// </remarks>
+/// <summary>Plans streamline passes of a ball end mill over a surface, along one of its parameters, with the center on the exact offset.
+/// The scallop determines the spacing, and the chordal error the steps.</summary>
+/// <remarks>Spacing and steps are predicted from the curvature of the surface and of the center's own curve, then measured on the finished
+/// polyline with its rounded numbers. Anything out of tolerance is remade more finely. So the program itself is within the tolerances.
+/// Ridge between two balls on a surface of normal curvature k across the pass: h = w² (1/R + k) / 8, k positive if the surface is
+/// convex.</remarks>
 public static class ToolPathPlanner
 {
     /// <summary>Plans the path.</summary>
-    /// <param name="surface">The surface to be cut.</param>
+    /// <param name="surface">The surface to cut.</param>
     /// <param name="tool">The ball end mill.</param>
     /// <param name="toolpath">Direction, tolerances and clearance.</param>
-    /// <param name="stockMm">What is to be left on the surface, along its normal, in millimetres.</param>
-    /// <param name="dialect">The control that the path is for: its least increment is what coordinates are rounded to.</param>
-    /// <returns>
-    /// The path, or a refusal: the increment is coarser than a tolerance (<c>increment-too-coarse</c>), the chord is not smaller than half of the stock (<c>chord-too-coarse</c>), the surface has no normal (<c>no-normal</c>), faces down (<c>faces-down</c>) or has an edge in it (<c>edge-in-surface</c>), the ball
-    /// does not fit (<c>ball-does-not-fit</c>), cannot leave it (<c>no-way-out</c>), a tolerance cannot be kept (<c>tolerance-not-reached</c>), or the path would be too long (<c>path-too-long</c>).
-    /// </returns>
-    /// <exception cref="ArgumentOutOfRangeException">A length is not positive, or the stock negative, or not finite.</exception>
+    /// <param name="stockMm">Stock to leave on the surface along its normal, in millimeters.</param>
+    /// <param name="dialect">The control for the path. Coordinates are rounded to its least increment.</param>
+    /// <returns>The path, or a refusal: the increment is coarser than a tolerance (<c>increment-too-coarse</c>), the chord is not smaller
+    /// than half of the stock (<c>chord-too-coarse</c>), the surface has no normal (<c>no-normal</c>), faces down (<c>faces-down</c>) or
+    /// contains an edge (<c>edge-in-surface</c>), the ball does not fit (<c>ball-does-not-fit</c>) or cannot leave the surface
+    /// (<c>no-way-out</c>), a tolerance cannot be met (<c>tolerance-not-reached</c>), or the path would be too long
+    /// (<c>path-too-long</c>).</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A length is not positive, the stock is negative, or a value is not finite.</exception>
     public static ToolPathResult Plan(PartSurface surface, JobTool tool, JobToolpath toolpath, double stockMm, NcDialect dialect)
     {
         ArgumentNullException.ThrowIfNull(surface);
@@ -46,7 +48,7 @@ public static class ToolPathPlanner
                 $"{dialect.Name} writes {increment} mm, more than the {finest} mm that scallopMm and chordMm ask for: rounding alone would exceed it. Ask for {increment} mm or more, or name a dialect whose metricDecimals is larger."));
         }
 
-        // Where the surface is convex a chord lies inside of the stock, and at half of it twice that, which no gouge is less than, is all of it.
+        // On a convex surface, chords cut into the stock. The gouge limit is twice the chord, so at half the stock it would be all of it.
         if (stockMm > 0 && toolpath.ChordMm >= stockMm / 2)
         {
             return new FreeformRefusal("chord-too-coarse", string.Create(
@@ -59,7 +61,7 @@ public static class ToolPathPlanner
         return new PathPlanning(new(sheet, tool.RadiusMm, stockMm), rounding, toolpath, dialect.MetricDecimals).Run();
     }
 
-    // With u and v exchanged passes always run along u.
+    // With u and v swapped, passes always run along u.
     private static PartSurface Turned(PartSurface surface) => surface with
     {
         Spline = surface.Spline.Swap(),

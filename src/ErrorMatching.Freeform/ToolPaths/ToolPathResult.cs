@@ -2,15 +2,15 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A tool path, or the reason why there is none.</summary>
+/// <summary>A tool path, or the reason for refusing it.</summary>
 public sealed class ToolPathResult
 {
     private ToolPathResult(ToolPath? path, FreeformRefusal? refusal) => (Path, Refusal) = (path, refusal);
 
-    /// <summary>The path; null where refused.</summary>
+    /// <summary>The path; null if refused.</summary>
     public ToolPath? Path { get; }
 
-    /// <summary>The reason; null where there is a path.</summary>
+    /// <summary>The reason; null if there is a path.</summary>
     public FreeformRefusal? Refusal { get; }
 
     /// <summary>True if there is a path.</summary>
@@ -18,7 +18,7 @@ public sealed class ToolPathResult
     [MemberNotNullWhen(false, nameof(Refusal))]
     public bool IsUsable => Path is not null;
 
-    /// <summary>A path that keeps its tolerances.</summary>
+    /// <summary>A path within its tolerances.</summary>
     public static implicit operator ToolPathResult(ToolPath path) => new(path, null);
 
     /// <summary>A refusal.</summary>

@@ -3,21 +3,19 @@ namespace ErrorMatching.Geometry;
 /// <content>Rigid least squares with locked degrees of freedom.</content>
 public sealed partial class Alignment
 {
-    /// <summary>
-    /// Alignment with the least sum of squared residuals among the motions that are free: a rotation about the origin of the frame, followed by a translation whose locked components are zero.
-    /// </summary>
-    /// <remarks>
-    /// The free components of the best translation equal the difference of the means for any rotation, so coordinates along a free axis count from their mean and along a
-    /// locked one from the origin of the frame. What is left is a function of the rotation alone, <c>const + p cos 2a + q sin 2a - 2 (d cos a + f sin a)</c>. With both axes free
-    /// or both locked p and q vanish and <c>a = atan2(f, d)</c> (the planar case of Horn 1987). With one locked it has at most two minima, each found to rounding; the lower one is taken.
-    /// </remarks>
-    /// <param name="actual">Measured points: at least two if the rotation is free, else one.</param>
-    /// <param name="theoretical">Their theoretical places, as many and in the same order.</param>
-    /// <param name="freedom">What may move.</param>
-    /// <exception cref="GeometryException">
-    /// <see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>; <see cref="GeometryError.CoincidentPoints"/> if the rotation is free and all actual or
-    /// all theoretical points lie within 1e-9 mm; <see cref="GeometryError.RankDeficient"/> if every rotation fits alike.
-    /// </exception>
+    /// <summary>Alignment with the least sum of squared residuals among the free motions: a rotation about the origin of the frame, then a
+    /// translation whose locked components are zero.</summary>
+    /// <remarks>For any rotation, the free components of the best translation equal the difference of the means. So coordinates along a
+    /// free axis are relative to their mean, and along a locked axis to the origin of the frame. This leaves a function of the rotation
+    /// alone, <c>const + p cos 2a + q sin 2a - 2 (d cos a + f sin a)</c>. If both axes are free or both locked, p and q vanish and <c>a =
+    /// atan2(f, d)</c> (the planar case of Horn 1987). If one is locked, it has at most two minima. Both are found to rounding, and the
+    /// lower one is used.</remarks>
+    /// <param name="actual">Measured points: at least two if the rotation is free, otherwise one.</param>
+    /// <param name="theoretical">Their theoretical positions, in the same number and order.</param>
+    /// <param name="freedom">The free motions.</param>
+    /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>;
+    /// <see cref="GeometryError.CoincidentPoints"/> if the rotation is free and all actual or all theoretical points are within 1e-9 mm;
+    /// <see cref="GeometryError.RankDeficient"/> if every rotation fits equally.</exception>
     /// <exception cref="ArgumentException">The lists differ in length.</exception>
     public static Alignment BestFit(IReadOnlyList<Point2> actual, IReadOnlyList<Point2> theoretical, AlignmentFreedom freedom = AlignmentFreedom.All)
     {
@@ -63,7 +61,7 @@ public sealed partial class Alignment
         var oneLocked = freedom.HasFlag(AlignmentFreedom.X) != freedom.HasFlag(AlignmentFreedom.Y);
         if (!oneLocked)
         {
-            // The sums of p and q cancel exactly in theory; only their rounding is left.
+            // The sums of p and q cancel exactly in theory. This removes their rounding error.
             (p, q) = (0, 0);
         }
 
@@ -75,13 +73,13 @@ public sealed partial class Alignment
         return Angle.FromRadians(oneLocked ? LowestMinimum(p, q, d, f) : Math.Atan2(f, d));
     }
 
-    /// <summary>Where <c>p cos 2a + q sin 2a - 2 (d cos a + f sin a)</c> is least, in (-pi, pi].</summary>
+    /// <summary>The angle in (-pi, pi] at which <c>p cos 2a + q sin 2a - 2 (d cos a + f sin a)</c> is smallest.</summary>
     private static double LowestMinimum(double p, double q, double d, double f)
     {
         double Value(double a) => (p * Math.Cos(2 * a)) + (q * Math.Sin(2 * a)) - (2 * ((d * Math.Cos(a)) + (f * Math.Sin(a))));
         double Slope(double a) => (2 * ((q * Math.Cos(2 * a)) - (p * Math.Sin(2 * a)))) + (2 * ((d * Math.Sin(a)) - (f * Math.Cos(a))));
 
-        // The slope has at most four zeros a turn; a grid this fine separates them unless two meet, which is a flat point and no minimum of its own.
+        // The slope has at most four zeros per turn. This grid separates them unless two meet, which is a flat point, not another minimum.
         const int steps = 360;
         const double width = 2 * Math.PI / steps;
         var best = (At: 0.0, Value: double.PositiveInfinity);
@@ -98,7 +96,7 @@ public sealed partial class Alignment
         return best.At;
     }
 
-    /// <summary>The zero of a function that rises from at most zero to at least zero, by halving down to the spacing of doubles.</summary>
+    /// <summary>The zero of a function that rises from at most zero to at least zero, by bisection to the spacing of doubles.</summary>
     private static double Zero(Func<double, double> function, double from, double to)
     {
         while (true)

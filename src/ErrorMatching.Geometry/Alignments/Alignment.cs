@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// Actual points carried into the frame of their theoretical ones: the transform that was applied, and what is left of the difference at each point. Immutable.
-/// </summary>
-/// <remarks>An alignment can hide the very error that is to be matched; what it took away is in <see cref="Transform"/>, what it left is in <see cref="Residuals"/>.</remarks>
+/// <summary>Actual points transformed to the frame of their theoretical ones: the transform and the remaining residual at each point.
+/// Immutable.</summary>
+/// <remarks>An alignment can hide the error to be matched. <see cref="Transform"/> is the part that it removed, <see cref="Residuals"/>
+/// the part that remains.</remarks>
 public sealed partial class Alignment
 {
     private Alignment(RigidTransform2 transform, IReadOnlyList<Point2> actual, IReadOnlyList<Point2> theoretical)
@@ -27,24 +27,24 @@ public sealed partial class Alignment
         Rms = aligned.Length == 0 ? 0 : Math.Sqrt(sum / aligned.Length);
     }
 
-    /// <summary>The transform that was applied to the actual points. It never mirrors.</summary>
+    /// <summary>The transform of the actual points. It never mirrors.</summary>
     public RigidTransform2 Transform { get; }
 
-    /// <summary>The actual points after the transform, in the order given.</summary>
+    /// <summary>The transformed actual points, in the given order.</summary>
     public IReadOnlyList<Point2> Aligned { get; }
 
-    /// <summary>Aligned less theoretical point, in the order given, in millimetres.</summary>
+    /// <summary>Aligned minus theoretical point, in the given order, in millimeters.</summary>
     public IReadOnlyList<Vector2> Residuals { get; }
 
-    /// <summary>Root mean square length of the residuals, in millimetres; zero without points.</summary>
+    /// <summary>Root mean square length of the residuals, in millimeters; zero without points.</summary>
     public double Rms { get; }
 
-    /// <summary>Length of the longest residual, in millimetres; zero without points.</summary>
+    /// <summary>Length of the longest residual, in millimeters; zero without points.</summary>
     public double Max { get; }
 
-    /// <summary>No alignment: the actual coordinates already are in the theoretical frame.</summary>
+    /// <summary>No alignment: the actual coordinates are already in the theoretical frame.</summary>
     /// <param name="actual">Measured points.</param>
-    /// <param name="theoretical">Their theoretical places, as many and in the same order.</param>
+    /// <param name="theoretical">Their theoretical positions, in the same number and order.</param>
     /// <exception cref="GeometryException">A coordinate is not finite (<see cref="GeometryError.NotFinite"/>).</exception>
     /// <exception cref="ArgumentException">The lists differ in length.</exception>
     public static Alignment None(IReadOnlyList<Point2> actual, IReadOnlyList<Point2> theoretical)
@@ -53,14 +53,14 @@ public sealed partial class Alignment
         return new(RigidTransform2.Identity, actual, theoretical);
     }
 
-    /// <summary>Alignment by a datum: a measured origin is carried onto the theoretical one, and the direction toward a second measured point onto that toward the second theoretical one.</summary>
-    /// <param name="measuredDatum">Measured origin and measured point that gives the direction.</param>
-    /// <param name="theoreticalDatum">Theoretical origin and theoretical point that gives the direction.</param>
+    /// <summary>Alignment by a datum: moves a measured origin to the theoretical one, and turns the direction to a second measured point
+    /// into the direction to the second theoretical point.</summary>
+    /// <param name="measuredDatum">Measured origin and direction point.</param>
+    /// <param name="theoreticalDatum">Theoretical origin and direction point.</param>
     /// <param name="actual">Measured points.</param>
-    /// <param name="theoretical">Their theoretical places, as many and in the same order.</param>
-    /// <exception cref="GeometryException">
-    /// Origin and direction point of a datum lie within 1e-9 mm (<see cref="GeometryError.CoincidentPoints"/>), or a coordinate is not finite (<see cref="GeometryError.NotFinite"/>).
-    /// </exception>
+    /// <param name="theoretical">Their theoretical positions, in the same number and order.</param>
+    /// <exception cref="GeometryException">Origin and direction point of a datum are within 1e-9 mm
+    /// (<see cref="GeometryError.CoincidentPoints"/>), or a coordinate is not finite (<see cref="GeometryError.NotFinite"/>).</exception>
     /// <exception cref="ArgumentException">The lists differ in length.</exception>
     public static Alignment Datum(Segment2 measuredDatum, Segment2 theoreticalDatum, IReadOnlyList<Point2> actual, IReadOnlyList<Point2> theoretical)
     {
@@ -75,7 +75,7 @@ public sealed partial class Alignment
         return new(Carrying(turn, measuredDatum.Start, theoreticalDatum.Start), actual, theoretical);
     }
 
-    /// <summary>The rotation that also carries one point onto another.</summary>
+    /// <summary>The rotation followed by the translation that moves one point to another.</summary>
     private static RigidTransform2 Carrying(Angle turn, Point2 from, Point2 to)
     {
         var rotation = new RigidTransform2(Mirror.None, turn, Vector2.Zero);

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>What a best-fit alignment may move; everything else is locked.</summary>
+/// <summary>The free motions of a best-fit alignment; all others are locked.</summary>
 [Flags]
 public enum AlignmentFreedom
 {

@@ -3,15 +3,15 @@ using MathNet.Numerics.LinearAlgebra;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>A circle through measured points by least squares of the distances from it. Immutable.</summary>
-/// <remarks>
-/// Start: the algebraic fit of Kasa about the centroid. Then Levenberg-Marquardt on center and radius until the step falls below 1e-13 of the circle's size.
-/// Standard errors take as the standard deviation of a point the larger of what the residuals show (<c>n - 3</c> degrees of freedom) and the uncertainty stated by
-/// the caller; three points have no residuals, so only the stated one counts.
-/// </remarks>
+/// <summary>A circle fitted to measured points by least squares of the radial distances. Immutable.</summary>
+/// <remarks>Starts with the algebraic fit of Kasa about the centroid, then applies Levenberg-Marquardt to center and radius until the step
+/// is below 1e-13 of the circle's size. The standard errors are based on the standard deviation of a point: that of the residuals (<c>n -
+/// 3</c> degrees of freedom) or the caller's uncertainty, whichever is larger. Three points have no residuals, so only the stated
+/// uncertainty counts.</remarks>
 public sealed class CircleFit
 {
-    /// <summary>A radius of more than this many times the extent of the points is a straight line: the arc bulges by less than an eight-millionth of its chord.</summary>
+    /// <summary>Points whose fitted radius exceeds their extent by this factor are collinear: the arc bulges by less than an
+    /// eight-millionth of its chord.</summary>
     public const double LargestRadiusPerExtent = 1e6;
 
     private const int MostSteps = 200;
@@ -49,29 +49,28 @@ public sealed class CircleFit
     /// <summary>The fitted circle.</summary>
     public Circle2 Circle { get; }
 
-    /// <summary>Signed distance of each point from the circle, positive outside, in the order given, in millimetres.</summary>
+    /// <summary>Signed radial distance of each point, positive outside, in the given order, in millimeters.</summary>
     public IReadOnlyList<double> Residuals { get; }
 
-    /// <summary>Root of the sum of squared residuals over <c>n - 3</c>, in millimetres; zero for three points.</summary>
+    /// <summary>Root of the sum of squared residuals divided by <c>n - 3</c>, in millimeters; zero for three points.</summary>
     public double ResidualStandardDeviation { get; }
 
-    /// <summary>Standard errors of the center in x and in y, in millimetres, to first order.</summary>
+    /// <summary>Standard errors of the center in x and in y, in millimeters, to first order.</summary>
     public Vector2 CenterStandardError { get; }
 
-    /// <summary>Standard error of the radius, in millimetres, to first order.</summary>
+    /// <summary>Standard error of the radius, in millimeters, to first order.</summary>
     public double RadiusStandardError { get; }
 
-    /// <summary>Condition number of the linearized fit: near 1 for points all around, growing with the inverse square of the arc's angle.</summary>
+    /// <summary>Condition number of the linearized fit: about 1 for points all around, growing with 1 / (arc angle)^2.</summary>
     public double Condition { get; }
 
     /// <summary>The circle with the least sum of squared distances from the points.</summary>
-    /// <param name="points">At least three points that are not on one line.</param>
-    /// <param name="pointUncertaintyMm">Standard uncertainty of a point across the circle that the gauge states, in millimetres; zero if unknown.</param>
-    /// <exception cref="GeometryException">
-    /// <see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>; <see cref="GeometryError.CoincidentPoints"/> if fewer than three places
-    /// differ by more than 1e-9 mm; <see cref="GeometryError.CollinearPoints"/> if the points are on one line or the radius would exceed
-    /// <see cref="LargestRadiusPerExtent"/>; <see cref="GeometryError.NotConverged"/> after 200 steps.
-    /// </exception>
+    /// <param name="points">At least three noncollinear points.</param>
+    /// <param name="pointUncertaintyMm">The gauge's standard uncertainty of a point across the circle in millimeters; 0 if unknown.</param>
+    /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>;
+    /// <see cref="GeometryError.CoincidentPoints"/> if fewer than three places differ by more than 1e-9 mm;
+    /// <see cref="GeometryError.CollinearPoints"/> if the points are collinear or the radius would exceed
+    /// <see cref="LargestRadiusPerExtent"/>; <see cref="GeometryError.NotConverged"/> after 200 steps.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The uncertainty is negative or not finite.</exception>
     public static CircleFit Fit(IReadOnlyList<Point2> points, double pointUncertaintyMm = 0)
     {
@@ -83,7 +82,7 @@ public sealed class CircleFit
         return new(Refine(Start(points, centroid, extent), points, extent), points, pointUncertaintyMm);
     }
 
-    /// <summary>Kasa's fit: the linear least squares of <c>x^2 + y^2 = 2 a x + 2 b y + c</c>, about the centroid.</summary>
+    /// <summary>Kasa's fit: linear least squares of <c>x^2 + y^2 = 2 a x + 2 b y + c</c>, about the centroid.</summary>
     private static Circle2 Start(IReadOnlyList<Point2> points, Point2 centroid, double extent)
     {
         var (sxx, sxy, syy, sxz, syz) = (0.0, 0.0, 0.0, 0.0, 0.0);
@@ -121,7 +120,7 @@ public sealed class CircleFit
             var radius = circle.Radius + step[2];
             var next = radius >= 0 ? new Circle2(circle.Center + new Vector2(step[0], step[1]), radius) : circle;
             var nextCost = radius >= 0 ? Cost(next, points) : double.PositiveInfinity;
-            // Near the end the sum of squares is flat to rounding while the step still has digits to gain: a rise by rounding is no rise.
+            // Near the end, the sum of squares is flat to rounding while the step still gains digits. Ignore rises due to rounding.
             if (nextCost <= cost * (1 + 1e-12))
             {
                 (circle, cost, damping) = (next, nextCost, damping / 10);
@@ -171,7 +170,7 @@ public sealed class CircleFit
         return normal.LU().Solve(right);
     }
 
-    /// <summary>Derivative of a point's distance from the circle by the center's x, its y, or the radius.</summary>
+    /// <summary>Derivative of a point's radial distance with respect to the center's x, its y, or the radius.</summary>
     private static double Slope(Circle2 circle, Point2 point, int unknown)
     {
         var d = point - circle.Center;

@@ -2,34 +2,34 @@ using System.Globalization;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// A curve (a hill or a valley) fitted as a polynomial over its own chord, the line from its first to its last point: the height to the left of the chord is a function of the
-/// place along it, however the curve lies in the plane (equations 3 and 5 of Wang 2021, whose y(x) holds only for curves that lie flat). Immutable.
-/// </summary>
+/// <summary>A curve (a hill or a valley) fitted as a polynomial over its own chord, the line from its first to its last point. The height
+/// to the left of the chord is a function of the position along it, in any orientation. Equations 3 and 5 of Wang 2021 use y(x), which is
+/// only valid for flat curves. Immutable.</summary>
 public sealed class CurveFit
 {
     private CurveFit(Segment2 chord, PolynomialFit polynomial) => (Chord, Polynomial) = (chord, polynomial);
 
-    /// <summary>From the first to the last measured point. Its direction is the abscissa of the fit, which starts with 0 at the first point; its left is the ordinate.</summary>
+    /// <summary>The line from the first to the last measured point. Its direction is the abscissa of the fit, starting with 0 at the first
+    /// point; its left is the ordinate.</summary>
     public Segment2 Chord { get; }
 
-    /// <summary>The fit of height over place along the chord, both in millimetres.</summary>
+    /// <summary>The fit of height over position along the chord, both in millimeters.</summary>
     public PolynomialFit Polynomial { get; }
 
-    /// <summary>Measured less fitted height over the chord for each point, positive to the left of the chord, in the order given, in millimetres.</summary>
+    /// <summary>Measured minus fitted height of each point, positive left of the chord, in the given order, in millimeters.</summary>
     public IReadOnlyList<double> Residuals => Polynomial.Residuals;
 
-    /// <summary>Root of the sum of squared residuals over the degrees of freedom left, in millimetres.</summary>
+    /// <summary>Root of the sum of squared residuals divided by the remaining degrees of freedom, in millimeters.</summary>
     public double ResidualStandardDeviation => Polynomial.ResidualStandardDeviation;
 
-    /// <summary>The curve through points in order along it.</summary>
-    /// <param name="points">At least three points, each farther along the chord than the one before.</param>
-    /// <param name="options">Degree, ridge and stated uncertainty; null chooses the degree and does not regularize.</param>
-    /// <exception cref="GeometryException">
-    /// <see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>; <see cref="GeometryError.CoincidentPoints"/> if the first and last point, or two
-    /// neighbors, lie within 1e-9 mm; <see cref="GeometryError.FoldedCurve"/> if a point is not farther along the chord than the one before; what
-    /// <see cref="PolynomialFit.Fit(IReadOnlyList{DoubleDouble}, IReadOnlyList{DoubleDouble}, PolynomialFitOptions?)"/> refuses.
-    /// </exception>
+    /// <summary>Fits a curve to points in order.</summary>
+    /// <param name="points">At least three points, each farther along the chord than the previous one.</param>
+    /// <param name="options">Degree, ridge and stated uncertainty; null selects the degree and does not regularize.</param>
+    /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>;
+    /// <see cref="GeometryError.CoincidentPoints"/> if the
+    /// first and last point, or two neighbors, are within 1e-9 mm; <see cref="GeometryError.FoldedCurve"/> if a point is not farther along
+    /// the chord than the previous one; or as for
+    /// <see cref="PolynomialFit.Fit(IReadOnlyList{DoubleDouble}, IReadOnlyList{DoubleDouble}, PolynomialFitOptions?)"/>.</exception>
     public static CurveFit Fit(IReadOnlyList<Point2> points, PolynomialFitOptions? options = null)
     {
         Samples.Check(points, 3, "A curve");
@@ -54,7 +54,7 @@ public sealed class CurveFit
         return new(chord, PolynomialFit.Fit(along, height, options));
     }
 
-    /// <summary>The point of the fitted curve over a fraction of the chord: 0 at the foot of the first measured point, 1 at that of the last.</summary>
+    /// <summary>The point of the fitted curve at a fraction of the chord: 0 at the first measured point's foot, 1 at the last.</summary>
     public Point2 At(double fraction)
     {
         var line = Chord.Line;
@@ -62,7 +62,7 @@ public sealed class CurveFit
         return line.At(along) + (line.Normal * Polynomial.Evaluate(along));
     }
 
-    /// <summary>Unit direction of the fitted curve over a fraction of the chord, in the order of the points.</summary>
+    /// <summary>Unit direction of the fitted curve at a fraction of the chord, in the order of the points.</summary>
     public Vector2 TangentAt(double fraction)
     {
         var line = Chord.Line;

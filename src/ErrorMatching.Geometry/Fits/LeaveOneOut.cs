@@ -1,28 +1,24 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// The leave-one-out error of every degree and ridge weight in closed form, and the choice by it.
-/// </summary>
-/// <remarks>
-/// A linear smoother with hat matrix H whose penalty stays as it is when a point is left out misses that point by <c>r[i] / (1 - h[i,i])</c>. In the orthonormal basis
-/// q the hat matrix is the sum of <c>s[k] q[k] q[k]^T</c> with <c>s[k] = 1 / (1 + weight k^4)</c>, so one pass gives all of them.
-/// </remarks>
+/// <summary>Leave-one-out errors of every degree and ridge weight in closed form, and the selection based on them.</summary>
+/// <remarks>A linear smoother with hat matrix H, whose penalty does not change when a point is left out, misses that point by <c>r[i] / (1
+/// - h[i,i])</c>. In the orthonormal basis q, the hat matrix is the sum of <c>s[k] q[k] q[k]^T</c> with <c>s[k] = 1 / (1 + weight k^4)</c>,
+/// so one pass gives all errors.</remarks>
 internal sealed class LeaveOneOut
 {
-    /// <summary>A point whose leverage comes this near to 1 determines its own value: leaving it out leaves the fit undetermined.</summary>
+    /// <summary>A point with a leverage this close to 1 determines its own value: the fit without it is undetermined.</summary>
     private const double FullLeverage = 1 - 1e-9;
 
-    /// <summary>A more complex fit must be better by more than this part.</summary>
+    /// <summary>A more complex fit must be better by more than this share.</summary>
     private const double Improvement = 1e-6;
 
-    /// <summary>Leave-one-out errors below this part of the largest ordinate are rounding of the data: such a fit is exact and nothing is better.</summary>
+    /// <summary>Leave-one-out errors below this share of the largest ordinate are rounding errors: the fit is exact.</summary>
     private const double Exact = 1e-14;
 
     private readonly double[][] _leverages;
     private readonly double[][] _fitted;
     private readonly double[][] _residuals;
 
-    /// <summary>Prepares the errors of every degree of a basis.</summary>
     public LeaveOneOut(ForsytheBasis basis)
     {
         _leverages = [.. basis.Values.Select((row, k) => Array.ConvertAll(row, v => (v * v / basis.SquaredNorms[k]).ToDouble()))];
@@ -30,13 +26,13 @@ internal sealed class LeaveOneOut
         _residuals = [.. basis.Residuals.Select(row => Array.ConvertAll(row, v => v.ToDouble()))];
     }
 
-    /// <summary>Part of the plain coefficient of degree k that a ridge weight leaves.</summary>
+    /// <summary>Share of the plain coefficient of degree k that remains after applying a ridge weight.</summary>
     public static double Shrink(int k, double ridge) => 1 / (1 + (ridge * ((double)k * k * k * k)));
 
-    /// <summary>The grid of weights that an automatic ridge tries: 0 and 10^-6 to 1 in half decades.</summary>
+    /// <summary>The weights tried for an automatic ridge: 0, and 10^-6 to 1 in half decades.</summary>
     public static double[] Grid() => [0, .. Enumerable.Range(0, 13).Select(i => Math.Pow(10, -6 + (i / 2.0)))];
 
-    /// <summary>Root mean square of the leave-one-out errors, or null if a point determines its own value.</summary>
+    /// <summary>Root mean square of the leave-one-out errors; null if a point determines its own value.</summary>
     public double? Rms(int degree, double ridge)
     {
         Span<double> kept = stackalloc double[degree + 1];
@@ -68,10 +64,8 @@ internal sealed class LeaveOneOut
         return Math.Sqrt(sum / n);
     }
 
-    /// <summary>
-    /// The pair with the lowest leave-one-out error; ties within a part in a million, and everything once a fit is exact to rounding, go to the lower degree and there to the earlier weight.
-    /// Without any pair that can be judged (a single point) it is the lowest degree.
-    /// </summary>
+    /// <summary>Selects the pair with the lowest leave-one-out error. Ties within 1e-6, and fits after one that is exact to rounding, go to
+    /// the lower degree, then to the earlier weight. If no pair can be judged (a single point), the lowest degree is selected.</summary>
     public (int Degree, double Ridge) Choose(IEnumerable<int> degrees, IReadOnlyList<double> ridges, double largest)
     {
         (int Degree, double Ridge)? chosen = null;

@@ -3,15 +3,13 @@ namespace ErrorMatching.Geometry;
 /// <content>Ordinary least squares.</content>
 public sealed partial class LineFit
 {
-    /// <summary>
-    /// The line with the least sum of squared distances in y (equation 4 of Wang 2021), computed about the centroid so that no digits are lost to the distance from the origin.
-    /// </summary>
-    /// <param name="points">At least two points whose x differ.</param>
-    /// <param name="pointUncertaintyMm">Standard uncertainty of a point's y that the gauge states, in millimetres; zero if unknown.</param>
-    /// <exception cref="GeometryException">
-    /// <see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>; <see cref="GeometryError.CoincidentPoints"/> if all points lie within
-    /// 1e-9 mm; <see cref="GeometryError.RankDeficient"/> if all x are the same to 1e-12 of the largest: y is then no function of x.
-    /// </exception>
+    /// <summary>The line with the least sum of squared distances in y (equation 4 of Wang 2021). It is calculated about the centroid, so a
+    /// distance from the origin costs no digits.</summary>
+    /// <param name="points">At least two points with different x.</param>
+    /// <param name="pointUncertaintyMm">The gauge's standard uncertainty of a point's y, in millimeters; zero if unknown.</param>
+    /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>;
+    /// <see cref="GeometryError.CoincidentPoints"/> if all points are within 1e-9 mm; <see cref="GeometryError.RankDeficient"/> if all x
+    /// agree to 1e-12 of the largest, so that y is not a function of x.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The uncertainty is negative or not finite.</exception>
     public static LineFit Ordinary(IReadOnlyList<Point2> points, double pointUncertaintyMm = 0)
     {

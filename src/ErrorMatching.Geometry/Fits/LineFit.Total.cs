@@ -3,19 +3,14 @@ namespace ErrorMatching.Geometry;
 /// <content>Total least squares.</content>
 public sealed partial class LineFit
 {
-    /// <summary>
-    /// The line with the least sum of squared perpendicular distances: through the centroid, along the principal axis of the points.
-    /// </summary>
-    /// <remarks>
-    /// The axis is the eigenvector of the larger eigenvalue of the scatter matrix of the centered points: at twice its angle to x lies
-    /// <c>(Sxx - Syy, 2 Sxy)</c>. It is exact to rounding however thin the cloud is.
-    /// </remarks>
+    /// <summary>The line with the least sum of squared perpendicular distances: through the centroid, along the principal axis.</summary>
+    /// <remarks>The axis is the eigenvector of the larger eigenvalue of the scatter matrix of the centered points. Twice its angle to x is
+    /// the direction of <c>(Sxx - Syy, 2 Sxy)</c>. It is exact to rounding, however thin the cloud is.</remarks>
     /// <param name="points">At least two points.</param>
-    /// <param name="pointUncertaintyMm">Standard uncertainty of a point across the line that the gauge states, in millimetres; zero if unknown.</param>
-    /// <exception cref="GeometryException">
-    /// <see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>; <see cref="GeometryError.CoincidentPoints"/> if all points lie within
-    /// 1e-9 mm; <see cref="GeometryError.RankDeficient"/> if the points spread alike in all directions.
-    /// </exception>
+    /// <param name="pointUncertaintyMm">The gauge's standard uncertainty of a point across the line, in millimeters; 0 if unknown.</param>
+    /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>;
+    /// <see cref="GeometryError.CoincidentPoints"/> if all points are within 1e-9 mm; <see cref="GeometryError.RankDeficient"/> if the
+    /// points spread equally in all directions.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The uncertainty is negative or not finite.</exception>
     public static LineFit Total(IReadOnlyList<Point2> points, double pointUncertaintyMm = 0)
     {
@@ -36,7 +31,7 @@ public sealed partial class LineFit
             throw new GeometryException(GeometryError.RankDeficient, "The points of the line spread alike in all directions: they have no direction.");
         }
 
-        // The eigenvector by the row that does not cancel.
+        // The eigenvector, from the row without cancellation.
         var axis = sxx >= syy ? new Vector2(sxx - syy + difference, 2 * sxy) : new Vector2(2 * sxy, syy - sxx + difference);
         var line = new Line2(centroid, Orient(axis, points));
         var residuals = new double[points.Count];

@@ -2,28 +2,27 @@ using System.Globalization;
 
 namespace ErrorMatching.Geometry;
 
-/// <content>From points to a fit.</content>
+/// <content>The fitting.</content>
 public sealed partial class PolynomialFit
 {
-    /// <summary>The polynomial that fits points given as doubles.</summary>
+    /// <summary>Fits a polynomial to points given as doubles.</summary>
     /// <param name="x">Abscissae.</param>
-    /// <param name="y">Ordinates, as many.</param>
-    /// <param name="options">Degree, ridge and stated uncertainty; null chooses the degree and does not regularize.</param>
-    /// <exception cref="GeometryException">As for the overload that takes double-doubles.</exception>
+    /// <param name="y">Ordinates, in the same number.</param>
+    /// <param name="options">Degree, ridge and stated uncertainty; null selects the degree and does not regularize.</param>
+    /// <exception cref="GeometryException">As for the overload with double-doubles.</exception>
     /// <exception cref="ArgumentException">Abscissae and ordinates differ in number.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A degree, ridge weight or uncertainty is negative or not finite.</exception>
     public static PolynomialFit Fit(IReadOnlyList<double> x, IReadOnlyList<double> y, PolynomialFitOptions? options = null) =>
         Fit([.. x.Select(v => (DoubleDouble)v)], [.. y.Select(v => (DoubleDouble)v)], options);
 
-    /// <summary>The polynomial that fits points whose decimals are kept in double-double.</summary>
-    /// <param name="x">Abscissae, in any order, repeated or not.</param>
-    /// <param name="y">Ordinates, as many.</param>
-    /// <param name="options">Degree, ridge and stated uncertainty; null chooses the degree and does not regularize.</param>
-    /// <exception cref="GeometryException">
-    /// <see cref="GeometryError.TooFewPoints"/> if there are fewer points than coefficients (or none); <see cref="GeometryError.CoincidentPoints"/> if all points lie on
-    /// one another and more than a constant is asked for; <see cref="GeometryError.RankDeficient"/> if fewer abscissae differ than there are coefficients;
-    /// <see cref="GeometryError.NotFinite"/>.
-    /// </exception>
+    /// <summary>Fits a polynomial to points whose decimals are kept in double-double.</summary>
+    /// <param name="x">Abscissae in any order; repetitions are allowed.</param>
+    /// <param name="y">Ordinates, in the same number.</param>
+    /// <param name="options">Degree, ridge and stated uncertainty; null selects the degree and does not regularize.</param>
+    /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/> if there are fewer points than coefficients (or none);
+    /// <see cref="GeometryError.CoincidentPoints"/> if all points coincide and more than a constant is requested;
+    /// <see cref="GeometryError.RankDeficient"/> if there are fewer distinct abscissae than coefficients;
+    /// <see cref="GeometryError.NotFinite"/>.</exception>
     /// <exception cref="ArgumentException">Abscissae and ordinates differ in number.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A degree, ridge weight or uncertainty is negative or not finite.</exception>
     public static PolynomialFit Fit(IReadOnlyList<DoubleDouble> x, IReadOnlyList<DoubleDouble> y, PolynomialFitOptions? options = null)
@@ -32,7 +31,7 @@ public sealed partial class PolynomialFit
         Check(options);
         Check(x, y, (options.Degree ?? 0) + 1);
 
-        // Sorted, so that sums do not depend on the order in which points were measured.
+        // Sorted, so that sums do not depend on the order of the points.
         int[] places = [.. Enumerable.Range(0, x.Count).OrderBy(i => x[i]).ThenBy(i => y[i])];
         DoubleDouble[] sortedX = [.. places.Select(i => x[i])];
         DoubleDouble[] sortedY = [.. places.Select(i => y[i])];

@@ -2,18 +2,20 @@ using MathNet.Numerics.LinearAlgebra;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// A polynomial y(x) through measured points by least squares, plain or regularized, of a given degree or of the degree that predicts left-out points best. Immutable.
-/// </summary>
+/// <summary>A polynomial y(x) fitted to measured points by least squares, plain or regularized, of a given degree or of the degree that
+/// predicts left-out points best. Immutable.</summary>
 /// <remarks>
 /// <para>
-/// The fit runs in double-double over polynomials that are orthogonal on the points themselves (Forsythe 1957), on the abscissa mapped to [-1, 1]; the coefficients
-/// in powers of x are rounded once, at the end. Given decimals as they were read (<see cref="DoubleDouble.Parse"/>) it keeps 14 digits and more on all certified polynomial sets of NIST.
-/// The order of the points does not matter, not even in the last bit.
+/// The fit uses double-double arithmetic and polynomials that are orthogonal over the points (Forsythe 1957), with the abscissa mapped to
+/// [-1, 1]. The coefficients in powers of x are rounded only once, at the end.
+/// For decimals read by <see cref="DoubleDouble.Parse"/>, it keeps at least 14 digits on all certified polynomial data sets of NIST. The
+/// result is identical for any order of the points.
 /// </para>
 /// <para>
-/// Ridge: with the basis q orthonormal over the given points, the sum of squared residuals plus <c>weight * sum(k^4 c[k]^2)</c> is made least. The constant is never penalized,
-/// high degrees most. The hat matrix stays diagonal in that basis, and leave-one-out errors follow from its diagonal, the penalty being kept as it is when a point is left out.
+/// Ridge: with the basis q orthonormal over the given points, the fit minimizes the sum of squared residuals plus <c>weight * sum(k^4
+/// c[k]^2)</c>. The constant is never penalized, high degrees most.
+/// The hat matrix remains diagonal in that basis, and leave-one-out errors follow from its diagonal if the penalty is not changed when a
+/// point is left out.
 /// </para>
 /// </remarks>
 public sealed partial class PolynomialFit
@@ -83,36 +85,36 @@ public sealed partial class PolynomialFit
         _basisInPowersOfT = Matrix<double>.Build.Dense(degree + 1, degree + 1, (k, j) => j <= k ? (inT[k][j] / DoubleDouble.Sqrt(basis.SquaredNorms[k])).ToDouble() : 0);
     }
 
-    /// <summary>The degree, given or chosen.</summary>
+    /// <summary>The degree, given or selected.</summary>
     public int Degree { get; }
 
-    /// <summary>The ridge weight, given or chosen; zero is plain least squares.</summary>
+    /// <summary>The ridge weight, given or selected; zero is plain least squares.</summary>
     public double Ridge { get; }
 
-    /// <summary>The coefficients in ascending powers of x as given, <c>Degree + 1</c> of them.</summary>
+    /// <summary>The <c>Degree + 1</c> coefficients in ascending powers of the original x.</summary>
     public IReadOnlyList<double> Coefficients { get; }
 
-    /// <summary>Standard errors of <see cref="Coefficients"/>, from the full covariance. Under a ridge they do not include its bias.</summary>
+    /// <summary>Standard errors of <see cref="Coefficients"/>, from the full covariance. They do not include the bias of a ridge.</summary>
     public IReadOnlyList<double> StandardErrors { get; }
 
-    /// <summary>Measured less fitted ordinates, in the order of the points given.</summary>
+    /// <summary>Measured minus fitted ordinates, in the given order.</summary>
     public IReadOnlyList<double> Residuals { get; }
 
-    /// <summary>Trace of the hat matrix: the number of coefficients, less what the ridge takes from them.</summary>
+    /// <summary>Trace of the hat matrix: the number of coefficients, reduced by the ridge.</summary>
     public double EffectiveDegreesOfFreedom { get; }
 
-    /// <summary>Root of the sum of squared residuals over n less <see cref="EffectiveDegreesOfFreedom"/>; zero where nothing is left over.</summary>
+    /// <summary>Root of the sum of squared residuals divided by n minus <see cref="EffectiveDegreesOfFreedom"/>; 0 if this is 0.</summary>
     public double ResidualStandardDeviation { get; }
 
-    /// <summary>Root mean square by which the fit through the others misses each point; null where a point determines its own value, as with as many coefficients as points.</summary>
+    /// <summary>Root mean square error of predicting each point from the others; null if a point determines its own value, as with as many
+    /// coefficients as points.</summary>
     public double? LeaveOneOutRms { get; }
 
-    /// <summary>
-    /// Condition number (2-norm) of the design in powers of the abscissa mapped to [-1, 1]: how well the places of the points tell the coefficients apart, whatever unit and origin.
-    /// </summary>
+    /// <summary>Condition number (2-norm) of the design matrix in powers of the abscissa mapped to [-1, 1]: how well the abscissae
+    /// distinguish the coefficients, independent of unit and origin.</summary>
     public double Condition => Degree == 0 ? 1 : _basisInPowersOfT.ConditionNumber();
 
-    /// <summary>The value at a place, from the orthogonal basis: exact to rounding where the powers of x would lose digits.</summary>
+    /// <summary>The value at a place, from the orthogonal basis. It is exact to rounding where powers of x would lose digits.</summary>
     public double Evaluate(double x)
     {
         var (sum, _) = Recur(x, _terms);
@@ -126,7 +128,7 @@ public sealed partial class PolynomialFit
         return slope / _halfWidth;
     }
 
-    /// <summary>Standard error of the fitted value at a place. Under a ridge it does not include its bias.</summary>
+    /// <summary>Standard error of the fitted value at a place. It does not include the bias of a ridge.</summary>
     public double StandardErrorAt(double x)
     {
         var t = (x - _center) / _halfWidth;
@@ -140,7 +142,7 @@ public sealed partial class PolynomialFit
         return Math.Sqrt(sum);
     }
 
-    /// <summary>The fit in powers of x. <see cref="Evaluate"/> is more exact far from the origin.</summary>
+    /// <summary>The fit in powers of x. <see cref="Evaluate"/> is more accurate far from the origin.</summary>
     public Polynomial ToPolynomial() => new([.. Coefficients]);
 
     private (double Sum, double SlopeInT) Recur(double x, double[] weights)

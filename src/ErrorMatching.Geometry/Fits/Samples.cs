@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>What every fit asks of its points before it starts, and the statistics every fit ends with.</summary>
+/// <summary>Input checks and statistics shared by all fits.</summary>
 internal static class Samples
 {
-    /// <summary>Refuses too few points and coordinates that are no numbers.</summary>
+    /// <summary>Throws if there are too few points or a coordinate is not finite.</summary>
     public static void Check(IReadOnlyList<Point2> points, int least, string element)
     {
         if (points.Count < least)
@@ -26,7 +26,7 @@ internal static class Samples
         }
     }
 
-    /// <summary>Refuses a stated uncertainty that is negative or no number.</summary>
+    /// <summary>Throws if a stated uncertainty is negative or not finite.</summary>
     public static void CheckUncertainty(double pointUncertaintyMm)
     {
         if (!(pointUncertaintyMm >= 0) || !double.IsFinite(pointUncertaintyMm))
@@ -35,7 +35,6 @@ internal static class Samples
         }
     }
 
-    /// <summary>The mean of the points.</summary>
     public static Point2 Centroid(IReadOnlyList<Point2> points)
     {
         var origin = points[0];
@@ -48,7 +47,7 @@ internal static class Samples
         return origin + (sum / points.Count);
     }
 
-    /// <summary>Residual standard deviation with a number of unknowns taken off the points; zero where none are left over.</summary>
+    /// <summary>Residual standard deviation, with the unknowns subtracted from the number of points; zero if none remain.</summary>
     public static double StandardDeviation(IReadOnlyList<double> residuals, int unknowns)
     {
         var sum = 0.0;

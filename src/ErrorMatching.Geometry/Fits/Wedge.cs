@@ -2,12 +2,12 @@ using System.Globalization;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// A notch or a ridge: two straight flanks fitted to measured points and the apex where they meet, which no probe can reach (the triangle of Wang 2021, figure 4). Immutable.
-/// </summary>
+/// <summary>A notch or a ridge: two straight flanks fitted to measured points, and their apex, which no probe can reach (the triangle of
+/// Wang 2021, figure 4). Immutable.</summary>
 public sealed class Wedge
 {
-    /// <summary>Flanks that differ by less than this from parallel have no usable apex, in degrees: at half a degree a micrometre across a flank already moves it by more than 0.1 mm.</summary>
+    /// <summary>Flanks closer to parallel than this, in degrees, have no usable apex: at half a degree, a micrometer across a flank moves
+    /// it by more than 0.1 mm.</summary>
     public const double NearParallelDegrees = 0.5;
 
     private Wedge(LineFit first, LineFit second, Point2 apex)
@@ -32,7 +32,8 @@ public sealed class Wedge
     /// <summary>Where the flanks' lines meet.</summary>
     public Point2 Apex { get; }
 
-    /// <summary>Standard errors of the apex in x and in y, in millimetres, propagated to first order from position and direction of both lines.</summary>
+    /// <summary>Standard errors of the apex in x and in y, in millimeters, propagated to first order from position and direction of both
+    /// lines.</summary>
     public Vector2 ApexStandardError { get; }
 
     /// <summary>Unit direction from the apex along the first flank, toward its points.</summary>
@@ -44,19 +45,20 @@ public sealed class Wedge
     /// <summary>The angle between the flanks as seen from the apex, 0 to 180 degrees (equation 1 of Wang 2021).</summary>
     public Angle IncludedAngle { get; }
 
-    /// <summary>Standard error of the included angle: root sum of squares of both directions'.</summary>
+    /// <summary>Standard error of the included angle: root sum of squares of the errors of both directions.</summary>
     public Angle IncludedAngleStandardError { get; }
 
-    /// <summary>Length of the first flank from the apex to its farthest projected point, in millimetres.</summary>
+    /// <summary>Length of the first flank from the apex to its farthest projected point, in millimeters.</summary>
     public double FirstLength { get; }
 
-    /// <summary>Length of the second flank from the apex to its farthest projected point, in millimetres.</summary>
+    /// <summary>Length of the second flank from the apex to its farthest projected point, in millimeters.</summary>
     public double SecondLength { get; }
 
-    /// <summary>The wedge between two fitted flanks.</summary>
+    /// <summary>Returns the wedge between two fitted flanks.</summary>
     /// <param name="first">The first flank.</param>
     /// <param name="second">The second flank.</param>
-    /// <exception cref="GeometryException">The flanks are within <see cref="NearParallelDegrees"/> of parallel (<see cref="GeometryError.NearParallel"/>).</exception>
+    /// <exception cref="GeometryException">The flanks are within <see cref="NearParallelDegrees"/> of parallel
+    /// (<see cref="GeometryError.NearParallel"/>).</exception>
     public static Wedge Between(LineFit first, LineFit second)
     {
         var between = Angle.Between(first.Line.Direction, second.Line.Direction).Degrees;
@@ -71,10 +73,10 @@ public sealed class Wedge
         return new(first, second, Intersect.Lines(first.Line, second.Line).First);
     }
 
-    /// <summary>The wedge through the points of two flanks, each fitted by total least squares.</summary>
+    /// <summary>Fits a wedge to the points of two flanks, each by total least squares.</summary>
     /// <param name="first">At least two points of the first flank.</param>
     /// <param name="second">At least two points of the second flank.</param>
-    /// <param name="pointUncertaintyMm">Standard uncertainty of a point that the gauge states, in millimetres.</param>
+    /// <param name="pointUncertaintyMm">The gauge's standard uncertainty of a point, in millimeters.</param>
     /// <exception cref="GeometryException">As for <see cref="LineFit.Total"/> and <see cref="Between"/>.</exception>
     public static Wedge Fit(IReadOnlyList<Point2> first, IReadOnlyList<Point2> second, double pointUncertaintyMm = 0) =>
         Between(LineFit.Total(first, pointUncertaintyMm), LineFit.Total(second, pointUncertaintyMm));
@@ -87,7 +89,7 @@ public sealed class Wedge
 
     private static Vector2 PropagateToApex(LineFit first, LineFit second, Point2 apex)
     {
-        // An offset e of one line slides the apex along the other by e over the sine of the angle between them.
+        // An offset e of one line moves the apex along the other by e divided by the sine of the angle between them.
         var sine = first.Line.Direction.Cross(second.Line.Direction);
         var byFirst = second.Line.Direction * (first.OffsetStandardErrorAt(apex) / sine);
         var bySecond = first.Line.Direction * (second.OffsetStandardErrorAt(apex) / sine);

@@ -3,23 +3,24 @@ using System.Numerics;
 
 namespace ErrorMatching.Geometry;
 
-/// <content>Reading decimals without losing digits.</content>
+/// <content>Parsing of decimals without loss of digits.</content>
 public readonly partial record struct DoubleDouble
 {
     private const NumberStyles Decimal = NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent;
 
-    /// <summary>The powers of ten that a double holds exactly.</summary>
+    /// <summary>The powers of ten that are exact as doubles.</summary>
     private static readonly double[] ExactPowersOfTen = [.. Enumerable.Range(0, 23).Select(k => (double)BigInteger.Pow(10, k))];
 
-    /// <summary>The number that a decimal text means, each of the two parts correctly rounded: as read, not as a double would keep it.</summary>
-    /// <param name="text">An optional sign, digits with an optional decimal point, an optional exponent; no blanks, no digit groups, whatever the culture.</param>
-    /// <exception cref="FormatException">The text is not such a number or exceeds the range of <c>double</c>.</exception>
+    /// <summary>Parses a decimal text. Each of the two parts is correctly rounded, so digits beyond those of a double are kept.</summary>
+    /// <param name="text">An optional sign, digits with an optional decimal point, an optional exponent. No blanks or digit groups;
+    /// independent of the culture.</param>
+    /// <exception cref="FormatException">The text is not such a number, or exceeds the range of <c>double</c>.</exception>
     public static DoubleDouble Parse(ReadOnlySpan<char> text) =>
         TryParse(text, out var value) ? value : throw new FormatException($"'{text}' is not a decimal number within the range of double.");
 
-    /// <summary>Reads a decimal text as <see cref="Parse"/> does, without an exception.</summary>
+    /// <summary>Parses a decimal text like <see cref="Parse"/>, without an exception.</summary>
     /// <param name="text">The text.</param>
-    /// <param name="value">The number, or zero if the text is none.</param>
+    /// <param name="value">The number, or zero if the text is not a number.</param>
     /// <returns>True if the text is a number in range.</returns>
     public static bool TryParse(ReadOnlySpan<char> text, out DoubleDouble value)
     {
@@ -31,7 +32,7 @@ public readonly partial record struct DoubleDouble
 
         if (TryDigits(text, out var digits, out var places))
         {
-            // Digits and power of ten are both exact, and so is what the rounded quotient leaves of the digits: its own quotient is the low part.
+            // Digits and power of ten are both exact, and so is the remainder of the rounded quotient. Its own quotient is the low part.
             value = new(high, Math.FusedMultiplyAdd(-high, ExactPowersOfTen[places], digits) / ExactPowersOfTen[places]);
         }
         else if (high != 0)
@@ -54,7 +55,8 @@ public readonly partial record struct DoubleDouble
         return true;
     }
 
-    /// <summary>The digits of a short decimal without exponent, as coordinates are written, as an integer that a double holds exactly, and how many of them follow the point.</summary>
+    /// <summary>Reads a short decimal without exponent, as used for coordinates, as an integer that is exact as a double, and the number
+    /// of digits after the point.</summary>
     private static bool TryDigits(ReadOnlySpan<char> text, out double digits, out int places)
     {
         const long exact = 1L << 53;
@@ -80,7 +82,7 @@ public readonly partial record struct DoubleDouble
         return integer < exact && places < ExactPowersOfTen.Length;
     }
 
-    /// <summary>The exact value of a text whose form has been checked.</summary>
+    /// <summary>The exact value of a well-formed text.</summary>
     private static (BigInteger Numerator, BigInteger Denominator) Fraction(ReadOnlySpan<char> text)
     {
         var mark = text.IndexOfAny('e', 'E');
@@ -102,7 +104,6 @@ public readonly partial record struct DoubleDouble
         return (bits < 0 ? -magnitude : magnitude, Math.Max(biased, 1) - 1075);
     }
 
-    /// <summary>The double nearest to a fraction.</summary>
     private static double Nearest(BigInteger numerator, BigInteger denominator)
     {
         if (numerator.IsZero)
@@ -110,7 +111,7 @@ public readonly partial record struct DoubleDouble
             return 0;
         }
 
-        // A quotient of 62 to 63 bits whose last bit remembers any remainder rounds to 53 bits as the exact fraction would.
+        // A quotient of 62 to 63 bits, whose last bit records any remainder, rounds to 53 bits like the exact fraction.
         var magnitude = BigInteger.Abs(numerator);
         var shift = 62 - (int)(magnitude.GetBitLength() - denominator.GetBitLength());
         var quotient = BigInteger.DivRem(shift >= 0 ? magnitude << shift : magnitude, shift >= 0 ? denominator : denominator << -shift, out var remainder);

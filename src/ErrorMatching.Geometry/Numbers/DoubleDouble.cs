@@ -1,14 +1,11 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// A number of about 32 digits: the unevaluated sum of two doubles that do not overlap. It has the range of <c>double</c> and twice its precision,
-/// enough to carry measured decimals through a badly conditioned fit without losing one.
-/// </summary>
-/// <remarks>
-/// Algorithms and error bounds: Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic",
-/// ACM TOMS 44 (2017). With u = 2^-53 the relative errors are below 4 u^2 (sum), 5 u^2 (product) and 15 u^2 (quotient), u^2 being 1.2e-32. They hold as long as
-/// no intermediate result overflows or underflows. An operation without a value (0/0, the root of a negative number) gives NaN as it does for <c>double</c>.
-/// </remarks>
+/// <summary>A number with about 32 digits: the unevaluated sum of two nonoverlapping doubles. It has the range of <c>double</c> and twice
+/// its precision, enough for badly conditioned fits of measured decimals without loss.</summary>
+/// <remarks>Algorithms and error bounds: Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic building blocks of
+/// double-word arithmetic", ACM TOMS 44 (2017). With u = 2^-53, the relative errors are below 4 u^2 (sum), 5 u^2 (product) and 15 u^2
+/// (quotient), where u^2 = 1.2e-32, unless an intermediate result overflows or underflows. An undefined operation (0/0, root of a negative
+/// number) gives NaN, as for <c>double</c>.</remarks>
 public readonly partial record struct DoubleDouble : IComparable<DoubleDouble>
 {
     private DoubleDouble(double high, double low) => (High, Low) = (high, low);
@@ -22,13 +19,13 @@ public readonly partial record struct DoubleDouble : IComparable<DoubleDouble>
     /// <summary>The leading part: the nearest double.</summary>
     public double High { get; }
 
-    /// <summary>What the leading part leaves out: at most half a unit in its last place.</summary>
+    /// <summary>The remainder: at most half a unit in the last place of the leading part.</summary>
     public double Low { get; }
 
     /// <summary>True if the number is neither NaN nor infinite.</summary>
     public bool IsFinite => double.IsFinite(High) && double.IsFinite(Low);
 
-    /// <summary>The square root; NaN of a negative number.</summary>
+    /// <summary>The square root; NaN for a negative number.</summary>
     public static DoubleDouble Sqrt(DoubleDouble value)
     {
         var root = Math.Sqrt(value.High);
@@ -41,7 +38,7 @@ public readonly partial record struct DoubleDouble : IComparable<DoubleDouble>
         return FastSum(root, rest / (2 * root));
     }
 
-    /// <summary>The number without its sign.</summary>
+    /// <summary>The absolute value.</summary>
     public static DoubleDouble Abs(DoubleDouble value) => value.High < 0 || (value.High == 0 && value.Low < 0) ? -value : value;
 
     /// <summary>The nearest double.</summary>
@@ -54,10 +51,10 @@ public readonly partial record struct DoubleDouble : IComparable<DoubleDouble>
         return byHigh != 0 ? byHigh : Low.CompareTo(other.Low);
     }
 
-    /// <summary>A double is taken exactly as it is.</summary>
+    /// <summary>Converts a double exactly.</summary>
     public static implicit operator DoubleDouble(double value) => new(value, 0);
 
-    /// <summary>The opposite number.</summary>
+    /// <summary>The negated number.</summary>
     public static DoubleDouble operator -(DoubleDouble a) => new(-a.High, -a.Low);
 
     /// <summary>The sum.</summary>
@@ -95,10 +92,10 @@ public readonly partial record struct DoubleDouble : IComparable<DoubleDouble>
     /// <summary>True if the first is larger.</summary>
     public static bool operator >(DoubleDouble a, DoubleDouble b) => b < a;
 
-    /// <summary>True if the first is not larger.</summary>
+    /// <summary>True if the first is smaller or equal.</summary>
     public static bool operator <=(DoubleDouble a, DoubleDouble b) => a.High < b.High || (a.High == b.High && a.Low <= b.Low);
 
-    /// <summary>True if the first is not smaller.</summary>
+    /// <summary>True if the first is larger or equal.</summary>
     public static bool operator >=(DoubleDouble a, DoubleDouble b) => b <= a;
 
     /// <summary>The exact sum of two doubles in any order (Knuth's two-sum).</summary>
@@ -109,7 +106,7 @@ public readonly partial record struct DoubleDouble : IComparable<DoubleDouble>
         return (sum, a - (sum - partOfB) + (b - partOfB));
     }
 
-    /// <summary>The exact sum of two doubles of which the first is the larger (Dekker).</summary>
+    /// <summary>The exact sum of two doubles, the larger one first (Dekker).</summary>
     private static DoubleDouble FastSum(double larger, double smaller)
     {
         var sum = larger + smaller;

@@ -1,12 +1,12 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>A polynomial in powers of its variable, evaluated by Horner's rule. Immutable; two are equal if their coefficients are.</summary>
+/// <summary>A polynomial in powers of its variable, evaluated by Horner's rule. Immutable; equality compares the coefficients.</summary>
 public sealed class Polynomial : IEquatable<Polynomial>
 {
     private readonly double[] _coefficients;
 
-    /// <summary>A polynomial from ascending coefficients: the constant first. Zeros at the end are dropped, and no coefficient at all means zero.</summary>
-    /// <param name="ascending">Coefficient of each power, from the zeroth.</param>
+    /// <summary>Creates a polynomial from ascending coefficients, constant first. Trailing zeros are dropped; none give zero.</summary>
+    /// <param name="ascending">Coefficients of ascending powers, starting with the zeroth.</param>
     /// <exception cref="GeometryException">A coefficient is not finite (<see cref="GeometryError.NotFinite"/>).</exception>
     public Polynomial(params ReadOnlySpan<double> ascending)
     {
@@ -27,7 +27,7 @@ public sealed class Polynomial : IEquatable<Polynomial>
         _coefficients = count == 0 ? [0] : ascending[..count].ToArray();
     }
 
-    /// <summary>Coefficients in ascending powers; at least one, the last not zero unless it is the only one.</summary>
+    /// <summary>Coefficients in ascending powers: at least one, and the last is nonzero unless it is the only one.</summary>
     public IReadOnlyList<double> Coefficients => Array.AsReadOnly(_coefficients);
 
     /// <summary>The highest power, zero for a constant.</summary>
@@ -45,7 +45,7 @@ public sealed class Polynomial : IEquatable<Polynomial>
         return value;
     }
 
-    /// <summary>The derivative; that of a constant is zero.</summary>
+    /// <summary>The derivative; zero for a constant.</summary>
     public Polynomial Derivative()
     {
         var derived = new double[Degree];

@@ -2,10 +2,8 @@ using System.Globalization;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// An angle, counter-clockwise positive. Radians inside, degrees at every public surface of the system.
-/// </summary>
-/// <remarks>An angle keeps its turns: 370 degrees is not 10 degrees until <see cref="Normalized"/> is asked for.</remarks>
+/// <summary>An angle, positive counterclockwise. Stored in radians; every public interface of the system uses degrees.</summary>
+/// <remarks>An angle keeps full turns: 370 degrees differs from 10 degrees until <see cref="Normalized"/>.</remarks>
 public readonly record struct Angle : IComparable<Angle>
 {
     private Angle(double radians) => Radians = radians;
@@ -16,7 +14,7 @@ public readonly record struct Angle : IComparable<Angle>
     /// <summary>The angle in degrees.</summary>
     public double Degrees => Radians * (180 / Math.PI);
 
-    /// <summary>The same direction in (-180, 180] degrees.</summary>
+    /// <summary>The equivalent angle in (-180, 180] degrees.</summary>
     public Angle Normalized
     {
         get
@@ -32,10 +30,11 @@ public readonly record struct Angle : IComparable<Angle>
     /// <summary>An angle given in degrees.</summary>
     public static Angle FromDegrees(double degrees) => new(degrees * (Math.PI / 180));
 
-    /// <summary>The unsigned angle between two directions, 0 to 180 degrees (equation 1 of Wang 2021, by the arc tangent, which keeps its digits near 0 and 180).</summary>
+    /// <summary>The unsigned angle between two directions, 0 to 180 degrees (equation 1 of Wang 2021, with the arc tangent to keep digits
+    /// near 0 and 180).</summary>
     public static Angle Between(Vector2 a, Vector2 b) => new(Math.Atan2(Math.Abs(a.Cross(b)), a.Dot(b)));
 
-    /// <summary>The angle in degrees as text, whatever the culture.</summary>
+    /// <summary>The angle in degrees as culture-independent text.</summary>
     public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{Degrees} deg");
 
     /// <inheritdoc/>
@@ -47,7 +46,7 @@ public readonly record struct Angle : IComparable<Angle>
     /// <summary>The difference of two angles.</summary>
     public static Angle operator -(Angle a, Angle b) => new(a.Radians - b.Radians);
 
-    /// <summary>The opposite angle.</summary>
+    /// <summary>The negated angle.</summary>
     public static Angle operator -(Angle a) => new(-a.Radians);
 
     /// <summary>A multiple of an angle.</summary>
@@ -59,9 +58,9 @@ public readonly record struct Angle : IComparable<Angle>
     /// <summary>True if the first is larger.</summary>
     public static bool operator >(Angle a, Angle b) => a.Radians > b.Radians;
 
-    /// <summary>True if the first is not larger.</summary>
+    /// <summary>True if the first is smaller or equal.</summary>
     public static bool operator <=(Angle a, Angle b) => a.Radians <= b.Radians;
 
-    /// <summary>True if the first is not smaller.</summary>
+    /// <summary>True if the first is larger or equal.</summary>
     public static bool operator >=(Angle a, Angle b) => a.Radians >= b.Radians;
 }

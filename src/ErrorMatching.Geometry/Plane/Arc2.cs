@@ -1,22 +1,20 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// A circular arc: a center, a radius, a start direction and a signed sweep (counter-clockwise positive).
-/// A sweep of 360 degrees is a full circle; more is allowed and means turns.
-/// </summary>
+/// <summary>A circular arc: center, radius, start direction and signed sweep (positive counterclockwise). A sweep of 360 degrees is a full
+/// circle; more means several turns.</summary>
 /// <param name="Center">Center of the circle.</param>
-/// <param name="Radius">Radius, zero or more.</param>
+/// <param name="Radius">Nonnegative radius.</param>
 /// <param name="StartAngle">Direction from the center to the start.</param>
-/// <param name="Sweep">Signed angle travelled; positive counter-clockwise.</param>
+/// <param name="Sweep">Signed angle traveled, positive counterclockwise.</param>
 public readonly record struct Arc2(Point2 Center, double Radius, Angle StartAngle, Angle Sweep)
 {
-    /// <summary>The circle that carries the arc.</summary>
+    /// <summary>The circle of the arc.</summary>
     public Circle2 Circle => new(Center, Radius);
 
     /// <summary>First point.</summary>
     public Point2 Start => At(0);
 
-    /// <summary>Point half way along the arc.</summary>
+    /// <summary>Point halfway along the arc.</summary>
     public Point2 Middle => At(0.5);
 
     /// <summary>Last point.</summary>
@@ -25,12 +23,11 @@ public readonly record struct Arc2(Point2 Center, double Radius, Angle StartAngl
     /// <summary>Length along the arc.</summary>
     public double Length => Radius * Math.Abs(Sweep.Radians);
 
-    /// <summary>True if travelled counter-clockwise.</summary>
+    /// <summary>True for counterclockwise travel.</summary>
     public bool IsCounterClockwise => Sweep.Radians >= 0;
 
-    /// <summary>
-    /// The arc between two points about a center. The radius is that of the start. Coincident ends give a full circle, as on every control.
-    /// </summary>
+    /// <summary>The arc between two points about a center, with the radius of the start. Coincident ends give a full circle, as on every
+    /// control.</summary>
     public static Arc2 Between(Point2 start, Point2 end, Point2 center, bool counterClockwise)
     {
         var from = (start - center).Direction;
@@ -57,10 +54,8 @@ public readonly record struct Arc2(Point2 Center, double Radius, Angle StartAngl
         return IsCounterClockwise ? outward.Left : -outward.Left;
     }
 
-    /// <summary>
-    /// Fraction of the sweep at which the direction from the center to a point is met; outside 0 to 1 where the point is beyond an end
-    /// (the nearer end decides the sign).
-    /// </summary>
+    /// <summary>Fraction of the sweep in the direction of a point from the center; outside 0 to 1 if the point is beyond an end (the
+    /// nearer end decides the sign).</summary>
     public double FractionOf(Point2 point)
     {
         var fromMiddle = ((point - Center).Direction - (StartAngle + (Sweep * 0.5))).Normalized.Radians;

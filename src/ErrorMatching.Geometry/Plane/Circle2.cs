@@ -1,9 +1,9 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>A circle. A radius of zero is a point circle and allowed; a negative one is not.</summary>
+/// <summary>A circle. A radius of zero is a point circle and allowed; a negative radius is not.</summary>
 public readonly record struct Circle2
 {
-    /// <summary>A circle about a center.</summary>
+    /// <summary>Creates a circle about a center.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The radius is negative or not a number.</exception>
     public Circle2(Point2 center, double radius)
     {
@@ -19,11 +19,12 @@ public readonly record struct Circle2
     /// <summary>The center.</summary>
     public Point2 Center { get; }
 
-    /// <summary>The radius in millimetres, zero or more.</summary>
+    /// <summary>The nonnegative radius in millimeters.</summary>
     public double Radius { get; }
 
     /// <summary>The circle through three points.</summary>
-    /// <exception cref="GeometryException">The points lie on one line, or two of them coincide (<see cref="GeometryError.CollinearPoints"/>).</exception>
+    /// <exception cref="GeometryException">The points are collinear, or two of them coincide
+    /// (<see cref="GeometryError.CollinearPoints"/>).</exception>
     public static Circle2 Through(Point2 a, Point2 b, Point2 c)
     {
         var (u, v) = (b - a, c - a);
@@ -45,6 +46,6 @@ public readonly record struct Circle2
     public Point2 At(Angle angle) => Center + (Vector2.FromDirection(angle) * Radius);
 
     /// <summary>The nearest point of the circle.</summary>
-    /// <exception cref="GeometryException">The point is the center, from which every point of the circle is equally near.</exception>
+    /// <exception cref="GeometryException">The point is the center, from which all points of the circle are equally far.</exception>
     public Point2 Foot(Point2 point) => Center + ((point - Center).Normalize() * Radius);
 }

@@ -1,14 +1,13 @@
 namespace ErrorMatching.Geometry;
 
-/// <content>Round with round.</content>
+/// <content>Circles and arcs.</content>
 public static partial class Intersect
 {
-    /// <summary>
-    /// Where two circles meet: two crossings, one tangency (from outside or inside), none, parallel (one center, different radii) or coincident without ends.
-    /// </summary>
+    /// <summary>Intersects two circles: two crossings, one tangency (external or internal), none, parallel (same center, different radii),
+    /// or coincident without ends.</summary>
     /// <param name="a">The first circle.</param>
     /// <param name="b">The second circle.</param>
-    /// <param name="tolerance">What touches, and how far centers and radii of one circle may differ, in millimetres.</param>
+    /// <param name="tolerance">Tolerance for touching and for centers and radii of coincident circles, in millimeters.</param>
     public static Intersection2 Circles(Circle2 a, Circle2 b, double tolerance = DefaultTolerance)
     {
         var between = b.Center - a.Center;
@@ -34,7 +33,7 @@ public static partial class Intersect
             return Intersection2.Nowhere(IntersectionKind.None);
         }
 
-        // Height of the triangle of the two centers and a crossing over its side "distance", by Heron's formula in factors.
+        // Height of the triangle of the two centers and a crossing over the side "distance", by Heron's formula in factors.
         var along = (distance + ((a.Radius - b.Radius) * ((a.Radius + b.Radius) / distance))) / 2;
         var height = Math.Sqrt((distance + a.Radius + b.Radius) * (a.Radius + b.Radius - distance) * (distance + difference) * (distance - difference)) / (2 * distance);
         var foot = a.Center + (toward * along);
@@ -42,25 +41,23 @@ public static partial class Intersect
         return TurnFromAxis(a, right) <= TurnFromAxis(a, left) ? Two(IntersectionKind.Crossing, right, left) : Two(IntersectionKind.Crossing, left, right);
     }
 
-    /// <summary>Where a circle meets an arc; coincident with the arc's ends, none if the arc is a whole circle.</summary>
+    /// <summary>Intersects a circle and an arc; coincident with the arc's ends, or without ends if the arc is a full circle.</summary>
     /// <param name="a">The circle.</param>
     /// <param name="b">The arc.</param>
-    /// <param name="tolerance">What touches, in millimetres.</param>
+    /// <param name="tolerance">Tolerance for touching, in millimeters.</param>
     public static Intersection2 Circles(Circle2 a, Arc2 b, double tolerance = DefaultTolerance) => Circles(Whole(a), Piece.Of(a), b, Piece.Of(b), tolerance);
 
-    /// <summary>Where an arc meets a circle; coincident with the arc's own ends, none if it is a whole circle.</summary>
+    /// <summary>Intersects an arc and a circle; coincident with the arc's ends, or without ends if it is a full circle.</summary>
     /// <param name="a">The arc.</param>
     /// <param name="b">The circle.</param>
-    /// <param name="tolerance">What touches, in millimetres.</param>
+    /// <param name="tolerance">Tolerance for touching, in millimeters.</param>
     public static Intersection2 Circles(Arc2 a, Circle2 b, double tolerance = DefaultTolerance) => Circles(a, Piece.Of(a), Whole(b), Piece.Of(b), tolerance);
 
-    /// <summary>
-    /// Where two arcs meet. On one circle: coincident with the ends of the common stretch (the first in the first arc's travel where there are two of them),
-    /// tangent where they only meet end to end, in one or two points.
-    /// </summary>
+    /// <summary>Intersects two arcs. On the same circle, they are coincident with the ends of the common stretch (the first one along the
+    /// first arc if there are two), or tangent if they only meet end to end, in one or two points.</summary>
     /// <param name="a">The first arc.</param>
     /// <param name="b">The second arc.</param>
-    /// <param name="tolerance">What touches, in millimetres.</param>
+    /// <param name="tolerance">Tolerance for touching, in millimeters.</param>
     public static Intersection2 Circles(Arc2 a, Arc2 b, double tolerance = DefaultTolerance) => Circles(a, Piece.Of(a), b, Piece.Of(b), tolerance);
 
     private static Intersection2 Circles(Arc2 a, Piece pieceOfA, Arc2 b, Piece pieceOfB, double tolerance)
@@ -88,7 +85,7 @@ public static partial class Intersect
             return lengthA <= slack ? One(IntersectionKind.Tangent, a.Start) : Two(IntersectionKind.Coincident, a.Start, a.End);
         }
 
-        // Both arcs as intervals of the angle travelled from the start of the first; the second may be met twice, a turn apart.
+        // Both arcs as intervals of the angle traveled from the start of the first. The second is tried at two positions, one turn apart.
         var entryOfB = sameWay ? b.StartAngle : b.StartAngle + b.Sweep;
         var ahead = (entryOfB - a.StartAngle).Radians * (a.IsCounterClockwise ? 1 : -1);
         ahead -= turn * Math.Floor(ahead / turn);

@@ -1,12 +1,13 @@
 namespace ErrorMatching.Geometry;
 
-/// <content>Straight with round; the straight element is always the first.</content>
+/// <content>Lines with circles; the straight element is always first.</content>
 public static partial class Intersect
 {
-    /// <summary>Where a line meets a circle: two crossings, one tangency at the foot of the center, or none. A circle of radius zero is touched, never crossed.</summary>
+    /// <summary>Intersects a line and a circle: two crossings, one tangency at the foot of the center, or none. A circle of radius zero is
+    /// touched, never crossed.</summary>
     /// <param name="a">The line.</param>
     /// <param name="b">The circle.</param>
-    /// <param name="tolerance">By how much the distance of the center may differ from the radius of a tangent, in millimetres.</param>
+    /// <param name="tolerance">Maximum difference between center distance and radius for a tangency, in millimeters.</param>
     public static Intersection2 LineCircle(Line2 a, Circle2 b, double tolerance = DefaultTolerance)
     {
         var (foot, distance) = (a.Along(b.Center), Math.Abs(a.SignedDistance(b.Center)));
@@ -20,31 +21,31 @@ public static partial class Intersect
             return Intersection2.Nowhere(IntersectionKind.None);
         }
 
-        // The product keeps the digits near a tangency that the difference of squares loses.
+        // The product keeps digits near a tangency that a difference of squares would lose.
         var half = Math.Sqrt((b.Radius - distance) * (b.Radius + distance));
         return Two(IntersectionKind.Crossing, a.At(foot - half), a.At(foot + half));
     }
 
-    /// <summary>Where a line meets an arc.</summary>
+    /// <summary>Intersects a line and an arc.</summary>
     /// <param name="a">The line.</param>
     /// <param name="b">The arc.</param>
-    /// <param name="tolerance">What touches, in millimetres.</param>
+    /// <param name="tolerance">Tolerance for touching, in millimeters.</param>
     public static Intersection2 LineCircle(Line2 a, Arc2 b, double tolerance = DefaultTolerance) =>
         Restrict(LineCircle(a, b.Circle, tolerance), Piece.Of(a), Piece.Of(b), tolerance);
 
-    /// <summary>Where a segment meets a circle.</summary>
-    /// <param name="a">The segment. Without length it is a point, which is crossed if it lies on the circle.</param>
+    /// <summary>Intersects a segment and a circle.</summary>
+    /// <param name="a">The segment. If its length is zero, it is a point, which crosses the circle if it is on it.</param>
     /// <param name="b">The circle.</param>
-    /// <param name="tolerance">What touches, in millimetres.</param>
+    /// <param name="tolerance">Tolerance for touching, in millimeters.</param>
     public static Intersection2 LineCircle(Segment2 a, Circle2 b, double tolerance = DefaultTolerance) =>
         a.Length == 0
             ? AtPoint(a.Start, Math.Abs(b.SignedDistance(a.Start)), tolerance)
             : Restrict(LineCircle(a.Line, b, tolerance), Piece.Of(a), Piece.Of(b), tolerance);
 
-    /// <summary>Where a segment meets an arc.</summary>
-    /// <param name="a">The segment. Without length it is a point, which is crossed if it lies on the arc.</param>
+    /// <summary>Intersects a segment and an arc.</summary>
+    /// <param name="a">The segment. If its length is zero, it is a point, which crosses the arc if it is on it.</param>
     /// <param name="b">The arc.</param>
-    /// <param name="tolerance">What touches, in millimetres.</param>
+    /// <param name="tolerance">Tolerance for touching, in millimeters.</param>
     public static Intersection2 LineCircle(Segment2 a, Arc2 b, double tolerance = DefaultTolerance) =>
         a.Length == 0
             ? AtPoint(a.Start, b.DistanceTo(a.Start), tolerance)

@@ -1,12 +1,12 @@
 namespace ErrorMatching.Geometry;
 
-/// <content>Straight with straight.</content>
+/// <content>Lines and segments.</content>
 public static partial class Intersect
 {
-    /// <summary>Where two infinite lines meet: one crossing, parallel (within 1e-12 of the sine of their angle), or coincident without ends.</summary>
+    /// <summary>Intersects two infinite lines: one crossing, parallel (sine of the angle to 1e-12), or coincident without ends.</summary>
     /// <param name="a">The first line.</param>
     /// <param name="b">The second line.</param>
-    /// <param name="tolerance">How far apart parallel lines may be and still be one, in millimetres.</param>
+    /// <param name="tolerance">Maximum distance between parallel lines that coincide, in millimeters.</param>
     public static Intersection2 Lines(Line2 a, Line2 b, double tolerance = DefaultTolerance)
     {
         var sine = a.Direction.Cross(b.Direction);
@@ -18,10 +18,10 @@ public static partial class Intersect
         return One(IntersectionKind.Crossing, a.At((b.Origin - a.Origin).Cross(b.Direction) / sine));
     }
 
-    /// <summary>Where an infinite line meets a segment; coincident with the segment's ends, in order along the line.</summary>
+    /// <summary>Intersects an infinite line and a segment; coincident with the segment's ends, in order along the line.</summary>
     /// <param name="a">The line.</param>
-    /// <param name="b">The segment. Without length it is a point, which is crossed if it lies on the line.</param>
-    /// <param name="tolerance">What touches, in millimetres.</param>
+    /// <param name="b">The segment. If its length is zero, it is a point, which crosses the line if it is on it.</param>
+    /// <param name="tolerance">Tolerance for touching, in millimeters.</param>
     public static Intersection2 Lines(Line2 a, Segment2 b, double tolerance = DefaultTolerance)
     {
         var (atStart, atEnd) = (Math.Abs(a.SignedDistance(b.Start)), Math.Abs(a.SignedDistance(b.End)));
@@ -43,23 +43,21 @@ public static partial class Intersect
             : Intersection2.Nowhere(IntersectionKind.Parallel);
     }
 
-    /// <summary>Where a segment meets an infinite line; coincident with the segment's own ends.</summary>
-    /// <param name="a">The segment. Without length it is a point, which is crossed if it lies on the line.</param>
+    /// <summary>Intersects a segment and an infinite line; coincident with the segment's ends.</summary>
+    /// <param name="a">The segment. If its length is zero, it is a point, which crosses the line if it is on it.</param>
     /// <param name="b">The line.</param>
-    /// <param name="tolerance">What touches, in millimetres.</param>
+    /// <param name="tolerance">Tolerance for touching, in millimeters.</param>
     public static Intersection2 Lines(Segment2 a, Line2 b, double tolerance = DefaultTolerance)
     {
         var met = Lines(b, a, tolerance);
         return met.Kind == IntersectionKind.Coincident ? Two(met.Kind, a.Start, a.End) : met;
     }
 
-    /// <summary>
-    /// Where two segments meet: a crossing, a common stretch (coincident, with its ends), end to end on one line (tangent, one point),
-    /// on one line but apart (none), or parallel.
-    /// </summary>
-    /// <param name="a">The first segment. Without length it is a point, which is crossed if it lies on the other.</param>
-    /// <param name="b">The second segment, likewise.</param>
-    /// <param name="tolerance">What touches, in millimetres.</param>
+    /// <summary>Intersects two segments: a crossing, a common stretch (coincident, with its ends), end to end on one line (tangent, one
+    /// point), separate on one line (none), or parallel.</summary>
+    /// <param name="a">The first segment. If its length is zero, it is a point, which crosses the other segment if it is on it.</param>
+    /// <param name="b">The second segment, with the same rule.</param>
+    /// <param name="tolerance">Tolerance for touching, in millimeters.</param>
     public static Intersection2 Lines(Segment2 a, Segment2 b, double tolerance = DefaultTolerance)
     {
         if (a.Length == 0)
@@ -72,7 +70,7 @@ public static partial class Intersect
             return AtPoint(b.Start, a.DistanceTo(b.Start), tolerance);
         }
 
-        // The shorter segment on the longer one's line is enough: where they overlap they are within the tolerance.
+        // Testing the shorter segment against the longer one's line is sufficient: overlapping parts are then within the tolerance.
         var (longer, shorter) = a.Length >= b.Length ? (a.Line, b) : (b.Line, a);
         if (Math.Abs(longer.SignedDistance(shorter.Start)) <= tolerance && Math.Abs(longer.SignedDistance(shorter.End)) <= tolerance)
         {

@@ -1,16 +1,16 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>How two elements of the plane meet, and where.</summary>
+/// <summary>How and where two elements of the plane meet.</summary>
 /// <param name="Kind">How they meet.</param>
-/// <param name="First">The first point along the first element; meaningful where <paramref name="Count"/> is at least 1.</param>
-/// <param name="Second">The second point along the first element; meaningful where <paramref name="Count"/> is 2.</param>
+/// <param name="First">The first point along the first element; valid if <paramref name="Count"/> is at least 1.</param>
+/// <param name="Second">The second point along the first element; valid if <paramref name="Count"/> is 2.</param>
 /// <param name="Count">Number of points: 0, 1 or 2.</param>
 public readonly record struct Intersection2(IntersectionKind Kind, Point2 First, Point2 Second, int Count)
 {
-    /// <summary>No meeting, of a kind that says why.</summary>
+    /// <summary>No intersection, with the reason as its kind.</summary>
     public static Intersection2 Nowhere(IntersectionKind kind) => new(kind, default, default, 0);
 
-    /// <summary>The point nearest to a place, or null if there is none.</summary>
+    /// <summary>The point nearest to a place; null if there is none.</summary>
     public Point2? Nearest(Point2 place) => Count switch
     {
         0 => null,

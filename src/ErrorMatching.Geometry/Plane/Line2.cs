@@ -1,12 +1,12 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>An infinite straight line with a direction of travel.</summary>
+/// <summary>An infinite straight line with a direction.</summary>
 public readonly record struct Line2
 {
-    /// <summary>A line through a point.</summary>
+    /// <summary>Creates a line through a point.</summary>
     /// <param name="origin">A point of the line.</param>
-    /// <param name="direction">Direction of travel; any length but zero.</param>
-    /// <exception cref="GeometryException">The direction has no length.</exception>
+    /// <param name="direction">Nonzero direction.</param>
+    /// <exception cref="GeometryException">The direction is zero.</exception>
     public Line2(Point2 origin, Vector2 direction)
     {
         Origin = origin;
@@ -16,10 +16,10 @@ public readonly record struct Line2
     /// <summary>A point of the line.</summary>
     public Point2 Origin { get; }
 
-    /// <summary>Unit direction of travel.</summary>
+    /// <summary>Unit direction.</summary>
     public Vector2 Direction { get; }
 
-    /// <summary>Unit normal to the left of travel.</summary>
+    /// <summary>Unit normal to the left.</summary>
     public Vector2 Normal => Direction.Left;
 
     /// <summary>The line from one point through another.</summary>
@@ -29,7 +29,7 @@ public readonly record struct Line2
     /// <summary>Position of a point's foot along the line, from <see cref="Origin"/>.</summary>
     public double Along(Point2 point) => (point - Origin).Dot(Direction);
 
-    /// <summary>Signed distance of a point: positive to the left of travel.</summary>
+    /// <summary>Signed distance of a point, positive to the left.</summary>
     public double SignedDistance(Point2 point) => (point - Origin).Dot(Normal);
 
     /// <summary>The point of the line at a position from <see cref="Origin"/>.</summary>
@@ -38,6 +38,6 @@ public readonly record struct Line2
     /// <summary>The nearest point of the line.</summary>
     public Point2 Foot(Point2 point) => At(Along(point));
 
-    /// <summary>The parallel line, displaced to the left by a signed distance.</summary>
+    /// <summary>The parallel line at a signed distance to the left.</summary>
     public Line2 Offset(double left) => new(Origin + (Normal * left), Direction);
 }

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>What a transform mirrors before it rotates.</summary>
+/// <summary>The reflection that a transform applies before its rotation.</summary>
 public enum Mirror
 {
-    /// <summary>Nothing.</summary>
+    /// <summary>None.</summary>
     None,
 
     /// <summary>x becomes -x.</summary>

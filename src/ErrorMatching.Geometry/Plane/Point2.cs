@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>A place in the plane, in millimetres.</summary>
+/// <summary>A point in the plane, in millimeters.</summary>
 /// <param name="X">First coordinate.</param>
 /// <param name="Y">Second coordinate.</param>
 public readonly record struct Point2(double X, double Y)
@@ -16,18 +16,18 @@ public readonly record struct Point2(double X, double Y)
     /// <summary>Distance to another point.</summary>
     public double DistanceTo(Point2 other) => (other - this).Length;
 
-    /// <summary>The point a fraction of the way to another: 0 here, 1 there.</summary>
+    /// <summary>Interpolates towards another point: 0 here, 1 there.</summary>
     public Point2 Lerp(Point2 other, double fraction) => new(X + ((other.X - X) * fraction), Y + ((other.Y - Y) * fraction));
 
-    /// <summary>The coordinates as text, whatever the culture.</summary>
+    /// <summary>The coordinates as culture-independent text.</summary>
     public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"({X}, {Y})");
 
     /// <summary>The point displaced by a vector.</summary>
     public static Point2 operator +(Point2 p, Vector2 v) => new(p.X + v.X, p.Y + v.Y);
 
-    /// <summary>The point displaced by the opposite of a vector.</summary>
+    /// <summary>The point displaced by a negated vector.</summary>
     public static Point2 operator -(Point2 p, Vector2 v) => new(p.X - v.X, p.Y - v.Y);
 
-    /// <summary>The displacement that leads from <paramref name="b"/> to <paramref name="a"/>.</summary>
+    /// <summary>The displacement from <paramref name="b"/> to <paramref name="a"/>.</summary>
     public static Vector2 operator -(Point2 a, Point2 b) => new(a.X - b.X, a.Y - b.Y);
 }

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>A straight piece from a start to an end. The two may coincide: it then has no direction, but a length of zero and a nearest point.</summary>
+/// <summary>A straight segment from a start to an end. If both coincide, it has no direction, but length 0 and a nearest point.</summary>
 /// <param name="Start">First point.</param>
 /// <param name="End">Last point.</param>
 public readonly record struct Segment2(Point2 Start, Point2 End)
@@ -8,17 +8,17 @@ public readonly record struct Segment2(Point2 Start, Point2 End)
     /// <summary>Distance between the ends.</summary>
     public double Length => Start.DistanceTo(End);
 
-    /// <summary>The point half way.</summary>
+    /// <summary>The midpoint.</summary>
     public Point2 Middle => Start.Lerp(End, 0.5);
 
-    /// <summary>The infinite line that carries the segment.</summary>
+    /// <summary>The infinite line of the segment.</summary>
     /// <exception cref="GeometryException">The ends coincide.</exception>
     public Line2 Line => Line2.Through(Start, End);
 
     /// <summary>The point at a fraction of the length, 0 to 1.</summary>
     public Point2 At(double fraction) => Start.Lerp(End, fraction);
 
-    /// <summary>Fraction (0 to 1) at which the segment is nearest to a point; 0 for a segment without length.</summary>
+    /// <summary>Fraction (0 to 1) at which the segment is nearest to a point; 0 if the length is zero.</summary>
     public double NearestFraction(Point2 point)
     {
         var d = End - Start;

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>A box along the axes, in millimetres.</summary>
+/// <summary>A box aligned with the axes, in millimeters.</summary>
 /// <param name="Min">The corner with the smallest coordinates.</param>
 /// <param name="Max">The corner with the largest coordinates.</param>
 public readonly record struct Box3(Point3 Min, Point3 Max)
@@ -10,7 +10,7 @@ public readonly record struct Box3(Point3 Min, Point3 Max)
 
     /// <summary>The smallest box around points.</summary>
     /// <param name="points">At least one.</param>
-    /// <exception cref="GeometryException">There are none.</exception>
+    /// <exception cref="GeometryException">There are no points.</exception>
     public static Box3 Around(ReadOnlySpan<Point3> points)
     {
         if (points.Length == 0)

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>One of the three coordinate planes, with the axis order that makes counter-clockwise mean the same on every control.</summary>
+/// <summary>One of the three coordinate planes. The axis order gives counterclockwise the same meaning on every control.</summary>
 public enum CoordinatePlane
 {
     /// <summary>X then Y, seen against Z (G17).</summary>

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>Moves points between space and a coordinate plane.</summary>
+/// <summary>Converts points between space and a coordinate plane.</summary>
 public static class CoordinatePlaneExtensions
 {
     /// <summary>The point's two coordinates in the plane, in the plane's axis order.</summary>

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>A place in space, in millimetres.</summary>
+/// <summary>A point in space, in millimeters.</summary>
 /// <param name="X">First coordinate.</param>
 /// <param name="Y">Second coordinate.</param>
 /// <param name="Z">Third coordinate.</param>
@@ -15,7 +15,7 @@ public readonly record struct Point3(double X, double Y, double Z)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Point3 operator +(Point3 p, Vector3 v) => new(p.X + v.X, p.Y + v.Y, p.Z + v.Z);
 
-    /// <summary>The displacement that leads from <paramref name="b"/> to <paramref name="a"/>.</summary>
+    /// <summary>The displacement from <paramref name="b"/> to <paramref name="a"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 operator -(Point3 a, Point3 b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
 }

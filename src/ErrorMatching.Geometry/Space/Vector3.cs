@@ -2,13 +2,13 @@ using System.Runtime.CompilerServices;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>A displacement in space, in millimetres where it is a length.</summary>
+/// <summary>A displacement in space, in millimeters if it is a length.</summary>
 /// <param name="X">Component along X.</param>
 /// <param name="Y">Component along Y.</param>
 /// <param name="Z">Component along Z.</param>
 public readonly record struct Vector3(double X, double Y, double Z)
 {
-    /// <summary>The displacement by nothing.</summary>
+    /// <summary>The zero displacement.</summary>
     public static Vector3 Zero => default;
 
     /// <summary>Euclidean length.</summary>
@@ -30,7 +30,7 @@ public readonly record struct Vector3(double X, double Y, double Z)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 operator *(Vector3 a, double factor) => new(a.X * factor, a.Y * factor, a.Z * factor);
 
-    /// <summary>The opposite displacement.</summary>
+    /// <summary>The negated displacement.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 operator -(Vector3 v) => new(-v.X, -v.Y, -v.Z);
 
@@ -38,11 +38,11 @@ public readonly record struct Vector3(double X, double Y, double Z)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public double Dot(Vector3 other) => (X * other.X) + (Y * other.Y) + (Z * other.Z);
 
-    /// <summary>Vector product, perpendicular to both and turning from this to the other counter-clockwise.</summary>
+    /// <summary>Vector product: perpendicular to both vectors, with a counterclockwise turn from this to the other.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3 Cross(Vector3 other) => new((Y * other.Z) - (Z * other.Y), (Z * other.X) - (X * other.Z), (X * other.Y) - (Y * other.X));
 
-    /// <summary>The vector of length 1 in the same direction.</summary>
+    /// <summary>The unit vector in the same direction.</summary>
     /// <exception cref="GeometryException">The vector has no direction.</exception>
     public Vector3 Normalize()
     {

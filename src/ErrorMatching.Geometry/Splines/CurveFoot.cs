@@ -1,12 +1,12 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>The place of a curve that is closest to a point. Lengths in millimetres.</summary>
-/// <param name="T">Parameter of the place.</param>
-/// <param name="Position">The place.</param>
-/// <param name="Offset">The displacement that leads from the place to the point.</param>
-/// <param name="Accuracy">Proven: no place of the curve is closer to the point by more than this.</param>
+/// <summary>The point of a curve closest to a given point. Lengths in millimeters.</summary>
+/// <param name="T">Its parameter.</param>
+/// <param name="Position">Its position.</param>
+/// <param name="Offset">The displacement from it to the given point.</param>
+/// <param name="Accuracy">Proven bound: no point of the curve is closer by more than this.</param>
 public readonly record struct CurveFoot(double T, Point3 Position, Vector3 Offset, double Accuracy)
 {
-    /// <summary>Distance of the point from the curve.</summary>
+    /// <summary>Distance of the given point from the curve.</summary>
     public double Distance => Offset.Length;
 }

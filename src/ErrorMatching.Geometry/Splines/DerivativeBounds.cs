@@ -1,23 +1,21 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// Lengths that the derivatives of a Bezier surface do not exceed, up to the third order, by parameters that run from -1 to 1 over the surface.
-/// </summary>
-/// <remarks>
-/// A polynomial lies in the hull of its poles, and the poles of its derivatives are differences of them. A rational surface S = A / w is bounded through
-/// w S^(k,l) = A^(k,l) - sum C(k,i) C(l,j) w^(i,j) S^(k-i,l-j) (The NURBS Book, equation 4.20), after its tangent plane in the middle has been subtracted, so that all S on the right are small.
-/// </remarks>
+/// <summary>Upper bounds of the lengths of a Bezier surface's derivatives, up to the third order, with respect to parameters from -1 to 1
+/// over the surface.</summary>
+/// <remarks>A polynomial is inside the hull of its poles, and the poles of its derivatives are differences of them. A rational surface S =
+/// A / w is bounded by w S^(k,l) = A^(k,l) - sum C(k,i) C(l,j) w^(i,j) S^(k-i,l-j) (The NURBS Book, equation 4.20), after subtracting its
+/// tangent plane at the middle so that all S on the right are small.</remarks>
 internal sealed class DerivativeBounds
 {
     private const int Orders = 4;
 
     private readonly double[] _length = new double[Orders * Orders];
 
-    /// <summary>Bounds of a surface.</summary>
+    /// <summary>Calculates the bounds of a surface.</summary>
     /// <param name="piece">A surface without inner breaks.</param>
-    /// <param name="center">The point in the middle of its parameters.</param>
-    /// <param name="ds">First derivative there by the first parameter from -1 to 1.</param>
-    /// <param name="dt">First derivative there by the second parameter from -1 to 1.</param>
+    /// <param name="center">The point at the middle of its parameters.</param>
+    /// <param name="ds">First derivative there with respect to the first parameter, from -1 to 1.</param>
+    /// <param name="dt">First derivative there with respect to the second parameter, from -1 to 1.</param>
     public DerivativeBounds(SplineSurface piece, Point3 center, Vector3 ds, Vector3 dt)
     {
         var (countU, countV) = (piece.CountU, piece.CountV);
@@ -60,10 +58,9 @@ internal sealed class DerivativeBounds
     {
     }
 
-    /// <summary>No bounds at all.</summary>
     public static DerivativeBounds None { get; } = new();
 
-    /// <summary>A length that the derivative of order k by the first and l by the second parameter does not exceed; k + l is at most 3.</summary>
+    /// <summary>Bound of the derivative of order k in the first and l in the second parameter; k + l is at most 3.</summary>
     public double this[int k, int l] => _length[(k * Orders) + l];
 
     private static double[] Homogeneous(SplineSurface piece, Point3 near)
@@ -78,7 +75,8 @@ internal sealed class DerivativeBounds
         return values;
     }
 
-    /// <summary>The poles of A - w (s Ds + t Dt), which has one degree more in each direction: w times s has the poles i / n w(i - 1) - (1 - i / n) w(i) for n the new degree.</summary>
+    /// <summary>The poles of A - w (s Ds + t Dt), which has one degree more in each direction. With the new degree n, w times s has the
+    /// poles i / n w(i - 1) - (1 - i / n) w(i).</summary>
     private static double[] WithoutPlane(double[] values, int countU, int countV, Vector3 ds, Vector3 dt)
     {
         var raised = new double[(countU + 1) * (countV + 1) * 4];
@@ -126,7 +124,7 @@ internal sealed class DerivativeBounds
         return (length, weight);
     }
 
-    /// <summary>Poles of the derivative in place of the poles; half of what it is over 0 to 1.</summary>
+    /// <summary>Replaces poles by those of the derivative: half of its value over 0 to 1.</summary>
     private static void Differentiate(double[] values, int countU, int countV, int stride, bool alongU)
     {
         var factor = 0.5 * ((alongU ? countU : countV) - 1);

@@ -1,15 +1,14 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// The equations that say that a B-spline has given values at the Greville parameters of its poles, factored. The matrix is banded and totally positive, so that elimination without exchange of rows is stable
-/// (de Boor and Pinkus, Backward error analysis for totally positive linear systems, Numerische Mathematik 27, 1977).
-/// </summary>
+/// <summary>The factored equations for a B-spline with given values at the Greville parameters of its poles. The matrix is banded and
+/// totally positive, so elimination without pivoting is stable (de Boor and Pinkus, Backward error analysis for totally positive linear
+/// systems, Numerische Mathematik 27, 1977).</summary>
 internal sealed class GrevilleSystem
 {
     private readonly int _count;
     private readonly int _band;
 
-    // Row i holds columns i - band to i + band.
+    // Row i contains columns i - band to i + band.
     private readonly double[] _rows;
 
     public GrevilleSystem(KnotVector knots)
@@ -42,8 +41,8 @@ internal sealed class GrevilleSystem
 
     private int Width => (2 * _band) + 1;
 
-    /// <summary>Puts poles in the place of values.</summary>
-    /// <param name="values">As many rows as there are poles.</param>
+    /// <summary>Replaces values by poles.</summary>
+    /// <param name="values">One row per pole.</param>
     /// <param name="width">Numbers in a row.</param>
     public void Solve(double[] values, int width)
     {

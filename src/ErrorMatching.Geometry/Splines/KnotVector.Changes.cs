@@ -1,15 +1,18 @@
 namespace ErrorMatching.Geometry;
 
-/// <content>Knots made of other knots.</content>
+/// <content>Knots derived from other knots.</content>
 public sealed partial class KnotVector
 {
-    /// <summary>Knots of different curves that are nearer to one another than this share of the range count as one in <see cref="Common"/>: rounding, not meaning.</summary>
+    /// <summary>Knots of different curves that are closer than this share of the range are one knot in <see cref="Common"/>: they differ
+    /// by rounding only.</summary>
     public const double SameKnot = 1e-10;
 
-    /// <summary>The fewest clamped knots that contain those of all the given ones: of the highest degree, over the range of the first, each break as smooth as the least smooth one there.</summary>
-    /// <remarks>Ranges that differ are stretched onto the first one's. Breaks that differ by less than <see cref="SameKnot"/> of the range become the one that comes first in the list.</remarks>
+    /// <summary>The smallest clamped knot vector that contains the given ones: of the highest degree, over the range of the first, each
+    /// break as smooth as in the least smooth one.</summary>
+    /// <remarks>Other ranges are mapped to the first one's. Breaks that differ by less than <see cref="SameKnot"/> of the range are merged
+    /// with the first in the list.</remarks>
     /// <param name="all">At least one.</param>
-    /// <exception cref="GeometryException">There are none.</exception>
+    /// <exception cref="GeometryException">The list is empty.</exception>
     public static KnotVector Common(IReadOnlyList<KnotVector> all)
     {
         ArgumentNullException.ThrowIfNull(all);
@@ -36,10 +39,10 @@ public sealed partial class KnotVector
         return new(degree, [.. breaks.SelectMany(b => Enumerable.Repeat(b.Key, b.Value))]);
     }
 
-    /// <summary>The same knots over another range.</summary>
+    /// <summary>The knots mapped to another range.</summary>
     /// <param name="start">New first parameter.</param>
     /// <param name="end">New last parameter, larger than the first.</param>
-    /// <exception cref="GeometryException">The range is empty, or so small that knots fall together.</exception>
+    /// <exception cref="GeometryException">The range is empty, or so small that knots coincide.</exception>
     public KnotVector Affine(double start, double end)
     {
         var (from, to) = (Start, End);
@@ -58,7 +61,7 @@ public sealed partial class KnotVector
         return new(Degree, values);
     }
 
-    /// <summary>The knots of the curve run through backwards, over the same range.</summary>
+    /// <summary>The knots of the reversed curve, over the same range.</summary>
     public KnotVector Reverse()
     {
         var (start, end) = (Start, End);
@@ -75,7 +78,7 @@ public sealed partial class KnotVector
     /// <summary>The knots clamped at both ends of a part of the range.</summary>
     /// <param name="from">First parameter, not before <see cref="Start"/>.</param>
     /// <param name="to">Last parameter, not after <see cref="End"/>.</param>
-    /// <exception cref="GeometryException">The part is empty or reaches beyond the range.</exception>
+    /// <exception cref="GeometryException">The part is empty or exceeds the range.</exception>
     public KnotVector Between(double from, double to)
     {
         if (!(from >= Start && from < to && to <= End))
@@ -90,10 +93,10 @@ public sealed partial class KnotVector
     /// <summary>The knots clamped at both ends.</summary>
     public KnotVector Clamp() => IsClamped && _values[Degree + 1] > Start && _values[PoleCount - 1] < End ? this : Between(Start, End);
 
-    /// <summary>The clamped knots with one more often among them.</summary>
+    /// <summary>The clamped knots with a knot inserted.</summary>
     /// <param name="t">A parameter inside the range.</param>
-    /// <param name="times">How often it is added.</param>
-    /// <exception cref="GeometryException">The parameter is not inside, or would count more than degree + 1 times.</exception>
+    /// <param name="times">Number of insertions.</param>
+    /// <exception cref="GeometryException">The parameter is not inside, or its multiplicity would exceed degree + 1.</exception>
     public KnotVector Insert(double t, int times = 1)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(times);
@@ -106,7 +109,7 @@ public sealed partial class KnotVector
         return new(Degree, [.. clamped._values.Where(k => k <= t), .. Enumerable.Repeat(t, times), .. clamped._values.Where(k => k > t)]);
     }
 
-    /// <summary>The clamped knots of a higher degree for the same curves: every break counts as many times more as the degree rises.</summary>
+    /// <summary>The clamped knots of a higher degree for the same curves: every multiplicity grows with the degree.</summary>
     /// <param name="degree">Not lower than <see cref="Degree"/>.</param>
     /// <exception cref="GeometryException">The degree is lower, or higher than <see cref="MaxDegree"/>.</exception>
     public KnotVector ElevateTo(int degree)
@@ -120,20 +123,19 @@ public sealed partial class KnotVector
         return new(degree, [.. clamped.Breaks.SelectMany(b => Enumerable.Repeat(b, clamped.Multiplicity(b) + degree - Degree))]);
     }
 
-    /// <summary>The numbers of the knots at which the pieces begin, as <see cref="SpanAt"/> counts them.</summary>
+    /// <summary>The indices of the knots at which the pieces start, as in <see cref="SpanAt"/>.</summary>
     internal int[] Spans() => [.. Enumerable.Range(Degree, PoleCount - Degree).Where(i => _values[i + 1] > _values[i])];
 
-    /// <summary>The knots that matter to one piece.</summary>
+    /// <summary>The knots that affect one piece.</summary>
     /// <param name="span">The piece, from <see cref="SpanAt"/>.</param>
     internal KnotVector OfPiece(int span) => new(Degree, _values.AsSpan(span - Degree, 2 * (Degree + 1)));
 
-    /// <summary>
-    /// Weights of the poles in the polar form (blossom) of one polynomial piece: the point that de Boor's algorithm gives if each of its steps takes an argument of its own.
-    /// With all arguments alike it is the basis. (Ramshaw, Blossoms are polar forms, Computer Aided Geometric Design 6, 1989, section 6.)
-    /// </summary>
+    /// <summary>Weights of the poles in the polar form (blossom) of one polynomial piece: the point of de Boor's algorithm with a separate
+    /// argument in each step. Equal arguments give the basis (Ramshaw, Blossoms are polar forms, Computer Aided Geometric Design 6, 1989,
+    /// section 6).</summary>
     /// <param name="span">The piece, from <see cref="SpanAt"/>.</param>
-    /// <param name="arguments">As many as the degree.</param>
-    /// <param name="weights">Receives degree + 1 numbers for poles span - degree to span.</param>
+    /// <param name="arguments">As many arguments as the degree.</param>
+    /// <param name="weights">Receives degree + 1 weights for poles span - degree to span.</param>
     internal void Blossom(int span, ReadOnlySpan<double> arguments, Span<double> weights)
     {
         weights.Clear();

@@ -1,21 +1,20 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>The degree of a B-spline and its knots: where its polynomial pieces meet, and how smoothly.</summary>
-/// <remarks>
-/// The knots do not decrease, and none is repeated more than the degree plus one times; n poles of degree p need n + p + 1 knots. The parameter runs from knot p to knot n (<see cref="Start"/> to <see cref="End"/>).
-/// Algorithms and their numbers: Piegl and Tiller, The NURBS Book, 2nd edition, chapter 2.
-/// </remarks>
+/// <summary>The degree and knots of a B-spline: where its polynomial pieces meet, and how smoothly.</summary>
+/// <remarks>The knots do not decrease, and their multiplicity is at most degree + 1. n poles of degree p need n + p + 1 knots. The
+/// parameter ranges from knot p to knot n (<see cref="Start"/> to <see cref="End"/>). Algorithms and their numbers: Piegl and Tiller, The
+/// NURBS Book, 2nd edition, chapter 2.</remarks>
 public sealed partial class KnotVector : IEquatable<KnotVector>
 {
-    /// <summary>The highest degree that is read or made: beyond it a B-spline loses digits, and no exchange format writes it.</summary>
+    /// <summary>The highest supported degree. Beyond it, a B-spline loses digits, and no exchange format contains it.</summary>
     public const int MaxDegree = 25;
 
     private readonly double[] _values;
 
-    /// <summary>Knots of a degree.</summary>
+    /// <summary>Creates a knot vector.</summary>
     /// <param name="degree">1 to <see cref="MaxDegree"/>.</param>
-    /// <param name="values">At least 2 (degree + 1) finite numbers that do not decrease.</param>
-    /// <exception cref="GeometryException">The degree or the knots are none that a B-spline can have.</exception>
+    /// <param name="values">At least 2 (degree + 1) finite, nondecreasing numbers.</param>
+    /// <exception cref="GeometryException">The degree or the knots are invalid for a B-spline.</exception>
     public KnotVector(int degree, ReadOnlySpan<double> values)
     {
         if (degree is < 1 or > MaxDegree)
@@ -40,10 +39,10 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
     /// <summary>Degree of the polynomial pieces.</summary>
     public int Degree { get; }
 
-    /// <summary>All knots, each as often as it counts.</summary>
+    /// <summary>All knots, repeated by multiplicity.</summary>
     public ReadOnlySpan<double> Values => _values;
 
-    /// <summary>How many poles belong to these knots.</summary>
+    /// <summary>Number of poles.</summary>
     public int PoleCount => _values.Length - Degree - 1;
 
     /// <summary>First parameter.</summary>
@@ -52,10 +51,10 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
     /// <summary>Last parameter.</summary>
     public double End => _values[PoleCount];
 
-    /// <summary>True if the B-spline begins and ends at its first and last pole.</summary>
+    /// <summary>True if the B-spline starts and ends at its first and last pole.</summary>
     public bool IsClamped => _values[0] == Start && _values[^1] == End;
 
-    /// <summary>The parameters at which pieces begin and end, each once, from <see cref="Start"/> to <see cref="End"/>.</summary>
+    /// <summary>The parameters at which pieces start and end, without repetition, from <see cref="Start"/> to <see cref="End"/>.</summary>
     public IReadOnlyList<double> Breaks
     {
         get
@@ -73,11 +72,11 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
         }
     }
 
-    /// <summary>Clamped knots with given breaks, the inner ones repeated alike.</summary>
+    /// <summary>Clamped knots with given breaks, the inner ones of equal multiplicity.</summary>
     /// <param name="degree">1 to <see cref="MaxDegree"/>.</param>
-    /// <param name="breaks">At least two parameters in rising order; the first and the last are repeated degree + 1 times.</param>
-    /// <param name="multiplicity">How often each inner break counts, 1 to degree.</param>
-    /// <exception cref="GeometryException">The degree or the breaks are none that a B-spline can have.</exception>
+    /// <param name="breaks">At least two ascending parameters. The first and the last have multiplicity degree + 1.</param>
+    /// <param name="multiplicity">Multiplicity of each inner break, 1 to degree.</param>
+    /// <exception cref="GeometryException">The degree or the breaks are invalid for a B-spline.</exception>
     public static KnotVector Clamped(int degree, ReadOnlySpan<double> breaks, int multiplicity = 1)
     {
         var values = new List<double>();
@@ -90,7 +89,7 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
         return new(degree, values.ToArray());
     }
 
-    /// <summary>The number of the knot at which the piece begins that holds a parameter; parameters outside belong to the first or the last piece.</summary>
+    /// <summary>The index of the knot at which the piece with a parameter starts. Outside, it is the first or last piece.</summary>
     public int SpanAt(double t)
     {
         if (t >= End)
@@ -104,7 +103,7 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
             return last;
         }
 
-        // Before the first parameter the first piece that is not empty goes on.
+        // Before the first parameter, the first nonempty piece continues.
         t = Math.Max(t, Start);
         var (low, high) = (Degree, PoleCount);
         while (high - low > 1)
@@ -123,7 +122,7 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
         return low;
     }
 
-    /// <summary>How often a value is among the knots.</summary>
+    /// <summary>The multiplicity of a value among the knots.</summary>
     public int Multiplicity(double value)
     {
         var count = 0;
@@ -135,7 +134,8 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
         return count;
     }
 
-    /// <summary>The mean of the degree knots that follow knot <paramref name="pole"/>: where the pole has most weight (Greville's abscissa).</summary>
+    /// <summary>The Greville abscissa: the mean of the degree knots that follow knot <paramref name="pole"/>, where the pole has most
+    /// weight.</summary>
     public double Greville(int pole)
     {
         var sum = 0.0;
@@ -156,11 +156,11 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
     /// <inheritdoc/>
     public override int GetHashCode() => HashCode.Combine(Degree, _values.Length, Start, End);
 
-    /// <summary>The basis functions that do not vanish in a piece, and their derivatives, at a parameter (The NURBS Book, A2.2 and A2.3).</summary>
+    /// <summary>The nonzero basis functions of a piece and their derivatives at a parameter (The NURBS Book, A2.2 and A2.3).</summary>
     /// <param name="span">The piece, from <see cref="SpanAt"/>.</param>
     /// <param name="t">The parameter.</param>
-    /// <param name="order">Highest derivative wanted; those above the degree are zero.</param>
-    /// <param name="result">(order + 1) rows of degree + 1 numbers: row k holds the k-th derivatives for poles span - degree to span.</param>
+    /// <param name="order">Highest derivative; those above the degree are zero.</param>
+    /// <param name="result">(order + 1) rows of degree + 1 numbers: row k has the k-th derivatives for poles span - degree to span.</param>
     internal void Basis(int span, double t, int order, Span<double> result)
     {
         var p = Degree;
@@ -197,7 +197,7 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
         }
     }
 
-    /// <summary>The basis functions that do not vanish in a piece (The NURBS Book, A2.2).</summary>
+    /// <summary>The nonzero basis functions of a piece (The NURBS Book, A2.2).</summary>
     /// <param name="span">The piece, from <see cref="SpanAt"/>.</param>
     /// <param name="t">The parameter.</param>
     /// <param name="values">Receives degree + 1 numbers for poles span - degree to span.</param>
@@ -219,7 +219,8 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
         }
     }
 
-    /// <summary>The same with first and second derivatives, faster than <see cref="Basis"/>: the recursion of Cox and de Boor, differentiated by the rule for products.</summary>
+    /// <summary>The nonzero basis functions with first and second derivatives, faster than <see cref="Basis"/>: the Cox-de Boor recursion,
+    /// differentiated by the product rule.</summary>
     /// <param name="span">The piece, from <see cref="SpanAt"/>.</param>
     /// <param name="t">The parameter.</param>
     /// <param name="result">3 rows of degree + 1 numbers: values, first and second derivatives for poles span - degree to span.</param>

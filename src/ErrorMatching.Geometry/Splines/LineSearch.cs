@@ -1,27 +1,26 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// One search for all places at which a line meets a surface, over the tree of cells. A cell is left aside if its bound says that the line passes it by; where the surface, seen along the line, is proven to cover no place twice,
-/// Newton's method finds the only hit; else the cell is cut in two.
-/// </summary>
+/// <summary>Finds all intersections of a line with a surface, using the tree of cells. A cell is skipped if its bound proves that the line
+/// misses it. If the surface, seen along the line, provably has no overlaps, Newton's method finds the only hit; otherwise the cell is
+/// halved.</summary>
 internal sealed class LineSearch(Point3 from, Vector3 direction)
 {
     private const int MaxCells = 5_000;
     private const int MaxSteps = 20;
 
-    // A line may touch the surface without crossing it: so near counts as a touch.
+    // A line may touch the surface without crossing it. A gap this small counts as a touch.
     private const double Touch = 1e-9;
 
-    // A touch is known only to the root of that.
+    // The place of a touch is known only to the square root of that.
     private const double TouchSize = 1e-3;
 
-    // Square of the sine below which a surface seen along the line has no digits for its width.
+    // Below this square of the sine, the width of a surface seen along the line has no significant digits.
     private const double Flat = 1e-12;
 
     private readonly List<(SurfaceHit Hit, bool Touches)> _hits = [];
     private int _cells;
 
-    /// <summary>The hits by their distance along the line.</summary>
+    /// <summary>Returns the hits by their distance along the line.</summary>
     /// <exception cref="GeometryException">The line runs along the surface.</exception>
     public IReadOnlyList<SurfaceHit> Run(SurfaceCell root)
     {
@@ -29,7 +28,7 @@ internal sealed class LineSearch(Point3 from, Vector3 direction)
         var hits = new List<SurfaceHit>();
         foreach (var (hit, touches) in _hits.OrderBy(h => h.Touches).ThenBy(h => h.Hit.Along))
         {
-            // A hit on the border of two cells is found in both, a touch in all around.
+            // A hit on the border of two cells is found in both, a touch in all surrounding ones.
             if (hits.TrueForAll(h => (h.At.Position - hit.At.Position).Length > (touches ? 2 * TouchSize : 10 * Touch)))
             {
                 hits.Add(hit);
@@ -68,11 +67,11 @@ internal sealed class LineSearch(Point3 from, Vector3 direction)
             || (cell.IsPiece && SurfaceCell.DistanceToParallelogram(Across(from - cell.Center.Position), Across(cell.Ds), Across(cell.Dt)) > cell.OffPlane + Touch);
     }
 
-    /// <summary>True if the piece needs no cutting.</summary>
+    /// <summary>True if the piece need not be halved.</summary>
     private bool Decide(SurfaceCell cell)
     {
         var b = cell.Bounds;
-        // Seen along the line: the columns Ds and Dt of the center change by no more than this in the cell.
+        // Seen along the line. Bounds on the change of the columns Ds and Dt within the cell follow.
         var (s, t) = (Across(cell.Ds), Across(cell.Dt));
         var (e, f, g) = (s.Dot(s), s.Dot(t), t.Dot(t));
         var smallest = 0.5 * (e + g - Math.Sqrt(((e - g) * (e - g)) + (4 * f * f)));

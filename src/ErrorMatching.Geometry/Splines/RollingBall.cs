@@ -1,31 +1,33 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>Proves for parts of a surface that a ball may roll over them: wherever in such a part it touches, on either side, no place of the whole surface lies within the ball.</summary>
-/// <remarks>
-/// A ball of radius R that touches at p, where the unit normal is n, holds a place q if n (q - p) exceeds |q - p|^2 / 2R. Follow the surface from p to q straight in the parameters: over a length L the normal turns by k L at most,
-/// k being the largest normal curvature, so n (q - p) is at most k L^2 / 2; and where the directions of all such ways keep within an angle a, |q - p| is at least L cos a. So the ball is free if k R is at most cos^2 a over a rectangle of
-/// parameters that holds the part and all that is nearer to it than 2 R; the ball does not reach farther (compare Blaschke's rolling theorem). Both are bounded over cells by derivatives up to the third (<see cref="DerivativeBounds"/>).
-/// Where the proof fails, the ball may be free all the same.
-/// </remarks>
+/// <summary>Proves that a ball may roll over parts of a surface: wherever it touches such a part, on either side, no point of the whole
+/// surface is inside the ball.</summary>
+/// <remarks>A ball of radius R that touches at p with unit normal n contains a point q if n (q - p) exceeds |q - p|^2 / 2R. Follow the
+/// surface from p to q along a straight line in the parameters. Over a length L, the normal turns by at most k L, where k is the largest
+/// normal curvature, so n (q - p) is at most k L^2 / 2. If the directions of all such paths are within an angle a, |q - p| is at least L
+/// cos a. So the ball is free if k R is at most cos^2 a over a rectangle of parameters that contains the part and everything nearer to it
+/// than 2 R; the ball does not reach farther (compare Blaschke's rolling theorem). Both quantities are bounded over cells by derivatives up
+/// to the third order (<see cref="DerivativeBounds"/>). If the proof fails, the ball may still be free.</remarks>
 public sealed class RollingBall
 {
-    // Cells whose first derivatives change by less than this part of them are not cut further: bounds hardly become better.
+    // Cells whose first derivatives change by a smaller share are not halved further, because the bounds would hardly improve.
     private const double Steady = 0.1;
 
     private readonly SplineSurface _surface;
     private readonly double _radius;
     private readonly Part _root;
 
-    /// <summary>A ball on a surface.</summary>
-    /// <param name="surface">The surface, all of it within its knots.</param>
-    /// <param name="radius">Radius of the ball, in millimetres.</param>
+    /// <summary>Prepares proofs for a ball on a surface.</summary>
+    /// <param name="surface">The surface over its full knot range.</param>
+    /// <param name="radius">Radius of the ball, in millimeters.</param>
     public RollingBall(SplineSurface surface, double radius)
     {
         ArgumentNullException.ThrowIfNull(surface);
         (_surface, _radius, _root) = (surface, radius, new(surface.Cells));
     }
 
-    /// <summary>The largest part around a pair of parameters over which the ball is proven to be free, from its lowest to its highest parameters; null if there is none. What was proven is kept: each thread needs its own.</summary>
+    /// <summary>The largest part around a pair of parameters over which the ball is proven to be free, from its lowest to its highest
+    /// parameters; null if there is none. Proofs are cached, so each thread needs its own instance.</summary>
     /// <param name="u">First parameter.</param>
     /// <param name="v">Second parameter.</param>
     public (Point2 From, Point2 To)? FreeAround(double u, double v)
@@ -38,7 +40,7 @@ public sealed class RollingBall
                 return (cell.From, cell.To);
             }
 
-            // All around the part, as far as the ball reaches, counts as well: a smaller part has hardly less to prove.
+            // The proof also covers everything around the part within reach of the ball, so a smaller part would hardly be easier.
             if (cell.Box.Diagonal < 2 * _radius || part.Halves() is not { } halves)
             {
                 return null;
@@ -64,7 +66,7 @@ public sealed class RollingBall
 
     private bool IsFree(in Bend bend) => bend.Curvature * _radius <= bend.SquaredCosine;
 
-    // The rectangle that holds a part, and every cell that the ball on it may reach.
+    // The rectangle that contains a part and every cell within reach of a ball on it.
     private void Reach(SurfaceCell cell, SurfaceCell part, ref Point2 from, ref Point2 to)
     {
         var isInside = cell.From.X >= from.X && cell.From.Y >= from.Y && cell.To.X <= to.X && cell.To.Y <= to.Y;
@@ -84,7 +86,7 @@ public sealed class RollingBall
         to = new(Math.Max(to.X, cell.To.X), Math.Max(to.Y, cell.To.Y));
     }
 
-    // A knot inside a range at which the tangent may break.
+    // True if the tangent may break at a knot inside a range.
     private static bool HasEdge(KnotVector knots, double from, double to)
     {
         foreach (var knot in knots.Breaks)
@@ -98,7 +100,7 @@ public sealed class RollingBall
         return false;
     }
 
-    /// <summary>Takes all of a cell that is in a rectangle into account; false as soon as that proves nothing.</summary>
+    /// <summary>Includes the parts of a cell inside a rectangle; false as soon as the proof fails.</summary>
     private bool Follow(SurfaceCell cell, Point2 from, Point2 to, ref Bend bend)
     {
         if (cell.To.X <= from.X || cell.To.Y <= from.Y || cell.From.X >= to.X || cell.From.Y >= to.Y)
@@ -115,7 +117,7 @@ public sealed class RollingBall
         return (!cell.IsPiece || cell.Box.Diagonal > _radius / 8) && cell.Children() is { } halves && Follow(halves[0], from, to, ref bend) && Follow(halves[1], from, to, ref bend);
     }
 
-    /// <summary>A cell of the surface, and what is known of it.</summary>
+    /// <summary>A cell of the surface with its proof.</summary>
     private sealed class Part(SurfaceCell cell)
     {
         private Part[]? _halves;
@@ -127,17 +129,18 @@ public sealed class RollingBall
         public Part[]? Halves() => _halves ??= cell.Children() is { } halves ? [new(halves[0]), new(halves[1])] : null;
     }
 
-    /// <summary>How much the cells of a rectangle bend, and how far their tangents stray from those at one place.</summary>
+    /// <summary>Bounds the curvature in the cells of a rectangle, and the deviation of their tangents from those at one place.</summary>
     private struct Bend(SurfacePoint middle)
     {
         private readonly double _apart = OneLessCosine(middle.Du, middle.Dv);
         private double _strayU;
         private double _strayV;
 
-        /// <summary>A normal curvature, in 1/mm, that none of the cells exceeds on either side.</summary>
+        /// <summary>A bound of the normal curvature of all cells on either side, in 1/mm.</summary>
         public double Curvature { get; private set; }
 
-        /// <summary>Square of the cosine of an angle that the directions of no two straight ways in the parameters exceed, one of them through the middle.</summary>
+        /// <summary>Square of the cosine of a bound of the angle between any two straight paths in the parameters, one of them through the
+        /// middle.</summary>
         public readonly double SquaredCosine => 1 - (((_strayU * _strayU) + (_strayV * _strayV)) / _apart);
 
         public void Add(SurfaceCell cell)
@@ -148,7 +151,7 @@ public sealed class RollingBall
             _strayU = Math.Max(_strayU, ((cell.Center.Du - middle.Du).Length + (changeS / half.X)) / middle.Du.Length);
             _strayV = Math.Max(_strayV, ((cell.Center.Dv - middle.Dv).Length + (changeT / half.Y)) / middle.Dv.Length);
 
-            // In lengths along both parameters; first derivatives are those of the center and changes of s and t.
+            // In lengths along both parameters. First derivatives are the values at the center and the changes in s and t.
             var (length, width) = (cell.Ds.Length, cell.Dt.Length);
             var (s, t) = (changeS / length, changeT / width);
             var least = Math.Sqrt(OneLessCosine(cell.Ds, cell.Dt)) - Math.Sqrt((s * s) + (t * t));
@@ -168,11 +171,11 @@ public sealed class RollingBall
             var largest = ((ss + tt) / 2) + Math.Sqrt(((ss - tt) * (ss - tt) / 4) + (st * st));
             Curvature = Math.Max(Curvature, largest / (least * least));
 
-            // What a second derivative has along any normal of the cell, at most.
+            // A bound of a second derivative's component along any normal of the cell.
             double Along(Vector3 second, double change) => Math.Abs(second.Dot(normal)) + change + (off * (second.Length + change));
         }
 
-        // The square of a sum a x + b y of unit vectors is at least this times x^2 + y^2.
+        // The square of a sum a x + b y of unit vectors is at least this value times x^2 + y^2.
         private static double OneLessCosine(Vector3 a, Vector3 b) => 1 - (Math.Abs(a.Dot(b)) / (a.Length * b.Length));
     }
 }

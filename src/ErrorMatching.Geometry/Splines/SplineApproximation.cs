@@ -1,28 +1,30 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>A B-spline surface in place of a function of the same parameters.</summary>
+/// <summary>A B-spline surface that approximates a function of the same parameters.</summary>
 /// <param name="Surface">The surface.</param>
-/// <param name="ErrorMm">The largest distance between surface and function at the same parameters, measured at 25 places in every cell between knots, in millimetres.</param>
+/// <param name="ErrorMm">The largest distance between surface and function at the same parameters, measured at 25 places in every cell
+/// between knots, in millimeters.</param>
 public sealed record SplineApproximation(SplineSurface Surface, double ErrorMm)
 {
-    // Enough for a whole piece at 1 nm; a function with a break that is not among the knots stops here.
+    // Sufficient for a whole piece at 1 nm. Refinement stops here for a function with a break that is not among the knots.
     private const int MostPoles = 400;
     private const double ShortestSpan = 1e-6;
 
-    // Shares of a span at which the error is measured; the surface meets the function about once a span.
+    // Shares of a span at which the error is measured. The surface meets the function about once per span.
     private static readonly double[] Places = [0.1, 0.3, 0.5, 0.7, 0.9];
 
-    /// <summary>The surface that meets a function at the Greville points of its knots, which are refined where it is farther away than wanted.</summary>
-    /// <remarks>
-    /// A function of a surface's normals is once less smooth than the surface: where its knots are breaks of such a function, begin with each of them once more often.
-    /// In each direction the error is measured where the other direction is exact, so that only the direction that needs them gets knots. Where the wanted error is not reached with 400 poles along u or v,
-    /// the best surface comes back with the error that it has.
-    /// </remarks>
-    /// <param name="function">The function; it is asked for places within the range of the knots.</param>
-    /// <param name="u">The degree along u, the range, and the knots to begin with: a break of the function's derivatives is to be among them, as often as the derivatives break (degree times for a kink). None more than degree times.</param>
+    /// <summary>Interpolates a function at the Greville points of the knots, and refines the knots where the error is too large.</summary>
+    /// <remarks>A function of a surface's normals is once less smooth than the surface. If the surface's knots are breaks of such a
+    /// function, start with their multiplicity increased by one. The error in each direction is measured where the other direction is
+    /// exact, so that only the direction that needs knots gets them. If the tolerance is not reached with 400 poles along u or v, the best
+    /// surface is returned with its error.</remarks>
+    /// <param name="function">The function; evaluated within the range of the knots.</param>
+    /// <param name="u">The degree and range along u, and the initial knots. They must include breaks of the function's derivatives with
+    /// the right multiplicity (the degree for a kink), at most the degree.</param>
     /// <param name="v">The same along v.</param>
-    /// <param name="toleranceMm">Largest error wanted, positive.</param>
-    /// <exception cref="GeometryException">The tolerance is not positive, the function has a value that is not finite, or an inner knot is repeated more often than its degree.</exception>
+    /// <param name="toleranceMm">Largest permitted error, positive.</param>
+    /// <exception cref="GeometryException">The tolerance is not positive, a value of the function is not finite, or the multiplicity of an
+    /// inner knot exceeds the degree.</exception>
     public static SplineApproximation Of(Func<double, double, Point3> function, KnotVector u, KnotVector v, double toleranceMm)
     {
         ArgumentNullException.ThrowIfNull(function);
@@ -81,7 +83,7 @@ public sealed record SplineApproximation(SplineSurface Surface, double ErrorMm)
         return SplineSurface.AtGreville(u, v, points);
     }
 
-    /// <summary>The knots with one more in the middle of every span in which the error is too large; null if there is none, or no room for them.</summary>
+    /// <summary>Inserts a knot in the middle of every span with too large an error; null if there is none, or no room.</summary>
     private static KnotVector? Refine(KnotVector knots, Func<double, double> error, double tolerance, Action<double>? seen = null)
     {
         var breaks = knots.Breaks;

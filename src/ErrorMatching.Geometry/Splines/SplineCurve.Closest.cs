@@ -1,26 +1,28 @@
 namespace ErrorMatching.Geometry;
 
-/// <content>The closest place.</content>
+/// <content>The closest point.</content>
 public sealed partial class SplineCurve
 {
     private SplineSurface? _asSurface;
 
-    /// <summary>The place of the curve that is closest to a point: as global and as accurate as <see cref="SplineSurface.ClosestPoint(Point3, double)"/>.</summary>
+    /// <summary>The point of the curve closest to a given point, with the same global search and accuracy as
+    /// <see cref="SplineSurface.ClosestPoint(Point3, double)"/>.</summary>
     /// <param name="p">The point.</param>
-    /// <param name="tolerance">Accuracy wanted of the distance in millimetres, positive.</param>
+    /// <param name="tolerance">Required accuracy of the distance in millimeters, positive.</param>
     /// <exception cref="GeometryException">The point is not finite or the tolerance not positive.</exception>
     public CurveFoot ClosestPoint(Point3 p, double tolerance = 1e-7) => Foot(AsSurface().ClosestPoint(p, tolerance));
 
-    /// <summary>The place of the curve that is closest to a point, searched from a place that is probably near it. The result is as global and as accurate as without.</summary>
+    /// <summary>The point of the curve closest to a given point, starting from a place that is probably near it. The result is as global
+    /// and accurate as without it.</summary>
     /// <param name="p">The point.</param>
-    /// <param name="near">Parameter to begin at.</param>
-    /// <param name="tolerance">Accuracy wanted of the distance in millimetres, positive.</param>
+    /// <param name="near">Parameter at which the search starts.</param>
+    /// <param name="tolerance">Required accuracy of the distance in millimeters, positive.</param>
     /// <exception cref="GeometryException">The point or the parameter is not finite or the tolerance not positive.</exception>
     public CurveFoot ClosestPoint(Point3 p, double near, double tolerance) => Foot(AsSurface().ClosestPoint(p, near, 0.5, tolerance));
 
     private static CurveFoot Foot(SurfaceFoot foot) => new(foot.At.U, foot.At.Position, foot.Offset, foot.Accuracy);
 
-    /// <summary>The curve as a surface that does not change along v, so that one search serves both.</summary>
+    /// <summary>The curve as a surface that is constant along v, so that the same search can be used.</summary>
     private SplineSurface AsSurface()
     {
         if (_asSurface is null)

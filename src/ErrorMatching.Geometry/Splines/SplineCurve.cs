@@ -1,17 +1,18 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>A B-spline curve in space, rational if it has weights. Lengths in millimetres.</summary>
-/// <remarks>The curve is the same for all weights multiplied by one number. Parameters outside the knots continue the first and the last piece.</remarks>
+/// <summary>A B-spline curve in space, rational if it has weights. Lengths in millimeters.</summary>
+/// <remarks>Multiplying all weights by one number does not change the curve. Parameters outside the knots continue the first and the last
+/// piece.</remarks>
 public sealed partial class SplineCurve
 {
     private readonly Point3[] _poles;
     private readonly double[]? _weights;
 
-    /// <summary>A curve of its knots and poles.</summary>
+    /// <summary>Creates a curve.</summary>
     /// <param name="knots">Degree and knots.</param>
-    /// <param name="poles">As many finite points as the knots need.</param>
-    /// <param name="weights">One positive number a pole; empty for a curve that is not rational.</param>
-    /// <exception cref="GeometryException">The counts do not fit, or a number is not finite or a weight not positive.</exception>
+    /// <param name="poles">Finite points, in the number that the knots require.</param>
+    /// <param name="weights">One positive number per pole; empty for a nonrational curve.</param>
+    /// <exception cref="GeometryException">The counts do not match, a number is not finite, or a weight is not positive.</exception>
     public SplineCurve(KnotVector knots, ReadOnlySpan<Point3> poles, ReadOnlySpan<double> weights = default)
     {
         ArgumentNullException.ThrowIfNull(knots);
@@ -27,10 +28,10 @@ public sealed partial class SplineCurve
     /// <summary>The poles in order.</summary>
     public ReadOnlySpan<Point3> Poles => _poles;
 
-    /// <summary>One weight a pole; empty if the curve is not rational.</summary>
+    /// <summary>One weight per pole; empty if the curve is not rational.</summary>
     public ReadOnlySpan<double> Weights => _weights;
 
-    /// <summary>True if the poles have weights that differ.</summary>
+    /// <summary>True if the poles have different weights.</summary>
     public bool IsRational => _weights is not null;
 
     /// <summary>The point at a parameter.</summary>
@@ -43,7 +44,8 @@ public sealed partial class SplineCurve
 
     /// <summary>The curve's position and derivatives at a parameter.</summary>
     /// <param name="t">The parameter.</param>
-    /// <param name="result">Receives the position as a vector from the origin, then the first, second, ... derivative by the parameter; its length says how many are wanted.</param>
+    /// <param name="result">Receives the position as a vector from the origin, then the first, second, ... derivative with respect to the
+    /// parameter. Its length determines their number.</param>
     public void Derivatives(double t, Span<Vector3> result)
     {
         var order = result.Length - 1;
@@ -72,7 +74,7 @@ public sealed partial class SplineCurve
         }
     }
 
-    /// <summary>From the derivatives of the weighted curve to those of the curve (The NURBS Book, equation 4.8).</summary>
+    /// <summary>Converts derivatives of the weighted curve to those of the curve (The NURBS Book, equation 4.8).</summary>
     private static void Project(ReadOnlySpan<double> w, Span<Vector3> result)
     {
         for (var k = 0; k < result.Length; k++)

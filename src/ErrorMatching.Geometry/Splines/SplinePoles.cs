@@ -1,6 +1,6 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>What poles and weights of curves and surfaces must be.</summary>
+/// <summary>Checks and converts poles and weights of curves and surfaces.</summary>
 internal static class SplinePoles
 {
     public static void Check(int expected, ReadOnlySpan<Point3> poles, ReadOnlySpan<double> weights)
@@ -32,7 +32,7 @@ internal static class SplinePoles
         }
     }
 
-    /// <summary>The weights, or null if they are all alike and so say nothing.</summary>
+    /// <summary>The weights; null if they are all equal and therefore redundant.</summary>
     public static double[]? Weights(ReadOnlySpan<double> weights) =>
         weights.Length == 0 || weights.IndexOfAnyExcept(weights[0]) < 0 ? null : weights.ToArray();
 
@@ -55,7 +55,7 @@ internal static class SplinePoles
         return values;
     }
 
-    /// <summary>The poles and weights of rows as <see cref="Flatten"/> makes them.</summary>
+    /// <summary>Poles and weights from rows in the format of <see cref="Flatten"/>.</summary>
     public static (Point3[] Poles, double[] Weights) Unflatten(ReadOnlySpan<double> values, bool rational)
     {
         var size = rational ? 4 : 3;
@@ -75,10 +75,9 @@ internal static class SplinePoles
         return (poles, weights);
     }
 
-    /// <summary>
-    /// A bound of the distance between two splines over the same knots, from their poles as <see cref="Flatten"/> makes them: a spline lies in the hull of its poles. Of rational ones, the difference of A / w and B / h is
-    /// ((A - B) - (B / h) (w - h)) / w, seen from the middle of the poles.
-    /// </summary>
+    /// <summary>A bound of the distance between two splines over the same knots, from their poles in the format of <see cref="Flatten"/>:
+    /// a spline is inside the hull of its poles. For rational splines, the difference of A / w and B / h is ((A - B) - (B / h) (w - h)) /
+    /// w, relative to the middle of the poles.</summary>
     public static double Moved(ReadOnlySpan<double> before, ReadOnlySpan<double> after, bool rational)
     {
         var size = rational ? 4 : 3;

@@ -3,11 +3,11 @@ namespace ErrorMatching.Geometry;
 /// <content>Knot removal.</content>
 internal sealed partial record SplineRows
 {
-    /// <summary>The spline with one knot less that is closest to this one: the largest displacement of any of its poles, when they are counted over the old knots, is as small as it can be while the ends stay.</summary>
-    /// <remarks>
-    /// Boehm's insertion of the knot gives the old poles as P = A Q. They are of that form if n P = 0 for the one vector n with n A = 0; the smallest change that makes it 0 moves the poles
-    /// concerned, but for the ends, by n P / sum |n|, each with the sign of its n.
-    /// </remarks>
+    /// <summary>The closest spline with one knot less: the largest displacement of a pole over the old knots is as small as possible with
+    /// fixed ends.</summary>
+    /// <remarks>Boehm's insertion of the knot gives the old poles as P = A Q. They have that form if n P = 0 for the single vector n with n
+    /// A = 0. The smallest change that achieves this moves the affected poles, except the ends, by n P / sum |n|, each with the sign of its
+    /// n.</remarks>
     /// <param name="t">An inner knot of this clamped spline.</param>
     public SplineRows Remove(double t)
     {
@@ -22,7 +22,7 @@ internal sealed partial record SplineRows
         var at = Array.LastIndexOf(all, t);
         var coarse = new KnotVector(p, [.. all[..at], .. all[(at + 1)..]]);
 
-        // Over the coarse knots: t lies in the span that begins at knot k, and counts s times.
+        // Over the coarse knots: t is in the span that starts at knot k, with multiplicity s.
         var (k, s) = (at - 1, times - 1);
         var (first, last) = (k - p, k - s + 1);
         var alpha = new double[last - first + 1];
@@ -38,7 +38,7 @@ internal sealed partial record SplineRows
         old.AsSpan(0, (first + 1) * Width).CopyTo(target);
         old.AsSpan(last * Width).CopyTo(target[((last - 1) * Width)..]);
 
-        // From both ends towards the middle, so that no division is by less than a half.
+        // From both ends towards the middle, so that no divisor is below one half.
         var middle = first + 1;
         for (; middle < last - 1 && alpha[middle - first] >= 0.5; middle++)
         {
@@ -55,7 +55,7 @@ internal sealed partial record SplineRows
         return new(coarse, values, Width);
     }
 
-    /// <summary>The values with the poles from the first one on moved as little as makes the knot superfluous.</summary>
+    /// <summary>The values with the poles, starting at the first one, moved as little as needed to make the knot redundant.</summary>
     private double[] Straighten(int first, double[] alpha)
     {
         var count = alpha.Length;
@@ -66,7 +66,7 @@ internal sealed partial record SplineRows
             n[i] = -n[i - 1] * alpha[i - 1] / (1 - alpha[i]);
         }
 
-        // The ends of the spline stay.
+        // The ends of the spline are fixed.
         var (from, to) = (first == 0 ? 1 : 0, first + count == Knots.PoleCount ? count - 2 : count - 1);
         var sum = 0.0;
         for (var i = from; i <= to; i++)

@@ -1,16 +1,16 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>A B-spline whose poles are rows of numbers: the common form of a curve (a row is a pole) and of a surface in one direction (a row is a line of poles), homogeneous if rational.</summary>
+/// <summary>A B-spline whose poles are rows of numbers, homogeneous if rational: the common form of a curve (a row is a pole) and of one
+/// direction of a surface (a row is a line of poles).</summary>
 /// <param name="Knots">Degree and knots.</param>
-/// <param name="Values">As many rows as the knots need, one behind the other.</param>
+/// <param name="Values">As many rows as the knots require, in sequence.</param>
 /// <param name="Width">Numbers in a row.</param>
 internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int Width)
 {
     /// <summary>The same spline, or a part of it, over clamped knots of the same degree that contain its own.</summary>
-    /// <remarks>
-    /// Every new pole is the blossom of the old spline at the new knots that belong to it. Taken from the first piece of its support and in rising order, all weights are positive, so that no digits are lost
-    /// (Oslo algorithm: Cohen, Lyche and Riesenfeld, Discrete B-splines and subdivision techniques, Computer Graphics and Image Processing 14, 1980).
-    /// </remarks>
+    /// <remarks>Every new pole is the blossom of the old spline at its new knots. With the first piece of its support and ascending order,
+    /// all weights are positive, so no digits are lost (Oslo algorithm: Cohen, Lyche and Riesenfeld, Discrete B-splines and subdivision
+    /// techniques, Computer Graphics and Image Processing 14, 1980).</remarks>
     public SplineRows Onto(KnotVector finer)
     {
         if (Knots.Equals(finer))
@@ -45,7 +45,7 @@ internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int
         return rows with { Knots = target };
     }
 
-    /// <summary>The spline stretched onto the range of other knots, its breaks moved onto theirs where rounding alone separates them.</summary>
+    /// <summary>The spline mapped to the range of other knots, with its breaks set to theirs where they differ by rounding only.</summary>
     public SplineRows Snap(KnotVector common)
     {
         var stretched = Knots.Affine(common.Start, common.End);
@@ -61,7 +61,6 @@ internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int
         return this with { Knots = new(Knots.Degree, values) };
     }
 
-    /// <summary>The row at a parameter.</summary>
     public double[] RowAt(double t)
     {
         var p = Knots.Degree;
@@ -73,7 +72,6 @@ internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int
         return row;
     }
 
-    /// <summary>The rows in reverse order: the spline run through backwards.</summary>
     public SplineRows Reverse()
     {
         var values = new double[Values.Length];
@@ -85,10 +83,9 @@ internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int
         return new(Knots.Reverse(), values, Width);
     }
 
-    /// <summary>
-    /// The blossom of degree p + 1 is the mean of the blossoms of degree p with one argument left out. It is taken from the longest piece of the new pole's support, so that no argument is far outside (Ramshaw, as above; Prautzsch, Degree
-    /// elevation of B-spline curves, Computer Aided Geometric Design 1, 1984).
-    /// </summary>
+    /// <summary>Raises the degree by one. The blossom of degree p + 1 is the mean of the blossoms of degree p with one argument left out.
+    /// It is evaluated in the longest piece of the new pole's support, so that no argument is far outside (Ramshaw, as above; Prautzsch,
+    /// Degree elevation of B-spline curves, Computer Aided Geometric Design 1, 1984).</summary>
     private SplineRows Elevate()
     {
         var p = Knots.Degree;

@@ -1,12 +1,13 @@
 namespace ErrorMatching.Geometry;
 
-/// <content>The same surface in other words: other knots, higher degrees, a part of it, turned around.</content>
+/// <content>Other representations of the same surface: other knots, higher degrees, a part, reversed.</content>
 public sealed partial class SplineSurface
 {
-    /// <summary>The surfaces over <see cref="KnotVector.Common"/> knots in both directions, so that poles of the same number can be added. None moves.</summary>
-    /// <remarks>Ranges and knots are treated as in <see cref="SplineCurve.Compatible"/>.</remarks>
+    /// <summary>Converts surfaces to <see cref="KnotVector.Common"/> knots in both directions, so that poles with the same index can be
+    /// added. The surfaces do not move.</summary>
+    /// <remarks>Ranges and knots are handled as in <see cref="SplineCurve.Compatible"/>.</remarks>
     /// <param name="surfaces">At least one.</param>
-    /// <exception cref="GeometryException">There are none.</exception>
+    /// <exception cref="GeometryException">The list is empty.</exception>
     public static IReadOnlyList<SplineSurface> Compatible(IReadOnlyList<SplineSurface> surfaces)
     {
         ArgumentNullException.ThrowIfNull(surfaces);
@@ -16,7 +17,7 @@ public sealed partial class SplineSurface
     }
 
     /// <summary>The same surface over knots that contain its own (knot insertion, Oslo algorithm).</summary>
-    /// <param name="finerU">Clamped knots of the same degree along u with the same range, or with a part of it: then that part.</param>
+    /// <param name="finerU">Clamped knots of the same degree along u over the same range, or over a part, which gives that part.</param>
     /// <param name="finerV">The same along v.</param>
     /// <exception cref="GeometryException">The knots do not contain the surface's.</exception>
     public SplineSurface WithKnots(KnotVector finerU, KnotVector finerV)
@@ -26,22 +27,22 @@ public sealed partial class SplineSurface
         return Each(r => r.Onto(finerU), r => r.Onto(finerV));
     }
 
-    /// <summary>The same surface, clamped, with a knot more along u.</summary>
+    /// <summary>The same surface, clamped, with an additional knot along u.</summary>
     /// <param name="u">A parameter inside the range.</param>
-    /// <param name="times">How often it is added.</param>
-    /// <exception cref="GeometryException">The parameter is not inside, or would count more than degree + 1 times.</exception>
+    /// <param name="times">Number of insertions.</param>
+    /// <exception cref="GeometryException">The parameter is not inside, or its multiplicity would exceed degree + 1.</exception>
     public SplineSurface InsertKnotU(double u, int times = 1) => WithKnots(KnotsU.Insert(u, times), KnotsV.Clamp());
 
-    /// <summary>The same surface, clamped, with a knot more along v.</summary>
+    /// <summary>The same surface, clamped, with an additional knot along v.</summary>
     /// <param name="v">A parameter inside the range.</param>
-    /// <param name="times">How often it is added.</param>
-    /// <exception cref="GeometryException">The parameter is not inside, or would count more than degree + 1 times.</exception>
+    /// <param name="times">Number of insertions.</param>
+    /// <exception cref="GeometryException">The parameter is not inside, or its multiplicity would exceed degree + 1.</exception>
     public SplineSurface InsertKnotV(double v, int times = 1) => WithKnots(KnotsU.Clamp(), KnotsV.Insert(v, times));
 
     /// <summary>The same surface, clamped, with higher degrees.</summary>
-    /// <param name="degreeU">Not lower than the surface's along u and not higher than <see cref="KnotVector.MaxDegree"/>.</param>
+    /// <param name="degreeU">From the surface's degree along u to <see cref="KnotVector.MaxDegree"/>.</param>
     /// <param name="degreeV">The same along v.</param>
-    /// <exception cref="GeometryException">A degree is none of these.</exception>
+    /// <exception cref="GeometryException">A degree is out of range.</exception>
     public SplineSurface ElevateTo(int degreeU, int degreeV) => Each(r => r.ElevateTo(degreeU), r => r.ElevateTo(degreeV));
 
     /// <summary>The part of the surface between two pairs of parameters.</summary>
@@ -49,7 +50,7 @@ public sealed partial class SplineSurface
     /// <param name="toU">Last parameter along u.</param>
     /// <param name="fromV">First parameter along v.</param>
     /// <param name="toV">Last parameter along v.</param>
-    /// <exception cref="GeometryException">The part is empty or reaches beyond the surface.</exception>
+    /// <exception cref="GeometryException">The part is empty or exceeds the surface.</exception>
     public SplineSurface Between(double fromU, double toU, double fromV, double toV) => WithKnots(KnotsU.Between(fromU, toU), KnotsV.Between(fromV, toV));
 
     /// <summary>The surface before and after a parameter u.</summary>
@@ -73,16 +74,16 @@ public sealed partial class SplineSurface
     /// <summary>The same surface with poles at its corners.</summary>
     public SplineSurface Clamp() => WithKnots(KnotsU.Clamp(), KnotsV.Clamp());
 
-    /// <summary>The surface with u and v exchanged; its normal turns over.</summary>
+    /// <summary>The surface with u and v exchanged; its normal is reversed.</summary>
     public SplineSurface Swap() => From((KnotsV, KnotsU, Transpose(Flat, CountU, CountV, Size)), IsRational);
 
-    /// <summary>The surface run through backwards along u; its normal turns over.</summary>
+    /// <summary>The surface reversed along u; its normal is reversed.</summary>
     public SplineSurface ReverseU() => Each(r => r.Reverse(), r => r);
 
-    /// <summary>The surface run through backwards along v; its normal turns over.</summary>
+    /// <summary>The surface reversed along v; its normal is reversed.</summary>
     public SplineSurface ReverseV() => Each(r => r, r => r.Reverse());
 
-    /// <summary>The same surface over other ranges of parameters.</summary>
+    /// <summary>The same surface over other parameter ranges.</summary>
     /// <param name="startU">New first parameter along u.</param>
     /// <param name="endU">New last parameter along u, larger than the first.</param>
     /// <param name="startV">New first parameter along v.</param>
@@ -91,24 +92,24 @@ public sealed partial class SplineSurface
     public SplineSurface Reparametrize(double startU, double endU, double startV, double endV) =>
         new(KnotsU.Affine(startU, endU), KnotsV.Affine(startV, endV), _poles, _weights);
 
-    /// <summary>The curve on the surface at a parameter u, running along v.</summary>
+    /// <summary>The curve on the surface at a parameter u, along v.</summary>
     public SplineCurve CurveAtU(double u) => SplineCurve.From(new(KnotsV, new SplineRows(KnotsU, Flat, CountV * Size).RowAt(u), Size), IsRational);
 
-    /// <summary>The curve on the surface at a parameter v, running along u.</summary>
+    /// <summary>The curve on the surface at a parameter v, along u.</summary>
     public SplineCurve CurveAtV(double v)
     {
         var turned = new SplineRows(KnotsV, Transpose(Flat, CountU, CountV, Size), CountU * Size);
         return SplineCurve.From(new(KnotsU, turned.RowAt(v), Size), IsRational);
     }
 
-    /// <summary>The polynomial pieces, u by u and v running faster, each a Bezier surface over its own part of the parameters.</summary>
+    /// <summary>The polynomial pieces, v varying fastest, each a Bezier surface over its part of the parameters.</summary>
     public IReadOnlyList<SplineSurface> Pieces() =>
         [.. from u in KnotsU.Spans() from v in KnotsV.Spans() select Piece(u, v)];
 
-    /// <summary>A box that holds the surface: that of its poles.</summary>
+    /// <summary>A box that contains the surface: that of its poles.</summary>
     public Box3 Box() => Box3.Around(Clamp()._poles);
 
-    /// <summary>A box that holds a range of pieces: that of the poles that matter to them.</summary>
+    /// <summary>A box that contains a range of pieces: that of the poles that affect them.</summary>
     internal Box3 Box(int firstU, int lastU, int firstV, int lastV)
     {
         var (startV, count) = (firstV - KnotsV.Degree, lastV - firstV + KnotsV.Degree + 1);
@@ -122,7 +123,7 @@ public sealed partial class SplineSurface
         return box;
     }
 
-    /// <summary>One piece as a Bezier surface over its own part of the parameters, made of the poles that matter to it.</summary>
+    /// <summary>One piece as a Bezier surface over its part of the parameters, from the poles that affect it.</summary>
     internal SplineSurface Piece(int spanU, int spanV)
     {
         var (p, q) = (KnotsU.Degree, KnotsV.Degree);
@@ -150,7 +151,7 @@ public sealed partial class SplineSurface
         return new(parts.U, parts.V, poles, weights);
     }
 
-    /// <summary>Knots and poles after one operation on the splines along u and another on those along v.</summary>
+    /// <summary>Knots and poles after separate operations on the splines along u and along v.</summary>
     private static (KnotVector U, KnotVector V, double[] Values) Apply((KnotVector U, KnotVector V, double[] Values) parts, int size, Func<SplineRows, SplineRows> alongU, Func<SplineRows, SplineRows> alongV)
     {
         var first = alongU(new(parts.U, parts.Values, parts.V.PoleCount * size));
@@ -173,7 +174,7 @@ public sealed partial class SplineSurface
         return turned;
     }
 
-    /// <summary>Numbers a pole.</summary>
+    /// <summary>Numbers per pole.</summary>
     private int Size => IsRational ? 4 : 3;
 
     /// <summary>The poles as numbers, homogeneous if rational.</summary>

@@ -1,9 +1,10 @@
 namespace ErrorMatching.Geometry;
 
-/// <content>Many places at once.</content>
+/// <content>Evaluation at many places.</content>
 public sealed partial class SplineSurface
 {
-    /// <summary>The points at every pair of parameters of two lists, v running faster: along u first for all poles, then along v, which is faster than one by one.</summary>
+    /// <summary>The points at every pair of parameters of two lists, v varying fastest. Evaluating along u for all poles, then along v, is
+    /// faster than separately.</summary>
     /// <param name="us">Parameters along u in any order.</param>
     /// <param name="vs">Parameters along v in any order.</param>
     public Point3[] PointsAt(ReadOnlySpan<double> us, ReadOnlySpan<double> vs)
@@ -42,7 +43,7 @@ public sealed partial class SplineSurface
         return result;
     }
 
-    /// <summary>The weighted poles, and weights, of the curve along v at one parameter u.</summary>
+    /// <summary>The weighted poles, and weights, of the curve along v at a parameter u.</summary>
     private void AlongU(int first, double[] basis, double[] line)
     {
         Array.Clear(line);

@@ -2,15 +2,15 @@ using System.Runtime.Intrinsics;
 
 namespace ErrorMatching.Geometry;
 
-/// <content>What <see cref="SurfaceLine"/> is made of.</content>
+/// <content>Support for <see cref="SurfaceLine"/>.</content>
 public sealed partial class SplineSurface
 {
-    /// <summary>The weighted line at v over one span of u, and its derivative by v, each as a combination of the basis functions along u.</summary>
+    /// <summary>The weighted line at v over one span of u, and its derivative with respect to v, in the basis functions along u.</summary>
     /// <param name="spanU">The span.</param>
-    /// <param name="v">The line.</param>
+    /// <param name="v">The parameter of the line.</param>
     /// <param name="rows">One row of degree + 1 factors for each number of the result.</param>
     /// <param name="place">Receives the line.</param>
-    /// <param name="slope">Receives its derivative by v.</param>
+    /// <param name="slope">Receives its derivative with respect to v.</param>
     internal void AlongV(int spanU, double v, ReadOnlySpan<double> rows, Span<Vector256<double>> place, Span<Vector256<double>> slope)
     {
         var (p, q) = (KnotsU.Degree, KnotsV.Degree);

@@ -2,22 +2,22 @@ using System.Runtime.Intrinsics;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>A tensor-product B-spline surface in space, rational if it has weights. Lengths in millimetres.</summary>
-/// <remarks>Pole (i, j) has number i * CountV + j. Parameters outside the knots continue the outermost pieces.</remarks>
+/// <summary>A tensor-product B-spline surface in space, rational if it has weights. Lengths in millimeters.</summary>
+/// <remarks>Pole (i, j) has the index i * CountV + j. Parameters outside the knots continue the outermost pieces.</remarks>
 public sealed partial class SplineSurface
 {
     private readonly Point3[] _poles;
     private readonly double[]? _weights;
 
-    // The poles once more as (wx, wy, wz, w), which evaluation adds up in one step each.
+    // The poles as (wx, wy, wz, w), which evaluation sums in one step each.
     private readonly Vector256<double>[] _homogeneous;
 
-    /// <summary>A surface of its knots and poles.</summary>
+    /// <summary>Creates a surface.</summary>
     /// <param name="knotsU">Degree and knots along u.</param>
     /// <param name="knotsV">Degree and knots along v.</param>
-    /// <param name="poles">As many finite points as the knots need, v running faster.</param>
-    /// <param name="weights">One positive number a pole; empty for a surface that is not rational.</param>
-    /// <exception cref="GeometryException">The counts do not fit, or a number is not finite or a weight not positive.</exception>
+    /// <param name="poles">Finite points, in the number that the knots require, v varying fastest.</param>
+    /// <param name="weights">One positive number per pole; empty for a nonrational surface.</param>
+    /// <exception cref="GeometryException">The counts do not match, a number is not finite, or a weight is not positive.</exception>
     public SplineSurface(KnotVector knotsU, KnotVector knotsV, ReadOnlySpan<Point3> poles, ReadOnlySpan<double> weights = default)
     {
         ArgumentNullException.ThrowIfNull(knotsU);
@@ -46,13 +46,13 @@ public sealed partial class SplineSurface
     /// <summary>Number of poles along v.</summary>
     public int CountV => KnotsV.PoleCount;
 
-    /// <summary>The poles, v running faster.</summary>
+    /// <summary>The poles, v varying fastest.</summary>
     public ReadOnlySpan<Point3> Poles => _poles;
 
-    /// <summary>One weight a pole, v running faster; empty if the surface is not rational.</summary>
+    /// <summary>One weight per pole, v varying fastest; empty if the surface is not rational.</summary>
     public ReadOnlySpan<double> Weights => _weights;
 
-    /// <summary>True if the poles have weights that differ.</summary>
+    /// <summary>True if the poles have different weights.</summary>
     public bool IsRational => _weights is not null;
 
     /// <summary>The point at a pair of parameters.</summary>
@@ -80,7 +80,7 @@ public sealed partial class SplineSurface
         return _weights is null ? new(sum[0], sum[1], sum[2]) : new(sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]);
     }
 
-    /// <summary>The place at a pair of parameters, with first and second derivatives.</summary>
+    /// <summary>The point at a pair of parameters, with first and second derivatives.</summary>
     public SurfacePoint At(double u, double v)
     {
         var (p, q) = (KnotsU.Degree, KnotsV.Degree);
@@ -113,7 +113,7 @@ public sealed partial class SplineSurface
 
         if (_weights is not null)
         {
-            // From the weighted surface to the surface (The NURBS Book, equation 4.20).
+            // Converts the weighted surface to the surface (The NURBS Book, equation 4.20).
             var (w, wu, wv, wuu, wuv, wvv) = (1 / s[3], su[3], sv[3], suu[3], suv[3], svv[3]);
             s *= w;
             su = (su - (s * wu)) * w;
@@ -129,8 +129,9 @@ public sealed partial class SplineSurface
     /// <summary>Position and derivatives at a pair of parameters.</summary>
     /// <param name="u">First parameter.</param>
     /// <param name="v">Second parameter.</param>
-    /// <param name="order">Highest order wanted in each direction.</param>
-    /// <param name="result">(order + 1)^2 vectors; number a * (order + 1) + b receives the derivative of order a by u and b by v if a + b does not exceed the order. Number 0 is the position as a vector from the origin.</param>
+    /// <param name="order">Highest order in each direction.</param>
+    /// <param name="result">(order + 1)^2 vectors. Index a * (order + 1) + b receives the derivative of order a in u and b in v if a + b
+    /// does not exceed the order. Index 0 is the position as a vector from the origin.</param>
     public void Derivatives(double u, double v, int order, Span<Vector3> result)
     {
         var (p, q) = (KnotsU.Degree, KnotsV.Degree);
@@ -173,7 +174,7 @@ public sealed partial class SplineSurface
         }
     }
 
-    /// <summary>From the derivatives of the weighted surface to those of the surface (The NURBS Book, equation 4.20).</summary>
+    /// <summary>Converts derivatives of the weighted surface to those of the surface (The NURBS Book, equation 4.20).</summary>
     private static void Project(ReadOnlySpan<double> w, int order, Span<Vector3> result)
     {
         var rows = order + 1;

@@ -2,13 +2,12 @@ using System.Runtime.CompilerServices;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// A part of a surface with bounds that hold for all of it: a node of the tree in which closest points and hits are searched. Parts with inner breaks have a box only; polynomial (or rational) pieces have derivatives at their
-/// center and bounds of the higher ones. Derivatives are by s and t, which run from -1 to 1 over the cell.
-/// </summary>
+/// <summary>A part of a surface with bounds: a node of the tree for searching closest points and hits. Parts with inner breaks have only a
+/// box. Polynomial (or rational) pieces have derivatives at their center and bounds of higher ones. Derivatives are with respect to s and
+/// t from -1 to 1 over the cell.</summary>
 internal sealed class SurfaceCell
 {
-    // Pieces and their parts are kept once made, up to so many in a tree; beyond, they are made anew for each search.
+    // Maximum number of pieces and their parts cached in a tree. Beyond it, they are recreated for each search.
     private const int Kept = 30_000;
 
     private readonly int[] _spansU;
@@ -43,49 +42,47 @@ internal sealed class SurfaceCell
         OffPlane = (0.5 * Bounds[2, 0]) + Bounds[1, 1] + (0.5 * Bounds[0, 2]);
     }
 
-    /// <summary>A piece over its own parameters; of a part with inner breaks, the whole surface.</summary>
+    /// <summary>A piece over its own parameters; the whole surface for a part with inner breaks.</summary>
     public SplineSurface Surface { get; }
 
-    /// <summary>A box that holds the part.</summary>
     public Box3 Box { get; }
 
-    /// <summary>Its lowest parameters.</summary>
     public Point2 From { get; }
 
-    /// <summary>Its highest parameters.</summary>
     public Point2 To { get; }
 
-    /// <summary>True if the part has no inner breaks, and so has all that follows.</summary>
+    /// <summary>True if the part has no inner breaks, so that the following properties are valid.</summary>
     public bool IsPiece { get; }
 
-    /// <summary>The place in the middle of the parameters.</summary>
+    /// <summary>The point at the middle of the parameters.</summary>
     public SurfacePoint Center { get; }
 
-    /// <summary>First derivative by s at the center.</summary>
+    /// <summary>First derivative with respect to s at the center.</summary>
     public Vector3 Ds { get; }
 
-    /// <summary>First derivative by t at the center.</summary>
+    /// <summary>First derivative with respect to t at the center.</summary>
     public Vector3 Dt { get; }
 
-    /// <summary>Second derivative by s at the center.</summary>
+    /// <summary>Second derivative with respect to s at the center.</summary>
     public Vector3 Dss { get; }
 
     /// <summary>Mixed second derivative at the center.</summary>
     public Vector3 Dst { get; }
 
-    /// <summary>Second derivative by t at the center.</summary>
+    /// <summary>Second derivative with respect to t at the center.</summary>
     public Vector3 Dtt { get; }
 
-    /// <summary>Bounds of the derivatives up to the third in the whole cell.</summary>
+    /// <summary>Bounds of the derivatives up to the third order in the whole cell.</summary>
     public DerivativeBounds Bounds { get; } = DerivativeBounds.None;
 
-    /// <summary>No place of the cell is farther than this from Center + s Ds + t Dt at its own s and t (Taylor's theorem).</summary>
+    /// <summary>Largest distance of the cell's points from Center + s Ds + t Dt at the same s and t (Taylor's theorem).</summary>
     public double OffPlane { get; }
 
-    /// <summary>By how much first derivatives change within the cell at most, as a part of those at its center.</summary>
+    /// <summary>Bound of the change of first derivatives within the cell, as a share of those at its center.</summary>
     public double Unsteadiness => Math.Max((Bounds[2, 0] + Bounds[1, 1]) / Ds.Length, (Bounds[1, 1] + Bounds[0, 2]) / Dt.Length);
 
-    /// <summary>The two halves, cut at the break in the middle of the direction that has more of them, or where there is none in the middle of the direction that bends more; null where halves can no longer be told apart.</summary>
+    /// <summary>The two halves, cut at the middle break of the direction with more breaks, or without breaks, at the middle of the
+    /// direction that bends more; null if halves can no longer be distinguished.</summary>
     public SurfaceCell[]? Children()
     {
         if (_children is not null)
@@ -96,24 +93,23 @@ internal sealed class SurfaceCell
         var halves = Split();
         if (halves is not null && (!(halves[0].IsPiece || halves[1].IsPiece) || Interlocked.Add(ref _count.Value, 2) <= Kept))
         {
-            // Two threads may both make them; they make the same.
+            // Two threads may both create them, with identical results.
             _children = halves;
         }
 
         return halves;
     }
 
-    /// <summary>A distance that no place of the cell is nearer to a point.</summary>
+    /// <summary>A lower bound of the distance of the cell from a point.</summary>
     public double DistanceBound(Point3 p)
     {
         var box = Box.DistanceTo(p);
         return IsPiece ? Math.Max(box, DistanceToParallelogram(p - Center.Position, Ds, Dt) - OffPlane) : box;
     }
 
-    /// <summary>
-    /// True if the squared distance from a point is proven to be a convex function of s and t in the cell, so that it has a single minimum there, which descent finds:
-    /// its second derivatives S_i . S_j + (S - p) . S_ij, with everything replaced by its bound, are a positive definite matrix.
-    /// </summary>
+    /// <summary>True if the squared distance from a point is provably a convex function of s and t in the cell, so that it has a single
+    /// minimum, which descent finds. The test replaces all terms of the second derivatives S_i . S_j + (S - p) . S_ij by their bounds;
+    /// they must form a positive definite matrix.</summary>
     public bool IsConvexFrom(Point3 p)
     {
         var d = Center.Position - p;
@@ -127,7 +123,7 @@ internal sealed class SurfaceCell
             + d.Dot(Dtt) - Abs(Ds, Dtt) - Abs(Dt, Dtt) - (OffPlane * Dtt.Length) - (far * (b[0, 3] + b[1, 2]));
         if (b[0, 1] == 0)
         {
-            // Nothing changes along t: a curve.
+            // A curve: constant along t.
             return ss > 0;
         }
 
@@ -143,7 +139,8 @@ internal sealed class SurfaceCell
         return ss * tt > st * st;
     }
 
-    /// <summary>A distance that no place of the parallelogram s a + t b with s and t from -1 to 1 is nearer to a point, which is seen from its center.</summary>
+    /// <summary>A lower bound of the distance between a point, relative to the center, and the parallelogram s a + t b with s and t from
+    /// -1 to 1.</summary>
     public static double DistanceToParallelogram(Vector3 p, Vector3 a, Vector3 b)
     {
         var (e, f, g) = (a.Dot(a), a.Dot(b), b.Dot(b));
@@ -159,7 +156,7 @@ internal sealed class SurfaceCell
             }
         }
 
-        // The closest place is on the rim: two sides at s = 1 and -1, two at t = 1 and -1.
+        // The closest point is on the rim: two sides at s = 1 and -1, two at t = 1 and -1.
         var best = double.PositiveInfinity;
         for (var side = -1; side <= 1; side += 2)
         {
@@ -168,7 +165,7 @@ internal sealed class SurfaceCell
             best = Math.Min(best, Math.Min((p - (a * side) - (b * t)).Length, (p - (a * s) - (b * side)).Length));
         }
 
-        // A sliver has no digits for its inside, which is no farther from the rim than half its width.
+        // The inside of a sliver has no significant digits. It is within half the sliver's width of the rim.
         return flat && area > 0 ? best - Math.Sqrt(area / Math.Max(e, g)) : best;
     }
 
@@ -196,7 +193,7 @@ internal sealed class SurfaceCell
         return [new(before, before.KnotsU.Spans(), before.KnotsV.Spans(), _count), new(after, after.KnotsU.Spans(), after.KnotsV.Spans(), _count)];
     }
 
-    /// <summary>True if the piece bends more along u, or is longer there where it hardly bends.</summary>
+    /// <summary>True if the piece bends more along u, or is longer along u and hardly bends.</summary>
     private bool BendsAlongU()
     {
         var (bendU, bendV) = (Bounds[2, 0], Bounds[0, 2]);

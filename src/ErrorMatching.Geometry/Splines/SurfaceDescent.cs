@@ -1,12 +1,12 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>Newton's method for the closest place of a surface, held to the surface's range of parameters.</summary>
+/// <summary>Newton's method for the closest point of a surface, limited to the surface's parameter range.</summary>
 internal static class SurfaceDescent
 {
     private const int MaxSteps = 40;
     private const int MaxHalvings = 40;
 
-    /// <summary>The place at which descent of the distance from a pair of parameters ends: a local minimum to the last digits, wherever the surface is smooth.</summary>
+    /// <summary>Descends from a pair of parameters to a minimum of the distance, to the last digits where the surface is smooth.</summary>
     public static SurfacePoint From(SplineSurface surface, Point3 p, double u, double v)
     {
         var (knotsU, knotsV) = (surface.KnotsU, surface.KnotsV);
@@ -23,7 +23,7 @@ internal static class SurfaceDescent
                 break;
             }
 
-            // The distance is too flat at its minimum to judge so short a step; Newton's step is better than it.
+            // The distance is too flat at its minimum to judge so short a step, and Newton's step is more accurate.
             if (length < 1e-8 * size)
             {
                 at = surface.At(Math.Clamp(at.U + du, u0, u1), Math.Clamp(at.V + dv, v0, v1));
@@ -35,7 +35,7 @@ internal static class SurfaceDescent
                 continue;
             }
 
-            // Cut off at the limit of one parameter, Newton's step may lead up along the other; a step against each slope for itself never does.
+            // If Newton's step is cut off at the limit of one parameter, it may lead up along the other. Steps against each slope never do.
             var lower = Lower(surface, p, at, du, dv) ?? (IsCutOff(at.U + du, u0, u1) || IsCutOff(at.V + dv, v0, v1) ? Lower(surface, p, at, Against(d, at.Du), Against(d, at.Dv)) : null);
             if (lower is null)
             {
@@ -71,7 +71,8 @@ internal static class SurfaceDescent
         return null;
     }
 
-    /// <summary>Newton's step where the distance is convex, that of Gauss and Newton elsewhere; a parameter at its limit stays if descent leads beyond.</summary>
+    /// <summary>A Newton step where the distance is convex, otherwise a Gauss-Newton step. A parameter at its limit is fixed if descent
+    /// leads beyond.</summary>
     private static (double U, double V) Step(in SurfacePoint at, Vector3 d, double u0, double u1, double v0, double v1)
     {
         var (gu, gv) = (d.Dot(at.Du), d.Dot(at.Dv));
@@ -87,7 +88,7 @@ internal static class SurfaceDescent
             {
                 var (du, dv) = (((uv * gv) - (vv * gu)) / det, ((uv * gu) - (uu * gv)) / det);
 
-                // A step that both parameters share must not lose one of them at a limit.
+                // If a limit blocks one parameter of a common step, calculate the step again for the other.
                 var (outU, outV) = (at.U <= u0 && du < 0 || at.U >= u1 && du > 0, at.V <= v0 && dv < 0 || at.V >= v1 && dv > 0);
                 if (!outU && !outV)
                 {

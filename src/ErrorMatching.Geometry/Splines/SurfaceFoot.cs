@@ -1,17 +1,18 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>The place of a surface that is closest to a point. Lengths in millimetres.</summary>
-/// <param name="At">The place, with derivatives.</param>
-/// <param name="Offset">The displacement that leads from the place to the point.</param>
-/// <param name="Accuracy">Proven: no place of the surface is closer to the point by more than this.</param>
+/// <summary>The point of a surface closest to a given point. Lengths in millimeters.</summary>
+/// <param name="At">The point, with derivatives.</param>
+/// <param name="Offset">The displacement from it to the given point.</param>
+/// <param name="Accuracy">Proven bound: no point of the surface is closer by more than this.</param>
 public readonly record struct SurfaceFoot(SurfacePoint At, Vector3 Offset, double Accuracy)
 {
-    /// <summary>Distance of the point from the surface.</summary>
+    /// <summary>Distance of the given point from the surface.</summary>
     public double Distance => Offset.Length;
 
-    /// <summary>Height of the point over the surface along its unit normal, negative on the other side.</summary>
+    /// <summary>Height of the given point above the surface along its unit normal, negative on the other side.</summary>
     public double Height => Offset.Dot(At.Normal);
 
-    /// <summary>Distance of the point from the line through the place along the normal: 0 where the point stands upright on the surface, not 0 where the foot is on an edge because the upright one would be beyond it.</summary>
+    /// <summary>Distance of the given point from the normal line at the foot: 0 if it is perpendicularly above the surface, otherwise the
+    /// foot is on an edge.</summary>
     public double OffNormal => (Offset - (At.Normal * Height)).Length;
 }

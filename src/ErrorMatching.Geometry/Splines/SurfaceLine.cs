@@ -3,14 +3,14 @@ using System.Runtime.Intrinsics;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>Evaluates a surface at place after place along lines of constant v, several times as fast as one by one, and four at once faster still.</summary>
-/// <remarks>
-/// Over one span of u, a line is a polynomial whose coefficients about the middle of the span are kept until v changes (the basis functions as polynomials: The NURBS Book, section 6.6); then a place costs two Horner schemes.
-/// The result is that of <see cref="SplineSurface.At"/> but for rounding. It keeps what it evaluated last, so that each thread needs its own.
-/// </remarks>
+/// <summary>Evaluates a surface at successive places on lines of constant v, several times as fast as separately, and faster still four at
+/// a time.</summary>
+/// <remarks>Over one span of u, a line is a polynomial. Its coefficients about the middle of the span are cached until v changes (the basis
+/// functions as polynomials: The NURBS Book, section 6.6), so that a place costs two Horner schemes. The result equals that of
+/// <see cref="SplineSurface.At"/> except for rounding. Because of the cache, each thread needs its own instance.</remarks>
 public sealed class SurfaceLine
 {
-    // Beyond this degree polynomials about a middle lose digits.
+    // At higher degrees, polynomials about a middle lose digits.
     private const int HighestDegree = 9;
 
     private readonly SplineSurface _surface;
@@ -18,7 +18,7 @@ public sealed class SurfaceLine
     private readonly Piece?[] _pieces;
     private Piece? _last;
 
-    /// <summary>Lines of a surface.</summary>
+    /// <summary>Prepares lines of a surface.</summary>
     /// <param name="surface">The surface.</param>
     public SurfaceLine(SplineSurface surface)
     {
@@ -27,12 +27,12 @@ public sealed class SurfaceLine
         _pieces = new Piece?[surface.KnotsU.Values.Length];
     }
 
-    /// <summary>Position and first derivatives at a pair of parameters. Lengths in millimetres.</summary>
+    /// <summary>Position and first derivatives at a pair of parameters. Lengths in millimeters.</summary>
     /// <param name="u">First parameter.</param>
     /// <param name="v">Second parameter.</param>
     /// <param name="position">The point as a vector from the origin.</param>
-    /// <param name="du">First derivative by u.</param>
-    /// <param name="dv">First derivative by v.</param>
+    /// <param name="du">First derivative with respect to u.</param>
+    /// <param name="dv">First derivative with respect to v.</param>
     public void At(double u, double v, out Vector3 position, out Vector3 du, out Vector3 dv)
     {
         if (_degree > HighestDegree)
@@ -56,7 +56,7 @@ public sealed class SurfaceLine
         su *= span.PerUnit;
         if (_surface.IsRational)
         {
-            // From the weighted surface to the surface (The NURBS Book, equation 4.20).
+            // Converts the weighted surface to the surface (The NURBS Book, equation 4.20).
             var w = 1 / s[3];
             s *= w;
             su = (su - (s * su[3])) * w;
@@ -66,12 +66,12 @@ public sealed class SurfaceLine
         (position, du, dv) = (Space(s), Space(su), Space(sv));
     }
 
-    /// <summary>The same at four first parameters; each comes out as if it were asked for alone, to the last bit.</summary>
-    /// <param name="u">Four first parameters; fastest if all lie between the same two knots.</param>
+    /// <summary>The same at four first parameters. Each result is identical to a single evaluation, to the last bit.</summary>
+    /// <param name="u">Four first parameters; fastest if all are between the same two knots.</param>
     /// <param name="v">Second parameter.</param>
     /// <param name="position">The points as vectors from the origin.</param>
-    /// <param name="du">First derivatives by u.</param>
-    /// <param name="dv">First derivatives by v.</param>
+    /// <param name="du">First derivatives with respect to u.</param>
+    /// <param name="dv">First derivatives with respect to v.</param>
     public void At(Vector256<double> u, double v, out FourVectors position, out FourVectors du, out FourVectors dv)
     {
         if (_degree > HighestDegree || !Follow(u[0], v).Holds(u))
@@ -118,14 +118,15 @@ public sealed class SurfaceLine
         }
     }
 
-    /// <summary>Position and those derivatives that say how it, its tangents and its normal change along the line. Lengths in millimetres.</summary>
+    /// <summary>Position and the derivatives that determine how it, its tangents and its normal change along the line. Lengths in
+    /// millimeters.</summary>
     /// <param name="u">First parameter.</param>
     /// <param name="v">Second parameter.</param>
     /// <param name="position">The point as a vector from the origin.</param>
-    /// <param name="du">First derivative by u.</param>
-    /// <param name="dv">First derivative by v.</param>
-    /// <param name="duu">Second derivative by u.</param>
-    /// <param name="duv">Derivative by u and v.</param>
+    /// <param name="du">First derivative with respect to u.</param>
+    /// <param name="dv">First derivative with respect to v.</param>
+    /// <param name="duu">Second derivative with respect to u.</param>
+    /// <param name="duv">Mixed second derivative.</param>
     public void At(double u, double v, out Vector3 position, out Vector3 du, out Vector3 dv, out Vector3 duu, out Vector3 duv)
     {
         if (_degree > HighestDegree)
@@ -165,7 +166,7 @@ public sealed class SurfaceLine
         (position, du, dv, duu, duv) = (Space(s), Space(su), Space(sv), Space(suu), Space(suv));
     }
 
-    // The line at v over the span that holds u.
+    // The line at v over the span that contains u.
     private Piece Follow(double u, double v)
     {
         var span = _last is { } last && u >= last.From && u < last.To ? last : PieceAt(u);
@@ -186,7 +187,7 @@ public sealed class SurfaceLine
 
     private static Vector3 Space(Vector256<double> v) => new(v[0], v[1], v[2]);
 
-    /// <summary>One polynomial piece along u, and the line over it that was asked for last.</summary>
+    /// <summary>One polynomial piece along u, and the last line over it.</summary>
     private sealed class Piece
     {
         public Piece(KnotVector knots, int number)
@@ -213,26 +214,25 @@ public sealed class SurfaceLine
 
         public int Number { get; }
 
-        /// <summary>The first parameter that belongs to the piece; what is before the surface belongs to the first.</summary>
+        /// <summary>The first parameter of the piece; minus infinity for the first piece.</summary>
         public double From { get; }
 
-        /// <summary>The first that does not.</summary>
+        /// <summary>The first parameter after the piece; plus infinity for the last piece.</summary>
         public double To { get; }
 
         public double Middle { get; }
 
         public double PerUnit { get; }
 
-        /// <summary>The coefficients of the basis functions: power by power, u less the middle, in half spans.</summary>
+        /// <summary>The coefficients of the basis functions, power by power, in (u - middle) / half span.</summary>
         public double[] Powers { get; }
 
-        /// <summary>Where the line lies.</summary>
         public double V { get; set; } = double.NaN;
 
         /// <summary>The coefficients of the line.</summary>
         public Vector256<double>[] Place { get; }
 
-        /// <summary>Those of its derivative by v.</summary>
+        /// <summary>The coefficients of its derivative with respect to v.</summary>
         public Vector256<double>[] Slope { get; }
 
         public bool Holds(Vector256<double> u) => Vector256.GreaterThanOrEqualAll(u, Vector256.Create(From)) && Vector256.LessThanAll(u, Vector256.Create(To));

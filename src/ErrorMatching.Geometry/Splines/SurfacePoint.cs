@@ -1,17 +1,17 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>A place on a surface with the derivatives there: all that normals and curvatures are made of. Lengths in millimetres.</summary>
+/// <summary>A point on a surface with its derivatives, from which normals and curvatures follow. Lengths in millimeters.</summary>
 /// <param name="U">First parameter.</param>
 /// <param name="V">Second parameter.</param>
 /// <param name="Position">The point.</param>
-/// <param name="Du">First derivative by u.</param>
-/// <param name="Dv">First derivative by v.</param>
-/// <param name="Duu">Second derivative by u.</param>
+/// <param name="Du">First derivative with respect to u.</param>
+/// <param name="Dv">First derivative with respect to v.</param>
+/// <param name="Duu">Second derivative with respect to u.</param>
 /// <param name="Duv">Mixed second derivative.</param>
-/// <param name="Dvv">Second derivative by v.</param>
+/// <param name="Dvv">Second derivative with respect to v.</param>
 public readonly record struct SurfacePoint(double U, double V, Point3 Position, Vector3 Du, Vector3 Dv, Vector3 Duu, Vector3 Duv, Vector3 Dvv)
 {
-    /// <summary>Unit normal Du x Dv; zero where the surface has none (a pole, a fold).</summary>
+    /// <summary>Unit normal Du x Dv; zero if the surface has none (a pole, a fold).</summary>
     public Vector3 Normal
     {
         get
@@ -22,13 +22,14 @@ public readonly record struct SurfacePoint(double U, double V, Point3 Position, 
         }
     }
 
-    /// <summary>Mean of the two principal curvatures in 1/mm, positive where the surface bends towards its normal (do Carmo, Differential Geometry of Curves and Surfaces, section 3.3).</summary>
+    /// <summary>Mean of the two principal curvatures in 1/mm, positive if the surface bends towards its normal (do Carmo, Differential
+    /// Geometry of Curves and Surfaces, section 3.3).</summary>
     public double MeanCurvature => Curvatures().Mean;
 
     /// <summary>Product of the two principal curvatures in 1/mm^2.</summary>
     public double GaussianCurvature => Curvatures().Gaussian;
 
-    /// <summary>The two principal curvatures in 1/mm, the larger one first, positive where the surface bends towards its normal.</summary>
+    /// <summary>The two principal curvatures in 1/mm, the larger one first, positive if the surface bends towards its normal.</summary>
     public (double Largest, double Smallest) PrincipalCurvatures
     {
         get
@@ -39,7 +40,7 @@ public readonly record struct SurfacePoint(double U, double V, Point3 Position, 
         }
     }
 
-    /// <summary>Curvature of the normal section in the direction a Du + b Dv, in 1/mm, positive where it bends towards the normal.</summary>
+    /// <summary>Curvature of the normal section in the direction a Du + b Dv, in 1/mm, positive if it bends towards the normal.</summary>
     public double NormalCurvature(double a, double b)
     {
         var normal = Normal;

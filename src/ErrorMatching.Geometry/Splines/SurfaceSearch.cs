@@ -1,23 +1,22 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// One search for the closest place of a surface: branch and bound over a tree of cells. A cell is left aside when its bound says that nothing in it is closer by more than the tolerance; it is finished when the squared
-/// distance is proven convex in it, by descent to its only minimum; else it is cut in two.
-/// </summary>
+/// <summary>Searches the closest point of a surface by branch and bound over a tree of cells. A cell is skipped if its bound proves that
+/// nothing in it is closer by more than the tolerance. If the squared distance is provably convex in it, descent finds the only minimum;
+/// otherwise it is halved.</summary>
 internal struct SurfaceSearch(Point3 point, double tolerance)
 {
-    // Only where very many places are equally close (a point in the center of a sphere) are there so many cells: then the accuracy says what was reached.
+    // So many cells occur only if very many places are equally close (a point at the center of a sphere). The accuracy states the result.
     private const int MaxCells = 5_000;
 
     private double _distance = double.PositiveInfinity;
     private SurfacePoint _at;
 
-    // True if descent ended at the place; one from the middle of a cell may be good enough for the tolerance, yet it is no foot.
+    // True if descent ended at the place. The center of a cell may be within the tolerance, but it is not a foot.
     private bool _settled;
     private double _bound = double.PositiveInfinity;
     private int _cells;
 
-    /// <summary>The closest place, beginning at a pair of parameters.</summary>
+    /// <summary>Finds the closest point, optionally starting at a pair of parameters.</summary>
     public static SurfaceFoot Run(SplineSurface surface, SurfaceCell root, Point3 point, double tolerance, (double U, double V)? hint)
     {
         var search = new SurfaceSearch(point, tolerance);
@@ -36,7 +35,7 @@ internal struct SurfaceSearch(Point3 point, double tolerance)
         return new(search._at, offset, Math.Max(0, offset.Length - search._bound));
     }
 
-    /// <summary>Looks at cells in the order of their bounds until none can hold anything closer.</summary>
+    /// <summary>Examines cells in the order of their bounds until none can contain a closer point.</summary>
     private void Visit(SurfaceCell root)
     {
         var open = new PriorityQueue<SurfaceCell, double>(32);
@@ -79,7 +78,8 @@ internal struct SurfaceSearch(Point3 point, double tolerance)
         }
     }
 
-    /// <summary>Descends in a cell in which the squared distance is convex, and bounds it from below by its tangent plane where descent ended.</summary>
+    /// <summary>Descends in a cell in which the squared distance is convex, and returns a lower bound from the tangent plane at the end of
+    /// the descent.</summary>
     private double Finish(SurfaceCell cell)
     {
         var surface = cell.Surface;

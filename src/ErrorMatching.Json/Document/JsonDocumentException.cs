@@ -1,10 +1,10 @@
 namespace ErrorMatching.Json;
 
-/// <summary>A JSON document that cannot be used, with everything that is wrong in it.</summary>
+/// <summary>An unusable JSON document, with all its problems.</summary>
 public sealed class JsonDocumentException : Exception
 {
-    /// <summary>An error with its problems.</summary>
-    /// <param name="file">Name of the file, as the caller knows it.</param>
+    /// <summary>Creates an exception with its problems.</summary>
+    /// <param name="file">The file name, as given by the caller.</param>
     /// <param name="problems">At least one problem, in the order of the document.</param>
     public JsonDocumentException(string file, IReadOnlyList<JsonProblem> problems)
         : base(string.Join('\n', (problems ?? throw new ArgumentNullException(nameof(problems))).Select(p => $"{file}:{p}")))
@@ -12,9 +12,9 @@ public sealed class JsonDocumentException : Exception
         (File, Problems) = (file, problems);
     }
 
-    /// <summary>Name of the file, as the caller knows it.</summary>
+    /// <summary>The file name, as given by the caller.</summary>
     public string File { get; }
 
-    /// <summary>Everything that is wrong, in the order of the document.</summary>
+    /// <summary>All problems, in the order of the document.</summary>
     public IReadOnlyList<JsonProblem> Problems { get; }
 }

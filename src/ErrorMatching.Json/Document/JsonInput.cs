@@ -3,36 +3,33 @@ using System.Text.Json;
 
 namespace ErrorMatching.Json;
 
-/// <summary>
-/// Reads JSON that people write: UTF-8 with or without a byte order mark, <c>//</c> and <c>/* */</c> comments and trailing commas allowed,
-/// a key twice in one object refused, since nobody can tell which of the two was meant.
-/// </summary>
+/// <summary>Reads handwritten JSON: UTF-8 with or without a byte order mark, with <c>//</c> and <c>/* */</c> comments and trailing commas.
+/// Duplicate keys in an object are refused, because it is unclear which one is intended.</summary>
 public static class JsonInput
 {
-    /// <summary>The bytes of a file, for <see cref="Read"/>; of a file that is too large, just enough for it to say so.</summary>
+    /// <summary>Loads the bytes of a file for <see cref="Read"/>; of an oversized file, just enough for it to report the size.</summary>
     /// <param name="path">The file.</param>
-    /// <param name="limits">How large it may be; <see cref="JsonLimits.Default"/> if null.</param>
+    /// <param name="limits">The size limits; <see cref="JsonLimits.Default"/> if null.</param>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file must not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
     public static byte[] Load(string path, JsonLimits? limits = null)
     {
         using var stream = File.OpenRead(path);
 
-        // One byte more than allowed is enough to know.
+        // One byte more than allowed is enough to detect an oversized file.
         var most = (limits ?? JsonLimits.Default).MaxBytes;
         var bytes = new byte[(stream.CanSeek ? Math.Min(stream.Length, most) : most) + 1];
         return bytes[..stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false)];
     }
 
-    /// <summary>The document in some bytes.</summary>
+    /// <summary>Parses a document.</summary>
     /// <param name="bytes">UTF-8 text.</param>
     /// <param name="file">Name for messages.</param>
-    /// <param name="limits">How large it may be; <see cref="JsonLimits.Default"/> if null.</param>
-    /// <exception cref="JsonDocumentException">
-    /// The bytes are too many (<c>too-big</c>), empty (<c>empty-document</c>), not UTF-8 (<c>not-utf8</c>), not JSON (<c>not-json</c>),
-    /// nested too deeply (<c>too-deep</c>), hold too many values (<c>too-many-values</c>), a number beyond the range of a double
-    /// (<c>number-out-of-range</c>) or a key twice (<c>duplicate-key</c>). After 100 problems, <c>too-many-problems</c> is the last.
-    /// </exception>
+    /// <param name="limits">The size limits; <see cref="JsonLimits.Default"/> if null.</param>
+    /// <exception cref="JsonDocumentException">The document is too large
+    /// (<c>too-big</c>), empty (<c>empty-document</c>), not UTF-8 (<c>not-utf8</c>), not JSON (<c>not-json</c>), nested too deeply
+    /// (<c>too-deep</c>), has too many values (<c>too-many-values</c>), a number beyond the range of a double (<c>number-out-of-range</c>),
+    /// or a duplicate key (<c>duplicate-key</c>). After 100 problems, <c>too-many-problems</c> is the last.</exception>
     public static JsonItem Read(ReadOnlySpan<byte> bytes, string file, JsonLimits? limits = null)
     {
         limits ??= JsonLimits.Default;
@@ -62,7 +59,7 @@ public static class JsonInput
 
             root = tree.ReadValue(ref reader, bytes, null, null, 0, limits.MaxDepth);
 
-            // The reader itself refuses anything behind the value.
+            // The reader itself refuses anything after the value.
             reader.Read();
         }
         catch (JsonException e)
@@ -79,7 +76,7 @@ public static class JsonInput
     private static JsonDocumentException Refuse(string file, string code, JsonPlace place, string found, string expected) =>
         new(file, [new(code, "$", place, found, expected, $"found {found}; expected {expected}")]);
 
-    /// <summary>The reader's sentence without its own counting of lines, which begins at 0.</summary>
+    /// <summary>The reader's sentence without its own line numbers, which start at 0.</summary>
     private static string SyntaxSentence(JsonException e)
     {
         var end = e.Message.IndexOf(" LineNumber:", StringComparison.Ordinal);

@@ -4,9 +4,7 @@ using System.Text.Json;
 
 namespace ErrorMatching.Json;
 
-/// <summary>
-/// One value of a JSON document that knows where it stands: its path from the root, its line and its column.
-/// </summary>
+/// <summary>A value of a JSON document with its location: its path from the root, its line and its column.</summary>
 /// <remarks>Immutable once read. Members keep the order of the document.</remarks>
 public sealed class JsonItem
 {
@@ -19,38 +17,38 @@ public sealed class JsonItem
         (Kind, Place, _parent, _name, _index) = (kind, place, parent, name, index);
     }
 
-    /// <summary>What it is.</summary>
     public JsonItemKind Kind { get; }
 
-    /// <summary>Where it begins.</summary>
+    /// <summary>Where the value starts.</summary>
     public JsonPlace Place { get; }
 
-    /// <summary>The bytes of the document that it takes up, from its first to its last character.</summary>
+    /// <summary>The byte range of the value in the document.</summary>
     public Range Bytes { get; internal set; }
 
-    /// <summary>The characters of a text, or the spelling of a number; empty for everything else.</summary>
+    /// <summary>The characters of a text, or the spelling of a number; otherwise empty.</summary>
     public string Text { get; internal set; } = "";
 
-    /// <summary>The value of a number, always finite; zero for everything else.</summary>
+    /// <summary>The value of a number, always finite; otherwise zero.</summary>
     public double Number { get; internal init; }
 
-    /// <summary>The value of a boolean; false for everything else.</summary>
+    /// <summary>The value of a Boolean; otherwise false.</summary>
     public bool Flag { get; internal init; }
 
-    /// <summary>The items of a list; empty for everything else.</summary>
+    /// <summary>The items of a list; otherwise empty.</summary>
     public IReadOnlyList<JsonItem> Items { get; internal set; } = [];
 
-    /// <summary>The members of an object in the document's order; empty for everything else.</summary>
+    /// <summary>The members of an object in the document's order; otherwise empty.</summary>
     public IReadOnlyList<JsonMember> Members { get; internal set; } = [];
 
-    /// <summary>The path from the root: <c>$.features[1].toleranceMm</c>; a key that is not a plain word stands in quotes: <c>$['odd key']</c>.</summary>
+    /// <summary>The path from the root: <c>$.features[1].toleranceMm</c>. A key that is not a plain word is quoted: <c>$['odd
+    /// key']</c>.</summary>
     public string Path => _parent is null ? "$" : _name is null ? string.Create(CultureInfo.InvariantCulture, $"{_parent.Path}[{_index}]") : PathOf(_name, _parent);
 
-    /// <summary>The value of a member that must be there.</summary>
-    /// <exception cref="KeyNotFoundException">There is no such member. A schema that requires it makes this impossible.</exception>
+    /// <summary>The value of a required member.</summary>
+    /// <exception cref="KeyNotFoundException">The member is missing. A schema that requires it makes this impossible.</exception>
     public JsonItem this[string name] => Find(name) ?? throw new KeyNotFoundException($"{Path} has no key \"{name}\".");
 
-    /// <summary>The value of a member, or null if there is none.</summary>
+    /// <summary>The value of a member; null if it is missing.</summary>
     public JsonItem? Find(string name)
     {
         foreach (var member in Members)
@@ -64,7 +62,7 @@ public sealed class JsonItem
         return null;
     }
 
-    /// <summary>The path that a member of this object has, whether it is there or not.</summary>
+    /// <summary>The path of a member of this object, whether it exists or not.</summary>
     public string PathOf(string name) => PathOf(name, this);
 
     /// <summary>The value as strict JSON on one line, without the document's comments and trailing commas.</summary>

@@ -1,12 +1,12 @@
 namespace ErrorMatching.Json;
 
-/// <summary>What a place of a JSON document holds.</summary>
+/// <summary>The kind of a JSON value.</summary>
 public enum JsonItemKind
 {
     /// <summary>The word null.</summary>
     Null,
 
-    /// <summary>true or false.</summary>
+    /// <summary>True or false.</summary>
     Boolean,
 
     /// <summary>A number.</summary>

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Json;
 
-/// <summary>A key of an object with its value.</summary>
+/// <summary>A key of an object and its value.</summary>
 /// <param name="Name">The key.</param>
-/// <param name="Place">Where the key stands.</param>
-/// <param name="Value">What it holds.</param>
+/// <param name="Place">The location of the key.</param>
+/// <param name="Value">The value.</param>
 public sealed record JsonMember(string Name, JsonPlace Place, JsonItem Value);

@@ -2,13 +2,13 @@ using System.Globalization;
 
 namespace ErrorMatching.Json;
 
-/// <summary>One thing that is wrong in a JSON document.</summary>
-/// <param name="Code">A stable word for scripts, such as <c>unknown-key</c>.</param>
+/// <summary>A problem in a JSON document.</summary>
+/// <param name="Code">A stable identifier for scripts, such as <c>unknown-key</c>.</param>
 /// <param name="Path">The JSON path of the value, <c>$</c> for the whole document.</param>
-/// <param name="Place">Where it stands in the text.</param>
+/// <param name="Place">The location of the value.</param>
 /// <param name="Found">What was found.</param>
 /// <param name="Expected">What is expected instead.</param>
-/// <param name="Message">Both in one sentence for a person.</param>
+/// <param name="Message">A sentence with both.</param>
 public sealed record JsonProblem(string Code, string Path, JsonPlace Place, string Found, string Expected, string Message)
 {
     /// <summary>Line of the value, from 1.</summary>
@@ -17,7 +17,7 @@ public sealed record JsonProblem(string Code, string Path, JsonPlace Place, stri
     /// <summary>Column of the value in Unicode characters, from 1.</summary>
     public int Column => Place.Column;
 
-    /// <summary>A problem with a value, its sentence made of what was found and what is expected.</summary>
+    /// <summary>Creates a problem with a value and a sentence from the finding and the expectation.</summary>
     public static JsonProblem At(JsonItem item, string code, string found, string expected)
     {
         ArgumentNullException.ThrowIfNull(item);

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace ErrorMatching.Json;
 
-/// <summary>Where the lines of a text begin, and whether it is UTF-8 at all.</summary>
+/// <summary>The line starts of a text, and whether it is UTF-8.</summary>
 internal sealed class LineMap
 {
     private readonly List<int> _starts = [0];
@@ -23,7 +23,7 @@ internal sealed class LineMap
         FirstInvalidByte = System.Text.Unicode.Utf8.IsValid(bytes) ? null : FindInvalid(bytes);
     }
 
-    /// <summary>Index of the first byte that is not UTF-8, or null.</summary>
+    /// <summary>Index of the first byte that is not UTF-8; null if there is none.</summary>
     public int? FirstInvalidByte { get; }
 
     public JsonPlace PlaceOf(ReadOnlySpan<byte> bytes, long index)
@@ -39,7 +39,7 @@ internal sealed class LineMap
         return PlaceOf(bytes, Math.Min(start + byteInLine, bytes.Length));
     }
 
-    // Places are asked for from front to back, so that a document on one line is counted once and not anew for each of its values.
+    // Places are queried from front to back, so that a document on one line is counted only once.
     private int CharactersBefore(ReadOnlySpan<byte> bytes, int start, int index)
     {
         _counted = _countedTo >= start && _countedTo <= index ? _counted + Characters(bytes[_countedTo..index]) : Characters(bytes[start..index]);

@@ -1,12 +1,12 @@
 namespace ErrorMatching.Json;
 
-/// <summary>The problems of a document, up to a number that a person can use: a hostile or wrong file could have millions.</summary>
+/// <summary>Limits the problems of a document to a useful number. A hostile or wrong file could have millions.</summary>
 internal static class ProblemList
 {
-    /// <summary>The most that are reported.</summary>
+    /// <summary>Maximum number of reported problems.</summary>
     public const int Most = 100;
 
-    /// <summary>The first problems, with a last one that says so if there are more.</summary>
+    /// <summary>The first problems, followed by one that states if there are more.</summary>
     public static IReadOnlyList<JsonProblem> Shortened(IReadOnlyList<JsonProblem> problems)
     {
         if (problems.Count <= Most)

@@ -4,11 +4,11 @@ using System.Text.Json;
 
 namespace ErrorMatching.Json;
 
-/// <summary>Turns the tokens of a document into items, and collects what can be said about them without a schema.</summary>
+/// <summary>Converts the tokens of a document to items, and collects the problems that do not depend on a schema.</summary>
 /// <param name="map">The lines of the document.</param>
-/// <param name="file">Its name for messages.</param>
-/// <param name="skipped">How many bytes stand in front of what is read: those of a byte order mark.</param>
-/// <param name="maxValues">The most values.</param>
+/// <param name="file">The file name, for messages.</param>
+/// <param name="skipped">Number of bytes before the text: those of a byte order mark.</param>
+/// <param name="maxValues">Maximum number of values.</param>
 internal sealed class TreeReader(LineMap map, string file, int skipped, int maxValues)
 {
     private readonly List<JsonProblem> _problems = [];
@@ -108,7 +108,7 @@ internal sealed class TreeReader(LineMap map, string file, int skipped, int maxV
         return item;
     }
 
-    /// <summary>Text of a token; an escaped half of a surrogate pair is no text.</summary>
+    /// <summary>Text of a token. An escaped half of a surrogate pair is not text.</summary>
     private string TextOf(ref Utf8JsonReader reader, JsonPlace place, JsonItem item)
     {
         try

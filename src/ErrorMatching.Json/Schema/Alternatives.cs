@@ -1,6 +1,6 @@
 namespace ErrorMatching.Json;
 
-/// <summary>Judges oneOf and anyOf, and says what is wrong with the alternative that was probably meant instead of with all of them.</summary>
+/// <summary>Checks oneOf and anyOf. Reports the problems of the alternative that was probably intended, not of all of them.</summary>
 internal static class Alternatives
 {
     public static void Check(SchemaRule rule, JsonItem item, List<Finding> findings)
@@ -16,14 +16,14 @@ internal static class Alternatives
         }
     }
 
-    /// <summary>Number of alternatives that accept the value; what is wrong is reported if none does.</summary>
+    /// <summary>Returns the number of alternatives that accept the value. Reports the problems if none does.</summary>
     private static int Judge(IReadOnlyList<SchemaRule> alternatives, JsonItem item, List<Finding> findings)
     {
         var verdicts = alternatives.Select(a => Verdict(a, item)).ToArray();
         var accepted = verdicts.Count(v => v.Count == 0);
         if (accepted == 0)
         {
-            // An alternative of another type was not meant, unless every one is.
+            // Alternatives of another type were not intended, unless all are.
             var ofType = verdicts.Where(v => !v.Exists(f => IsOfOtherType(f, item))).ToArray();
             Explain(alternatives, ofType.Length > 0 ? ofType : verdicts, item, findings);
         }
@@ -47,7 +47,7 @@ internal static class Alternatives
             return;
         }
 
-        // What every remaining alternative refuses is wrong whichever was meant: a missing "kind", say.
+        // A problem common to all remaining alternatives is certain, such as a missing "kind".
         var common = meant.Length == 0 ? [] : meant[0].Where(f => meant.All(v => v.Contains(f))).ToList();
         if (common.Count > 0)
         {
@@ -60,7 +60,7 @@ internal static class Alternatives
         {
             var (place, first) = (ruledOut[0].Item, ruledOut[0].Problem);
             var all = JsonProblem.At(place, first.Code, first.Found, ValueText.Or(ruledOut.Select(f => f.Problem.Expected)));
-            // A value that is one of some words or something else, such as "auto" or a number, does not tell which kind of object it stands in.
+            // A value that may be a word or something else, such as "auto" or a number, does not identify the kind of its object.
             findings.Add(new(place, all, ruledOut.All(f => f.ByType), ruledOut.All(f => f.ByConst) && !ReferenceEquals(place, item)));
             return;
         }
@@ -68,7 +68,7 @@ internal static class Alternatives
         findings.Add(new(item, JsonProblem.At(item, "no-alternative", ValueText.Of(item), ValueText.Or(alternatives.Select(Name)))));
     }
 
-    /// <summary>An alternative was not meant if the value is of another type, or if a const of it or of one of its members says otherwise.</summary>
+    /// <summary>True if an alternative was not intended: another type of value, or another const in it or in one of its members.</summary>
     private static bool RulesOut(Finding finding, JsonItem item) =>
         IsOfOtherType(finding, item) || (finding.ByConst && (ReferenceEquals(finding.Item, item) || item.Members.Any(m => ReferenceEquals(m.Value, finding.Item))));
 

@@ -1,23 +1,21 @@
 namespace ErrorMatching.Json;
 
-/// <summary>
-/// A JSON Schema of draft 2020-12, restricted to what is checked here to the letter.
-/// </summary>
-/// <remarks>
-/// Keywords that check: <c>type, enum, const, required, properties, additionalProperties: false, items, prefixItems, minItems, maxItems, minimum, maximum,
-/// exclusiveMinimum, exclusiveMaximum, minLength, pattern, oneOf, anyOf, $ref</c> to <c>#</c> or <c>#/$defs/NAME</c>. Keywords that only tell: <c>$schema, $id, $defs, $comment, title,
-/// description, examples, default</c>. Every other keyword is refused: a schema never claims what is not checked.
-/// </remarks>
+/// <summary>A JSON Schema of draft 2020-12, restricted to keywords that are checked exactly.</summary>
+/// <remarks>Checked keywords: <c>type, enum, const, required, properties, additionalProperties: false, items, prefixItems, minItems,
+/// maxItems, minimum, maximum, exclusiveMinimum, exclusiveMaximum, minLength, pattern, oneOf, anyOf, $ref</c> to <c>#</c> or
+/// <c>#/$defs/NAME</c>. Informative keywords: <c>$schema, $id, $defs, $comment, title, description, examples, default</c>. Every other
+/// keyword is refused, so that a schema never claims anything that is not checked.</remarks>
 public sealed class JsonSchema
 {
     private readonly SchemaRule _root;
 
     private JsonSchema(SchemaRule root) => _root = root;
 
-    /// <summary>The schema in some bytes.</summary>
+    /// <summary>Parses a schema.</summary>
     /// <param name="bytes">UTF-8 text.</param>
     /// <param name="file">Name for messages.</param>
-    /// <exception cref="JsonDocumentException">The bytes are no JSON (as of <see cref="JsonInput.Read"/>) or no schema of the subset (<c>schema</c>).</exception>
+    /// <exception cref="JsonDocumentException">The bytes are not JSON (as for <see cref="JsonInput.Read"/>) or not a schema of the subset
+    /// (<c>schema</c>).</exception>
     public static JsonSchema Parse(ReadOnlySpan<byte> bytes, string file)
     {
         var parser = new SchemaParser(JsonInput.Read(bytes, file));
@@ -25,16 +23,15 @@ public sealed class JsonSchema
         return parser.Problems.Count == 0 ? new(root) : throw new JsonDocumentException(file, parser.Problems);
     }
 
-    /// <summary>
-    /// Everything in a document that the schema does not allow, in the order of the document; empty if there is nothing. After 100 problems, <c>too-many-problems</c> is the last.
-    /// </summary>
+    /// <summary>Returns all violations of the schema, in the order of the document; empty if there are none. After 100 problems,
+    /// <c>too-many-problems</c> is the last.</summary>
     public IReadOnlyList<JsonProblem> Check(JsonItem document)
     {
         ArgumentNullException.ThrowIfNull(document);
         var findings = new List<Finding>();
         SchemaChecker.Check(_root, document, findings);
 
-        // A value that two rules judge alike is reported once; the sort is stable, so problems of one place keep the order of the rules.
+        // Identical findings of two rules are reported once. The sort is stable, so problems at one place keep the order of the rules.
         return ProblemList.Shortened([.. findings.Select(f => f.Problem).Distinct().OrderBy(p => p.Line).ThenBy(p => p.Column)]);
     }
 }

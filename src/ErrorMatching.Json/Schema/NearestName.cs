@@ -1,9 +1,9 @@
 namespace ErrorMatching.Json;
 
-/// <summary>The known name that a mistyped one was probably meant to be.</summary>
+/// <summary>Finds the known name that a mistyped one was probably meant to be.</summary>
 internal static class NearestName
 {
-    /// <summary>The nearest of some names, or null if none is near: at most a third of the letters may differ, upper and lower case never count.</summary>
+    /// <summary>Returns the nearest name, or null if none is near: at most a third of the letters may differ. Case is ignored.</summary>
     public static string? To(string name, IEnumerable<string> known)
     {
         string? best = null;
@@ -20,7 +20,7 @@ internal static class NearestName
         return best;
     }
 
-    /// <summary>Letters to insert, delete, replace or swap with their neighbor (optimal string alignment).</summary>
+    /// <summary>Number of letters to insert, delete, replace or swap with their neighbor (optimal string alignment).</summary>
     private static int Distance(string a, string b)
     {
         var d = new int[a.Length + 1, b.Length + 1];

@@ -2,12 +2,12 @@ using System.Globalization;
 
 namespace ErrorMatching.Json;
 
-/// <summary>Applies a rule to a value and everything inside it.</summary>
+/// <summary>Applies a rule to a value and its contents.</summary>
 internal static class SchemaChecker
 {
     public static void Check(SchemaRule rule, JsonItem item, List<Finding> findings)
     {
-        // One more than is reported is enough to know that there are more.
+        // One more than the limit is enough to detect that there are more.
         if (findings.Count > ProblemList.Most)
         {
             return;
@@ -134,7 +134,7 @@ internal static class SchemaChecker
 
     private static void Add(List<Finding> findings, JsonItem item, string code, string found, string expected) => findings.Add(new(item, JsonProblem.At(item, code, found, expected)));
 
-    /// <summary>JSON Schema calls a number an integer if its value is whole, however it is written.</summary>
+    /// <summary>In JSON Schema, a number is an integer if its value is whole, regardless of its spelling.</summary>
     private static bool IsOfType(JsonItem item, string type) => type switch
     {
         "object" => item.Kind == JsonItemKind.Object,

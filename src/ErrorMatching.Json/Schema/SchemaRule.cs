@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Json;
 
-/// <summary>One schema object, its keywords ready to be applied. Null or empty means that the keyword is absent.</summary>
+/// <summary>One schema object with its parsed keywords. Null or empty means that the keyword is absent.</summary>
 internal sealed class SchemaRule
 {
     public string Title { get; set; } = "";
@@ -12,7 +12,7 @@ internal sealed class SchemaRule
     /// <summary>The allowed values of enum or const.</summary>
     public IReadOnlyList<JsonItem> Values { get; set; } = [];
 
-    /// <summary>True if <see cref="Values"/> came from const, which tells alternatives apart.</summary>
+    /// <summary>True if <see cref="Values"/> is from const, which distinguishes alternatives.</summary>
     public bool IsConst { get; set; }
 
     public IReadOnlyList<string> Required { get; set; } = [];

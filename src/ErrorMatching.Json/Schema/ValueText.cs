@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Json;
 
-/// <summary>Values and types in words.</summary>
+/// <summary>Describes values and types in words.</summary>
 internal static class ValueText
 {
     private const int Longest = 40;
@@ -38,7 +38,7 @@ internal static class ValueText
         _ => "null",
     };
 
-    /// <summary>A value as it is written in JSON.</summary>
+    /// <summary>A value as in JSON.</summary>
     public static string Literal(JsonItem item) => item.Kind == JsonItemKind.Text ? $"\"{item.Text}\"" : item.ToJson();
 
     public static string Or(IEnumerable<string> choices)

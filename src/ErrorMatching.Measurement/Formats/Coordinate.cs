@@ -1,9 +1,9 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>What a cell must be to become a coordinate in millimeters.</summary>
+/// <summary>Converts cells to coordinates in millimeters.</summary>
 internal static class Coordinate
 {
-    /// <summary>No machine of this trade is a kilometer long: a coordinate beyond it has lost its decimal point or has another unit.</summary>
+    /// <summary>No machine tool is a kilometer long. A larger coordinate has lost its decimal point or has another unit.</summary>
     private const double LargestMm = 1e6;
 
     public static double Read(Cell cell, MeasurementFormat format)

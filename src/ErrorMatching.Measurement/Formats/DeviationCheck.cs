@@ -2,20 +2,19 @@ using System.Globalization;
 
 namespace ErrorMatching.Measurement;
 
-/// <summary>
-/// Holds the deviations of a feature table against actual - nominal. A gauge rounds the three numbers one by one, so each may be off by half of its last place;
-/// how many places a column has is seen from all its numbers, for exports drop trailing zeros, and a lone "1" must not excuse a wrong sign.
-/// </summary>
+/// <summary>Checks the deviations of a feature table against actual - nominal. A gauge rounds the three numbers separately, so each may be
+/// off by half of its last place. The number of places is determined from the whole column, because exports drop trailing zeros and a lone
+/// "1" must not excuse a wrong sign.</summary>
 internal sealed class DeviationCheck
 {
     private readonly List<(DecimalNumber Nominal, DecimalNumber Actual, DecimalNumber Deviation, Cell Cell)> _rows = [];
 
     /// <summary>Adds a row.</summary>
-    /// <exception cref="MeasurementException">One of the cells is no number.</exception>
+    /// <exception cref="MeasurementException">A cell is not a number.</exception>
     public void Add(Cell nominal, Cell actual, Cell deviation) => _rows.Add((nominal.Number(), actual.Number(), deviation.Number(), deviation));
 
-    /// <summary>Checks the rows that were added.</summary>
-    /// <exception cref="MeasurementException">A deviation is not actual - nominal: the first such row.</exception>
+    /// <summary>Checks all rows.</summary>
+    /// <exception cref="MeasurementException">The first row whose deviation is not actual - nominal.</exception>
     public void Run()
     {
         if (_rows.Count == 0)

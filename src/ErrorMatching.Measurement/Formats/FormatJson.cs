@@ -3,7 +3,7 @@ using System.Text.Json;
 
 namespace ErrorMatching.Measurement;
 
-/// <summary>Reads the description of a format, member by member: what it does not know is an error, never ignored.</summary>
+/// <summary>Reads the description of a format member by member. Unknown members are errors and never ignored.</summary>
 internal static class FormatJson
 {
     private const int MostBytes = 1 << 30;
@@ -12,10 +12,9 @@ internal static class FormatJson
 
     public static JsonDocumentOptions Options { get; } = new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip, AllowDuplicateProperties = false };
 
-    // The ways of arranging points. Which columns they have is data, in a file of the same name.
+    // The kinds of point arrangement. Their default columns are data, in a file of the same name.
     private static readonly MeasurementColumns[] Kinds = [new PointColumns(default, default, default, null), new FeatureTableColumns(default, default, default, default, null)];
 
-    /// <summary>The format of a kind that comes with the library.</summary>
     public static MeasurementFormat Embedded(string kind)
     {
         using var stream = typeof(FormatJson).Assembly.GetManifestResourceStream($"ErrorMatching.Measurement.Formats.{kind}.json")!;
@@ -46,7 +45,7 @@ internal static class FormatJson
         }
         catch (InvalidOperationException e)
         {
-            // Escapes such as \ud800 are JSON, but no text; reading them as text is the only operation here that can be invalid.
+            // Escapes such as \ud800 are valid JSON but not valid text. Reading them as text is the only invalid operation possible here.
             throw new MeasurementException(MeasurementError.BadFormat, "an escape that is no character", "text", path: "$", cause: e);
         }
     }

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>The unit in which a file gives its coordinates.</summary>
+/// <summary>The unit of a file's coordinates.</summary>
 public enum LengthUnit
 {
     /// <summary>Millimeters.</summary>

@@ -14,33 +14,33 @@ public sealed class MeasurementFile
         _byLabel = points.ToDictionary(p => p.Label, StringComparer.Ordinal);
     }
 
-    /// <summary>The file as the caller named it.</summary>
+    /// <summary>The file name, as given by the caller.</summary>
     public string File => _table.File;
 
-    /// <summary>SHA-256 of the file's bytes as 64 lower-case hexadecimal digits.</summary>
+    /// <summary>SHA-256 of the file's bytes as 64 lowercase hexadecimal digits.</summary>
     public string Sha256 { get; }
 
-    /// <summary>The unit that the file was written in. The points are in millimeters whatever it was.</summary>
+    /// <summary>The unit in the file. The points are always in millimeters.</summary>
     public LengthUnit Unit { get; }
 
     /// <summary>The measured points in the order of the file.</summary>
     public IReadOnlyList<LabelledPoint> Points { get; }
 
-    /// <summary>The nominal points that a feature table states beside the measured ones, in the same order; empty for the kind <c>points</c>.</summary>
+    /// <summary>The nominal points of a feature table, in the same order; empty for the kind <c>points</c>.</summary>
     public IReadOnlyList<LabelledPoint> Nominals { get; }
 
-    /// <summary>Names and values of the lines above the table, in the order of the file.</summary>
+    /// <summary>Names and values in the lines above the table, in the order of the file.</summary>
     public IReadOnlyList<HeaderField> HeaderFields => _table.Fields;
 
-    /// <summary>The measured point of a name.</summary>
+    /// <summary>The measured point with a name.</summary>
     /// <exception cref="MeasurementException">The file has no such point (<see cref="MeasurementError.MissingPoint"/>).</exception>
     public LabelledPoint this[string label] => TryGet(label, out var point) ? point : throw Missing(label);
 
-    /// <summary>The measured point of a name, if the file has it.</summary>
+    /// <summary>Returns the measured point with a name, if there is one.</summary>
     public bool TryGet(string label, out LabelledPoint point) => _byLabel.TryGetValue(label, out point);
 
-    /// <summary>Demands that the file has a point of each name.</summary>
-    /// <exception cref="MeasurementException">One is missing (<see cref="MeasurementError.MissingPoint"/>): the first of them, named.</exception>
+    /// <summary>Throws unless the file has all named points.</summary>
+    /// <exception cref="MeasurementException">The first missing point (<see cref="MeasurementError.MissingPoint"/>).</exception>
     public void Require(IEnumerable<string> labels)
     {
         foreach (var label in labels)
@@ -49,8 +49,8 @@ public sealed class MeasurementFile
         }
     }
 
-    /// <summary>The texts of a column in the order of the file, whatever they mean, or null if it has no column of that name.</summary>
-    /// <param name="name">Name of the column, compared without regard to case.</param>
+    /// <summary>The unparsed texts of a column in the order of the file; null if there is no such column.</summary>
+    /// <param name="name">Name of the column; case is ignored.</param>
     public IReadOnlyList<string>? ColumnTexts(string name) => _table.TextsOf(name);
 
     private MeasurementException Missing(string label)

@@ -2,20 +2,21 @@ using System.Security.Cryptography;
 
 namespace ErrorMatching.Measurement;
 
-/// <summary>Reads result files of gauges into labelled points. Nothing is guessed: what does not follow the format is an error that names its place.</summary>
+/// <summary>Reads result files of gauges into labeled points. Nothing is guessed: any deviation from the format is an error with its
+/// location.</summary>
 public static class MeasurementReader
 {
     /// <summary>Reads a file.</summary>
-    /// <param name="path">The file, named in errors as it is given here.</param>
-    /// <param name="format">How it is written.</param>
-    /// <exception cref="MeasurementException">The file cannot be opened, or anything in it does not follow the format.</exception>
+    /// <param name="path">The file, as named in errors.</param>
+    /// <param name="format">The format of the file.</param>
+    /// <exception cref="MeasurementException">The file cannot be opened, or its content violates the format.</exception>
     public static MeasurementFile Read(string path, MeasurementFormat format) => Read(FileBytes.Read(path, format.MaxBytes), path, format);
 
-    /// <summary>Reads the bytes of a file.</summary>
+    /// <summary>Reads a file from its bytes.</summary>
     /// <param name="bytes">The bytes.</param>
-    /// <param name="fileName">The name of the file in errors and in rules about its source.</param>
-    /// <param name="format">How it is written.</param>
-    /// <exception cref="MeasurementException">Anything in it does not follow the format.</exception>
+    /// <param name="fileName">The file name in errors and source rules.</param>
+    /// <param name="format">The format of the file.</param>
+    /// <exception cref="MeasurementException">The content violates the format.</exception>
     public static MeasurementFile Read(ReadOnlyMemory<byte> bytes, string fileName, MeasurementFormat format)
     {
         FileBytes.ThrowIfTooLarge(fileName, bytes.Length, format.MaxBytes);

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>Columns of decimal numbers, kept as they are written so that none of their digits is lost before a calculation that needs them.</summary>
+/// <summary>Columns of decimal numbers, stored as text so that no digits are lost before a calculation.</summary>
 public sealed class NumberTable
 {
     private readonly IReadOnlyDictionary<string, IReadOnlyList<string>> _columns;
@@ -9,36 +9,40 @@ public sealed class NumberTable
     private NumberTable(string file, IReadOnlyList<int> lines, IReadOnlyDictionary<string, IReadOnlyList<string>> columns, IReadOnlyDictionary<string, int> positions) =>
         (File, Lines, _columns, _positions) = (file, lines, columns, positions);
 
-    /// <summary>The file as the caller named it.</summary>
+    /// <summary>The file name, as given by the caller.</summary>
     public string File { get; }
 
-    /// <summary>The line of each row, counted from 1.</summary>
+    /// <summary>The line of each row, from 1.</summary>
     public IReadOnlyList<int> Lines { get; }
 
-    /// <summary>How many rows there are; at least one.</summary>
+    /// <summary>Number of rows; at least one.</summary>
     public int Count => Lines.Count;
 
-    /// <summary>The numbers of a column in the order of the file: decimal texts with a decimal point and an optional exponent, each within double precision.</summary>
-    /// <param name="name">One of the names that the table was read with.</param>
-    /// <exception cref="KeyNotFoundException">The table was read without this column.</exception>
+    /// <summary>The numbers of a column in the order of the file: decimal texts with a decimal point and an optional exponent, each within
+    /// double precision.</summary>
+    /// <param name="name">One of the column names passed when reading.</param>
+    /// <exception cref="KeyNotFoundException">The column was not read.</exception>
     public IReadOnlyList<string> this[string name] => _columns[name];
 
-    /// <summary>The position of a column in the file, counted from 1 as a spreadsheet counts columns.</summary>
-    /// <param name="name">One of the names that the table was read with.</param>
-    /// <exception cref="KeyNotFoundException">The table was read without this column.</exception>
+    /// <summary>The position of a column in the file, from 1, as in a spreadsheet.</summary>
+    /// <param name="name">One of the column names passed when reading.</param>
+    /// <exception cref="KeyNotFoundException">The column was not read.</exception>
     public int ColumnOf(string name) => _positions[name];
 
-    /// <summary>Reads columns of a CSV file in UTF-8 with decimal points; commas between the cells, or semicolons or tabs where the header has them.</summary>
-    /// <param name="path">The file, named in errors as it is given here.</param>
-    /// <param name="columns">The columns wanted. In the header each may end in <c>_mm</c>; other columns are ignored.</param>
-    /// <exception cref="MeasurementException">The file cannot be opened, lacks a column or has it twice, has no rows, or has a cell there that is no decimal number.</exception>
+    /// <summary>Reads columns of a CSV file in UTF-8 with decimal points. Cells are separated by commas, or by semicolons or tabs if the
+    /// header has them.</summary>
+    /// <param name="path">The file, as named in errors.</param>
+    /// <param name="columns">The required columns. In the header, each may end in <c>_mm</c>. Other columns are ignored.</param>
+    /// <exception cref="MeasurementException">The file cannot be opened, lacks a column or has it twice, has no rows, or a cell of a
+    /// column is not a decimal number.</exception>
     public static NumberTable Read(string path, params IReadOnlyList<string> columns) => Read(FileBytes.Read(path, MeasurementFormat.Points.MaxBytes), path, columns);
 
-    /// <summary>Reads columns of the bytes of a CSV file in UTF-8 with decimal points; commas between the cells, or semicolons or tabs where the header has them.</summary>
+    /// <summary>Reads columns of a CSV file from its bytes, as in the other overload.</summary>
     /// <param name="bytes">The bytes.</param>
-    /// <param name="fileName">The name of the file in errors.</param>
-    /// <param name="columns">The columns wanted. In the header each may end in <c>_mm</c>; other columns are ignored.</param>
-    /// <exception cref="MeasurementException">The file lacks a column or has it twice, has no rows, or has a cell there that is no decimal number.</exception>
+    /// <param name="fileName">The file name in errors.</param>
+    /// <param name="columns">The required columns. In the header, each may end in <c>_mm</c>. Other columns are ignored.</param>
+    /// <exception cref="MeasurementException">The file lacks a column or has it twice, has no rows, or a cell of a column is not a decimal
+    /// number.</exception>
     public static NumberTable Read(ReadOnlyMemory<byte> bytes, string fileName, params IReadOnlyList<string> columns)
     {
         var format = MeasurementFormat.Points with { Delimiter = DelimiterOf(bytes.Span) };
@@ -63,7 +67,7 @@ public sealed class NumberTable
             : throw table.Top(indexes[0]).Fail(MeasurementError.NoPoints, "a table without rows", "at least one row of numbers");
     }
 
-    // Names of columns have no semicolons and no tabs: one of them in the header is what stands between the cells.
+    // Column names contain neither semicolons nor tabs, so either one in the header is the cell separator.
     private static char DelimiterOf(ReadOnlySpan<byte> bytes)
     {
         var end = bytes.IndexOfAny((byte)'\n', (byte)'\r');

@@ -1,13 +1,14 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>The rules by which a shop tells the measurement of a part from that of its counterpart. A file is a side's if any rule of that side matches and none of the other.</summary>
-/// <param name="part">Rules that say it is the part's.</param>
-/// <param name="counterpart">Rules that say it is the counterpart's.</param>
+/// <summary>The shop's rules that distinguish measurements of a part and its counterpart. A file belongs to a side if any rule of that
+/// side matches and none of the other.</summary>
+/// <param name="part">Rules that identify the part.</param>
+/// <param name="counterpart">Rules that identify the counterpart.</param>
 public sealed class SourceRules(IReadOnlyList<SourceRule> part, IReadOnlyList<SourceRule> counterpart)
 {
-    /// <summary>Whose measurement a file is.</summary>
+    /// <summary>Determines the source of a measurement.</summary>
     /// <exception cref="MeasurementException">No rule matches (<see cref="MeasurementError.UndecidedSource"/>), or rules of both sides do
-    /// (<see cref="MeasurementError.ContradictorySource"/>): the message says which.</exception>
+    /// (<see cref="MeasurementError.ContradictorySource"/>). The message names the rules.</exception>
     public SourceSide Decide(MeasurementFile file)
     {
         var (forPart, forCounterpart) = (Matching(part, file), Matching(counterpart, file));

@@ -1,11 +1,11 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>Whose measurement a file is.</summary>
+/// <summary>The source of a measurement.</summary>
 public enum SourceSide
 {
-    /// <summary>Of the part, which was cut first and is to be matched.</summary>
+    /// <summary>The part, which was cut first and is to be matched.</summary>
     Part,
 
-    /// <summary>Of the counterpart, whose program is rewritten.</summary>
+    /// <summary>The counterpart, whose program is rewritten.</summary>
     Counterpart,
 }

@@ -1,10 +1,10 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>A cell of a table with its place and the name of its column, which both go into what is said about it.</summary>
+/// <summary>A cell of a table with its location and column name, both used in messages.</summary>
 internal readonly record struct Cell(string Text, Place Place, string Column, bool DecimalComma)
 {
-    /// <summary>The cell as a number.</summary>
-    /// <exception cref="MeasurementException">It is anything but a plain decimal number.</exception>
+    /// <summary>Parses the cell as a number.</summary>
+    /// <exception cref="MeasurementException">It is not a plain decimal number.</exception>
     public DecimalNumber Number()
     {
         if (DecimalNumber.TryRead(Text, DecimalComma) is not { } number)
@@ -18,14 +18,14 @@ internal readonly record struct Cell(string Text, Place Place, string Column, bo
             : throw Fail(MeasurementError.NumberOutOfRange, "a number within double precision");
     }
 
-    /// <summary>The cell as a name.</summary>
+    /// <summary>Reads the cell as a name.</summary>
     /// <exception cref="MeasurementException">It is empty or a spreadsheet formula.</exception>
     public string Label() =>
         Text.Length == 0 ? throw Fail(MeasurementError.EmptyCell, "a name")
         : NumberDefect.IsFormula(Text) && DecimalNumber.TryRead(Text, DecimalComma) is null ? throw Fail(MeasurementError.Formula, "a name: export values, not formulas")
         : Text;
 
-    /// <summary>What is wrong with the cell.</summary>
+    /// <summary>Creates an error about the cell.</summary>
     public MeasurementException Fail(string code, string expected) =>
         Place.Fail(code, (Text.Length == 0 ? "an empty cell" : MeasurementException.Quote(Text)) + $" in column {Column}", expected);
 }

@@ -2,22 +2,22 @@ using System.Globalization;
 
 namespace ErrorMatching.Measurement;
 
-/// <summary>Which column of a table holds something: the one of a name, or the one at a position.</summary>
+/// <summary>Selects a column of a table by name or position.</summary>
 public readonly record struct ColumnSelector
 {
     private ColumnSelector(string? name, int position) => (Name, Position) = (name, position);
 
-    /// <summary>Name in the header line, compared without regard to case; null if the column is given by position.</summary>
+    /// <summary>Name in the header line, case ignored; null if the column is given by position.</summary>
     public string? Name { get; }
 
-    /// <summary>Position counted from 1; 0 if the column is given by name.</summary>
+    /// <summary>Position from 1; 0 if the column is given by name.</summary>
     public int Position { get; }
 
-    /// <summary>The column of a name.</summary>
+    /// <summary>Selects a column by name.</summary>
     public static ColumnSelector Named(string name) => new(name, 0);
 
-    /// <summary>The column at a position.</summary>
-    /// <param name="position">Counted from 1.</param>
+    /// <summary>Selects a column by position.</summary>
+    /// <param name="position">Position from 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">The position is less than 1.</exception>
     public static ColumnSelector At(int position)
     {

@@ -4,20 +4,20 @@ using CsvHelper.Configuration;
 
 namespace ErrorMatching.Measurement;
 
-/// <summary>Splits text into records (RFC 4180: a quoted cell may hold delimiters, doubled quotation marks and line breaks).</summary>
+/// <summary>Splits text into records (RFC 4180: a quoted cell may contain delimiters, doubled quotation marks and line breaks).</summary>
 internal static class CsvRows
 {
-    // No gauge writes more. The parser needs a hundred times the bytes of a line that is nothing but delimiters, so lines are counted before it sees them.
+    // No gauge writes more. For a line of delimiters, the parser needs a hundred times its size, so limits are checked before parsing.
     private const int MostColumns = 1_000;
     private const int MostLines = 1_000_000;
     private const int MostCells = 4_000_000;
 
-    /// <summary>The records that are not blank.</summary>
+    /// <summary>Returns the nonblank records.</summary>
     /// <param name="text">The text of the table.</param>
-    /// <param name="file">The file as the caller named it.</param>
-    /// <param name="firstLine">The line of the file in which the text starts.</param>
-    /// <param name="delimiter">What stands between two cells.</param>
-    /// <exception cref="MeasurementException">There are too many columns, lines or cells; a quotation mark is not closed, or stands where none may.</exception>
+    /// <param name="file">The file name, as given by the caller.</param>
+    /// <param name="firstLine">The line of the file at which the text starts.</param>
+    /// <param name="delimiter">The cell separator.</param>
+    /// <exception cref="MeasurementException">Too many columns, lines or cells, or a quotation mark is unclosed or misplaced.</exception>
     public static IEnumerable<CsvRow> Read(string text, string file, int firstLine, char delimiter)
     {
         ThrowIfTooMany(text, file, firstLine, delimiter);
@@ -29,7 +29,7 @@ internal static class CsvRows
             BadDataFound = found => badField = found.Field,
         };
         using var parser = new CsvParser(new StringReader(text), configuration);
-        // The parser's own count of lines is not used: a test of it with quoted line breaks would be a test of its next version too.
+        // Counts lines independently of the parser, whose own count may change between versions for quoted line breaks.
         for (var line = firstLine; parser.Read(); line += LineBreaks.Count(parser.RawRecord))
         {
             var texts = new string[parser.Count];
@@ -54,7 +54,7 @@ internal static class CsvRows
         }
     }
 
-    // A delimiter in a quoted cell counts too: what is quoted is known only to the parser.
+    // Counts delimiters in quoted cells too, because only the parser recognizes quotes.
     private static void ThrowIfTooMany(string text, string file, int firstLine, char delimiter)
     {
         var (line, cells) = (firstLine, 0);

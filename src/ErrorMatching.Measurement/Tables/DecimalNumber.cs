@@ -3,7 +3,8 @@ using System.Numerics;
 
 namespace ErrorMatching.Measurement;
 
-/// <summary>A decimal number as it was written: <c>[+-] digits [. digits] [e [+-] digits]</c> with ASCII digits and a decimal point.</summary>
+/// <summary>A decimal number in its original spelling: <c>[+-] digits [. digits] [e [+-] digits]</c> with ASCII digits and a decimal
+/// point.</summary>
 internal readonly record struct DecimalNumber
 {
     private const int LongestText = 1000;
@@ -13,26 +14,24 @@ internal readonly record struct DecimalNumber
 
     private DecimalNumber(string text, int fraction, int exponent) => (Text, _fraction, _exponent) = (text, fraction, exponent);
 
-    /// <summary>The number with a decimal point, every digit kept.</summary>
+    /// <summary>The number with a decimal point and all digits.</summary>
     public string Text { get; }
 
-    /// <summary>The nearest double.</summary>
     public double Value => double.Parse(Text, NumberStyles.Float, CultureInfo.InvariantCulture);
 
-    /// <summary>True if all its digits are zeros.</summary>
     public bool IsZero => Mantissa.IsZero;
 
-    /// <summary>The value of one in the last digit written.</summary>
+    /// <summary>The value of one unit in the last digit.</summary>
     public double LastPlace => Math.Pow(10, _exponent - _fraction);
 
-    /// <summary>The nearest double of the number times exactly 25.4. The product is formed in whole numbers, so that it is rounded once.</summary>
+    /// <summary>The number times exactly 25.4, as the nearest double. The product is calculated in integers and rounded once.</summary>
     public double InchesInMillimeters =>
         double.Parse(string.Create(CultureInfo.InvariantCulture, $"{Mantissa * 254}E{_exponent - _fraction - 1}"), NumberStyles.Float, CultureInfo.InvariantCulture);
 
     private BigInteger Mantissa =>
         BigInteger.Parse(Text.Split('e', 'E')[0].Replace(".", "", StringComparison.Ordinal), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture);
 
-    /// <summary>Reads a number; null if the text is anything else, or longer than any number of a gauge.</summary>
+    /// <summary>Parses a number; null if the text is anything else, or longer than any number of a gauge.</summary>
     public static DecimalNumber? TryRead(string text, bool decimalComma)
     {
         var sign = decimalComma ? ',' : '.';

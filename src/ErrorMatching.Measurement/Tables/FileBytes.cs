@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Measurement;
 
-/// <summary>Reads the bytes of a file that may be missing, too large, or no ordinary file.</summary>
+/// <summary>Reads the bytes of a file that may be missing, too large, or not a regular file.</summary>
 internal static class FileBytes
 {
     public static byte[] Read(string path, int maxBytes)
@@ -10,7 +10,7 @@ internal static class FileBytes
         try
         {
             using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
-            // A pipe tells no length, and a file may grow meanwhile: one byte more than allowed is read to know.
+            // A pipe has no length, and a file may grow while it is read. One byte more than allowed is read to detect this.
             var buffer = new byte[stream.CanSeek ? (int)Math.Min(stream.Length, maxBytes) + 1 : 4096];
             var count = 0;
             for (int read; (read = stream.Read(buffer, count, buffer.Length - count)) > 0;)

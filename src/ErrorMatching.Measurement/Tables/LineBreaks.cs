@@ -1,6 +1,6 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>Counts the line breaks of a text: \n, \r\n and \r, as editors do.</summary>
+/// <summary>Counts line breaks as editors do: \n, \r\n and \r.</summary>
 internal static class LineBreaks
 {
     public static int Count(ReadOnlySpan<char> text)
@@ -9,7 +9,7 @@ internal static class LineBreaks
         return Count(text, ref lastLine);
     }
 
-    /// <summary>Counts the breaks and tells where the last line starts.</summary>
+    /// <summary>Counts the breaks and updates the start of the last line.</summary>
     public static int Count(ReadOnlySpan<char> text, ref int lastLine)
     {
         var count = 0;
@@ -25,7 +25,7 @@ internal static class LineBreaks
         return count;
     }
 
-    /// <summary>The position behind the next line break, or the end of the text.</summary>
+    /// <summary>The position after the next line break, or the end of the text.</summary>
     public static int NextLine(string text, int start)
     {
         var end = text.AsSpan(start).IndexOfAny('\n', '\r');

@@ -2,10 +2,10 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Measurement;
 
-/// <summary>Says why a text is no number, for a person who has to correct a file.</summary>
+/// <summary>Explains why a text is not a number, for the person who has to correct a file.</summary>
 internal static partial class NumberDefect
 {
-    /// <summary>The code and the expectation for a text that is no plain decimal number.</summary>
+    /// <summary>Returns the code and expectation for a text that is not a plain decimal number.</summary>
     public static (string Code, string Expected) Of(string text, bool decimalComma)
     {
         var example = decimalComma ? "a number such as 12,345 or -5e-3" : "a number such as 12.345 or -5e-3";
@@ -24,8 +24,7 @@ internal static partial class NumberDefect
         return (code, example + advice);
     }
 
-    /// <summary>True if a spreadsheet would take the text for a formula. Numbers with a sign are such texts too;
-    /// a lone dash is not.</summary>
+    /// <summary>True if a spreadsheet would interpret the text as a formula. This includes signed numbers, but not a lone dash.</summary>
     public static bool IsFormula(string text) =>
         text.Length > 1 && (text[0] is '=' or '@' || (text[0] is '+' or '-' && text.AsSpan(1).ContainsAnyExcept('-', '+', ' ')));
 
@@ -41,7 +40,7 @@ internal static partial class NumberDefect
         Timeout.Infinite)]
     private static partial Regex Infinite();
 
-    // A single group behind the other decimal sign (1,234) is no thousand but a decimal: millimeters have three of them.
+    // A single group after the other decimal separator (1,234) is not a thousand but a decimal: millimeters have three of them.
     [GeneratedRegex(
         @"^[+-]?[0-9]{1,3}(([ '\u2019\u00a0\u202f_][0-9]{3})+([.,][0-9]*)?|(,[0-9]{3}){2,}|(\.[0-9]{3}){2,}"
             + @"|(,[0-9]{3})+\.[0-9]*|(\.[0-9]{3})+,[0-9]*)$",

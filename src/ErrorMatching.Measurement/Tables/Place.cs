@@ -1,6 +1,6 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>A place in a file: the line and the cell in it, both counted from 1.</summary>
+/// <summary>A location in a file: line and cell, both from 1.</summary>
 internal readonly record struct Place(string File, int Line, int Column)
 {
     public static Place Start(string file) => new(file, 1, 1);

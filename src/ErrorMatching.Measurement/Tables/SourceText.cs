@@ -3,7 +3,7 @@ using System.Text;
 
 namespace ErrorMatching.Measurement;
 
-/// <summary>Turns the bytes of a file into text, refusing every byte that the encoding cannot explain.</summary>
+/// <summary>Decodes the bytes of a file, refusing every byte that is invalid in the encoding.</summary>
 internal static class SourceText
 {
     private static readonly (string Name, Func<Encoding> Encoding)[] Encodings =
@@ -19,7 +19,7 @@ internal static class SourceText
 
     public static IReadOnlyList<string> EncodingNames { get; } = [.. Encodings.Select(e => e.Name)];
 
-    /// <summary>The text of a file without its byte order mark.</summary>
+    /// <summary>Decodes a file without its byte order mark.</summary>
     /// <exception cref="MeasurementException">The file is empty, is not text, or is text of another encoding.</exception>
     public static string Decode(ReadOnlySpan<byte> bytes, string file, string encodingName, char delimiter)
     {
@@ -72,7 +72,7 @@ internal static class SourceText
         return bytes[length..];
     }
 
-    // The index that a decoder reports counts from a place that depends on the encoding: feeding it byte by byte does not.
+    // The index reported by a decoder depends on the encoding, so bytes are decoded one by one to find the location.
     private static int FirstBad(ReadOnlySpan<byte> bytes, Encoding encoding)
     {
         var decoder = encoding.GetDecoder();

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Measurement;
 
-/// <summary>The text of a file as a table: fields above it, a header line if there is one, and rows that have as many cells as it.</summary>
+/// <summary>The text of a file as a table: fields above it, an optional header line, and rows of equal width.</summary>
 internal sealed class Table
 {
     private readonly CsvRow? _header;
@@ -21,7 +21,7 @@ internal sealed class Table
 
     public IReadOnlyList<CsvRow> Rows { get; }
 
-    /// <summary>Reads a table whose rows all have the width of its first line.</summary>
+    /// <summary>Reads a table whose rows have the width of its first line.</summary>
     /// <exception cref="MeasurementException">The text is empty, or a row has too few or too many cells.</exception>
     public static Table Read(string text, string file, TableLayout layout)
     {
@@ -53,14 +53,14 @@ internal sealed class Table
         return new(file, fields, layout.HasHeader ? rows[0] : null, layout.HasHeader ? rows[1..] : rows, layout.Delimiter, layout.DecimalComma);
     }
 
-    /// <summary>The index of a column that must be there.</summary>
-    /// <exception cref="MeasurementException">The column is not there, or is there twice.</exception>
+    /// <summary>The index of a required column.</summary>
+    /// <exception cref="MeasurementException">The column is missing or occurs twice.</exception>
     public int Find(ColumnSelector column) => column.Name is { } name ? FindNamed(name, [name]) : FindAt(column.Position - 1);
 
-    /// <summary>The index of a column that may be missing, or -1.</summary>
+    /// <summary>The index of an optional column, or -1.</summary>
     public int FindOptional(ColumnSelector column) => column.Name is { } name && IndexesOf([name]).Count == 0 ? -1 : Find(column);
 
-    /// <summary>The index of the one column that has one of several names.</summary>
+    /// <summary>The index of the only column that has one of several names.</summary>
     public int FindNamed(string shown, IReadOnlyList<string> names)
     {
         var indexes = IndexesOf(names);
@@ -78,7 +78,7 @@ internal sealed class Table
     public Cell Cell(CsvRow row, int index) =>
         new(row.Texts[index].Trim(), row.PlaceOf(index), _header is null ? "number " + (index + 1).ToString(CultureInfo.InvariantCulture) : _header.Texts[index].Trim(), _decimalComma);
 
-    /// <summary>The place where a column starts: its heading, or its first cell.</summary>
+    /// <summary>The location of a column's heading, or of its first cell.</summary>
     public Place Top(int index) => (_header ?? Rows[0]).PlaceOf(index);
 
     public IReadOnlyList<string>? TextsOf(string name)

@@ -1,7 +1,8 @@
 namespace ErrorMatching.Reporting;
 
-/// <summary>A file that a result was made from.</summary>
-/// <param name="Role">What it was: <c>theoretical</c>, <c>part</c>, <c>counterpart</c>, <c>counterpart-after</c>, <c>program</c> or <c>dialect</c> (a shop's own).</param>
+/// <summary>An input file of a result.</summary>
+/// <param name="Role">Its role: <c>theoretical</c>, <c>part</c>, <c>counterpart</c>, <c>counterpart-after</c>, <c>program</c> or
+/// <c>dialect</c> (a shop's own).</param>
 /// <param name="File">The file, as the user named it.</param>
-/// <param name="Sha256">SHA-256 of its bytes as 64 lower-case hexadecimal digits.</param>
+/// <param name="Sha256">SHA-256 of its bytes as 64 lowercase hexadecimal digits.</param>
 public sealed record ReportInput(string Role, string File, string Sha256);

@@ -1,11 +1,10 @@
 namespace ErrorMatching.Reporting;
 
-/// <summary>What a person should know before using a result: as a sentence, and by a stable code with its values, for those who say it in another language.</summary>
-/// <param name="Code">Which warning it is, such as <c>sparse-points</c>.</param>
+/// <summary>A warning about a result: an English sentence, and a stable code with values for translations.</summary>
+/// <param name="Code">The kind of warning, such as <c>sparse-points</c>.</param>
 /// <param name="Message">The English sentence.</param>
-/// <param name="Values">What the sentence says about this case, in its order: names, and figures as the sentence shows them.</param>
+/// <param name="Values">The values in the sentence, in order: names, and numbers as formatted in the sentence.</param>
 public sealed record ReportWarning(string Code, string Message, params IReadOnlyList<string> Values)
 {
-    /// <summary>The sentence.</summary>
     public override string ToString() => Message;
 }

@@ -3,14 +3,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Reporting;
 
-/// <summary>Writes values of reports as JSON: camelCase, millimetres and degrees, numbers without the noise of binary fractions.</summary>
-/// <param name="json">Where they go.</param>
+/// <summary>Writes report values as JSON: camelCase, millimeters and degrees, numbers without the noise of binary fractions.</summary>
+/// <param name="json">The output.</param>
 public sealed class ReportWriter(Utf8JsonWriter json)
 {
-    // A picometre is far below what any gauge can tell, and far above what the arithmetic loses.
+    // A picometer is far below the resolution of any gauge, and far above the rounding errors of the calculation.
     private const int Decimals = 9;
 
-    /// <summary>One indented document with line ends of its own, the same on every system.</summary>
+    /// <summary>Creates an indented document with the same line ends on every system.</summary>
     public static byte[] Document(string schema, Action<ReportWriter> content)
     {
         using var buffer = new MemoryStream();
@@ -26,7 +26,7 @@ public sealed class ReportWriter(Utf8JsonWriter json)
         return buffer.ToArray();
     }
 
-    /// <summary>The job that a report is about.</summary>
+    /// <summary>Writes the job of the report.</summary>
     /// <param name="kind">The kind of job: <c>mating</c> or <c>freeform</c>.</param>
     /// <param name="job">The job.</param>
     public void Job(string kind, ReportJob job) => Object("job", () =>
@@ -38,7 +38,7 @@ public sealed class ReportWriter(Utf8JsonWriter json)
         Text("sha256", job.Sha256);
     });
 
-    /// <summary>The files that a report was made from.</summary>
+    /// <summary>Writes the input files of the report.</summary>
     public void Inputs(IReadOnlyList<ReportInput> inputs) => List("inputs", inputs, i =>
     {
         Text("role", i.Role);
@@ -46,16 +46,16 @@ public sealed class ReportWriter(Utf8JsonWriter json)
         Text("sha256", i.Sha256);
     });
 
-    /// <summary>A text, or null.</summary>
+    /// <summary>Writes a text or null.</summary>
     public void Text(string name, string? value) => json.WriteString(name, value);
 
-    /// <summary>True or false.</summary>
+    /// <summary>Writes a Boolean.</summary>
     public void Flag(string name, bool value) => json.WriteBoolean(name, value);
 
-    /// <summary>A count.</summary>
+    /// <summary>Writes a count.</summary>
     public void Count(string name, int value) => json.WriteNumber(name, value);
 
-    /// <summary>A number of millimetres or degrees, or null.</summary>
+    /// <summary>Writes a number of millimeters or degrees, or null.</summary>
     public void Number(string name, double? value)
     {
         if (value is { } v)
@@ -68,10 +68,10 @@ public sealed class ReportWriter(Utf8JsonWriter json)
         }
     }
 
-    /// <summary>A number without a unit, which may be small and yet mean something.</summary>
+    /// <summary>Writes a dimensionless number, which may be small but significant.</summary>
     public void Exact(string name, double value) => json.WriteNumber(name, value);
 
-    /// <summary>A list of such numbers.</summary>
+    /// <summary>Writes a list of dimensionless numbers.</summary>
     public void Numbers(string name, IEnumerable<double> values)
     {
         json.WriteStartArray(name);
@@ -83,7 +83,7 @@ public sealed class ReportWriter(Utf8JsonWriter json)
         json.WriteEndArray();
     }
 
-    /// <summary>A list of texts.</summary>
+    /// <summary>Writes a list of texts.</summary>
     public void Texts(string name, IEnumerable<string> values)
     {
         json.WriteStartArray(name);
@@ -95,7 +95,7 @@ public sealed class ReportWriter(Utf8JsonWriter json)
         json.WriteEndArray();
     }
 
-    /// <summary>An object.</summary>
+    /// <summary>Writes an object.</summary>
     public void Object(string name, Action content)
     {
         json.WriteStartObject(name);
@@ -103,7 +103,7 @@ public sealed class ReportWriter(Utf8JsonWriter json)
         json.WriteEndObject();
     }
 
-    /// <summary>An object, or null if there is nothing to write.</summary>
+    /// <summary>Writes an object, or null if there is no value.</summary>
     public void Optional<T>(string name, T? value, Action<T> content)
         where T : class
     {
@@ -117,7 +117,7 @@ public sealed class ReportWriter(Utf8JsonWriter json)
         }
     }
 
-    /// <summary>A list of objects.</summary>
+    /// <summary>Writes a list of objects.</summary>
     public void List<T>(string name, IEnumerable<T> items, Action<T> content)
     {
         json.WriteStartArray(name);
@@ -131,20 +131,20 @@ public sealed class ReportWriter(Utf8JsonWriter json)
         json.WriteEndArray();
     }
 
-    /// <summary>A point of a plane as an object with x and y.</summary>
+    /// <summary>Writes a point in the plane as an object with x and y.</summary>
     public void Point(string name, Point2 point) => Vector(name, point - Point2.Origin);
 
-    /// <summary>A vector of a plane as an object with x and y.</summary>
+    /// <summary>Writes a vector in the plane as an object with x and y.</summary>
     public void Vector(string name, Vector2 vector) => Object(name, () => Vector(vector));
 
-    /// <summary>The members x and y of a vector, in the object that is open.</summary>
+    /// <summary>Writes the members x and y of a vector into the open object.</summary>
     public void Vector(Vector2 vector)
     {
         Number("x", vector.X);
         Number("y", vector.Y);
     }
 
-    /// <summary>A list of points.</summary>
+    /// <summary>Writes a list of points.</summary>
     public void Points(string name, IEnumerable<Point2> points) => List(name, points, p => Vector(p - Point2.Origin));
 
     // Adding zero turns -0 into 0.

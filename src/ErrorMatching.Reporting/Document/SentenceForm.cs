@@ -2,17 +2,17 @@ using System.Globalization;
 
 namespace ErrorMatching.Reporting;
 
-/// <summary>
-/// A form of a sentence that is kept as evidence: its words, and places for values. The same form writes a sentence and reads the values back from it, so that who shows it may say it in another language while the record stays as it is.
-/// </summary>
+/// <summary>A template of a recorded sentence, with placeholders for values. The same template writes a sentence and reads its values
+/// back, so that it can be shown in another language without changing the record.</summary>
 public sealed class SentenceForm
 {
     private readonly string[] _words;
 
-    /// <summary>A form.</summary>
+    /// <summary>Creates a template.</summary>
     /// <param name="name">Its stable name, such as <c>sparse-points</c>.</param>
-    /// <param name="template">Its words, with <c>{0}</c>, <c>{1}</c> and so on in this order. Behind a colon stands what kind of value it is, or a number's format.</param>
-    /// <exception cref="ArgumentException">The places are not numbered in their order, or two stand side by side.</exception>
+    /// <param name="template">Its words, with the placeholders <c>{0}</c>, <c>{1}</c> and so on in order. After a colon follows the kind
+    /// of value, or a number format.</param>
+    /// <exception cref="ArgumentException">The placeholders are not numbered in order, or two are adjacent.</exception>
     public SentenceForm(string name, string template)
     {
         ArgumentNullException.ThrowIfNull(template);
@@ -37,19 +37,19 @@ public sealed class SentenceForm
         (_words, Kinds) = ([.. words], kinds);
     }
 
-    /// <summary>Its stable name.</summary>
     public string Name { get; }
 
-    /// <summary>Its words with the places of the values.</summary>
+    /// <summary>Its words with placeholders.</summary>
     public string Template { get; }
 
-    /// <summary>Of what kind each value is; empty for a name or text that is shown as it is.</summary>
+    /// <summary>The kind of each value; empty for a name or text that is shown unchanged.</summary>
     public IReadOnlyList<string> Kinds { get; }
 
-    /// <summary>Writes a sentence. Numbers are written without any culture.</summary>
+    /// <summary>Writes a sentence. Numbers are culture-independent.</summary>
     public string With(params ReadOnlySpan<object?> values) => string.Format(CultureInfo.InvariantCulture, Template, values);
 
-    /// <summary>The values of a sentence of this form; null if it has another one. A value is never empty, and ends where the words behind it are found first.</summary>
+    /// <summary>Returns the values of a sentence; null if the sentence does not match. A value is never empty, and ends at the first
+    /// occurrence of the following words.</summary>
     public IReadOnlyList<string>? Read(string sentence)
     {
         ArgumentNullException.ThrowIfNull(sentence);
@@ -66,7 +66,7 @@ public sealed class SentenceForm
         var (values, at, end) = (new List<string>(), _words[0].Length, sentence.Length - _words[^1].Length);
         for (var i = 1; i < _words.Length; i++)
         {
-            // The last words are those at the end, wherever else they stand.
+            // The last words match at the end, wherever else they occur.
             var next = i == _words.Length - 1 ? end : at < end ? sentence.IndexOf(_words[i], at + 1, end - at - 1, StringComparison.Ordinal) : -1;
             if (next <= at)
             {

@@ -2,20 +2,19 @@ using System.Globalization;
 
 namespace ErrorMatching.Reporting;
 
-/// <summary>Colors for values with a sign: blue below zero, nearly white at zero, orange above, so that people who do not see red or green apart can read them.</summary>
-/// <remarks>
-/// Both arms fall evenly in lightness and rise evenly in colorfulness from zero outwards, in Oklab (B. Ottosson, "A perceptual color space for image processing", 2020): equal steps of the value look like equal steps.
-/// </remarks>
+/// <summary>Colors for signed values: blue below zero, nearly white at zero, orange above; readable if red-green color-blind.</summary>
+/// <remarks>In both directions from zero, lightness decreases and colorfulness increases evenly in Oklab (B. Ottosson, "A perceptual color
+/// space for image processing", 2020), so that equal steps of the value look equal.</remarks>
 public static class DivergingColors
 {
-    /// <summary>Number of colors: odd, so that one of them means zero.</summary>
+    /// <summary>Number of colors: odd, so that one of them represents zero.</summary>
     public const int Count = 21;
 
     private const double LightnessAtZero = 0.97, LightnessAtEnd = 0.42, ChromaAtEnd = 0.13, BlueHueDegrees = 255, OrangeHueDegrees = 50;
 
-    /// <summary>The number of the color of a value, 0 for the lowest, <see cref="Count"/> - 1 for the highest.</summary>
+    /// <summary>The color index of a value: 0 for the lowest, <see cref="Count"/> - 1 for the highest.</summary>
     /// <param name="value">The value.</param>
-    /// <param name="limit">The absolute value that has the last color; those beyond have it too.</param>
+    /// <param name="limit">The absolute value of the last color, which is also used beyond.</param>
     public static int IndexOf(double value, double limit) =>
         (int)Math.Clamp(Math.Round(((value / limit) + 1) / 2 * (Count - 1), MidpointRounding.AwayFromZero), 0, Count - 1);
 
@@ -31,7 +30,7 @@ public static class DivergingColors
         return string.Create(CultureInfo.InvariantCulture, $"#{Byte(r):x2}{Byte(g):x2}{Byte(b):x2}");
     }
 
-    // Oklab to linear sRGB, with the matrices of its author.
+    // Oklab to linear sRGB, with the author's matrices.
     private static (double R, double G, double B) ToRgb(double lightness, double a, double b)
     {
         var l = Cube(lightness + (0.3963377774 * a) + (0.2158037573 * b));

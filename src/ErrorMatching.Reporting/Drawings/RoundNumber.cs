@@ -1,12 +1,12 @@
 namespace ErrorMatching.Reporting;
 
-/// <summary>Round numbers, as people like them at axes: 1, 2 or 5 times a power of ten.</summary>
+/// <summary>Round numbers for axes: 1, 2 or 5 times a power of ten.</summary>
 public static class RoundNumber
 {
-    /// <summary>The smallest round number that is not below a positive one.</summary>
+    /// <summary>The smallest round number not below a positive number.</summary>
     public static double AtLeast(double value) => Search(value, m => m >= value * (1 - 1e-12), [1, 2, 5, 10]);
 
-    /// <summary>The largest round number that is not above a positive one.</summary>
+    /// <summary>The largest round number not above a positive number.</summary>
     public static double AtMost(double value) => Search(value, m => m <= value * (1 + 1e-12), [5, 2, 1]);
 
     private static double Search(double value, Func<double, bool> fits, ReadOnlySpan<int> mantissas)
@@ -14,7 +14,7 @@ public static class RoundNumber
         var exponent = (int)Math.Floor(Math.Log10(value));
         foreach (var mantissa in mantissas)
         {
-            // A division by a power of ten is rounded once, so that 0.1 is the double that 0.1 means.
+            // A division by a power of ten is rounded once, so that 0.1 is the nearest double.
             var number = exponent < 0 ? mantissa / Math.Pow(10, -exponent) : mantissa * Math.Pow(10, exponent);
             if (fits(number))
             {

@@ -3,13 +3,11 @@ using System.Text;
 
 namespace ErrorMatching.Reporting;
 
-/// <summary>Turns text from files, names and programs into text that a browser shows and never obeys.</summary>
+/// <summary>Escapes text from files, names and programs, so that a browser shows it but never executes it.</summary>
 public static class HtmlEscape
 {
-    /// <summary>
-    /// The text with markup characters as entities. Characters that XML does not know and lone surrogates become U+FFFD, marks that would turn the direction of what follows are spelled out:
-    /// a block must be read in the order in which the control reads it.
-    /// </summary>
+    /// <summary>Appends text with markup characters as entities. Characters that are invalid in XML and lone surrogates become U+FFFD.
+    /// Marks that change the text direction are spelled out, because a block must be read in the same order as on the control.</summary>
     public static void Append(StringBuilder target, ReadOnlySpan<char> text)
     {
         while (!text.IsEmpty)
@@ -24,7 +22,7 @@ public static class HtmlEscape
             text = text[plain..];
             if (!text.IsEmpty)
             {
-                // Of a lone surrogate it makes U+FFFD.
+                // A lone surrogate becomes U+FFFD.
                 Rune.DecodeFromUtf16(text, out var rune, out var length);
                 Append(target, rune);
                 text = text[length..];

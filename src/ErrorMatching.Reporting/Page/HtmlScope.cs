@@ -1,8 +1,7 @@
 namespace ErrorMatching.Reporting;
 
-/// <summary>An open element, closed at the end of the scope.</summary>
+/// <summary>An open element that is closed at the end of the scope.</summary>
 public readonly ref struct HtmlScope(HtmlText html, string element)
 {
-    /// <summary>Closes the element.</summary>
     public void Dispose() => html.End(element);
 }

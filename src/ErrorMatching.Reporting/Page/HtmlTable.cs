@@ -1,16 +1,16 @@
 namespace ErrorMatching.Reporting;
 
-/// <summary>A table with caption and heads, in a region of its own that scrolls where the window is too small for it, by keyboard too.</summary>
+/// <summary>Writes tables with caption and headings, in their own region that scrolls in a small window, with the keyboard too.</summary>
 public static class HtmlTable
 {
     /// <summary>Writes a table.</summary>
-    /// <param name="html">Where to.</param>
+    /// <param name="html">The output.</param>
     /// <param name="id">Its identifier on the page.</param>
-    /// <param name="caption">What it shows.</param>
+    /// <param name="caption">Its caption.</param>
     /// <param name="columns">Its columns.</param>
     /// <param name="rows">Its rows.</param>
     /// <param name="cells">Writes the cells of one row.</param>
-    /// <param name="isLong">True if it may be too long for a screen: its head then stays while the rows scroll.</param>
+    /// <param name="isLong">True if it may be too long for a screen; its headings then stay while the rows scroll.</param>
     public static void Write<T>(HtmlText html, string id, string caption, IReadOnlyList<TableColumn> columns, IEnumerable<T> rows, Action<TableRow, T> cells, bool isLong = false)
     {
         using (html.In("div", ("class", isLong ? "scroll long" : "scroll"), ("role", "region"), ("tabindex", "0"), ("aria-labelledby", id)))

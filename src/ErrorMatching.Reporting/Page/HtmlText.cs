@@ -2,12 +2,12 @@ using System.Text;
 
 namespace ErrorMatching.Reporting;
 
-/// <summary>Writes markup that is HTML and well-formed XML at once. Whatever is written as text or as an attribute is escaped.</summary>
+/// <summary>Writes markup that is both HTML and well-formed XML. All text and attributes are escaped.</summary>
 public sealed class HtmlText
 {
     private readonly StringBuilder _text = new("<!DOCTYPE html>\n");
 
-    /// <summary>Opens an element; disposing of the result closes it. Attributes without a value are left out.</summary>
+    /// <summary>Opens an element; disposing of the result closes it. Attributes without a value are omitted.</summary>
     public HtmlScope In(string element, params ReadOnlySpan<(string Name, string? Value)> attributes)
     {
         Start(element, attributes);
@@ -15,7 +15,7 @@ public sealed class HtmlText
         return new(this, element);
     }
 
-    /// <summary>An element that holds text only.</summary>
+    /// <summary>Writes an element that contains only text.</summary>
     public void Put(string element, string content, params ReadOnlySpan<(string Name, string? Value)> attributes)
     {
         using (In(element, attributes))
@@ -24,7 +24,7 @@ public sealed class HtmlText
         }
     }
 
-    /// <summary>An element that holds nothing.</summary>
+    /// <summary>Writes an empty element.</summary>
     public void Empty(string element, params ReadOnlySpan<(string Name, string? Value)> attributes)
     {
         Start(element, attributes);
@@ -32,13 +32,13 @@ public sealed class HtmlText
         EndLineAfter(element);
     }
 
-    /// <summary>Text.</summary>
+    /// <summary>Writes text.</summary>
     public void Text(ReadOnlySpan<char> content) => HtmlEscape.Append(_text, content);
 
-    /// <summary>The style sheet, which is ours and free of markup characters.</summary>
+    /// <summary>Writes the style sheet, which must not contain markup characters.</summary>
     public void Style(string css) => _text.Append("<style>\n").Append(css).Append("</style>\n");
 
-    /// <summary>UTF-8 without a byte order mark.</summary>
+    /// <summary>Returns UTF-8 without a byte order mark.</summary>
     public byte[] ToBytes() => Encoding.UTF8.GetBytes(_text.ToString());
 
     internal void End(string element)
@@ -61,7 +61,7 @@ public sealed class HtmlText
         }
     }
 
-    // A line end between blocks can be seen by nobody but a reader of the source; within a sentence or a block of a program it would be a space.
+    // A line end between blocks is visible only in the source. Within a sentence or a program block, it would be a space.
     private void EndLineAfter(string element)
     {
         if (element is not ("a" or "code" or "del" or "em" or "ins" or "span" or "strong" or "title" or "tspan"))

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Reporting;
 
-/// <summary>A list of names with what there is to say about each.</summary>
+/// <summary>Writes lists of names and values, warnings and notes.</summary>
 public static class ReportFacts
 {
     /// <summary>Writes a list of facts.</summary>
@@ -19,10 +19,10 @@ public static class ReportFacts
         }
     }
 
-    /// <summary>Sentences that a person must not overlook; nothing where there are none.</summary>
+    /// <summary>Writes warnings; nothing if there are none.</summary>
     public static void WriteWarnings(HtmlText html, IReadOnlyList<string> warnings) => WriteList(html, "⚠ Warning", "warning", warnings);
 
-    /// <summary>Sentences that a person may want to read; nothing where there are none.</summary>
+    /// <summary>Writes notes; nothing if there are none.</summary>
     public static void WriteNotes(HtmlText html, IReadOnlyList<string> notes) => WriteList(html, "Note", "note", notes);
 
     private static void WriteList(HtmlText html, string word, string cssClass, IReadOnlyList<string> sentences)

@@ -1,14 +1,14 @@
 namespace ErrorMatching.Reporting;
 
-/// <summary>The frame of a report: one file that fetches nothing and runs nothing.</summary>
+/// <summary>The frame of a report: one file without network access or scripts.</summary>
 public static class ReportPage
 {
     private static readonly Lazy<string> Css = new(ReadCss);
 
     /// <summary>Writes a page.</summary>
-    /// <param name="title">Its heading and the title of its window.</param>
-    /// <param name="subtitle">What it is about, below the heading.</param>
-    /// <param name="sections">Its sections, listed at its top.</param>
+    /// <param name="title">Its heading and window title.</param>
+    /// <param name="subtitle">The subject, below the heading.</param>
+    /// <param name="sections">Its sections, listed at the top.</param>
     public static byte[] Write(string title, string subtitle, IReadOnlyList<PageSection> sections)
     {
         var html = new HtmlText();
@@ -45,7 +45,7 @@ public static class ReportPage
             html.Empty("meta", ("charset", "utf-8"));
             html.Empty("meta", ("name", "viewport"), ("content", "width=device-width, initial-scale=1"));
 
-            // Should anything slip through the escaping, the browser still neither runs nor fetches it.
+            // If anything slips through the escaping, the browser still neither runs nor fetches it.
             html.Empty("meta", ("http-equiv", "Content-Security-Policy"), ("content", "default-src 'none'; style-src 'unsafe-inline'"));
             html.Put("title", title);
             html.Style(Css.Value);

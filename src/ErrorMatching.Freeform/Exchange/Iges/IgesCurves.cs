@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Curves of an IGES file as B-splines: 126, lines 110, arcs 100, ellipses 104, polylines 106 and 102, which joins curves.</summary>
+/// <summary>Reads curves of an IGES file as B-splines: 126, lines 110, arcs 100, ellipses 104, polylines 106, composites 102.</summary>
 /// <param name="file">The file.</param>
 internal sealed class IgesCurves(IgesFile file)
 {
@@ -11,17 +11,17 @@ internal sealed class IgesCurves(IgesFile file)
     private int _count;
     private long _poles;
 
-    /// <summary>The curves of an entity in their order, in space.</summary>
+    /// <summary>Returns the curves of an entity in order, in space.</summary>
     /// <param name="entity">The entity.</param>
-    /// <param name="outer">The map of what it is part of.</param>
+    /// <param name="outer">Transform of the parent entity.</param>
     public IEnumerable<SplineCurve> InSpace(IgesEntity entity, IgesTransform outer) => Read(entity, outer, file.MillimetersPerUnit, 0);
 
-    /// <summary>The curves of an entity in their order, in the parameters of a surface, which have no unit.</summary>
+    /// <summary>Returns the curves of an entity in order, in the parameters of a surface, which have no unit.</summary>
     /// <param name="entity">The entity.</param>
     public IEnumerable<SplineCurve> OfParameters(IgesEntity entity) => Read(entity, IgesTransform.Identity, 1, 0);
 
-    /// <summary>The one curve of an entity, in space.</summary>
-    /// <exception cref="FreeformException">It is a chain of curves, or no curve that is read.</exception>
+    /// <summary>Returns the only curve of an entity, in space.</summary>
+    /// <exception cref="FreeformException">The entity is a chain of curves, or not a supported curve.</exception>
     public SplineCurve One(IgesEntity entity, IgesTransform outer) => InSpace(entity, outer).ToList() is [var only]
         ? only
         : throw file.Fail("not-read", $"{entity} joins several curves; one is expected of which a surface is made", entity.Line);
@@ -69,7 +69,7 @@ internal sealed class IgesCurves(IgesFile file)
         var curves = new List<SplineCurve>();
         foreach (var pointer in pointers)
         {
-            // A point (116) may stand between curves as a mark.
+            // A point (116) may mark a place between curves.
             var part = file.At(pointer, entity, "a curve");
             if (part.Type != 116)
             {
@@ -86,7 +86,7 @@ internal sealed class IgesCurves(IgesFile file)
         return Polygon([map.Map(new(p[0], p[1], p[2]), scale), map.Map(new(p[3], p[4], p[5]), scale)]);
     }
 
-    // Counter-clockwise in its plane; a full circle where start and end are the same.
+    // Counterclockwise in its plane; a full circle if start and end coincide.
     private static SplineCurve Arc(IgesParameters parameters, IgesTransform map, double scale)
     {
         var p = parameters.Reals("height, center, start and end of the arc", 7);
@@ -101,7 +101,7 @@ internal sealed class IgesCurves(IgesFile file)
         return Mapped(SplineArc.Of(new(p[1], p[2], p[0]), new(x, y, 0), new(-y, x, 0), 0, sweep > FullTurn ? sweep : sweep + Math.Tau), map, scale);
     }
 
-    // a x^2 + b x y + c y^2 + d x + e y + f = 0 at a height; its axes are those of the matrix ((a, b/2), (b/2, c)).
+    // a x^2 + b x y + c y^2 + d x + e y + f = 0 at a height. The axes are those of the matrix ((a, b/2), (b/2, c)).
     private static SplineCurve Ellipse(IgesParameters parameters, IgesTransform map, double scale)
     {
         var p = parameters.Reals("coefficients, height, start and end of the conic", 11);
@@ -179,6 +179,6 @@ internal sealed class IgesCurves(IgesFile file)
         return from < to && (from > knots.Start || to < knots.End) ? curve.Between(from, to) : curve;
     }
 
-    // Points that follow one another at the same place are one.
+    // Merges consecutive points at the same place.
     private static SplineCurve Polygon(List<Point3> points) => new(KnotVector.Clamped(1, Enumerable.Range(0, points.Count).Select(i => (double)i).ToArray()), points.ToArray());
 }

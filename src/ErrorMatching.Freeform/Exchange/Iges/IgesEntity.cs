@@ -2,25 +2,24 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>An entry of the directory of an IGES file.</summary>
-/// <param name="Type">Number of the entity's type, such as 128.</param>
-/// <param name="Form">Number of its form.</param>
-/// <param name="Sequence">Number of its first record in the directory: the D number, odd.</param>
-/// <param name="Line">Line of the file with that record.</param>
-/// <param name="FirstParameter">Number of its first record of parameters, from 1.</param>
+/// <summary>A directory entry of an IGES file.</summary>
+/// <param name="Type">Entity type number, such as 128.</param>
+/// <param name="Form">Form number.</param>
+/// <param name="Sequence">Number of its first directory record: the D number, which is odd.</param>
+/// <param name="Line">Line of that record in the file.</param>
+/// <param name="FirstParameter">Number of its first parameter record, from 1.</param>
 /// <param name="Transform">D number of its transformation matrix; 0 for none.</param>
-/// <param name="Blanked">True if it is not to be shown.</param>
+/// <param name="Blanked">True if it is hidden.</param>
 /// <param name="Dependent">True if it is only part of another entity.</param>
-/// <param name="Label">Its label with the subscript, empty if it has none.</param>
+/// <param name="Label">Its label with the subscript; empty if it has none.</param>
 internal sealed record IgesEntity(int Type, int Form, int Sequence, int Line, int FirstParameter, int Transform, bool Blanked, bool Dependent, string Label)
 {
-    /// <summary>The entity in a message.</summary>
     public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"entity {Type} at D{Sequence}");
 
-    /// <summary>The entry of two records (IGES 5.3, section 2.2.4.4).</summary>
+    /// <summary>Reads the entry from two records (IGES 5.3, section 2.2.4.4).</summary>
     /// <param name="sections">The file.</param>
     /// <param name="record">Number of the first of the two records, from 0.</param>
-    /// <exception cref="FreeformException">A field holds no number.</exception>
+    /// <exception cref="FreeformException">A field is not a number.</exception>
     public static IgesEntity Read(IgesSections sections, int record)
     {
         int Number(int row, int field) => NumberIn(sections, record + row, field);

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>An IGES file: its unit, its directory, and the parameters of each entity when they are asked for.</summary>
+/// <summary>An IGES file: its unit and directory, and the parameters of each entity on demand.</summary>
 internal sealed class IgesFile
 {
     private readonly IgesSections _sections;
@@ -10,8 +10,8 @@ internal sealed class IgesFile
     private readonly (char Delimiter, char Terminator) _delimiters;
     private long _budget;
 
-    /// <summary>Reads global section and directory.</summary>
-    /// <exception cref="FreeformException">The file is no IGES file of the fixed form, or is broken.</exception>
+    /// <summary>Reads the global section and the directory.</summary>
+    /// <exception cref="FreeformException">The file is not a fixed-form IGES file, or it is broken.</exception>
     public IgesFile(ReadOnlySpan<byte> bytes, string file)
     {
         _sections = new(bytes, file);
@@ -37,19 +37,17 @@ internal sealed class IgesFile
         Entities = entities;
     }
 
-    /// <summary>Name of the file in messages.</summary>
     public string Name => _sections.File;
 
-    /// <summary>What a length of the file is multiplied by.</summary>
     public double MillimetersPerUnit { get; }
 
-    /// <summary>The directory in its order.</summary>
+    /// <summary>The directory in file order.</summary>
     public IReadOnlyList<IgesEntity> Entities { get; }
 
-    /// <summary>The entity that a pointer names.</summary>
+    /// <summary>Resolves a pointer to an entity.</summary>
     /// <param name="sequence">The D number.</param>
-    /// <param name="from">Whose pointer it is.</param>
-    /// <param name="what">What is pointed to, for the message.</param>
+    /// <param name="from">The entity that contains the pointer.</param>
+    /// <param name="what">What the pointer should refer to, for the message.</param>
     public IgesEntity At(int sequence, IgesEntity from, string what)
     {
         var index = (sequence - 1) / 2;
@@ -58,7 +56,7 @@ internal sealed class IgesFile
             : throw Fail("bad-pointer", $"{from} points to D{sequence} for {what}; the directory has D1 to D{(2 * Entities.Count) - 1}, odd numbers", from.Line);
     }
 
-    /// <summary>The parameters of an entity, from the first.</summary>
+    /// <summary>The parameters of an entity, starting at the first.</summary>
     public IgesParameters ParametersOf(IgesEntity entity)
     {
         if (_parameters.TryGetValue(entity.Sequence, out var known))
@@ -85,10 +83,9 @@ internal sealed class IgesFile
         return parameters;
     }
 
-    /// <summary>An error of this file.</summary>
     public FreeformException Fail(string code, string problem, int? line = null) => new(code, Name, problem, line);
 
-    // Records of different entities may overlap in a broken file; all of them together must not cost more than the file has.
+    // Records of different entities may overlap in a broken file. Their total must not exceed the size of the file.
     private ReadOnlyMemory<char>? Record(IgesEntity entity, int record)
     {
         _budget -= 64;

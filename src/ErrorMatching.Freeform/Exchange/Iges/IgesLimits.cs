@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The boundaries of a surface in an IGES file: curves on a surface (142) and boundaries (141).</summary>
+/// <summary>Reads the boundaries of a surface in an IGES file: curves on a surface (142) and boundaries (141).</summary>
 /// <param name="file">The file.</param>
 /// <param name="curves">Its curves.</param>
 internal sealed class IgesLimits(IgesFile file, IgesCurves curves)
@@ -11,8 +11,9 @@ internal sealed class IgesLimits(IgesFile file, IgesCurves curves)
 
     /// <summary>Follows a closed boundary.</summary>
     /// <param name="boundary">An entity of type 142 or 141.</param>
-    /// <param name="outer">The map of what it is part of.</param>
-    /// <param name="hasParameters">False if the surface's parameters are not those of the file, so that only curves in space tell where the boundary is.</param>
+    /// <param name="outer">Transform of the parent entity.</param>
+    /// <param name="hasParameters">False if the surface's parameters differ from those of the file, so that only curves in space define
+    /// the boundary.</param>
     /// <param name="tracer">Receives the loop.</param>
     public void Trace(IgesEntity boundary, IgesTransform outer, bool hasParameters, RegionTracer tracer)
     {
@@ -70,7 +71,7 @@ internal sealed class IgesLimits(IgesFile file, IgesCurves curves)
 
             if (both && flats > 0 && hasParameters && preferred != PreferSpace)
             {
-                // These already run along the boundary.
+                // These curves already follow the direction of the boundary.
                 foreach (var pointer in pointers)
                 {
                     Follow(curves.OfParameters(file.At(pointer, boundary, "a curve of parameters")), tracer.Parameters);

@@ -1,11 +1,11 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>What an IGES file calls an entity: its name property (406, form 15), else its label.</summary>
+/// <summary>Finds the name of an IGES entity: its name property (406, form 15), or its label.</summary>
 internal static class IgesName
 {
     private const int MaxProperties = 1000;
 
-    /// <summary>The name; empty if it has none.</summary>
+    /// <summary>Returns the name; empty if there is none.</summary>
     public static string Of(IgesFile file, IgesEntity entity)
     {
         var parameters = file.ParametersOf(entity);
@@ -41,7 +41,7 @@ internal static class IgesName
         return entity.Label;
     }
 
-    // Properties follow what belongs to the type, so its length must be known.
+    // Properties follow the type's own parameters, whose number must be known.
     private static bool SkipOwn(IgesEntity entity, IgesParameters parameters)
     {
         var count = 0L;

@@ -2,22 +2,21 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The parameters of one entity, read one after another; every error names entity, parameter and line.</summary>
+/// <summary>Reads the parameters of one entity in sequence. Every error names the entity, parameter and line.</summary>
 internal sealed class IgesParameters(IgesSections sections, IgesEntity entity, ReadOnlyMemory<char> text, IReadOnlyList<IgesToken> tokens)
 {
     private int _next = 1; // the first one repeats the entity's type
 
-    /// <summary>How many parameters have not been read.</summary>
     public int Left => Math.Max(0, tokens.Count - _next);
 
-    /// <summary>Starts again behind the entity's type.</summary>
+    /// <summary>Restarts after the entity type.</summary>
     public IgesParameters Restart()
     {
         _next = 1;
         return this;
     }
 
-    /// <summary>A whole number; a parameter that is left out is 0.</summary>
+    /// <summary>Reads an integer; 0 if omitted.</summary>
     public int Int(string name)
     {
         var value = Take(name);
@@ -26,14 +25,14 @@ internal sealed class IgesParameters(IgesSections sections, IgesEntity entity, R
             : throw Fail("bad-number", $"{ExchangeLimits.Quote(value.ToString())} for {name}; a whole number is expected");
     }
 
-    /// <summary>A whole number within limits.</summary>
+    /// <summary>Reads an integer within limits.</summary>
     public int Int(string name, int least, int most)
     {
         var number = Int(name);
         return number >= least && number <= most ? number : throw Fail("bad-number", $"{number} for {name}; {least} to {most} is expected");
     }
 
-    /// <summary>A number; a parameter that is left out is 0.</summary>
+    /// <summary>Reads a number; 0 if omitted.</summary>
     public double Real(string name)
     {
         var value = Take(name);
@@ -58,7 +57,6 @@ internal sealed class IgesParameters(IgesSections sections, IgesEntity entity, R
         throw Fail("bad-number", $"{ExchangeLimits.Quote(value.ToString())} for {name}; a number is expected");
     }
 
-    /// <summary>Numbers that follow one another.</summary>
     public double[] Reals(string name, int count)
     {
         Need(count, name);
@@ -71,10 +69,10 @@ internal sealed class IgesParameters(IgesSections sections, IgesEntity entity, R
         return values;
     }
 
-    /// <summary>A string; empty if it is left out.</summary>
+    /// <summary>Reads a string; empty if omitted.</summary>
     public string Text(string name) => Take(name).ToString();
 
-    /// <summary>Passes over parameters; false if there are not as many.</summary>
+    /// <summary>Skips parameters; false if there are too few.</summary>
     public bool Skip(long count)
     {
         if (count < 0 || count > Left)
@@ -86,7 +84,7 @@ internal sealed class IgesParameters(IgesSections sections, IgesEntity entity, R
         return true;
     }
 
-    /// <summary>Throws if fewer parameters are left than are to follow, before anything is made to hold them.</summary>
+    /// <summary>Throws if too few parameters remain, before memory is allocated for them.</summary>
     public void Need(long count, string name)
     {
         if (count > Left)
@@ -95,7 +93,7 @@ internal sealed class IgesParameters(IgesSections sections, IgesEntity entity, R
         }
     }
 
-    /// <summary>An error at the parameter that was read last.</summary>
+    /// <summary>Creates an error at the last parameter read.</summary>
     public FreeformException Fail(string code, string problem)
     {
         var at = tokens.Count == 0 ? 0 : tokens[Math.Clamp(_next - 1, 0, tokens.Count - 1)].Start;

@@ -1,14 +1,15 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Surfaces that a file draws elsewhere than it writes them: members of a subfigure (308) that an instance (408) moves or scales.</summary>
+/// <summary>Detects surfaces that a file displays at another place than they are defined: members of a subfigure (308) that an instance
+/// (408) moves or scales.</summary>
 internal static class IgesPlacedParts
 {
     private const int MostMembers = 100_000;
 
-    /// <summary>Refuses a surface that is placed elsewhere.</summary>
+    /// <summary>Refuses a displaced surface.</summary>
     /// <param name="file">The file.</param>
     /// <param name="surface">The surface that was chosen.</param>
-    /// <exception cref="FreeformException">It is, or an entity that would place it is broken.</exception>
+    /// <exception cref="FreeformException">The surface is displaced, or an entity that could displace it is broken.</exception>
     public static void ThrowIfMoved(IgesFile file, IgesEntity surface)
     {
         var definitions = file.Entities.Where(e => e.Type == 308 && Members(file, e).Contains(surface.Sequence)).Select(e => e.Sequence).ToHashSet();

@@ -2,10 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The plane of IGES (entity 108): a x + b y + c z = d.</summary>
+/// <summary>Reads the IGES plane (entity 108): a x + b y + c z = d.</summary>
 internal static class IgesPlane
 {
-    /// <summary>The plane in millimetres.</summary>
+    /// <summary>Returns the plane in millimeters.</summary>
     /// <exception cref="FreeformException">It has no normal.</exception>
     public static PlanePatch Read(IgesFile file, IgesEntity entity, IgesTransform outer)
     {
@@ -18,7 +18,7 @@ internal static class IgesPlane
             throw parameters.Fail("bad-surface", "a plane whose normal has length 0");
         }
 
-        // Three points of it are mapped; what they span is a plane again, however the map stretches.
+        // Maps three of its points. They still span a plane, even if the map stretches.
         var x = (Math.Abs(normal.X) <= Math.Abs(normal.Z) ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0)) is var along ? (along - (normal * (along.Dot(normal) / normal.Dot(normal)))).Normalize() : default;
         var y = normal.Normalize().Cross(x);
         var foot = normal * (p[3] / normal.Dot(normal));
@@ -28,7 +28,7 @@ internal static class IgesPlane
         return new(origin, first, (second - (first * second.Dot(first))).Normalize());
     }
 
-    /// <summary>The closed curve that limits a plane of form 1; 0 if it has none.</summary>
+    /// <summary>Pointer to the closed curve that bounds a plane of form 1; 0 if none.</summary>
     public static int BoundaryOf(IgesFile file, IgesEntity entity)
     {
         var parameters = file.ParametersOf(entity);

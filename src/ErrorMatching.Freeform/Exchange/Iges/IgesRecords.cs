@@ -3,18 +3,18 @@ using System.Text;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The records of an IGES file that is written (IGES 5.3, section 2.2).</summary>
+/// <summary>Collects and writes the records of an IGES file (IGES 5.3, section 2.2).</summary>
 internal sealed class IgesRecords(string product)
 {
     private const int LabelLength = 8;
 
-    // The form asks for dates; the content decides the file, so they are a constant.
+    // The format requires dates. They are constant, so that the same content gives the same file.
     private const string Date = "20000101.000000";
 
     private readonly List<string[]> _directory = [];
     private readonly List<string> _parameters = [];
 
-    /// <summary>Takes the next entry of the directory.</summary>
+    /// <summary>Reserves the next directory entry.</summary>
     /// <returns>Its D number.</returns>
     public int Reserve()
     {
@@ -22,13 +22,13 @@ internal sealed class IgesRecords(string product)
         return (2 * _directory.Count) - 1;
     }
 
-    /// <summary>Writes an entity into an entry that was taken.</summary>
+    /// <summary>Writes an entity into a reserved entry.</summary>
     /// <param name="sequence">Its D number.</param>
     /// <param name="type">Its type.</param>
     /// <param name="form">Its form.</param>
     /// <param name="dependent">True if it is only part of another entity.</param>
-    /// <param name="name">Its name, as label and, where a label cannot hold it, as name property; empty for none.</param>
-    /// <param name="values">Its parameters behind the type.</param>
+    /// <param name="name">Its name, written as a label, or as a name property if it is too long; empty for none.</param>
+    /// <param name="values">Its parameters after the type.</param>
     public void Fill(int sequence, int type, int form, bool dependent, string name, IReadOnlyList<IgesValue> values)
     {
         var plain = Plain(name);
@@ -50,8 +50,8 @@ internal sealed class IgesRecords(string product)
         ];
     }
 
-    /// <summary>The whole file.</summary>
-    /// <param name="largest">Largest coordinate in millimetres.</param>
+    /// <summary>Returns the complete file.</summary>
+    /// <param name="largest">Largest coordinate in millimeters.</param>
     public byte[] ToBytes(double largest)
     {
         var text = new StringBuilder();
@@ -84,7 +84,7 @@ internal sealed class IgesRecords(string product)
         return number;
     }
 
-    // A number must not be broken between records; a string may be.
+    // A number must not be split between records; a string may be.
     private static void Wrap(List<IgesValue> values, int width, Action<string> add)
     {
         var line = new StringBuilder();
@@ -116,6 +116,6 @@ internal sealed class IgesRecords(string product)
         }
     }
 
-    // IGES has the printable characters of ASCII and no others.
+    // IGES allows only the printable ASCII characters.
     private static string Plain(string name) => string.Concat(name.Select(c => c is >= ' ' and <= '~' ? c : '_'));
 }

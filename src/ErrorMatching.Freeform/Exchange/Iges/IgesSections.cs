@@ -3,8 +3,8 @@ using System.Text;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>An IGES file in its fixed form as records of 80 columns, sorted by section (IGES 5.3, section 2.2).</summary>
-/// <remarks>A missing start or terminate section takes nothing from the geometry and is not asked for.</remarks>
+/// <summary>The 80-column records of a fixed-form IGES file, sorted by section (IGES 5.3, section 2.2).</summary>
+/// <remarks>A missing start or terminate section does not affect the geometry and is accepted.</remarks>
 internal sealed class IgesSections
 {
     private const int SectionColumn = 72;
@@ -16,7 +16,7 @@ internal sealed class IgesSections
     private readonly List<(int Offset, int Line)> _parameters = [];
 
     /// <summary>Sorts the records of a file.</summary>
-    /// <exception cref="FreeformException">A record is none of IGES, or records are missing.</exception>
+    /// <exception cref="FreeformException">A line is not an IGES record, or records are missing.</exception>
     public IgesSections(ReadOnlySpan<byte> bytes, string file)
     {
         File = file;
@@ -41,33 +41,28 @@ internal sealed class IgesSections
         }
     }
 
-    /// <summary>Name of the file in messages.</summary>
     public string File { get; }
 
-    /// <summary>Number of records of the directory.</summary>
     public int DirectoryCount => _directory.Count;
 
-    /// <summary>Number of records of parameters.</summary>
     public int ParameterCount => _parameters.Count;
 
-    /// <summary>The 72 columns of a record of the global section; null behind the last.</summary>
+    /// <summary>The 72 columns of a global record; null after the last.</summary>
     public ReadOnlyMemory<char>? Global(int record) => record < _global.Count ? _text.AsMemory(_global[record].Offset, SectionColumn) : default(ReadOnlyMemory<char>?);
 
-    /// <summary>Line of a record of the global section; 1 if there is none.</summary>
+    /// <summary>Line of a global record; 1 if there is none.</summary>
     public int GlobalLine(int record) => _global.Count == 0 ? 1 : _global[Math.Min(record, _global.Count - 1)].Line;
 
-    /// <summary>A field of 8 columns of the directory.</summary>
+    /// <summary>An 8-column field of a directory record.</summary>
     /// <param name="record">Number of the record from 0.</param>
     /// <param name="field">Number of the field from 0 to 8.</param>
     public string Field(int record, int field) => _text.Substring(_directory[record].Offset + (8 * field), 8);
 
-    /// <summary>Line of a record of the directory.</summary>
     public int DirectoryLine(int record) => _directory[record].Line;
 
-    /// <summary>The 64 columns of data of a record of parameters; null behind the last.</summary>
+    /// <summary>The 64 data columns of a parameter record; null after the last.</summary>
     public ReadOnlyMemory<char>? Parameters(int record) => record < _parameters.Count ? _text.AsMemory(_parameters[record].Offset, 64) : default(ReadOnlyMemory<char>?);
 
-    /// <summary>Line of a record of parameters.</summary>
     public int ParameterLine(int record) => _parameters[Math.Clamp(record, 0, _parameters.Count - 1)].Line;
 
     private bool Add(int start, int end, int line)

@@ -2,13 +2,13 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The rational B-spline surface of IGES (entity 128).</summary>
+/// <summary>Reads the rational B-spline surface of IGES (entity 128).</summary>
 internal static class IgesSplineSurface
 {
-    /// <summary>The surface of an entity, in millimetres.</summary>
+    /// <summary>Reads the surface of an entity, in millimeters.</summary>
     /// <param name="file">The file.</param>
     /// <param name="entity">An entity of type 128.</param>
-    /// <param name="outer">The map of what it is part of.</param>
+    /// <param name="outer">Transform of the parent entity.</param>
     /// <exception cref="FreeformException">The entity is broken.</exception>
     public static SplineSurface Read(IgesFile file, IgesEntity entity, IgesTransform outer)
     {
@@ -52,7 +52,7 @@ internal static class IgesSplineSurface
         }
     }
 
-    // The last parameters say which part of the knots belongs to the surface; nearly always it is all of it.
+    // The last parameters define the used part of the knot range, which is nearly always all of it.
     private static SplineSurface Cut(SplineSurface whole, IgesParameters parameters)
     {
         if (parameters.Left < 4)

@@ -2,7 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The surfaces of an IGES file: B-splines (128) and what is exactly one (108 with limits, 118, 120, 122), alone or trimmed (144, 143).</summary>
+/// <summary>The surfaces of an IGES file: B-splines (128) and surfaces that convert exactly (bounded 108, 118, 120, 122), untrimmed or
+/// trimmed (144, 143).</summary>
 internal sealed class IgesSurfaces
 {
     private readonly IgesFile _file;
@@ -10,7 +11,7 @@ internal sealed class IgesSurfaces
     private readonly IReadOnlyList<IgesEntity> _candidates;
 
     /// <summary>Finds the surfaces of a file.</summary>
-    /// <exception cref="FreeformException">There is none.</exception>
+    /// <exception cref="FreeformException">There are no surfaces.</exception>
     public IgesSurfaces(IgesFile file)
     {
         (_file, _curves) = (file, new(file));
@@ -21,9 +22,9 @@ internal sealed class IgesSurfaces
         }
     }
 
-    /// <summary>The surface of a name or number.</summary>
+    /// <summary>Reads a surface by name or number.</summary>
     /// <param name="entity">Name or number from 1; null for the only one.</param>
-    /// <exception cref="FreeformException">It is not there, broken, or a kind of surface that is not read.</exception>
+    /// <exception cref="FreeformException">The surface does not exist, is broken, or is of an unsupported kind.</exception>
     public ReadSurface Read(string? entity)
     {
         var names = _candidates.Select(c => IgesName.Of(_file, c)).ToList();
@@ -133,7 +134,7 @@ internal sealed class IgesSurfaces
         }
     }
 
-    // A plane without limits is a tool of drawing, no surface of a piece.
+    // An unbounded plane is a drawing aid, not a surface of the piece.
     private static bool IsSurface(IgesEntity entity) => entity.Type switch
     {
         108 => entity.Form == 1,

@@ -2,15 +2,15 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Surfaces of IGES that a moved curve makes, as B-splines, exactly: ruled 118, of revolution 120, tabulated cylinder 122.</summary>
+/// <summary>Reads swept surfaces of IGES as exact B-splines: ruled 118, of revolution 120, tabulated cylinder 122.</summary>
 /// <param name="file">The file.</param>
 /// <param name="curves">Its curves.</param>
 internal sealed class IgesSweptSurfaces(IgesFile file, IgesCurves curves)
 {
-    /// <summary>The surface of an entity in millimetres.</summary>
+    /// <summary>Reads the surface of an entity in millimeters.</summary>
     /// <param name="entity">An entity of type 118, 120 or 122.</param>
-    /// <param name="outer">The map of what it is part of.</param>
-    /// <exception cref="FreeformException">The entity is broken, or not one that is exactly a B-spline.</exception>
+    /// <param name="outer">Transform of the parent entity.</param>
+    /// <exception cref="FreeformException">The entity is broken, or not exactly a B-spline.</exception>
     public SplineSurface Read(IgesEntity entity, IgesTransform outer)
     {
         var map = outer.After(IgesTransform.Of(file, entity));
@@ -43,7 +43,7 @@ internal sealed class IgesSweptSurfaces(IgesFile file, IgesCurves curves)
         return Between(common[0], common[1]);
     }
 
-    // The directrix, and the same moved so that its start comes to the given point.
+    // The directrix, and a copy whose start is at the given point.
     private SplineSurface Tabulated(IgesEntity entity, IgesParameters parameters, IgesTransform map)
     {
         var pointer = parameters.Int("the directrix");
@@ -53,7 +53,7 @@ internal sealed class IgesSweptSurfaces(IgesFile file, IgesCurves curves)
         return Between(directrix, new(directrix.Knots, directrix.Poles.ToArray().Select(p => p + by).ToArray(), directrix.Weights));
     }
 
-    // The NURBS Book, section 8.5: each pole goes round the axis on an arc; weights multiply.
+    // The NURBS Book, section 8.5: each pole follows an arc about the axis; weights multiply.
     private SplineSurface Revolved(IgesEntity entity, IgesParameters parameters, IgesTransform map)
     {
         var (axisPointer, generatrixPointer, from, to) = (parameters.Int("the axis"), parameters.Int("the generatrix"), parameters.Real("the first angle"), parameters.Real("the last angle"));

@@ -2,22 +2,23 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Splits free-format data into parameters: delimiters of the file's choice, strings in Hollerith form that may hold them, records taken as they are needed (IGES 5.3, section 2.2.3).</summary>
-/// <param name="records">The columns of a record by its number from 0; null behind the last one.</param>
-/// <param name="delimiter">Between parameters.</param>
-/// <param name="terminator">Behind the last parameter.</param>
-/// <param name="fail">Makes the error for a place in the text.</param>
+/// <summary>Splits free-format data into parameters. It handles the file's own delimiters and Hollerith strings that contain them, and
+/// reads records on demand (IGES 5.3, section 2.2.3).</summary>
+/// <param name="records">Returns the columns of a record by its number from 0; null after the last.</param>
+/// <param name="delimiter">Delimiter between parameters.</param>
+/// <param name="terminator">Delimiter after the last parameter.</param>
+/// <param name="fail">Creates the error for a place in the text.</param>
 internal sealed class IgesTokens(Func<int, ReadOnlyMemory<char>?> records, char delimiter, char terminator, Func<int, string, FreeformException> fail)
 {
     private char[] _text = new char[64];
     private int _length;
     private int _records;
 
-    /// <summary>The columns that were taken.</summary>
+    /// <summary>The columns read so far.</summary>
     public ReadOnlyMemory<char> Text => _text.AsMemory(0, _length);
 
-    /// <summary>The parameters up to the terminator.</summary>
-    /// <param name="mustEnd">False if the terminator may be missing where the records end.</param>
+    /// <summary>Returns the parameters up to the terminator.</summary>
+    /// <param name="mustEnd">False if the terminator may be missing at the end of the records.</param>
     public List<IgesToken> Split(bool mustEnd)
     {
         var tokens = new List<IgesToken>();

@@ -2,18 +2,17 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>An affine map of the file's coordinates: rotation, mirror or stretch, then a translation (entity 124).</summary>
-/// <param name="X">What the three coordinates contribute to the first one.</param>
-/// <param name="Y">To the second.</param>
-/// <param name="Z">To the third.</param>
+/// <summary>An affine map of the file's coordinates: rotation, reflection or scaling, then a translation (entity 124).</summary>
+/// <param name="X">Coefficients of the first coordinate of the result.</param>
+/// <param name="Y">Coefficients of the second.</param>
+/// <param name="Z">Coefficients of the third.</param>
 /// <param name="Shift">The translation.</param>
 internal sealed record IgesTransform(Vector3 X, Vector3 Y, Vector3 Z, Vector3 Shift)
 {
-    /// <summary>The map that changes nothing.</summary>
     public static IgesTransform Identity { get; } = new(new(1, 0, 0), new(0, 1, 0), new(0, 0, 1), Vector3.Zero);
 
-    /// <summary>The map that an entity's directory entry asks for, with those that it asks for itself.</summary>
-    /// <exception cref="FreeformException">A matrix is broken, or they refer to one another without end.</exception>
+    /// <summary>Returns the map of an entity's directory entry, combined with the maps that it refers to.</summary>
+    /// <exception cref="FreeformException">A matrix is broken, or the references are circular.</exception>
     public static IgesTransform Of(IgesFile file, IgesEntity entity)
     {
         var result = Identity;
@@ -37,7 +36,7 @@ internal sealed record IgesTransform(Vector3 X, Vector3 Y, Vector3 Z, Vector3 Sh
         return result;
     }
 
-    /// <summary>The map that does another one first.</summary>
+    /// <summary>Returns the map that applies another one first.</summary>
     public IgesTransform After(IgesTransform first)
     {
         Vector3 Row(Vector3 r) => new(
@@ -48,9 +47,9 @@ internal sealed record IgesTransform(Vector3 X, Vector3 Y, Vector3 Z, Vector3 Sh
             : new(Row(X), Row(Y), Row(Z), new(X.Dot(first.Shift) + Shift.X, Y.Dot(first.Shift) + Shift.Y, Z.Dot(first.Shift) + Shift.Z));
     }
 
-    /// <summary>The place that a point comes to.</summary>
+    /// <summary>Maps a point.</summary>
     /// <param name="p">The point.</param>
-    /// <param name="scale">Factor of the result: millimetres a unit.</param>
+    /// <param name="scale">Factor applied to the result: millimeters per unit.</param>
     public Point3 Map(Vector3 p, double scale) => ReferenceEquals(this, Identity)
         ? new(p.X * scale, p.Y * scale, p.Z * scale)
         : new((X.Dot(p) + Shift.X) * scale, (Y.Dot(p) + Shift.Y) * scale, (Z.Dot(p) + Shift.Z) * scale);

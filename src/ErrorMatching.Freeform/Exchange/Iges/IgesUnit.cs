@@ -3,10 +3,10 @@ namespace ErrorMatching.Freeform;
 /// <summary>The unit of an IGES file's lengths (IGES 5.3, section 2.2.4.3.14 and .15).</summary>
 internal static class IgesUnit
 {
-    /// <summary>The millimetres of one unit.</summary>
+    /// <summary>Returns the millimeters per unit.</summary>
     /// <param name="flag">The unit flag.</param>
     /// <param name="name">The unit's name, empty if the file has none.</param>
-    /// <returns>Null if flag and name say nothing that is known, or contradict each other.</returns>
+    /// <returns>Null if flag and name are unknown or contradict each other.</returns>
     public static double? Millimeters(int flag, string name)
     {
         double? byFlag = flag switch

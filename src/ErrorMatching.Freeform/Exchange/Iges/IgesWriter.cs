@@ -2,12 +2,12 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Writes a surface as an IGES file (version 5.3, fixed form, millimetres): entity 128, inside entity 144 where the piece has only part of it.</summary>
-/// <remarks>The same surface gives the same bytes: the dates of the file are a constant. Numbers come back as the same doubles.</remarks>
+/// <summary>Writes a surface as an IGES file (version 5.3, fixed form, millimeters): entity 128, inside 144 if trimmed.</summary>
+/// <remarks>The same surface gives the same bytes, because the dates in the file are constant. Numbers round-trip exactly.</remarks>
 public static class IgesWriter
 {
-    /// <summary>The file's bytes.</summary>
-    /// <param name="surface">The surface with its limits, in millimetres.</param>
+    /// <summary>Returns the file's bytes.</summary>
+    /// <param name="surface">The surface with its boundaries, in millimeters.</param>
     public static byte[] Write(PartSurface surface)
     {
         ArgumentNullException.ThrowIfNull(surface);
@@ -23,7 +23,7 @@ public static class IgesWriter
         var basis = Spline(file, spline, dependent: true, "");
         var boundaries = loops.Select(l => Boundary(file, basis, l)).ToList();
 
-        // An outer boundary and those of holes look alike: what is inside is told by counting crossings, so the largest one stands first.
+        // Loops do not state whether they are outer boundaries or holes; readers count crossings. So the largest comes first.
         var first = Enumerable.Range(0, loops.Count).MaxBy(i => Math.Abs(RegionLoop.Area(loops[i])));
         file.Fill(trimmed, 144, 0, dependent: false, surface.Name, [basis, 1, loops.Count - 1, boundaries[first], .. boundaries.Where((_, i) => i != first).Select(b => (IgesValue)b)]);
         return file.ToBytes(Largest(spline));
@@ -58,7 +58,7 @@ public static class IgesWriter
         return at;
     }
 
-    // A polygon of (u, v) as a B-spline of degree 1; readers that want it in space lay it onto the surface.
+    // A polygon of (u, v) as a B-spline of degree 1. Readers that need it in space map it onto the surface.
     private static int Boundary(IgesRecords file, int basis, IReadOnlyList<Point2> loop)
     {
         List<Point2> closed = [.. loop, loop[0]];

@@ -1,10 +1,10 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Whether a STEP file moves its parts: then a surface is not where its own coordinates say.</summary>
+/// <summary>Detects STEP files that move their parts. A surface is then not at its own coordinates.</summary>
 internal static class StepAssembly
 {
-    /// <summary>Throws if a part is placed elsewhere than where it was modeled.</summary>
-    /// <exception cref="FreeformException">It is.</exception>
+    /// <summary>Throws if the file places a part away from where it was modeled.</summary>
+    /// <exception cref="FreeformException">A part is moved.</exception>
     public static void ThrowIfMoved(StepFile file)
     {
         foreach (var instance in file.Where(k => k is "MAPPED_ITEM" or "ITEM_DEFINED_TRANSFORMATION" or "CARTESIAN_TRANSFORMATION_OPERATOR_3D"))

@@ -3,18 +3,18 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Curves of a STEP file as B-splines: LINE, CIRCLE, ELLIPSE, POLYLINE and B-splines, between two points of theirs.</summary>
+/// <summary>Reads curves of a STEP file as B-splines: LINE, CIRCLE, ELLIPSE, POLYLINE and B-splines, between two of their points.</summary>
 internal static class StepCurves
 {
     private const double SamePlaceMm = 1e-3;
     private const int Starts = 16;
 
-    /// <summary>The part of a curve that leads from one point to another, in its own direction, in millimetres.</summary>
+    /// <summary>Returns the part of a curve from one point to another, in the curve's own direction, in millimeters.</summary>
     /// <param name="curve">The curve.</param>
-    /// <param name="from">Where the part begins.</param>
-    /// <param name="to">Where it ends; the same as the beginning for a closed curve.</param>
-    /// <param name="scale">Millimetres a unit.</param>
-    /// <exception cref="FreeformException">The curve is broken or one that is not read.</exception>
+    /// <param name="from">Start of the part.</param>
+    /// <param name="to">End of the part; equal to the start for a closed curve.</param>
+    /// <param name="scale">Millimeters per unit.</param>
+    /// <exception cref="FreeformException">The curve is broken or not supported.</exception>
     public static SplineCurve Between(StepInstance curve, Point3 from, Point3 to, double scale)
     {
         var record = curve.Records[0];
@@ -34,7 +34,7 @@ internal static class StepCurves
         }
     }
 
-    /// <summary>A B-spline or polyline as a whole; null for any other curve.</summary>
+    /// <summary>Reads a complete B-spline or polyline; null for any other curve.</summary>
     /// <exception cref="FreeformException">The curve is broken.</exception>
     public static SplineCurve? Spline(StepInstance curve, double scale)
     {
@@ -68,7 +68,7 @@ internal static class StepCurves
         }
     }
 
-    /// <summary>The point of a VERTEX_POINT or CARTESIAN_POINT in millimetres.</summary>
+    /// <summary>Reads the point of a VERTEX_POINT or CARTESIAN_POINT in millimeters.</summary>
     public static Point3 Point(StepRecord owner, int index, double scale)
     {
         var vertex = owner.Record(index, "VERTEX_POINT");
@@ -76,10 +76,10 @@ internal static class StepCurves
         return new(p.X, p.Y, p.Z);
     }
 
-    /// <summary>A chain of straight lines, its parameter counting the points.</summary>
+    /// <summary>A polyline whose parameter counts the points.</summary>
     public static SplineCurve Polygon(IReadOnlyList<Point3> points) => new(KnotVector.Clamped(1, Enumerable.Range(0, points.Count).Select(i => (double)i).ToArray()), points.ToArray());
 
-    /// <summary>The points of a list of references in millimetres.</summary>
+    /// <summary>Reads the points of a list of references, in millimeters.</summary>
     public static Point3[] Points(StepRecord record, int index, double scale)
     {
         var list = record.List(index);
@@ -95,7 +95,7 @@ internal static class StepCurves
 
     private static FreeformException NotRead(StepRecord record) => record.Fail("not-read", "a curve of this kind is not read: LINE, CIRCLE, ELLIPSE, POLYLINE, B_SPLINE_CURVE_WITH_KNOTS (rational too) and BEZIER_CURVE are. Export edges as B-splines");
 
-    // Counter-clockwise about the placement's axis; a full turn where both points are the same.
+    // Counterclockwise about the placement's axis; a full turn if the points coincide.
     private static SplineCurve Arc(StepRecord record, double first, double second, Point3 from, Point3 to, double scale)
     {
         var frame = StepPlacement.Of(record.Instance(1));
@@ -118,7 +118,7 @@ internal static class StepCurves
         return SplineArc.Of(center, frame.X * (first * scale), frame.Y * (second * scale), a, a + (closed || sweep <= 0 ? Math.Tau : sweep));
     }
 
-    // Most edges are their curve as a whole; others are cut from it where the ends of the edge are.
+    // Most edges are a whole curve. The others are cut from it at the ends of the edge.
     private static SplineCurve Part(SplineCurve curve, Point3 from, Point3 to)
     {
         var (start, end) = (curve.Knots.Start, curve.Knots.End);
@@ -132,7 +132,7 @@ internal static class StepCurves
             : throw new GeometryException(GeometryError.CoincidentPoints, $"the edge ends before it begins on its curve, or passes the place where the curve closes");
     }
 
-    // Nearest of many places, then halving towards the smaller distance: exact enough for the end of an edge.
+    // Takes the nearest of many samples, then bisects: exact enough for the end of an edge.
     private static double Closest(SplineCurve curve, Point3 p)
     {
         var breaks = curve.Knots.Breaks;

@@ -2,15 +2,15 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Writes the edges that limit a surface.</summary>
+/// <summary>Writes the edges that bound a surface.</summary>
 /// <param name="lines">The file.</param>
 /// <param name="surface">The surface.</param>
-/// <param name="reference">The surface in the file.</param>
+/// <param name="reference">Reference to the surface in the file.</param>
 internal sealed class StepEdges(StepLines lines, SplineSurface surface, string reference)
 {
     private string? _plane;
 
-    /// <summary>The loop of the four edges of the whole surface, each with its line of the parameters.</summary>
+    /// <summary>Writes the loop of the four edges of the whole surface, each with its line in the parameters.</summary>
     public string Border()
     {
         var (u0, u1, v0, v1) = (surface.KnotsU.Start, surface.KnotsU.End, surface.KnotsV.Start, surface.KnotsV.End);
@@ -20,7 +20,7 @@ internal sealed class StepEdges(StepLines lines, SplineSurface surface, string r
         List<string> edges = [];
         for (var side = 0; side < sides.Length; side++)
         {
-            // A curve runs with its parameter; the last two sides are passed against it.
+            // Each curve follows its parameter. The last two sides traverse it backward.
             var forward = side < 2;
             var (from, to) = forward ? (side, (side + 1) % 4) : ((side + 1) % 4, side);
             var curve = lines.Curve(sides[side].Knots, sides[side].Poles.ToArray().Select(lines.Point), sides[side].Weights);
@@ -30,7 +30,7 @@ internal sealed class StepEdges(StepLines lines, SplineSurface surface, string r
         return lines.Add($"EDGE_LOOP('',({string.Join(',', edges)}))");
     }
 
-    /// <summary>A loop of one edge for each side of a polygon of the parameters.</summary>
+    /// <summary>Writes a loop with one edge for each side of a polygon in the parameters.</summary>
     public string Polygon(IReadOnlyList<Point2> loop)
     {
         var vertices = loop.Select(Vertex).ToArray();

@@ -3,14 +3,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A face of a STEP file: a surface and the loops of edges that limit it.</summary>
+/// <summary>Reads a face of a STEP file: a surface and the edge loops that bound it.</summary>
 internal static class StepFace
 {
-    /// <summary>True for a face, false for a surface without one.</summary>
+    /// <summary>True for a face, false for a bare surface.</summary>
     public static bool IsFace(StepInstance instance) => instance.Keyword is "ADVANCED_FACE" or "FACE_SURFACE";
 
-    /// <summary>The surface of a face with its limits, or a surface as a whole.</summary>
-    /// <exception cref="FreeformException">It is broken, or a kind of surface that is not read.</exception>
+    /// <summary>Reads the surface of a face with its boundaries, or a complete surface.</summary>
+    /// <exception cref="FreeformException">It is broken or not supported.</exception>
     public static ReadSurface Read(StepItem item, string name)
     {
         var (instance, scale) = item;

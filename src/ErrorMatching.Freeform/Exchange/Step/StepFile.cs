@@ -3,7 +3,7 @@ using System.Text;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A STEP file (ISO 10303-21): where its instances are, and what is in them when they are asked for.</summary>
+/// <summary>A STEP file (ISO 10303-21): the positions of its instances, which are parsed on demand.</summary>
 internal sealed class StepFile
 {
     private readonly string _text;
@@ -12,7 +12,7 @@ internal sealed class StepFile
     private long _budget;
 
     /// <summary>Finds the instances of a file.</summary>
-    /// <exception cref="FreeformException">The file is no STEP file, or is cut off or broken.</exception>
+    /// <exception cref="FreeformException">The file is not a STEP file, or is truncated or broken.</exception>
     public StepFile(ReadOnlySpan<byte> bytes, string name)
     {
         Name = name;
@@ -30,16 +30,14 @@ internal sealed class StepFile
         }
     }
 
-    /// <summary>Name of the file in messages.</summary>
     public string Name { get; }
 
-    /// <summary>Instances whose types satisfy a condition, in the order of the file. Of a complex instance, the type is empty.</summary>
+    /// <summary>Instances whose types satisfy a condition, in file order. The type of a complex instance is empty.</summary>
     public IEnumerable<StepInstance> Where(Func<string, bool> wanted) => _order.Where(id => wanted(KeywordAt(_instances[id].Offset))).Select(id => At(id)!);
 
-    /// <summary>Number of instances whose type satisfies a condition.</summary>
     public int Count(Func<string, bool> wanted) => _order.Count(id => wanted(KeywordAt(_instances[id].Offset)));
 
-    /// <summary>An instance; null if the file has none of that number.</summary>
+    /// <summary>Returns an instance; null if the file has none with this number.</summary>
     /// <exception cref="FreeformException">It is broken.</exception>
     public StepInstance? At(long id)
     {
@@ -130,7 +128,7 @@ internal sealed class StepFile
         _order.Add(id);
     }
 
-    // The ; that ends a statement, outside strings and comments; -1 if there is none.
+    // The semicolon that ends a statement, outside strings and comments; -1 if there is none.
     private int StatementEnd(int at)
     {
         while (at < _text.Length)

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Finds the surfaces of a STEP file: from its representations through solids and shells down to faces.</summary>
+/// <summary>Finds the surfaces of a STEP file, from its representations through solids and shells down to faces.</summary>
 internal sealed class StepItems
 {
     private const int MaxItems = 1_000_000;
@@ -14,7 +14,7 @@ internal sealed class StepItems
     private readonly HashSet<long> _seen = [];
     private readonly List<StepItem> _items = [];
 
-    /// <summary>The surfaces in the order of the file.</summary>
+    /// <summary>Returns the surfaces in file order.</summary>
     /// <exception cref="FreeformException">The file is broken, or places parts in an assembly.</exception>
     public static IReadOnlyList<StepItem> Of(StepFile file)
     {

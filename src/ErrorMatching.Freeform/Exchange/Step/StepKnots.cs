@@ -2,15 +2,15 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Knots as STEP has them: each once, and how often it counts.</summary>
+/// <summary>Reads knots in STEP form: distinct values with multiplicities.</summary>
 internal static class StepKnots
 {
-    /// <summary>The knots of two attributes.</summary>
-    /// <param name="record">Whose attributes they are.</param>
+    /// <summary>Reads the knots from two attributes.</summary>
+    /// <param name="record">The record with the attributes.</param>
     /// <param name="degree">The degree.</param>
-    /// <param name="multiplicities">Place of the list of multiplicities.</param>
-    /// <param name="knots">Place of the list of knots.</param>
-    /// <exception cref="FreeformException">The lists are no numbers or differ in length.</exception>
+    /// <param name="multiplicities">Index of the list of multiplicities.</param>
+    /// <param name="knots">Index of the list of knots.</param>
+    /// <exception cref="FreeformException">The lists do not contain numbers, or differ in length.</exception>
     /// <exception cref="GeometryException">No B-spline can have such knots.</exception>
     public static KnotVector Of(StepRecord record, int degree, int multiplicities, int knots)
     {

@@ -2,18 +2,18 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads the values of an instance from the text of a STEP file (ISO 10303-21, section 6).</summary>
-/// <param name="text">The file.</param>
-/// <param name="at">Where reading begins.</param>
-/// <param name="fail">Makes the error for a place in the text.</param>
+/// <summary>Parses the values of an instance in a STEP file (ISO 10303-21, section 6).</summary>
+/// <param name="text">The text of the file.</param>
+/// <param name="at">Where parsing starts.</param>
+/// <param name="fail">Creates the error for a place in the text.</param>
 internal sealed class StepLexer(string text, int at, Func<int, string, FreeformException> fail)
 {
     private const int LongestNumber = 100;
 
-    /// <summary>Where reading goes on.</summary>
+    /// <summary>The current position.</summary>
     public int At { get; private set; } = at;
 
-    /// <summary>Passes over blanks, line ends and comments.</summary>
+    /// <summary>Skips blanks, line ends and comments.</summary>
     public static int SkipBlanks(string text, int at)
     {
         while (at < text.Length)
@@ -36,21 +36,20 @@ internal sealed class StepLexer(string text, int at, Func<int, string, FreeformE
         return text.Length;
     }
 
-    /// <summary>The next character that is no blank, without taking it; 0 at the end.</summary>
+    /// <summary>Returns the next nonblank character without consuming it; 0 at the end.</summary>
     public char Peek()
     {
         At = SkipBlanks(text, At);
         return At < text.Length ? text[At] : '\0';
     }
 
-    /// <summary>Takes a character that must come.</summary>
+    /// <summary>Consumes a required character.</summary>
     public void Take(char expected)
     {
         var found = Peek();
         At = found == expected ? At + 1 : throw Unexpected($"\"{expected}\"");
     }
 
-    /// <summary>The name of a type.</summary>
     public string Keyword()
     {
         Peek();
@@ -63,7 +62,7 @@ internal sealed class StepLexer(string text, int at, Func<int, string, FreeformE
         return At > start ? text[start..At].ToUpperInvariant() : throw Unexpected("the name of a type");
     }
 
-    /// <summary>Values in brackets.</summary>
+    /// <summary>Reads values in parentheses.</summary>
     public List<StepValue> List(int depth = 0)
     {
         if (depth > ExchangeLimits.MaxDepth)
@@ -140,7 +139,7 @@ internal sealed class StepLexer(string text, int at, Func<int, string, FreeformE
             : throw fail(start, $"{ExchangeLimits.Quote(text[start..At])} where a number is expected");
     }
 
-    // The range between the quotation marks; a doubled mark stands for one.
+    // The range between the quotation marks. A doubled mark stands for one.
     private Range Quoted(char mark)
     {
         var start = ++At;

@@ -4,7 +4,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The instances of a STEP file that is written, numbered as they come.</summary>
+/// <summary>Collects the instances of a STEP file to write, numbered in order.</summary>
 internal sealed class StepLines
 {
     private const int Width = 120;
@@ -12,18 +12,17 @@ internal sealed class StepLines
     private readonly StringBuilder _text = new();
     private int _count;
 
-    /// <summary>All instances so far.</summary>
     public override string ToString() => _text.ToString();
 
     /// <summary>Writes an instance.</summary>
     /// <param name="content">The type with its attributes.</param>
-    /// <returns>How others refer to it: #number.</returns>
+    /// <returns>The reference to it: #number.</returns>
     public string Add(string content)
     {
         var id = string.Create(CultureInfo.InvariantCulture, $"#{++_count}");
         var line = $"{id}={content};";
 
-        // Long lists are broken behind commas, far from strings, which only short instances have.
+        // Breaks long lists after commas. Strings occur only in short instances, which are not broken.
         var start = 0;
         while (line.Length - start > Width)
         {
@@ -41,10 +40,9 @@ internal sealed class StepLines
         return id;
     }
 
-    /// <summary>Writes a point.</summary>
     public string Point(Point3 p) => Add($"CARTESIAN_POINT('',({ExchangeNumber.Of(p.X)},{ExchangeNumber.Of(p.Y)},{ExchangeNumber.Of(p.Z)}))");
 
-    /// <summary>Writes a point of the parameters.</summary>
+    /// <summary>Writes a point in the parameters.</summary>
     public string Point(Point2 p) => Add($"CARTESIAN_POINT('',({ExchangeNumber.Of(p.X)},{ExchangeNumber.Of(p.Y)}))");
 
     /// <summary>Writes a B-spline curve.</summary>
@@ -60,7 +58,6 @@ internal sealed class StepLines
             : Add($"(BOUNDED_CURVE()B_SPLINE_CURVE({shape})B_SPLINE_CURVE_WITH_KNOTS({times},{values},.UNSPECIFIED.)CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE({Reals(weights)})REPRESENTATION_ITEM(''))");
     }
 
-    /// <summary>Writes a B-spline surface.</summary>
     public string Surface(SplineSurface s, string name)
     {
         var rows = new StringBuilder("(");

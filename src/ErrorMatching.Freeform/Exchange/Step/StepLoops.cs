@@ -2,11 +2,11 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The loops of edges that limit a face of a STEP file.</summary>
-/// <param name="surface">The surface, as the edges' curves of parameters (PCURVE) name it.</param>
-/// <param name="scale">Millimetres a unit.</param>
-/// <param name="map">Its parameters.</param>
-/// <param name="hasParameters">False if the parameters are not those of the file, so that only curves in space tell where an edge is.</param>
+/// <summary>Reads the edge loops that bound a face of a STEP file.</summary>
+/// <param name="surface">The surface that the edges' parameter curves (PCURVE) refer to.</param>
+/// <param name="scale">Millimeters per unit.</param>
+/// <param name="map">Its parameter map.</param>
+/// <param name="hasParameters">False if the parameters differ from those of the file, so that only curves in space define an edge.</param>
 /// <param name="tracer">Receives the loops.</param>
 internal sealed class StepLoops(StepInstance surface, double scale, SurfaceMap map, bool hasParameters, RegionTracer tracer)
 {
@@ -40,7 +40,7 @@ internal sealed class StepLoops(StepInstance surface, double scale, SurfaceMap m
                 tracer.Space(StepCurves.Polygon([.. points, points[0]]));
                 break;
             case "VERTEX_LOOP":
-                return; // the point where a surface ends by itself, as a cone does
+                return; // the degenerate point of a surface, such as the apex of a cone
             default:
                 throw record.Fail("not-read", "a loop of this kind is not read: EDGE_LOOP, POLY_LOOP and VERTEX_LOOP are");
         }
@@ -63,7 +63,7 @@ internal sealed class StepLoops(StepInstance surface, double scale, SurfaceMap m
             return;
         }
 
-        // A curve on surfaces has its curve in space first.
+        // The first attribute of a curve on surfaces is its curve in space.
         for (var depth = 0; curve.Keyword is "SURFACE_CURVE" or "SEAM_CURVE" or "INTERSECTION_CURVE"; depth++)
         {
             curve = depth < ExchangeLimits.MaxDepth ? curve.Records[0].Instance(1) : throw edge.Fail("too-deep", "curves that refer to one another without end");
@@ -73,7 +73,7 @@ internal sealed class StepLoops(StepInstance surface, double scale, SurfaceMap m
         tracer.Space(backward ? space.Reverse() : space);
     }
 
-    // The curve of parameters, if the edge is all of it: lines and circles do not tell where the edge ends.
+    // The parameter curve, if the edge spans all of it. Lines and circles do not define where the edge ends.
     private SplineCurve? OfParameters(StepInstance curve, Point3 from, Point3 to)
     {
         if (curve.Keyword is not ("SURFACE_CURVE" or "INTERSECTION_CURVE"))

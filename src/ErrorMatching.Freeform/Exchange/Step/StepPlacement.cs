@@ -2,15 +2,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A frame (AXIS2_PLACEMENT_3D) in the file's unit.</summary>
+/// <summary>A coordinate frame (AXIS2_PLACEMENT_3D) in the file's unit.</summary>
 /// <param name="Origin">Its origin.</param>
-/// <param name="X">Its first axis, of length 1.</param>
+/// <param name="X">Its first unit axis.</param>
 /// <param name="Y">Its second axis.</param>
 /// <param name="Z">Its third axis.</param>
 internal sealed record StepPlacement(Vector3 Origin, Vector3 X, Vector3 Y, Vector3 Z)
 {
-    /// <summary>The frame of an instance; axes that are left out are those of ISO 10303-42 (axis z, ref_direction x, made perpendicular).</summary>
-    /// <exception cref="FreeformException">It is no frame, or its axes are parallel or of length zero.</exception>
+    /// <summary>Reads the frame of an instance. Omitted axes get the defaults of ISO 10303-42 (axis z, ref_direction x, made
+    /// perpendicular).</summary>
+    /// <exception cref="FreeformException">It is not a frame, or its axes are parallel or of length zero.</exception>
     public static StepPlacement Of(StepInstance instance)
     {
         var record = instance.Get("AXIS2_PLACEMENT_3D");

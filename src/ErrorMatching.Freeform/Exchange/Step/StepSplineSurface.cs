@@ -2,14 +2,15 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The B-spline surfaces of STEP: with knots, rational, Bezier (ISO 10303-42, b_spline_surface and its subtypes).</summary>
+/// <summary>Reads the B-spline surfaces of STEP: with knots, rational, Bezier (ISO 10303-42, b_spline_surface and its subtypes).</summary>
 internal static class StepSplineSurface
 {
-    /// <summary>The surface of an instance in millimetres; null if it is no B-spline surface.</summary>
+    /// <summary>Reads the surface of an instance in millimeters; null if it is not a B-spline surface.</summary>
     /// <exception cref="FreeformException">The instance is broken.</exception>
     public static SplineSurface? Read(StepInstance instance, double millimetersPerUnit)
     {
-        // A simple instance has the attributes of its supertypes in front of its own, the name first; a complex one has each type's own.
+        // A simple instance lists the attributes of its supertypes first, starting with the name. A complex instance lists the attributes
+        // of each type separately.
         var simple = instance.Records is [var only] && only.Keyword is "B_SPLINE_SURFACE_WITH_KNOTS" or "BEZIER_SURFACE" ? instance.Records[0] : null;
         var shape = simple ?? instance.Find("B_SPLINE_SURFACE");
         if (shape is null || (simple is null && instance.Records.Count == 1))

@@ -7,7 +7,7 @@ internal sealed class StepSurfaces
     private readonly IReadOnlyList<StepItem> _items;
 
     /// <summary>Finds the surfaces of a file.</summary>
-    /// <exception cref="FreeformException">There is none.</exception>
+    /// <exception cref="FreeformException">There are no surfaces.</exception>
     public StepSurfaces(StepFile file)
     {
         _file = file;
@@ -20,7 +20,7 @@ internal sealed class StepSurfaces
         StepAssembly.ThrowIfMoved(file);
     }
 
-    /// <summary>The surface of a name or number.</summary>
+    /// <summary>Reads a surface by name or number.</summary>
     /// <param name="entity">Name or number from 1; null for the only one.</param>
     public ReadSurface Read(string? entity)
     {
@@ -30,7 +30,7 @@ internal sealed class StepSurfaces
         ReadSurface Read(int index) => StepFace.Read(_items[index], SurfaceChoice.NameOf(names, index));
     }
 
-    // A face without a name has its surface's.
+    // An unnamed face takes the name of its surface.
     private static string NameOf(StepItem item)
     {
         var name = item.Instance.Name;

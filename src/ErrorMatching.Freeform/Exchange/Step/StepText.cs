@@ -3,10 +3,10 @@ using System.Text;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Strings of STEP files: what is beyond ASCII is spelled with backslashes (ISO 10303-21, section 6.4.3).</summary>
+/// <summary>Strings in STEP files, which escape non-ASCII characters with backslashes (ISO 10303-21, section 6.4.3).</summary>
 internal static class StepText
 {
-    /// <summary>The string between two quotation marks. Escapes that are none stay as they are.</summary>
+    /// <summary>Decodes the string between two quotation marks. Invalid escapes are kept.</summary>
     public static string Read(string text, Range range)
     {
         var (start, length) = range.GetOffsetAndLength(text.Length);
@@ -36,7 +36,7 @@ internal static class StepText
         return result.ToString();
     }
 
-    /// <summary>A string as it is written, quotation marks included.</summary>
+    /// <summary>Encodes a string, including the quotation marks.</summary>
     public static string Write(string value)
     {
         var result = new StringBuilder("'");

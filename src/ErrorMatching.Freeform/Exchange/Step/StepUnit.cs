@@ -1,10 +1,10 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The unit of the lengths of a representation in a STEP file (ISO 10303-41).</summary>
+/// <summary>The length unit of a representation in a STEP file (ISO 10303-41).</summary>
 internal static class StepUnit
 {
-    /// <summary>The millimetres of one unit of length in a context.</summary>
-    /// <exception cref="FreeformException">The context has no unit of length, or one that is not known.</exception>
+    /// <summary>Returns the millimeters per length unit of a context.</summary>
+    /// <exception cref="FreeformException">The context has no length unit, or an unknown one.</exception>
     public static double Millimeters(StepInstance context)
     {
         var units = context.Find("GLOBAL_UNIT_ASSIGNED_CONTEXT") ?? throw context.Records[0].Fail("bad-unit", "a context without units (GLOBAL_UNIT_ASSIGNED_CONTEXT); a unit of length is expected");
@@ -27,7 +27,7 @@ internal static class StepUnit
             return name is "METRE" or "METER" ? 1000 * Prefix(si, si.Word(si.Values.Count - 2)) : throw si.Fail("bad-unit", $"a length in {ExchangeLimits.Quote(name)}; METRE is expected");
         }
 
-        // A unit by its own definition: inch, foot.
+        // A conversion-based unit: inch, foot.
         var record = unit.Get("CONVERSION_BASED_UNIT");
         var measure = record.Instance(record.Values.Count - 1);
         var factor = measure.Records.FirstOrDefault(r => r.Values.Count >= 2) ?? throw record.Fail("bad-unit", "a unit without its measure");

@@ -1,26 +1,26 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>What an attribute of a STEP instance is.</summary>
+/// <summary>The kind of an attribute of a STEP instance.</summary>
 internal enum StepValueKind
 {
-    /// <summary>Left out: $ or *.</summary>
+    /// <summary>Omitted: $ or *.</summary>
     Omitted,
 
-    /// <summary>A whole or real number.</summary>
+    /// <summary>An integer or real number.</summary>
     Number,
 
     /// <summary>A string.</summary>
     Text,
 
-    /// <summary>A word between points, such as .T.</summary>
+    /// <summary>A word between periods, such as .T.</summary>
     Word,
 
     /// <summary>A reference to an instance.</summary>
     Reference,
 
-    /// <summary>Values in brackets.</summary>
+    /// <summary>Values in parentheses.</summary>
     List,
 
-    /// <summary>A value with its type's name.</summary>
+    /// <summary>A value with a type name.</summary>
     Typed,
 }

@@ -3,15 +3,15 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Writes a surface as a STEP file (AP214, millimetres): one part with one face, its edges as they limit the piece.</summary>
-/// <remarks>The same surface gives the same bytes: the date of the file is a constant. Numbers come back as the same doubles.</remarks>
+/// <summary>Writes a surface as a STEP file (AP214, millimeters): one part with one face, bounded by its edges.</summary>
+/// <remarks>The same surface gives the same bytes, because the date in the file is constant. Numbers round-trip exactly.</remarks>
 public static class StepWriter
 {
-    // The form asks for a date; the content decides the file, so it is a constant.
+    // The format requires a date. It is constant, so that the same content gives the same file.
     private const string Date = "2000-01-01T00:00:00";
 
-    /// <summary>The file's bytes.</summary>
-    /// <param name="surface">The surface with its limits, in millimetres.</param>
+    /// <summary>Returns the file's bytes.</summary>
+    /// <param name="surface">The surface with its boundaries, in millimeters.</param>
     public static byte[] Write(PartSurface surface)
     {
         ArgumentNullException.ThrowIfNull(surface);
@@ -58,7 +58,7 @@ public static class StepWriter
         List<string> bounds = [];
         foreach (var loop in loops)
         {
-            // The outer bound runs counter-clockwise about the normal out of the material, holes clockwise.
+            // The outer bound runs counterclockwise about the outward normal, holes clockwise.
             var isOuter = ReferenceEquals(loop, outer);
             var asItIs = ((RegionLoop.Area(loop) > 0) == isOuter) == (surface.Outside > 0);
             var edge = surface.Region.IsWhole ? edges.Border() : edges.Polygon(loop);

@@ -2,15 +2,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A cylinder as a rational B-spline as large as its limits. While it is being limited its parameters are angle in radians and height in millimetres.</summary>
-/// <param name="Origin">A point of the axis, where the height is 0.</param>
+/// <summary>A cylinder, converted to a rational B-spline of the size of its boundary. Until then, its parameters are the angle in radians
+/// and the height in millimeters.</summary>
+/// <param name="Origin">The point of the axis at height 0.</param>
 /// <param name="X">Unit vector from the axis to angle 0.</param>
-/// <param name="Y">Unit vector from the axis to a quarter of a turn.</param>
+/// <param name="Y">Unit vector from the axis to a quarter turn.</param>
 /// <param name="Axis">Unit vector along the axis.</param>
-/// <param name="Radius">In millimetres.</param>
+/// <param name="Radius">In millimeters.</param>
 internal sealed record CylinderPatch(Point3 Origin, Vector3 X, Vector3 Y, Vector3 Axis, double Radius)
 {
-    /// <summary>Its parameters. Angles continue those of the place before, so that a path may cross angle 0.</summary>
+    /// <summary>Its parameter map. Angles continue from the previous place, so that a path may cross angle 0.</summary>
     public SurfaceMap Map => new(At, (p, near) =>
     {
         var d = p - Origin;
@@ -18,10 +19,10 @@ internal sealed record CylinderPatch(Point3 Origin, Vector3 X, Vector3 Y, Vector
         return new(near is { } n ? angle + (Math.Tau * Math.Round((n.X - angle) / Math.Tau)) : angle, d.Dot(Axis));
     });
 
-    /// <summary>The part inside of polygons of angle and height.</summary>
+    /// <summary>Returns the part inside polygons of angle and height.</summary>
     public (SplineSurface Spline, SurfaceRegion Region) Inside(IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
     {
-        // Each loop began at an angle of its own; holes come to the side where the largest one is.
+        // Each loop started at its own angle. Holes are shifted by whole turns to the largest loop.
         var outer = loops.MaxBy(l => Math.Abs(RegionLoop.Area(l))) ?? [];
         var (first, last) = RegionLoop.Bounds([outer], fail);
         var middle = (first.X + last.X) / 2;

@@ -3,19 +3,19 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Whether loops limit a piece as CAD means it: an outer one and holes in it, which cross neither each other nor themselves. Taken as they are, others leave parts that nobody asked to be cut.</summary>
-/// <remarks>
-/// Loops are written as inexactly as curves are, and may touch: what decides are the stretches of a loop that are further than <see cref="RegionTracer.GapMm"/> from what they might cross. On such a stretch
-/// nothing changes, so one place of it stands for all: the same loops go round it, and the loop itself goes round one of its two sides once.
-/// </remarks>
+/// <summary>Checks that loops bound a piece in the usual CAD sense: one outer loop with holes in it, none crossing itself or another.
+/// Other loops would include unintended areas.</summary>
+/// <remarks>Loops are written inexactly and may touch. So only those stretches of a loop are decisive that are further than
+/// <see cref="RegionTracer.GapMm"/> from anything they might cross. The winding numbers are constant along such a stretch, so one place
+/// represents it: the same loops enclose it, and the loop itself winds once around one of its two sides.</remarks>
 internal sealed class LoopNesting
 {
     private const double NearMm = RegionTracer.GapMm;
 
-    /// <summary>Sides of a loop that follow one another within it belong together, as at a corner.</summary>
+    /// <summary>Sides of a loop closer than this along the loop meet at a corner.</summary>
     private const double CornerMm = 2 * NearMm;
 
-    /// <summary>A stretch that is no longer, as at the tip of a spike, is part of how inexactly the loop is written.</summary>
+    /// <summary>A stretch no longer than this, such as the tip of a spike, is due to inexact writing.</summary>
     private const double ShortMm = 2.5 * NearMm;
 
     private const int MostSides = 4 * ExchangeLimits.MaxLoopPoints;
@@ -29,11 +29,11 @@ internal sealed class LoopNesting
     private readonly int[] _firsts;
     private readonly int _outer;
 
-    /// <summary>The question for some loops.</summary>
+    /// <summary>Prepares the check of loops.</summary>
     /// <param name="surface">The surface.</param>
-    /// <param name="loops">Polygons of its parameters, at least one.</param>
-    /// <param name="fail">Makes an error of a code and a problem.</param>
-    /// <exception cref="FreeformException">They are too long.</exception>
+    /// <param name="loops">Polygons in its parameters, at least one.</param>
+    /// <param name="fail">Creates an error from a code and a problem.</param>
+    /// <exception cref="FreeformException">The loops are too long.</exception>
     public LoopNesting(SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
     {
         (_surface, _loops, _fail) = (surface, loops, fail);
@@ -52,8 +52,8 @@ internal sealed class LoopNesting
         _outer = areas.IndexOf(areas.Max());
     }
 
-    /// <summary>Says what is wrong with the loops.</summary>
-    /// <exception cref="FreeformException">One crosses itself or another, or they are not an outer one and holes in it.</exception>
+    /// <summary>Throws if the loops are invalid.</summary>
+    /// <exception cref="FreeformException">A loop crosses itself or another one, or they are not one outer loop with holes.</exception>
     public void Check()
     {
         var (tree, bands) = (new LoopSideTree(_sides), new RegionBands(_loops));
@@ -114,7 +114,7 @@ internal sealed class LoopNesting
         }
     }
 
-    // Where a side is near another one of its loop; not at a corner between them, where every loop is.
+    // Where a side is near another side of its loop, except at the corner between them.
     private (double From, double To)? NearOwn(int side, int other)
     {
         ref readonly var a = ref CollectionsMarshal.AsSpan(_sides)[side];
@@ -136,7 +136,7 @@ internal sealed class LoopNesting
         }
     }
 
-    // To the left of a side a loop goes round once more than to its right, and round the outside never.
+    // A loop winds once more around the left of a side than around its right, and never around the outside.
     private void Itself(int loop, LoopStretches stretches, RegionBands bands, Dictionary<int, int> turns)
     {
         var sense = Math.Sign(RegionLoop.Area(_loops[loop]));

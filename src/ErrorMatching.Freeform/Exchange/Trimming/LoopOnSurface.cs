@@ -2,16 +2,17 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A polygon of the parameters in space: a straight side is a curve on a curved surface, so it is divided until its chords lie on the surface.</summary>
+/// <summary>Divides the sides of a polygon in the parameters until the chords follow the surface. A straight side is a curve on a curved
+/// surface.</summary>
 internal static class LoopOnSurface
 {
-    /// <summary>How far a chord may be from the surface at the same share of its length: that of limits that are read.</summary>
+    /// <summary>Largest distance between a chord and the surface at the same share of its length: as for boundaries read.</summary>
     private const double ToleranceMm = RegionTracer.ToleranceMm;
 
-    /// <summary>Halvings of one side.</summary>
+    /// <summary>Maximum number of halvings of one side.</summary>
     private const int MaxDepth = 12;
 
-    /// <summary>One side of a polygon from corner to corner, with as many points between as it takes.</summary>
+    /// <summary>Returns one side of a polygon from corner to corner, with the intermediate points that it needs.</summary>
     public static IReadOnlyList<Point2> Side(SplineSurface surface, Point2 from, Point2 to)
     {
         List<Point2> points = [from];
@@ -19,7 +20,7 @@ internal static class LoopOnSurface
         return points;
     }
 
-    // At a quarter, a half and three quarters: a curve that turns back crosses its chord at one of them at most.
+    // Tested at a quarter, a half and three quarters. An S-shaped curve crosses its chord at no more than one of them.
     private static void Add(SplineSurface surface, List<Point2> points, Point2 from, Point2 to, int depth)
     {
         var (start, end) = (surface.PointAt(from.X, from.Y), surface.PointAt(to.X, to.Y));

@@ -2,27 +2,25 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A straight piece of a loop's side, short enough to lie on the surface in space as well.</summary>
+/// <summary>A straight piece of a loop's side, short enough to follow the surface in space too.</summary>
 /// <param name="Loop">Index of its loop.</param>
-/// <param name="Index">Index of the side of the loop's polygon that it is a piece of.</param>
-/// <param name="From">Parameters where it begins.</param>
-/// <param name="To">Parameters where it ends.</param>
-/// <param name="Start">Where it begins, in millimetres.</param>
-/// <param name="End">Where it ends.</param>
-/// <param name="AtMm">Length of the loop before it.</param>
+/// <param name="Index">Index of the side of the loop's polygon.</param>
+/// <param name="From">Parameters of its start.</param>
+/// <param name="To">Parameters of its end.</param>
+/// <param name="Start">Its start, in millimeters.</param>
+/// <param name="End">Its end.</param>
+/// <param name="AtMm">Length of the loop up to its start.</param>
 internal readonly record struct LoopSide(int Loop, int Index, Point2 From, Point2 To, Point3 Start, Point3 End, double AtMm)
 {
-    /// <summary>Its length.</summary>
     public double LengthMm => (End - Start).Length;
 
-    /// <summary>The smallest box around it.</summary>
     public Box3 Box => Box3.Around([Start, End]);
 
-    /// <summary>The point at a share of its length.</summary>
     public Point3 At(double share) => Start + ((End - Start) * share);
 
-    /// <summary>The shares of its length between which it is within a distance of a line from one point to another; null if it is nowhere.</summary>
-    /// <remarks>The places within a distance of a line are a cylinder with a ball at either end, which is convex: a straight line is in it from one share to another.</remarks>
+    /// <summary>Returns the shares of its length between which it is within a distance of a line segment; null if nowhere.</summary>
+    /// <remarks>The places within a distance of a segment form a cylinder with a ball at each end. This is convex, so a straight line is
+    /// inside it from one share to another.</remarks>
     public (double From, double To)? Near(Point3 from, Point3 to, double distanceMm)
     {
         var (least, most) = (double.PositiveInfinity, double.NegativeInfinity);
@@ -32,7 +30,7 @@ internal readonly record struct LoopSide(int Loop, int Index, Point2 From, Point
         var length = other.Dot(other);
         if (length > 0)
         {
-            // What is left of both beside the line decides on the distance, what lies along it on the ends.
+            // The components across the segment decide the distance; the components along it decide the ends.
             var (share, slope) = (apart.Dot(other) / length, along.Dot(other) / length);
             if (Ball(along - (other * slope), apart - (other * share), distanceMm) is { } beside && Within(share, slope) is { } between)
             {

@@ -2,10 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The sides of loops by boxes within boxes, so that those near a place are found among many.</summary>
+/// <summary>A tree of boxes over the sides of loops, for finding the sides near a place.</summary>
 internal sealed class LoopSideTree
 {
-    /// <summary>Sides that are looked at one by one.</summary>
+    /// <summary>Maximum number of sides that are tested one by one.</summary>
     private const int Few = 4;
 
     private readonly int[] _order;
@@ -23,17 +23,17 @@ internal sealed class LoopSideTree
         }
     }
 
-    /// <summary>How many sides have been looked at so far.</summary>
+    /// <summary>Number of sides tested so far.</summary>
     public long Looks { get; private set; }
 
-    /// <summary>The sides whose boxes are within a distance of that of a side along each axis; itself is one of them.</summary>
+    /// <summary>Finds the sides whose boxes are within a distance of a side's box along each axis, including the side itself.</summary>
     public void Near(int side, double distanceMm, List<int> found)
     {
         found.Clear();
         Collect(0, _order.Length, _own[side], distanceMm, found);
     }
 
-    // A range is known by its middle: no other has it, as the smallest have two sides, or are all there is.
+    // The middle identifies a range, because the smallest ranges have two sides or are the whole.
     private static int Middle(int first, int count) => (2 * first) + count - 1;
 
     private void Build(int first, int count)

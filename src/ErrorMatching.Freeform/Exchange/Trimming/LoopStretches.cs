@@ -1,18 +1,18 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The stretches of a loop between the parts of it that are near something.</summary>
+/// <summary>The stretches of a loop between the parts that are near something.</summary>
 internal sealed class LoopStretches
 {
-    // Rounding may leave a gap between two near parts of a side that touch.
+    // Rounding may leave a gap between two adjoining near parts of a side.
     private const double NothingMm = 1e-9;
 
     private readonly List<(double LengthMm, int Side, double Share, double LongestMm)> _stretches = [];
     private bool _open;
 
-    /// <summary>Continues the loop.</summary>
+    /// <summary>Appends a side to the loop.</summary>
     /// <param name="side">Number of the next side.</param>
     /// <param name="lengthMm">Its length.</param>
-    /// <param name="near">The shares of its length between which it is near something, in any order; they are put into order.</param>
+    /// <param name="near">The shares of its length between which it is near something, in any order; sorted by this call.</param>
     public void Add(int side, double lengthMm, List<(double From, double To)> near)
     {
         var at = 0.0;
@@ -33,7 +33,7 @@ internal sealed class LoopStretches
         }
     }
 
-    /// <summary>A place on each stretch longer than a length: the middle of its longest straight part.</summary>
+    /// <summary>Returns a place on each stretch longer than a length: the middle of its longest straight part.</summary>
     public IReadOnlyList<(int Side, double Share)> Of(double lengthMm) =>
         [.. _stretches.Where(s => s.LengthMm > Math.Max(lengthMm, NothingMm)).Select(s => (s.Side, s.Share))];
 

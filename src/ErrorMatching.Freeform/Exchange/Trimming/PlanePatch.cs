@@ -2,16 +2,15 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A plane as a B-spline as large as its limits: parameters are millimetres along two axes in it.</summary>
-/// <param name="Origin">Where the parameters are 0.</param>
+/// <summary>A plane, converted to a B-spline of the size of its boundary. Its parameters are millimeters along two axes.</summary>
+/// <param name="Origin">The place where the parameters are 0.</param>
 /// <param name="X">Unit vector along u.</param>
-/// <param name="Y">Unit vector along v, perpendicular to it.</param>
+/// <param name="Y">Unit vector along v, perpendicular to <paramref name="X"/>.</param>
 internal sealed record PlanePatch(Point3 Origin, Vector3 X, Vector3 Y)
 {
-    /// <summary>Its parameters.</summary>
     public SurfaceMap Map => new(At, (p, _) => new((p - Origin).Dot(X), (p - Origin).Dot(Y)));
 
-    /// <summary>The part inside of polygons.</summary>
+    /// <summary>Returns the part inside polygons.</summary>
     public (SplineSurface Spline, SurfaceRegion Region) Inside(IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
     {
         var (least, most) = RegionLoop.Bounds(loops, fail);

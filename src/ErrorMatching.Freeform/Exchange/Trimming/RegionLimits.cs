@@ -3,16 +3,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>The limits of a B-spline surface from the polygons that its curves became.</summary>
+/// <summary>Builds the region of a B-spline surface from its boundary polygons.</summary>
 internal static class RegionLimits
 {
     private const double WholeShare = 1e-4;
 
-    /// <summary>The region inside of polygons; the whole surface if they are only its own border.</summary>
+    /// <summary>Returns the region inside polygons; the whole surface if they are only its own border.</summary>
     /// <param name="surface">The surface.</param>
     /// <param name="loops">The polygons.</param>
-    /// <param name="fail">Makes an error of a code and a problem.</param>
-    /// <exception cref="FreeformException">A polygon leaves the surface, they cross, or they are not holes in one of them.</exception>
+    /// <param name="fail">Creates an error from a code and a problem.</param>
+    /// <exception cref="FreeformException">A polygon leaves the surface, or they cross, or are not an outer one with holes.</exception>
     public static SurfaceRegion Of(SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
     {
         var seam = SurfaceSeam.Of(surface);
@@ -26,7 +26,6 @@ internal static class RegionLimits
         return new(inside);
     }
 
-    /// <summary>The border of the parameters.</summary>
     public static IReadOnlyList<Point2> Border(SplineSurface surface)
     {
         var (u, v) = (surface.KnotsU, surface.KnotsV);
@@ -48,7 +47,7 @@ internal static class RegionLimits
             : throw fail("limit-off-surface", string.Create(CultureInfo.InvariantCulture, $"a curve that limits the surface goes to ({q.X:0.######}, {q.Y:0.######}) of its parameters, which end at {u.Start:0.######}..{u.End:0.######} and {v.Start:0.######}..{v.End:0.######}"));
     }
 
-    // All points on the border and all of the area inside: the surface is not cut.
+    // All points are on the border and the whole area is inside: the surface is not trimmed.
     private static bool IsBorder(SplineSurface surface, IReadOnlyList<Point2> loop)
     {
         var (u, v) = (surface.KnotsU, surface.KnotsV);

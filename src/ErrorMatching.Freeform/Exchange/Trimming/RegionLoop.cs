@@ -2,10 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Questions about a closed polygon of (u, v).</summary>
+/// <summary>Area and bounds of closed polygons in (u, v).</summary>
 internal static class RegionLoop
 {
-    /// <summary>The area that it encloses, positive if it runs counter-clockwise (Gauss's formula of the trapezoids).</summary>
+    /// <summary>The enclosed area, positive if the loop runs counterclockwise (shoelace formula).</summary>
     public static double Area(IReadOnlyList<Point2> loop)
     {
         var sum = 0.0;
@@ -19,7 +19,7 @@ internal static class RegionLoop
     }
 
     /// <summary>The smallest and the largest parameters of polygons.</summary>
-    /// <exception cref="FreeformException">They have no width or no height.</exception>
+    /// <exception cref="FreeformException">The polygons have no width or no height.</exception>
     public static (Point2 Least, Point2 Most) Bounds(IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
     {
         var (least, most) = (new Point2(double.PositiveInfinity, double.PositiveInfinity), new Point2(double.NegativeInfinity, double.NegativeInfinity));

@@ -3,15 +3,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Turns the curves that limit a surface into closed polygons of its parameters, which leave the curves by <see cref="ToleranceMm"/> at most.</summary>
+/// <summary>Converts boundary curves of a surface to closed polygons in its parameters, within <see cref="ToleranceMm"/>.</summary>
 /// <param name="map">The surface.</param>
-/// <param name="fail">Makes an error of a code and a problem.</param>
+/// <param name="fail">Creates an error from a code and a problem.</param>
 internal sealed class RegionTracer(SurfaceMap map, Func<string, string, FreeformException> fail)
 {
-    /// <summary>How far the sides of the polygons may leave the curves.</summary>
+    /// <summary>Largest distance between the polygon sides and the curves.</summary>
     public const double ToleranceMm = 0.001;
 
-    /// <summary>Gap between curves that follow one another, and distance of curves from the surface, that are taken as inexact writing. CAD systems write 0.001 to 0.01 mm.</summary>
+    /// <summary>Largest gap between consecutive curves, and largest distance of curves from the surface, that is accepted as inexact
+    /// writing. CAD systems write 0.001 to 0.01 mm.</summary>
     public const double GapMm = 0.05;
 
     private const int MaxHalvings = 14;
@@ -21,12 +22,11 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
     private int _curves;
     private int _points;
 
-    /// <summary>The closed polygons.</summary>
     public IReadOnlyList<IReadOnlyList<Point2>> Loops => _loops;
 
     /// <summary>Continues the loop along a curve in space.</summary>
-    /// <param name="curve">The curve in millimetres.</param>
-    /// <exception cref="FreeformException">The curve does not lie on the surface or does not begin where the one before ended.</exception>
+    /// <param name="curve">The curve in millimeters.</param>
+    /// <exception cref="FreeformException">The curve is not on the surface, or does not start where the previous one ended.</exception>
     public void Space(SplineCurve curve) => Trace(curve.Knots.Breaks, straight: false, (t, near) =>
     {
         var p = curve.PointAt(t);
@@ -35,9 +35,9 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
         return off <= GapMm ? foot : throw fail("limit-off-surface", string.Create(CultureInfo.InvariantCulture, $"a curve that limits the surface is {off:0.###} mm away from it at {Place(p)}; at most {GapMm} mm is expected"));
     });
 
-    /// <summary>Continues the loop along a curve of the parameters.</summary>
+    /// <summary>Continues the loop along a curve in the parameters.</summary>
     /// <param name="curve">The curve; x is u, y is v.</param>
-    /// <exception cref="FreeformException">The curve does not begin where the one before ended.</exception>
+    /// <exception cref="FreeformException">The curve does not start where the previous one ended.</exception>
     public void Parameters(SplineCurve curve)
     {
         var start = curve.PointAt(curve.Knots.Start);
@@ -49,8 +49,8 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
         });
     }
 
-    /// <summary>Ends the loop.</summary>
-    /// <exception cref="FreeformException">It is not closed or encloses nothing.</exception>
+    /// <summary>Closes the loop.</summary>
+    /// <exception cref="FreeformException">The loop is not closed or encloses nothing.</exception>
     public void Close()
     {
         if (_loop.Count > 0)
@@ -100,7 +100,7 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
         }
     }
 
-    // Halves a piece until its quarters lie beside the chord by no more than the tolerance.
+    // Halves a piece until its quarter points are within the tolerance of the chord.
     private void Refine(Func<double, Point2?, Point2> place, double from, Point2 a, double to, Point2 b, int halvings)
     {
         if (halvings >= MaxHalvings)
@@ -153,7 +153,7 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
         _loop.Add(q);
     }
 
-    // The same place, and not the other side of a seam.
+    // True for the same place, on the same side of a seam.
     private bool Near(Point2 a, Point2 b)
     {
         if (a == b)

@@ -2,16 +2,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Arcs of circles and ellipses as rational B-splines, exactly (The NURBS Book, section 7.3).</summary>
+/// <summary>Exact circular and elliptical arcs as rational B-splines (The NURBS Book, section 7.3).</summary>
 internal static class SplineArc
 {
     /// <summary>The arc center + x cos a + y sin a.</summary>
     /// <param name="center">The center.</param>
     /// <param name="x">From the center to angle 0.</param>
-    /// <param name="y">From the center to a quarter of a turn.</param>
+    /// <param name="y">From the center to a quarter turn.</param>
     /// <param name="from">First angle in radians.</param>
-    /// <param name="to">Last angle, larger than the first by a turn at most.</param>
-    /// <returns>A curve of degree 2 whose knots are angles; inside of its pieces the parameter is not the angle.</returns>
+    /// <param name="to">Last angle, at most one turn larger than the first.</param>
+    /// <returns>A curve of degree 2 whose knots are angles. Inside the pieces, the parameter is not the angle.</returns>
     public static SplineCurve Of(Vector3 center, Vector3 x, Vector3 y, double from, double to)
     {
         var pieces = Pieces(from, to);
@@ -31,7 +31,7 @@ internal static class SplineArc
         return new(KnotVector.Clamped(2, breaks, 2), poles, weights);
     }
 
-    /// <summary>The parameter of the arc at an angle: the tangent of a quarter of the piece's angle is linear in it.</summary>
+    /// <summary>The parameter of the arc at an angle: the tangent of a quarter of a piece's angle is linear in it.</summary>
     public static double ParameterOf(double angle, double from, double to)
     {
         var breaks = Breaks(from, to);

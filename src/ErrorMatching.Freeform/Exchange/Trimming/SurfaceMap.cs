@@ -2,15 +2,17 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Between a surface and its parameters: what is needed to bring curves in space to (u, v).</summary>
-/// <param name="PointAt">The point at a pair of parameters, in millimetres.</param>
-/// <param name="FootOf">The parameters of the place closest to a point; the second argument is a place near it, where one is known, so that a path stays on its side of a seam.</param>
-/// <param name="Seam">Where a surface of the file's own parameters closes on itself; parameters of others go on beyond a turn.</param>
+/// <summary>Maps between a surface and its parameters, to bring curves in space to (u, v).</summary>
+/// <param name="PointAt">The point at a pair of parameters, in millimeters.</param>
+/// <param name="FootOf">The parameters of the place closest to a point. The second argument is a place near it, if known, so that a path
+/// stays on its side of a seam.</param>
+/// <param name="Seam">Where a surface with the file's own parameters closes on itself. Other parameters continue beyond a turn.</param>
 internal sealed record SurfaceMap(Func<Point2, Point3> PointAt, Func<Point3, Point2?, Point2> FootOf, SurfaceSeam Seam = default)
 {
     private const double FootToleranceMm = 1e-6;
 
-    /// <summary>The parameters of a B-spline surface. Where it closes on itself they continue those of the place before, so that a path may reach or cross the seam.</summary>
+    /// <summary>The map of a B-spline surface. If the surface is closed, parameters continue from the previous place, so that a path may
+    /// reach or cross the seam.</summary>
     public static SurfaceMap Of(SplineSurface surface)
     {
         var seam = SurfaceSeam.Of(surface);

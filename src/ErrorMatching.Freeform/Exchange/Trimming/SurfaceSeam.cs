@@ -2,18 +2,18 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Where a B-spline surface closes on itself, as one of revolution does: places on the two sides of the seam are one, so a limit that ends there must not come back from the other side.</summary>
-/// <param name="PeriodU">Length of the parameters u if the surface closes along them, else 0.</param>
+/// <summary>Where a B-spline surface closes on itself, such as a surface of revolution. Places on both sides of the seam coincide, so a
+/// boundary that ends at it must not return from the other side.</summary>
+/// <param name="PeriodU">Period of u if the surface is closed along u, otherwise 0.</param>
 /// <param name="PeriodV">The same along v.</param>
 internal readonly record struct SurfaceSeam(double PeriodU, double PeriodV)
 {
     private const double ClosedMm = RegionTracer.ToleranceMm;
     private const int Places = 8;
 
-    /// <summary>How much of a period a loop may reach beyond its ends by rounding.</summary>
+    /// <summary>Share of a period by which rounding may move a loop beyond the ends.</summary>
     private const double Slack = 1e-6;
 
-    /// <summary>The seam of a surface.</summary>
     public static SurfaceSeam Of(SplineSurface surface)
     {
         var (u, v) = (surface.KnotsU, surface.KnotsV);
@@ -22,16 +22,16 @@ internal readonly record struct SurfaceSeam(double PeriodU, double PeriodV)
             IsOne(u, t => surface.PointAt(t, v.Start), t => surface.PointAt(t, v.End)) ? v.End - v.Start : 0);
     }
 
-    /// <summary>The same place whole periods away, as near as may be to another one.</summary>
+    /// <summary>The same place, shifted by whole periods to be closest to another one.</summary>
     public Point2 Beside(Point2 q, Point2 other) => new(Turned(q.X, other.X, PeriodU), Turned(q.Y, other.Y, PeriodV));
 
-    /// <summary>The same place within the parameters of the surface.</summary>
+    /// <summary>The same place within the parameter range of the surface.</summary>
     public Point2 Within(SplineSurface surface, Point2 q) => new(Wrapped(q.X, surface.KnotsU, PeriodU), Wrapped(q.Y, surface.KnotsV, PeriodV));
 
-    /// <summary>True if two places, one on the surface, are so far apart that whole periods lie between.</summary>
+    /// <summary>True if two places, one on the surface, are separated by whole periods.</summary>
     public bool IsBetween(Point2 a, Point2 b) => Beside(a, b) != a;
 
-    /// <summary>A loop whole periods away, so that it lies within the parameters of the surface.</summary>
+    /// <summary>Shifts a loop by whole periods into the parameter range of the surface.</summary>
     /// <returns>Null if it crosses the seam.</returns>
     public IReadOnlyList<Point2>? Within(SplineSurface surface, IReadOnlyList<Point2> loop)
     {
@@ -43,7 +43,7 @@ internal readonly record struct SurfaceSeam(double PeriodU, double PeriodV)
         return (x, y) == (0, 0) ? loop : [.. loop.Select(q => new Point2(q.X + x, q.Y + y))];
     }
 
-    // Where both ends are the same line all along.
+    // True if both ends are the same line over its full length.
     private static bool IsOne(KnotVector along, Func<double, Point3> first, Func<double, Point3> last) =>
         Enumerable.Range(0, Places + 1).Select(i => along.Start + ((along.End - along.Start) * i / Places)).All(t => (last(t) - first(t)).Length <= ClosedMm);
 

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>One function of the hierarchical basis of an axis from -1 to 1: a Chebyshev polynomial, or a one-sided power <c>((t - xi)+ / (1 - xi))^p</c> behind a break.</summary>
+/// <summary>One function of the hierarchical basis on an axis from -1 to 1: a Chebyshev polynomial, or a one-sided power <c>((t - xi)+ /
+/// (1 - xi))^p</c> beyond a break.</summary>
 /// <param name="Power">Degree.</param>
 /// <param name="Break">The break xi; null for a polynomial on the whole axis.</param>
 internal sealed record AxisFunction(int Power, double? Break = null)
@@ -21,11 +22,11 @@ internal sealed record AxisFunction(int Power, double? Break = null)
         return Power == 0 ? 1 : current;
     }
 
-    /// <summary>The first functions of an axis, a break's square after the square of the whole axis, its cube after the cube.</summary>
+    /// <summary>The basis functions of an axis. The square of a break follows the square of the whole axis, its cube the cube.</summary>
     public static AxisFunction[] Hierarchy(int degree, IReadOnlyList<double> breaks) =>
         [.. Enumerable.Range(0, degree + 1).Select(p => new AxisFunction(p)), .. breaks.SelectMany(xi => new AxisFunction[] { new(2, xi), new(3, xi) })];
 
-    /// <summary>The function that comes before this one in the hierarchy: a term is allowed only beside it. Null for the constant.</summary>
+    /// <summary>The previous function in the hierarchy, which a term requires; null for the constant.</summary>
     public AxisFunction? Parent => (Power, Break) switch
     {
         (0, _) => null,

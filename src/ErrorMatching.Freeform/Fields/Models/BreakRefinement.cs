@@ -1,14 +1,14 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Moves the breaks of a polynomial to where the sum of squares is least, its terms kept: Gauss-Newton with halved steps.</summary>
+/// <summary>Moves the breaks of a polynomial to minimize the sum of squares with fixed terms: Gauss-Newton with step halving.</summary>
 internal static class BreakRefinement
 {
     private const int MostSteps = 30;
 
-    /// <summary>A step that leaves more than this share of the sum of squares is the last: it changes the criterion by far less than one.</summary>
+    /// <summary>The last step leaves more than this share of the sum of squares: the criterion then changes by far less than 1.</summary>
     private const double LeastShare = 1 - 1e-5;
 
-    /// <summary>The model with its breaks moved to where the sum of squares is least.</summary>
+    /// <summary>Returns the model with its optimized breaks.</summary>
     public static PolynomialModel Run(PolynomialModel model)
     {
         for (var step = 0; step < MostSteps; step++)
@@ -38,10 +38,10 @@ internal static class BreakRefinement
         return model;
     }
 
-    /// <summary>The Gauss-Newton step of each break; null if the model has none or they are not determined.</summary>
+    /// <summary>The Gauss-Newton step of each break; null if there are no breaks or they are not determined.</summary>
     private static Dictionary<(bool AlongU, double At), double>? Moves(PolynomialModel model)
     {
-        // With a single line behind it, the place and the size of a break cannot be told apart: it stays where it is.
+        // With a single line beyond it, the position and size of a break cannot be distinguished, so it is not moved.
         var (linesU, linesV) = model.Data.LinePlaces();
         (bool AlongU, double At)[] breaks = [.. Between(model.BreaksU, linesU).Select(b => (true, b)), .. Between(model.BreaksV, linesV).Select(b => (false, b))];
         if (breaks.Length == 0)
@@ -66,7 +66,7 @@ internal static class BreakRefinement
 
     private static IEnumerable<double> Between(IReadOnlyList<double> breaks, double[] lines) => breaks.Where(b => lines.Length > 3 && b >= lines[1] && b <= lines[^2]);
 
-    /// <summary>Derivative of the model's values by the place of a break.</summary>
+    /// <summary>Derivative of the model's values with respect to the position of a break.</summary>
     private static double[] Slope(PolynomialModel model, bool alongU, double at)
     {
         var result = new double[model.Data.Count];

@@ -1,21 +1,18 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>
-/// Finds places across which the second derivative jumps: scans a one-sided square behind every place over a low polynomial, chooses the terms anew with the most promising places,
-/// and moves the breaks until the residual no longer falls (Gauss-Newton).
-/// </summary>
-/// <remarks>
-/// At least two lines must lie on each side of a break: with one, any value there could be explained by many breaks. Breaks lie along grid lines; an oblique one cannot be found.
-/// </remarks>
+/// <summary>Finds places where the second derivative jumps. It scans a one-sided square at every place over a low-degree polynomial,
+/// reselects the terms with the most promising places, and moves the breaks by Gauss-Newton until the residual stops falling.</summary>
+/// <remarks>Each side of a break needs at least two lines: with one, many breaks could explain any value. Breaks follow grid lines;
+/// oblique ones are not found.</remarks>
 internal sealed class BreakSearch
 {
-    /// <summary>A break must lower the criterion by this much.</summary>
+    /// <summary>Minimum reduction of the criterion by a break.</summary>
     private const double LeastGain = 10;
 
     private const int PlacesPerCell = 8;
     private const int MostBreaks = 4;
 
-    /// <summary>Lines in one direction that are enough to find breaks between.</summary>
+    /// <summary>Number of lines in one direction that suffice to find breaks.</summary>
     private const int EnoughLines = 15;
 
     private readonly FieldData _all;
@@ -29,7 +26,7 @@ internal sealed class BreakSearch
         _lines = _data.LinePlaces();
     }
 
-    /// <summary>The model without breaks, and those with more that lower the criterion enough below all with fewer.</summary>
+    /// <summary>Returns the model without breaks, and those whose breaks improve the criterion enough over all with fewer.</summary>
     public IReadOnlyList<PolynomialModel> Run()
     {
         var model = PolynomialModel.Choose(_all, [], []);
@@ -39,7 +36,7 @@ internal sealed class BreakSearch
             model = PolynomialModel.Choose(_data, [], []);
         }
 
-        // One break of two may explain nothing by itself: so the search goes on once where it did not gain.
+        // One of two breaks may explain nothing alone, so the search continues after one failure.
         var failures = 0;
         for (var count = 0; count < MostBreaks && failures < 2 && !found[^1].IsExact && Extend(model) is { } next; count++)
         {
@@ -59,14 +56,15 @@ internal sealed class BreakSearch
         return found;
     }
 
-    /// <summary>The terms chosen over all values, with the breaks of a low polynomial: to move those of a high one takes too long.</summary>
+    /// <summary>Selects the terms over all values, with the breaks of a low-degree polynomial. Moving others takes too long.</summary>
     private PolynomialModel OverAll(PolynomialModel model)
     {
         var low = PolynomialModel.Fit(_all, Low(model.BreaksU, model.BreaksV)) is { } fit ? BreakRefinement.Run(fit) : model;
         return PolynomialModel.Choose(_all, low.BreaksU, low.BreaksV);
     }
 
-    /// <summary>The terms up to squares that are chosen with the breaks of a model: a quadratic on each side may be all there is, and higher terms only follow noise.</summary>
+    /// <summary>Selects only terms up to squares, with the breaks of a model. A quadratic on each side may suffice, and higher terms would
+    /// only follow noise.</summary>
     public static PolynomialModel Squares(PolynomialModel model) => BreakRefinement.Run(PolynomialModel.Choose(model.Data, model.BreaksU, model.BreaksV, 2));
 
     private PolynomialModel? Extend(PolynomialModel model) =>
@@ -82,7 +80,7 @@ internal sealed class BreakSearch
             return null;
         }
 
-        // First the breaks of a low polynomial: a high one would follow the data whatever its breaks.
+        // Optimize the breaks of a low-degree polynomial first. A high-degree one would follow the data regardless of its breaks.
         low = BreakRefinement.Run(low);
         (u, v) = ([.. low.BreaksU], [.. low.BreaksV]);
         PolynomialModel? result = null;
@@ -101,7 +99,7 @@ internal sealed class BreakSearch
         return result;
     }
 
-    /// <summary>The local minima of the residual of a biquadratic with the model's breaks and one more, the deepest first.</summary>
+    /// <summary>Local minima of the residual of a biquadratic with the model's breaks and one more, deepest first.</summary>
     private List<Place> Places(PolynomialModel model)
     {
         var basis = new List<double[]>();
@@ -115,7 +113,7 @@ internal sealed class BreakSearch
             }
         }
 
-        // The deepest four; of equal ones the first.
+        // The four deepest; the first of equal ones.
         List<Place> minima = [.. Minima(true, _lines.U, basis, rest), .. Minima(false, _lines.V, basis, rest)];
         var places = new List<Place>();
         while (places.Count < 4 && minima.MinBy(m => m.Sum) is { } deepest)
@@ -127,7 +125,6 @@ internal sealed class BreakSearch
         return places;
     }
 
-    /// <summary>All products of functions up to the square.</summary>
     private static Term[] Low(IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV) =>
         [.. from a in UpToSquare(breaksU) from b in UpToSquare(breaksV) select new Term(a, b)];
 
@@ -185,9 +182,9 @@ internal sealed class BreakSearch
         return column;
     }
 
-    /// <summary>A place where a break may be.</summary>
-    /// <param name="AlongU">True for a value of u.</param>
-    /// <param name="At">The value.</param>
-    /// <param name="Sum">The sum of squares that a break there leaves.</param>
+    /// <summary>A candidate for a break.</summary>
+    /// <param name="AlongU">True for a break in u.</param>
+    /// <param name="At">Its parameter.</param>
+    /// <param name="Sum">The remaining sum of squares.</param>
     private sealed record Place(bool AlongU, double At, double Sum);
 }

@@ -1,27 +1,26 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The matrix K of a kernel over the places of values, noise on its diagonal.</summary>
+/// <summary>The covariance matrix K of a kernel at the values, with noise on its diagonal.</summary>
 internal abstract class Covariance
 {
-    /// <summary>Values without a grid up to which the full matrix is made: its factor takes n^3 / 3 steps.</summary>
+    /// <summary>Maximum number of values off a grid: the full matrix takes n^3 / 3 steps to factor.</summary>
     public const int MostScattered = 300;
 
-    /// <summary>Lines of a grid in one direction up to which its matrix is decomposed.</summary>
+    /// <summary>Maximum number of grid lines in one direction for an eigendecomposition.</summary>
     public const int MostLines = 150;
 
     public abstract double LogDeterminant { get; }
 
-    /// <summary>Trace of the inverse.</summary>
     public abstract double InverseTrace { get; }
 
-    /// <summary>True if the values are few, or form a grid of not too many lines.</summary>
+    /// <summary>True if there are few values, or a grid with few enough lines.</summary>
     public static bool IsPossible(FieldData data) =>
         data.Count <= MostScattered || (data.Grid is { } grid && grid.U.Length <= MostLines && grid.V.Length <= MostLines);
 
-    /// <summary>The matrix; null if it is not positive definite in double precision.</summary>
+    /// <summary>Builds the matrix; null if it is not positive definite in double precision.</summary>
     /// <param name="data">The values.</param>
     /// <param name="kernel">The kernel.</param>
-    /// <param name="like">The matrix of the same kernel over other values, some of whose lines may be the same; null if there is none.</param>
+    /// <param name="like">The matrix of the same kernel over other values that may share some lines; null if there is none.</param>
     public static Covariance? Of(FieldData data, Kernel kernel, Covariance? like = null) =>
         data.Grid is { } grid ? new GridCovariance(grid, kernel, like as GridCovariance) : ScatteredCovariance.Full(data, kernel);
 
@@ -31,6 +30,6 @@ internal abstract class Covariance
     /// <summary>The kernel between a place and each value.</summary>
     public abstract double[] Row(double u, double v);
 
-    /// <summary>The sum of the kernel between a place and each value, times a weight each.</summary>
+    /// <summary>The weighted sum of the kernel between a place and each value.</summary>
     public abstract double Sum(double u, double v, double[] weights);
 }

@@ -1,39 +1,41 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Values over two parameters that run from -1 to 1, with the lines of the grid on which they were measured.</summary>
-/// <param name="I">Number of each value along its curve.</param>
-/// <param name="J">Number of its curve.</param>
+/// <summary>Values over two parameters from -1 to 1, with the grid lines on which they were measured.</summary>
+/// <param name="I">Index of each value along its curve.</param>
+/// <param name="J">Index of its curve.</param>
 /// <param name="U">First parameter of each value.</param>
 /// <param name="V">Second parameter.</param>
 /// <param name="Z">The values.</param>
 internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, double[] Z)
 {
-    /// <summary>Lines of one direction that are left out at most, evenly chosen: more do not change the mean, only the time.</summary>
+    /// <summary>Maximum number of lines left out in one direction, evenly chosen. More would cost time without changing the mean.</summary>
     private const int MostLinesOut = 12;
 
     private const int FewLinesOut = 4;
 
     private const int ManyValues = 1000;
 
-    /// <summary>Lines in one direction that are enough to find the parameters of a model; its fit then takes all.</summary>
+    /// <summary>Number of lines in one direction that suffice to find a model's parameters. The final fit uses all lines.</summary>
     public const int EnoughLines = 20;
 
     private const int MostPlacesBetween = 400;
 
     public int Count => Z.Length;
 
-    /// <summary>The curves of constant j, by rising j: the numbers of their values.</summary>
+    /// <summary>The curves of constant j, ascending, as indices of their values.</summary>
     public int[][] Curves { get; } = Groups(J);
 
-    /// <summary>The lines that cross the curves: those of constant i where all curves have the same numbers, else bands along u with as many values as there are curves.</summary>
+    /// <summary>The lines across the curves: lines of constant i if all curves have the same numbers, otherwise bands along u with one
+    /// value per curve on average.</summary>
     public int[][] Crossings => _crossings ??= IsRectangular ? Groups(I) : Bands();
 
     private int[][]? _crossings;
 
-    /// <summary>True if every curve has the same numbers i.</summary>
+    /// <summary>True if all curves have the same numbers i.</summary>
     public bool IsRectangular { get; } = Rectangular(I, J);
 
-    /// <summary>The inner lines of both directions that are left out in turn, each with the values that stay. The outermost stay: without them a fit would have to extrapolate.</summary>
+    /// <summary>The inner lines of both directions to leave out in turn, each with the remaining values. The outermost lines stay, because
+    /// a fit without them would have to extrapolate.</summary>
     public IReadOnlyList<(int[] Line, FieldData Kept)> LinesOut => _linesOut ??= [.. Inner(Curves).Concat(Inner(Crossings)).Select(line => (line, Without(line)))];
 
     private (int[], FieldData)[]? _linesOut;
@@ -46,7 +48,7 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
         return kept;
     }
 
-    /// <summary>The rectangular grid of the values; null if they form none.</summary>
+    /// <summary>The rectangular grid of the values; null if they do not form one.</summary>
     public SampleGrid? Grid
     {
         get
@@ -63,7 +65,7 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
     private SampleGrid? _grid;
     private bool _gridSought;
 
-    /// <summary>The values on some lines, evenly chosen, at most so many in each direction; the outermost stay.</summary>
+    /// <summary>The values on evenly chosen lines, at most this number in each direction, always including the outermost.</summary>
     public FieldData Thinned(int lines)
     {
         if (Curves.Length <= lines && Array.TrueForAll(Curves, c => c.Length <= lines))
@@ -77,17 +79,17 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
     private static int[] Chosen(int count, int most) =>
         count <= most ? [.. Enumerable.Range(0, count)] : [.. Enumerable.Range(0, most).Select(k => (int)((long)k * (count - 1) / (most - 1)))];
 
-    /// <summary>The values with given numbers.</summary>
+    /// <summary>The values with the given indices.</summary>
     public FieldData Only(int[] kept) => new(Pick(I, kept), Pick(J, kept), Pick(U, kept), Pick(V, kept), Pick(Z, kept));
 
     /// <summary>The same places with other values.</summary>
     public FieldData With(double[] values) => new(I, J, U, V, values);
 
-    /// <summary>The places of the crossings along u and of the curves along v: the mean parameter of each line, rising.</summary>
+    /// <summary>The mean parameter of each line, ascending: crossings along u and curves along v.</summary>
     public (double[] U, double[] V) LinePlaces() =>
         ([.. Crossings.Select(line => line.Average(k => U[k])).Order()], [.. Curves.Select(line => line.Average(k => V[k])).Order()]);
 
-    /// <summary>Places halfway between neighboring values, along the curves and across them, at most some hundreds of them.</summary>
+    /// <summary>Places halfway between neighboring values, along and across the curves; a few hundred at most.</summary>
     public (double[] U, double[] V) Between => _between ??= Halfway();
 
     private (double[] U, double[] V)? _between;

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>A function of two parameters from -1 to 1 that was fitted to values on a grid.</summary>
+/// <summary>A function of two parameters from -1 to 1, fitted to values on a grid.</summary>
 internal abstract class FieldModel(FieldData data)
 {
     private double? _lineOut;
@@ -16,39 +16,39 @@ internal abstract class FieldModel(FieldData data)
     /// <summary>Parameters v at which the second derivative of the model jumps.</summary>
     public virtual IReadOnlyList<double> BreaksV => [];
 
-    /// <summary>How many values the fit uses up: the trace of the matrix that takes measured to fitted values.</summary>
+    /// <summary>Degrees of freedom used by the fit: the trace of the matrix that maps measured to fitted values.</summary>
     public abstract double Freedom { get; }
 
-    /// <summary>Standard deviation of the noise of one value, as the model sees it.</summary>
+    /// <summary>Standard deviation of the noise of one value, as the model estimates it.</summary>
     public abstract double Noise { get; }
 
     public abstract double At(double u, double v);
 
-    /// <summary>Variance of <see cref="At"/> for a given standard deviation of the noise of one value.</summary>
+    /// <summary>Variance of <see cref="At"/> for a given noise standard deviation.</summary>
     public abstract double VarianceAt(double u, double v, double noise);
 
-    /// <summary>The same kind of model, its terms and parameters kept, fitted to other values; null if they do not determine it.</summary>
+    /// <summary>Fits the same kind of model, with the same terms and parameters, to other values; null if undetermined.</summary>
     public abstract FieldModel? Refit(FieldData other);
 
-    /// <summary>Degree along u of the spline that is the model, or comes close to it with few pieces.</summary>
+    /// <summary>Degree along u of the spline that equals the model, or approximates it with few pieces.</summary>
     public abstract int DegreeU { get; }
 
     /// <summary>Degree along v.</summary>
     public abstract int DegreeV { get; }
 
-    /// <summary>Where the pieces of the model meet along u, and how many derivatives go on there.</summary>
+    /// <summary>Where the pieces of the model meet along u, and the number of continuous derivatives there.</summary>
     public virtual IEnumerable<(double At, int Smoothness)> JoinsU => BreaksU.Select(at => (at, 1));
 
-    /// <summary>Where the pieces of the model meet along v, and how many derivatives go on there.</summary>
+    /// <summary>Where the pieces of the model meet along v, and the number of continuous derivatives there.</summary>
     public virtual IEnumerable<(double At, int Smoothness)> JoinsV => BreaksV.Select(at => (at, 1));
 
     /// <summary>True if the model is a spline of these degrees and joins.</summary>
     public virtual bool IsSpline => true;
 
-    /// <summary>Mean absolute difference of the values of left-out lines from the model fitted without their line; infinite if a line is needed, NaN if there are no lines to leave out.</summary>
+    /// <summary>Mean absolute difference between left-out values and the model fitted without their line; infinite if a line is needed,
+    /// NaN if no line can be left out.</summary>
     public double LineOut => _lineOut ??= Mean(LeaveLinesOut());
 
-    /// <summary>What the model leaves of each value.</summary>
     public double[] Residuals()
     {
         var result = new double[data.Count];
@@ -60,7 +60,7 @@ internal abstract class FieldModel(FieldData data)
         return result;
     }
 
-    /// <summary>The difference of each left-out value, with its number; each value may be left out with both its lines. Found once, by one thread.</summary>
+    /// <summary>The difference and index of each left-out value. A value may occur for both lines. Cached; not thread-safe.</summary>
     public IReadOnlyList<(int Number, double Difference)> LeaveLinesOut()
     {
         if (_leftOut is not null)

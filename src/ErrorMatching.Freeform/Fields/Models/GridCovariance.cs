@@ -1,6 +1,7 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The covariance of values on a rectangular grid: the Kronecker product of one small matrix for each direction, decomposed one by one (Saatci, Scalable Inference for Structured Gaussian Process Models, 2011, chapter 5).</summary>
+/// <summary>The covariance of values on a rectangular grid: the Kronecker product of one small matrix per direction, decomposed separately
+/// (Saatci, Scalable Inference for Structured Gaussian Process Models, 2011, chapter 5).</summary>
 internal sealed class GridCovariance : Covariance
 {
     private readonly SampleGrid _grid;
@@ -18,7 +19,7 @@ internal sealed class GridCovariance : Covariance
         _values = new double[grid.U.Length * grid.V.Length];
         for (var k = 0; k < _values.Length; k++)
         {
-            // An eigenvalue below zero is rounding.
+            // Negative eigenvalues are due to rounding.
             _values[k] = (Math.Max(0, _u.Values[k / grid.V.Length]) * Math.Max(0, _v.Values[k % grid.V.Length])) + noise;
         }
     }
@@ -92,7 +93,7 @@ internal sealed class GridCovariance : Covariance
 
     private static double[][] Matrix(double[] places, Func<double, double, double> kernel) => Array.ConvertAll(places, a => Array.ConvertAll(places, b => kernel(a, b)));
 
-    /// <summary>The matrix of eigenvectors times a grid of values, along u.</summary>
+    /// <summary>Multiplies the matrix of eigenvectors with a grid of values, along u.</summary>
     private static double[] Apply(double[][] vectors, double[] x, int width, bool transposed)
     {
         var result = new double[x.Length];
@@ -107,7 +108,7 @@ internal sealed class GridCovariance : Covariance
         return result;
     }
 
-    /// <summary>The matrix of eigenvectors times a grid of values, along v.</summary>
+    /// <summary>Multiplies the matrix of eigenvectors with a grid of values, along v.</summary>
     private static double[] ApplyAcross(double[][] vectors, double[] x, int height, bool transposed)
     {
         var width = vectors.Length;

@@ -1,26 +1,25 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>
-/// Chooses among the models of a field: a polynomial, a Gaussian process and a cubic spline by the least error when lines are left out, and breaks only where they earn it.
-/// </summary>
-/// <remarks>Leaving out one value at a time is blind on grids: its neighbors on both lines tell where it must lie. So whole lines are left out.</remarks>
+/// <summary>Selects the polynomial, Gaussian process or cubic spline with the least line-out error. Breaks must be worthwhile.</summary>
+/// <remarks>Whole lines are left out, because leaving out single values reveals little on grids: the neighbors on both lines determine
+/// each value.</remarks>
 internal static class ModelChoice
 {
-    /// <summary>A model with breaks must leave this share of the line-out error of the best model without.</summary>
+    /// <summary>A model with breaks must reduce the line-out error to this share of that of the best model without breaks.</summary>
     private const double BreakShare = 0.7;
 
     private const double FreedomShare = 0.5;
 
-    /// <summary>A line-out error that no other model needs to beat: a thousandth of a nanometer.</summary>
+    /// <summary>A line-out error that no other model needs to improve on: a thousandth of a nanometer.</summary>
     private const double Nothing = 1e-9;
 
-    /// <summary>Breaks among waves are sought in so many values at most.</summary>
+    /// <summary>Maximum number of values in which breaks among waves are searched.</summary>
     private const int MostForBreaksInWaves = 300;
 
-    /// <summary>The model of some values, of which there must be one at least.</summary>
+    /// <summary>Returns the best model of at least one value.</summary>
     public static FieldModel Best(FieldData data)
     {
-        // The models know nothing of each other: polynomials are sought and tried on one core, the others on a second. What both ask of the values is made before.
+        // Polynomials are tried on one core, the other models on a second. Shared properties of the data are calculated first.
         _ = (data.Grid, data.Crossings, data.LinesOut);
         var search = Task.Run(() => Polynomials(data));
         var process = Unless(search, () => ProcessSearch.Run(data, ProcessSearch.Trend(2)));
@@ -41,7 +40,8 @@ internal static class ModelChoice
         return Least(broken.Where(m => m is not null && IsEarned(m, smooth))) ?? smooth;
     }
 
-    /// <summary>The polynomials without breaks and with more and more, and those of them that have some, each also of squares alone; all of them tried.</summary>
+    /// <summary>Returns all polynomials, from none to the most breaks, and those with breaks, each also limited to squares. Their line-out
+    /// errors are calculated.</summary>
     private static (IReadOnlyList<PolynomialModel> All, List<FieldModel?> Broken) Polynomials(FieldData data)
     {
         var all = new BreakSearch(data).Run();
@@ -63,11 +63,11 @@ internal static class ModelChoice
 
     private static bool IsPerfect(PolynomialModel model) => model.IsExact && !(Error(model) > Nothing);
 
-    /// <summary>A model that is tried, unless a perfect polynomial is known already: then nobody asks for it.</summary>
+    /// <summary>Tries a model, unless a perfect polynomial is already known.</summary>
     private static T? Unless<T>(Task<(IReadOnlyList<PolynomialModel> All, List<FieldModel?> Broken)> search, Func<T?> model)
         where T : FieldModel => search.IsCompletedSuccessfully && IsPerfect(search.Result.All[^1]) ? null : Tried(model());
 
-    /// <summary>A model whose line-out error was found, where there is one.</summary>
+    /// <summary>Calculates the line-out error of a model, if there is one.</summary>
     private static T? Tried<T>(T? model)
         where T : FieldModel
     {
@@ -75,13 +75,15 @@ internal static class ModelChoice
         return model;
     }
 
-    /// <summary>True if breaks lower the line-out error enough; or, where noise hides the difference, if they do not raise it and say the same with half the freedom.</summary>
+    /// <summary>True if breaks reduce the line-out error enough; or, if noise hides the difference, if they do not increase it and use at
+    /// most half the degrees of freedom.</summary>
     private static bool IsEarned(FieldModel broken, FieldModel smooth) =>
         Error(broken) <= BreakShare * Error(smooth) || (Error(broken) <= Error(smooth) && broken.Freedom <= FreedomShare * smooth.Freedom);
 
     private static FieldModel? Least(IEnumerable<FieldModel?> models) => models.OfType<FieldModel>().MinBy(Error);
 
-    /// <summary>The line-out error; that of a polynomial, whose terms are chosen anew without each line, is not less than what it leaves of the values it was fitted to: the choice from all of them may have been a poor one.</summary>
+    /// <summary>The line-out error. For a polynomial it is at least the mean residual of the full fit: its terms are reselected without
+    /// each line, and the selection from all values may have been poor.</summary>
     private static double Error(FieldModel model)
     {
         if (double.IsNaN(model.LineOut))

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>A sum of few terms, some of them one-sided behind a break.</summary>
+/// <summary>A sparse polynomial, some of whose terms may be one-sided beyond a break.</summary>
 internal sealed class PolynomialModel : FieldModel
 {
     private readonly Term[] _terms;
@@ -10,7 +10,7 @@ internal sealed class PolynomialModel : FieldModel
     /// <param name="data">The values.</param>
     /// <param name="terms">The terms.</param>
     /// <param name="fit">Their fit.</param>
-    /// <param name="isFree">True if the terms were chosen among all without breaks, and are so again for other values.</param>
+    /// <param name="isFree">True if the terms were selected without breaks; they are then reselected for other values.</param>
     private PolynomialModel(FieldData data, Term[] terms, LeastSquares fit, bool isFree = false)
         : base(data)
     {
@@ -36,24 +36,23 @@ internal sealed class PolynomialModel : FieldModel
 
     public double SquareSum => _fit.SquareSum;
 
-    /// <summary>Mean absolute residual.</summary>
     public double MeanResidual => _fit.Residuals.Average(Math.Abs);
 
-    /// <summary>The corrected information criterion.</summary>
+    /// <summary>The corrected Akaike information criterion.</summary>
     public double Criterion { get; }
 
-    /// <summary>True if nothing but rounding is left.</summary>
+    /// <summary>True if only rounding errors remain.</summary>
     public bool IsExact => SquareSum <= Data.Count * TermSelection.Rounding(Data.Z);
 
     public override double Freedom => _terms.Length;
 
     public override double Noise => Math.Sqrt(_fit.SquareSum / Math.Max(1, Data.Count - _terms.Length - BreaksU.Count - BreaksV.Count));
 
-    /// <summary>The fit of given terms; null if the values do not determine them.</summary>
+    /// <summary>Fits given terms; null if the values do not determine them.</summary>
     public static PolynomialModel? Fit(FieldData data, Term[] terms) =>
         LeastSquares.Solve(Term.Over(terms, data.U, data.V), data.Z) is { } fit ? new(data, terms, fit) : null;
 
-    /// <summary>The fit of the terms that <see cref="TermSelection"/> chooses.</summary>
+    /// <summary>Fits the terms that <see cref="TermSelection"/> selects.</summary>
     public static PolynomialModel Choose(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV, int degree = TermSelection.HighestDegree)
     {
         var model = Fit(data, TermSelection.Of(data, breaksU, breaksV, degree).Terms)!;
@@ -83,10 +82,9 @@ internal sealed class PolynomialModel : FieldModel
     }
 
     /// <inheritdoc/>
-    /// <remarks>
-    /// Terms that were chosen among all without breaks are chosen anew: kept, they would tell of the values that are left out, and a polynomial would seem better than it is.
-    /// Breaks move for the same reason; some lines say where they lie, all of them the rest.
-    /// </remarks>
+    /// <remarks>Terms selected without breaks are reselected. Otherwise they would carry information about the left-out values, and the
+    /// polynomial would seem better than it is. Breaks are moved for the same reason. A few lines locate them, and all lines refine
+    /// them.</remarks>
     public override FieldModel? Refit(FieldData other)
     {
         if (_isFree)

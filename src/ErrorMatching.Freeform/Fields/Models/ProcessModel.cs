@@ -1,6 +1,7 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>A Gaussian process about a low polynomial whose coefficients are estimated with it (universal kriging; Rasmussen and Williams, Gaussian Processes for Machine Learning, section 2.7).</summary>
+/// <summary>A Gaussian process about a low-degree polynomial whose coefficients are estimated together with it (universal kriging;
+/// Rasmussen and Williams, Gaussian Processes for Machine Learning, section 2.7).</summary>
 internal sealed class ProcessModel : FieldModel
 {
     private readonly Kernel _kernel;
@@ -17,7 +18,7 @@ internal sealed class ProcessModel : FieldModel
         : base(trend.Data)
     {
         (_kernel, _trend, _covariance, _columns, _solved, _factor) = (kernel, trend.Terms, covariance, trend.Columns, solved, factor);
-        // The polynomial goes first by itself: the likelihood does not see it, and digits are kept where it is large.
+        // Subtract the polynomial first. The likelihood is not affected, and this preserves digits where the polynomial is large.
         var (data, columns, rest) = (trend.Data, trend.Columns, (double[])trend.Ordinary.Residuals.Clone());
         var correction = factor.Solve(Array.ConvertAll(solved, s => LeastSquares.Product(s, rest)));
         for (var k = 0; k < columns.Length; k++)
@@ -49,10 +50,12 @@ internal sealed class ProcessModel : FieldModel
 
     public override bool IsSpline => false;
 
-    /// <summary>Logarithm of the restricted likelihood with the best variance, less constants (Rasmussen and Williams, equation 2.45).</summary>
+    /// <summary>Logarithm of the restricted likelihood with the best variance, without constants (Rasmussen and Williams, equation
+    /// 2.45).</summary>
     public double Likelihood { get; }
 
-    /// <summary>Minus twice the logarithm of the full likelihood, less constants, and twice the number of trend coefficients: compares trends, which <see cref="Likelihood"/> cannot.</summary>
+    /// <summary>Minus twice the logarithm of the full likelihood, without constants, plus twice the number of trend coefficients. Unlike
+    /// <see cref="Likelihood"/>, it can compare trends.</summary>
     public double Criterion { get; }
 
     public Kernel Kernel => _kernel;
@@ -76,15 +79,15 @@ internal sealed class ProcessModel : FieldModel
         }
     }
 
-    /// <summary>The process with a given kernel; null if double precision does not carry it.</summary>
+    /// <summary>Fits the process with a given kernel; null if double precision is insufficient.</summary>
     public static ProcessModel? Fit(ProcessTrend? trend, Kernel kernel) =>
         trend is not null && Covariance.Of(trend.Data, kernel) is { } covariance ? Fit(trend, kernel, covariance, []) : null;
 
-    /// <summary>The same with the covariance of these values, which other trends share.</summary>
+    /// <summary>Fits the process with a covariance that is shared with other trends.</summary>
     /// <param name="trend">The polynomial.</param>
     /// <param name="kernel">The kernel.</param>
     /// <param name="covariance">Its matrix.</param>
-    /// <param name="begun">The first columns of the polynomial as the matrix solves them, if other trends begin alike.</param>
+    /// <param name="begun">The matrix's solutions for the first columns of the polynomial, if they are shared with other trends.</param>
     public static ProcessModel? Fit(ProcessTrend? trend, Kernel kernel, Covariance covariance, double[][] begun)
     {
         if (trend is null)
@@ -144,7 +147,7 @@ internal sealed class ProcessModel : FieldModel
     }
 
     /// <inheritdoc/>
-    /// <remarks>A break moves again: kept, it would tell of the values that are left out.</remarks>
+    /// <remarks>A break is moved again. Otherwise it would carry information about the left-out values.</remarks>
     public override FieldModel? Refit(FieldData other)
     {
         if (other.Count <= _trend.Length || Covariance.Of(other, _kernel, _covariance) is not { } covariance)

@@ -1,19 +1,19 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Finds the kernel of greatest likelihood: the best of a few starts, then a simplex. The same values give the same kernel.</summary>
+/// <summary>Finds the kernel of greatest likelihood: the best of a few starts, refined by a simplex. It is deterministic.</summary>
 internal static class ProcessSearch
 {
     private const int MostEvaluations = 140;
     private const int PlacesPerCell = 3;
 
-    // How near a break is brought to its place, on an axis of length 2: while the kernel still changes or a line is left out, and at last.
+    // Tolerance of a break on an axis of length 2: while the kernel still changes or a line is left out, and for the result.
     private const double Roughly = 1e-5;
     private const double Closely = 1e-9;
 
-    /// <summary>A break must lower the criterion by this much.</summary>
+    /// <summary>Minimum reduction of the criterion by a break.</summary>
     private const double LeastGain = 10;
 
-    /// <summary>The process with the best kernel; null if the values are too few or too many.</summary>
+    /// <summary>Returns the process with the best kernel; null if there are too few or too many values.</summary>
     public static ProcessModel? Run(FieldData data, Term[] terms)
     {
         if (!Covariance.IsPossible(data) || data.Count < terms.Length + 5)
@@ -42,7 +42,7 @@ internal static class ProcessSearch
         return best is null ? null : ProcessModel.Fit(few == data ? trend : ProcessTrend.Of(data, terms), Improved(trend, best));
     }
 
-    /// <summary>A process about a polynomial with one break, which is moved to where the likelihood is greatest; null if no place is likely enough.</summary>
+    /// <summary>Returns a process about a polynomial with one break at the greatest likelihood; null if none is likely enough.</summary>
     public static ProcessModel? WithBreak(ProcessModel smooth)
     {
         var (linesU, linesV) = smooth.Data.LinePlaces();
@@ -59,7 +59,7 @@ internal static class ProcessSearch
         return best;
     }
 
-    /// <summary>The process with a break near a place, kernel and break brought in turn to where they are likeliest.</summary>
+    /// <summary>Optimizes the kernel and the break near a place alternately.</summary>
     private static ProcessModel? Tuned(FieldData data, BreakPlace place)
     {
         var model = Moved(data, place.Kernel, Covariance.Of(data, place.Kernel), place.AlongU, place.At, place.Reach, Roughly);
@@ -73,7 +73,7 @@ internal static class ProcessSearch
         return model;
     }
 
-    /// <summary>The same kernel over other values, the break moved within half a cell.</summary>
+    /// <summary>Fits the same kernel to other values, moving the break within half a cell.</summary>
     public static ProcessModel? WithBreakMoved(ProcessModel model, FieldData other, Covariance covariance)
     {
         var alongU = model.BreaksU.Count > 0;
@@ -82,7 +82,8 @@ internal static class ProcessSearch
 
     private static double At(ProcessModel model) => model.BreaksU.Concat(model.BreaksV).Single();
 
-    /// <summary>The two likeliest places, each with the kernel that makes it so: that of the process without a break has to bend where the break is, so longer waves are tried as well.</summary>
+    /// <summary>Returns the two likeliest places, each with its kernel. The kernel without a break has to bend at the break, so longer
+    /// waves are tried too.</summary>
     private static BreakPlace[] Places(ProcessModel smooth, double[] linesU, double[] linesV)
     {
         var kernels = new List<Kernel> { smooth.Kernel };
@@ -91,7 +92,7 @@ internal static class ProcessSearch
             kernels.AddRange([new(length, length, 1e-8), new(length, length, 1e-4)]);
         }
 
-        // Half of them on a second core; in the order of kernels all the same.
+        // Half of them run on a second core. The order of the kernels is preserved.
         var half = kernels.Count / 2;
         var behind = Task.Run(() => Found(kernels[half..]));
         var likeliest = Found(kernels[..half]).Concat(behind.GetAwaiter().GetResult()).OrderBy(p => p.Criterion).ToArray();
@@ -114,7 +115,7 @@ internal static class ProcessSearch
         }
     }
 
-    /// <summary>Places in the cells along one direction at which a break is likelier than at their neighbors.</summary>
+    /// <summary>Finds places in the cells along one direction where a break is likelier than at the neighbors.</summary>
     private static IEnumerable<BreakPlace> Scan(ProcessModel smooth, Kernel kernel, Covariance covariance, double[][] begun, bool alongU, double[] lines)
     {
         var places = new List<BreakPlace>();
@@ -131,7 +132,7 @@ internal static class ProcessSearch
         return places.Where((p, k) => p.Criterion < smooth.Criterion - LeastGain && (k == 0 || p.Criterion <= places[k - 1].Criterion) && (k + 1 == places.Count || p.Criterion <= places[k + 1].Criterion));
     }
 
-    /// <summary>The process with its break moved by less than a reach to where the criterion is least.</summary>
+    /// <summary>Fits the process with its break at the least criterion within a reach.</summary>
     private static ProcessModel? Moved(FieldData data, Kernel kernel, Covariance? covariance, bool alongU, double at, double reach, double tolerance)
     {
         if (covariance is null)
@@ -145,17 +146,17 @@ internal static class ProcessSearch
         ProcessModel? Model(double t) => ProcessModel.Fit(ProcessTrend.Of(data, Broken(alongU, t)), kernel, covariance, begun);
     }
 
-    /// <summary>A quadratic, and behind the break another one that meets it with its value and slope; how much it bends may change along the break.</summary>
+    /// <summary>A quadratic, and beyond the break another one with the same value and slope there. The change of curvature may vary along
+    /// the break.</summary>
     private static Term[] Broken(bool alongU, double at) =>
         [.. Trend(2), .. Enumerable.Range(0, 3).Select(p => alongU ? new Term(new(2, at), new(p)) : new Term(new(p), new(2, at)))];
 
-    /// <summary>The quadratic, with which <see cref="Broken"/> begins wherever the break is, as a covariance solves it.</summary>
+    /// <summary>The covariance's solutions for the quadratic, with which <see cref="Broken"/> starts for every break.</summary>
     private static double[][] Begun(FieldData data, Covariance covariance) => Array.ConvertAll(Term.Over(Trend(2), data.U, data.V), covariance.Solve);
 
     private static Kernel Improved(ProcessTrend trend, double[] start) =>
         KernelOf(Simplex.Minimum(x => Cost(trend, x), start, 0.7, MostEvaluations, 1e-3));
 
-    /// <summary>The terms up to a total degree.</summary>
     public static Term[] Trend(int degree) =>
         [.. from a in Enumerable.Range(0, degree + 1) from b in Enumerable.Range(0, degree + 1 - a) select new Term(new(a), new(b))];
 
@@ -164,11 +165,11 @@ internal static class ProcessSearch
     private static Kernel KernelOf(double[] x) =>
         new(Math.Exp(Math.Clamp(x[0], -3, 3)), Math.Exp(Math.Clamp(x[1], -3, 3)), Math.Pow(10, Math.Clamp(x[2], -13, 2)));
 
-    /// <summary>A place where a break may be.</summary>
-    /// <param name="Kernel">The kernel that makes it likely.</param>
-    /// <param name="AlongU">True for a value of u.</param>
-    /// <param name="At">The value.</param>
-    /// <param name="Reach">How far on either side it may be.</param>
-    /// <param name="Criterion">That of the process with the break there.</param>
+    /// <summary>A candidate for a break.</summary>
+    /// <param name="Kernel">The kernel for which it is likely.</param>
+    /// <param name="AlongU">True for a break in u.</param>
+    /// <param name="At">Its parameter.</param>
+    /// <param name="Reach">The distance to search on either side.</param>
+    /// <param name="Criterion">The criterion of the process with this break.</param>
     private sealed record BreakPlace(Kernel Kernel, bool AlongU, double At, double Reach, double Criterion);
 }

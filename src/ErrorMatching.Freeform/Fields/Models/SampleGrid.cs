@@ -3,18 +3,19 @@ namespace ErrorMatching.Freeform;
 /// <summary>The lines of a rectangular grid of values.</summary>
 /// <param name="U">Parameter of each line across u.</param>
 /// <param name="V">Parameter of each line across v.</param>
-/// <param name="Index">Number of the value on line i and line j, at i * V.Length + j.</param>
+/// <param name="Index">Index of the value on line i and line j, at i * V.Length + j.</param>
 internal sealed record SampleGrid(double[] U, double[] V, int[] Index)
 {
-    /// <summary>How far a value may lie from its line, as a share of the distance of lines.</summary>
+    /// <summary>Largest distance of a value from its line, as a share of the line spacing.</summary>
     private const double Tolerance = 1e-9;
 
-    /// <summary>The same where the values are too many to be treated as scattered, and moving them to their lines changes none by more than <see cref="Harmless"/>.</summary>
+    /// <summary>The tolerance if there are too many values to treat as scattered, and moving them to their lines changes none by more than
+    /// <see cref="Harmless"/>.</summary>
     private const double LooseTolerance = 0.02;
 
     private const double Harmless = 1e-5;
 
-    /// <summary>The grid of values on straight lines; null if they are on none.</summary>
+    /// <summary>Returns the grid of values on straight lines; null if there is none.</summary>
     public static SampleGrid? Of(FieldData data)
     {
         if (!data.IsRectangular || data.Curves.Length < 2 || data.Crossings.Length < 2)
@@ -25,7 +26,7 @@ internal sealed record SampleGrid(double[] U, double[] V, int[] Index)
         var u = data.Crossings.Select(line => line.Average(k => data.U[k])).ToArray();
         var v = data.Curves.Select(line => line.Average(k => data.V[k])).ToArray();
         var tolerance = data.Count > Covariance.MostScattered ? LooseTolerance : Tolerance;
-        // The slope of smooth values is a few times their range over the extent, which is 2.
+        // The slope of smooth values is a few times their range divided by the extent, which is 2.
         var most = tolerance == Tolerance ? double.PositiveInfinity : Harmless / Math.Max(double.Epsilon, data.Z.Max() - data.Z.Min());
         if (!Keeps(data.Crossings, data.U, u, tolerance, most) || !Keeps(data.Curves, data.V, v, tolerance, most))
         {

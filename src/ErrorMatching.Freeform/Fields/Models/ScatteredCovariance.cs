@@ -1,6 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The covariance of values anywhere: a full matrix.</summary>
+/// <summary>The covariance of scattered values: a full matrix.</summary>
 internal sealed class ScatteredCovariance : Covariance
 {
     private readonly FieldData _data;
@@ -39,7 +39,7 @@ internal sealed class ScatteredCovariance : Covariance
                 rows[i][j] = kernel.AlongU(data.U[i], data.U[j]) * kernel.AlongV(data.V[i], data.V[j]);
             }
 
-            // Ten times the least noise of a grid: a factor of a full matrix loses more digits than two small decompositions.
+            // Ten times the least noise of a grid, because factoring a full matrix loses more digits than two small decompositions.
             rows[i][i] = 1 + Math.Max(kernel.Noise, 10 * Kernel.LeastNoise);
         }
 

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The cubic B-splines along one axis from -1 to 1, clamped (Piegl and Tiller, The NURBS Book, 2nd edition, algorithm A2.2).</summary>
+/// <summary>Clamped cubic B-splines on an axis from -1 to 1 (Piegl and Tiller, The NURBS Book, 2nd edition, algorithm A2.2).</summary>
 internal sealed class SplineAxis
 {
     private readonly double[] _breaks;
@@ -12,13 +12,12 @@ internal sealed class SplineAxis
         _knots = [breaks[0], breaks[0], breaks[0], .. breaks, breaks[^1], breaks[^1], breaks[^1]];
     }
 
-    /// <summary>Number of poles.</summary>
     public int Count => _breaks.Length + 2;
 
-    /// <summary>Where the pieces meet, with both ends.</summary>
+    /// <summary>Where the pieces meet, including both ends.</summary>
     public ReadOnlySpan<double> Breaks => _breaks;
 
-    /// <summary>An axis with a piece between neighboring lines, or several of them where there are many lines.</summary>
+    /// <summary>Creates an axis with one piece per line interval, or per several intervals if there are many lines.</summary>
     public static SplineAxis Over(double[] lines, int mostPieces)
     {
         var pieces = Math.Min(lines.Length - 1, mostPieces);
@@ -26,14 +25,15 @@ internal sealed class SplineAxis
         return new([-1, .. inner, 1]);
     }
 
-    /// <summary>The four B-splines that do not vanish at a place, and the number of the first.</summary>
+    /// <summary>The four nonzero B-splines at a place, and the index of the first.</summary>
     public (int First, double[] Values) At(double t)
     {
         var (span, values) = Basis(t, 3);
         return (span - 3, values);
     }
 
-    /// <summary>The integrals of the products of the derivatives of an order of each two B-splines, by Gauss's rule of four points on each piece: exact for cubics.</summary>
+    /// <summary>The integrals of the products of derivatives of each pair of B-splines, by four-point Gauss quadrature on each piece:
+    /// exact for cubics.</summary>
     public double[][] Products(int order)
     {
         var result = Array.ConvertAll(new double[Count][], _ => new double[Count]);
@@ -58,7 +58,7 @@ internal sealed class SplineAxis
         return result;
     }
 
-    /// <summary>Derivatives by differences of the B-splines of lower degree (The NURBS Book, equation 2.7).</summary>
+    /// <summary>Derivatives as differences of the B-splines of lower degree (The NURBS Book, equation 2.7).</summary>
     private (int First, double[] Values) Derivatives(double t, int order)
     {
         var (span, values) = Basis(t, 3 - order);

@@ -1,12 +1,10 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>
-/// A cubic spline over both parameters with about as many poles as the grid has lines, smoothed by the bending energy of a thin plate (Green and Silverman, Nonparametric Regression and Generalized Linear Models, section 7.9)
-/// with the weight that leaves the least error when lines are left out.
-/// </summary>
+/// <summary>A bicubic spline with about as many poles as the grid has lines, smoothed by the bending energy of a thin plate (Green and
+/// Silverman, Nonparametric Regression and Generalized Linear Models, section 7.9). The weight minimizes the line-out error.</summary>
 internal sealed class SplineModel : FieldModel
 {
-    /// <summary>Pieces along one axis at most: the band of the equations grows with them.</summary>
+    /// <summary>Maximum number of pieces along one axis, which determines the bandwidth of the equations.</summary>
     private const int MostPieces = 24;
 
     private static readonly double[] Weights = [1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
@@ -40,7 +38,7 @@ internal sealed class SplineModel : FieldModel
 
     public override IEnumerable<(double At, int Smoothness)> JoinsV => _v.Breaks[1..^1].ToArray().Select(at => (at, 2));
 
-    /// <summary>The spline with the best of some weights; null if there are too few lines.</summary>
+    /// <summary>Returns the spline with the best of several weights; null if there are too few lines.</summary>
     public static SplineModel? Run(FieldData data)
     {
         var (u, v) = data.LinePlaces();
@@ -108,10 +106,10 @@ internal sealed class SplineModel : FieldModel
         return Cholesky.Factor(rows, width) is { } cholesky ? new(data, u, v, weight, bending, cholesky, cholesky.Solve(right)) : null;
     }
 
-    /// <summary>How far left of the diagonal the equations of the poles reach.</summary>
+    /// <summary>Bandwidth of the equations left of the diagonal.</summary>
     private static int Width(SplineAxis v) => (3 * v.Count) + 3;
 
-    /// <summary>The integral of f_uu^2 + 2 f_uv^2 + f_vv^2 as a form of the poles: row i holds columns from i less the width to i.</summary>
+    /// <summary>The integral of f_uu^2 + 2 f_uv^2 + f_vv^2 as a quadratic form of the poles. Row i has columns i - width to i.</summary>
     private static double[][] Bending(SplineAxis u, SplineAxis v)
     {
         var (u0, u1, u2) = (u.Products(0), u.Products(1), u.Products(2));
@@ -129,7 +127,7 @@ internal sealed class SplineModel : FieldModel
                     var column = (k * v.Count) + l;
                     if (column <= row)
                     {
-                        // A trace of the values themselves keeps a plane determined where lines are missing.
+                        // A trace of the values themselves keeps planes determined where lines are missing.
                         rows[row][column - Math.Max(0, row - width)] = (u2[i][k] * v0[j][l]) + (2 * u1[i][k] * v1[j][l]) + (u0[i][k] * v2[j][l]) + (1e-9 * u0[i][k] * v0[j][l]);
                     }
                 }
@@ -151,7 +149,7 @@ internal sealed class SplineModel : FieldModel
         return row;
     }
 
-    /// <summary>The sum of the leverages of the values; of some of them, evenly chosen and scaled, where they are many.</summary>
+    /// <summary>The sum of the leverages. If there are many values, an evenly chosen subset is scaled up.</summary>
     private double Trace()
     {
         var step = Math.Max(1, Data.Count / 100);

@@ -5,7 +5,7 @@ internal sealed record Term(AxisFunction U, AxisFunction V)
 {
     public double At(double u, double v) => U.At(u) * V.At(v);
 
-    /// <summary>The values of several terms at places: each function of an axis is asked once.</summary>
+    /// <summary>Evaluates several terms at places. Each axis function is evaluated once.</summary>
     public static double[][] Over(IReadOnlyList<Term> terms, double[] u, double[] v)
     {
         var (alongU, alongV) = (new Dictionary<AxisFunction, double[]>(), new Dictionary<AxisFunction, double[]>());

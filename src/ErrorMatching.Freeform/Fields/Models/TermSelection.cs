@@ -1,13 +1,10 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>
-/// Chooses the terms of a polynomial with given breaks: forward, the term that takes most of the sum of squares first, a term only after those below it in both directions;
-/// of all lengths of that list the one with the lowest corrected information criterion.
-/// </summary>
-/// <remarks>
-/// AICc = n ln(S / n) + 2 k + 2 k (k + 1) / (n - k - 1), k the number of terms, breaks and the noise (Burnham and Anderson, Model Selection and Multimodel Inference, 2nd edition, equation 2.4).
-/// A term is not taken if the fit with it would predict a place between neighboring values with more than the variance of one measured value: there the polynomial swings.
-/// </remarks>
+/// <summary>Selects the terms of a polynomial with given breaks. Forward selection takes the term that reduces the sum of squares most,
+/// provided that its lower terms in both directions are present. The length with the lowest corrected criterion is kept.</summary>
+/// <remarks>AICc = n ln(S / n) + 2 k + 2 k (k + 1) / (n - k - 1), with k the number of terms, breaks and the noise (Burnham and Anderson,
+/// Model Selection and Multimodel Inference, 2nd edition, equation 2.4). A term is rejected if the fit would predict a place between
+/// neighboring values with more than the variance of one measured value: the polynomial oscillates there.</remarks>
 internal sealed class TermSelection
 {
     public const int HighestDegree = 8;
@@ -46,7 +43,7 @@ internal sealed class TermSelection
 
     public Term[] Terms { get; private set; } = [];
 
-    /// <summary>The criterion of the chosen terms; infinite if there are too few values for any.</summary>
+    /// <summary>The criterion of the selected terms; infinite if there are too few values for any term.</summary>
     public double Criterion { get; private set; } = double.PositiveInfinity;
 
     public static TermSelection Of(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV, int degree)
@@ -56,14 +53,13 @@ internal sealed class TermSelection
         return selection;
     }
 
-    /// <summary>The criterion of a fit.</summary>
     public static double CriterionOf(FieldData data, double squareSum, int terms, int breaks)
     {
         var (n, k) = (data.Count, terms + breaks + 1);
         return n - k - 1 > 0 ? (n * Math.Log((squareSum / n) + Rounding(data.Z))) + (2 * k) + (2.0 * k * (k + 1) / (n - k - 1)) : double.PositiveInfinity;
     }
 
-    /// <summary>A variance of 0.1 pm, and what double precision leaves of large coordinates: below it a residual says nothing.</summary>
+    /// <summary>The variance below which a residual means nothing: the square of 0.1 pm plus the rounding of large values.</summary>
     public static double Rounding(double[] values)
     {
         var largest = 0.0;
@@ -76,10 +72,8 @@ internal sealed class TermSelection
         return rounding * rounding;
     }
 
-    /// <summary>
-    /// How many functions of an axis are used at most. As many as lines would meet any values; with breaks, so many fewer that they cannot be moved until the fit meets every line, also one left out.
-    /// Three lines are trusted to show a square.
-    /// </summary>
+    /// <summary>Maximum number of functions on an axis. As many functions as lines would fit any values. With breaks, the number is
+    /// reduced so that moving them cannot fit every line, including left-out ones. Three lines are trusted to show a square.</summary>
     private static int Most(int lines, int breaks) => breaks > 0 ? lines - 2 - breaks : Math.Max(lines - 1, Math.Min(lines, 3));
 
     private void Run()
@@ -177,7 +171,7 @@ internal sealed class TermSelection
         }
     }
 
-    /// <summary>A term's values, without what lies along the terms taken before.</summary>
+    /// <summary>The values of a term, orthogonalized to the terms selected before.</summary>
     private sealed record Candidate(Term Term, double[] Column, double[] Between)
     {
         public double SquareNorm { get; } = LeastSquares.Product(Column, Column);

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The factor L of a symmetric positive definite matrix A = L L' whose rows reach a limited way left of the diagonal (Golub and Van Loan, Matrix Computations, 4th edition, section 4.3.5).</summary>
+/// <summary>The factor L of a symmetric positive definite band matrix A = L L' (Golub and Van Loan, Matrix Computations, 4th edition,
+/// section 4.3.5).</summary>
 internal sealed class Cholesky
 {
     private readonly double[][] _rows;
@@ -8,7 +9,6 @@ internal sealed class Cholesky
 
     private Cholesky(double[][] rows, int width) => (_rows, _width) = (rows, width);
 
-    /// <summary>Logarithm of the determinant of A.</summary>
     public double LogDeterminant
     {
         get
@@ -23,9 +23,9 @@ internal sealed class Cholesky
         }
     }
 
-    /// <summary>The factor of a matrix, made in its place; null if the matrix is not positive definite.</summary>
-    /// <param name="rows">Row i holds columns max(0, i - width) to i.</param>
-    /// <param name="width">How far a row reaches left of the diagonal.</param>
+    /// <summary>Factors a matrix in place; null if it is not positive definite.</summary>
+    /// <param name="rows">Row i contains the columns max(0, i - width) to i.</param>
+    /// <param name="width">Bandwidth left of the diagonal.</param>
     public static Cholesky? Factor(double[][] rows, int width)
     {
         for (var i = 0; i < rows.Length; i++)
@@ -75,7 +75,7 @@ internal sealed class Cholesky
         return x;
     }
 
-    /// <summary>The solution y of L y = b: its squared length is b' A^-1 b.</summary>
+    /// <summary>The solution y of L y = b. Its squared length is b' A^-1 b.</summary>
     public double[] Forward(double[] b)
     {
         var y = (double[])b.Clone();

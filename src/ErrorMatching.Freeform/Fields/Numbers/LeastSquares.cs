@@ -1,14 +1,13 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>
-/// Linear least squares by orthogonalizing the columns, twice where little is left (modified Gram-Schmidt with reorthogonalization; Bjorck, Numerical Methods for Least Squares Problems, section 2.4.5), never by the normal equations.
-/// </summary>
+/// <summary>Linear least squares by orthogonalization, repeated if little remains of a column (modified Gram-Schmidt with
+/// reorthogonalization; Bjorck, Numerical Methods for Least Squares Problems, section 2.4.5). It avoids the normal equations.</summary>
 internal sealed class LeastSquares
 {
-    /// <summary>A column of which less than this share is left beside the others depends on them.</summary>
+    /// <summary>A column depends on the others if less than this share of it remains.</summary>
     public const double Dependent = 1e-11;
 
-    /// <summary>A column of which at least this share is left needs no second pass.</summary>
+    /// <summary>No second pass is needed if at least this share of a column remains.</summary>
     private const double Clear = 0.1;
 
     private readonly double[][] _r;
@@ -23,10 +22,9 @@ internal sealed class LeastSquares
 
     public double[] Residuals { get; }
 
-    /// <summary>Sum of the squared residuals.</summary>
     public double SquareSum { get; }
 
-    /// <summary>The fit of columns to values; null if a column depends on the others, or there are more columns than values.</summary>
+    /// <summary>Fits columns to values; null if a column depends on the others, or there are more columns than values.</summary>
     public static LeastSquares? Solve(IReadOnlyList<double[]> columns, double[] values)
     {
         var p = columns.Count;
@@ -80,7 +78,7 @@ internal sealed class LeastSquares
         return new(r, projections, rest);
     }
 
-    /// <summary>The variance of what the fit predicts where the columns have the given values, as a share of the variance of one value.</summary>
+    /// <summary>The variance of the prediction for given column values, as a share of the variance of one value.</summary>
     public double Leverage(ReadOnlySpan<double> row)
     {
         var sum = 0.0;
@@ -100,7 +98,7 @@ internal sealed class LeastSquares
         return sum;
     }
 
-    /// <summary>Takes from a vector its part along a unit vector, and returns how long that was.</summary>
+    /// <summary>Subtracts a vector's component along a unit vector, and returns the component.</summary>
     public static double Remove(double[] vector, double[] unit)
     {
         var part = Product(vector, unit);

@@ -1,15 +1,16 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The place of a local minimum of a function of one number: parabolas through three places, golden sections where they do not serve (Brent, Algorithms for Minimization without Derivatives, 1973, chapter 5).</summary>
+/// <summary>Finds a local minimum of a function of one variable by parabolic interpolation and golden sections (Brent, Algorithms for
+/// Minimization without Derivatives, 1973, chapter 5).</summary>
 internal static class LineMinimum
 {
     private const int MostEvaluations = 60;
 
-    /// <summary>A place between two others at which the function is least nearby.</summary>
-    /// <param name="function">What is minimized.</param>
-    /// <param name="low">Where the range begins.</param>
-    /// <param name="high">Where it ends.</param>
-    /// <param name="tolerance">How near the place is to be.</param>
+    /// <summary>Returns a local minimum between two places.</summary>
+    /// <param name="function">The function to minimize.</param>
+    /// <param name="low">Start of the range.</param>
+    /// <param name="high">End of the range.</param>
+    /// <param name="tolerance">Required accuracy of the place.</param>
     public static double Of(Func<double, double> function, double low, double high, double tolerance)
     {
         var golden = (3 - Math.Sqrt(5)) / 2;

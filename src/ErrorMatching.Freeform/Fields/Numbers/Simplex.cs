@@ -1,13 +1,14 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The place of a function's local minimum by the simplex of Nelder and Mead (The Computer Journal 7, 1965): no derivatives, no chance.</summary>
+/// <summary>Finds a local minimum by the simplex method of Nelder and Mead (The Computer Journal 7, 1965), without derivatives or random
+/// numbers.</summary>
 internal static class Simplex
 {
-    /// <summary>A place near which the function is least.</summary>
-    /// <param name="function">What is minimized.</param>
-    /// <param name="start">Where the search begins.</param>
-    /// <param name="size">Length of the first simplex along each axis.</param>
-    /// <param name="evaluations">How often the function is asked at most.</param>
+    /// <summary>Returns a place near a local minimum.</summary>
+    /// <param name="function">The function to minimize.</param>
+    /// <param name="start">Start of the search.</param>
+    /// <param name="size">Edge length of the initial simplex along each axis.</param>
+    /// <param name="evaluations">Maximum number of evaluations.</param>
     /// <param name="tolerance">The search ends when the values at the corners differ by less.</param>
     public static double[] Minimum(Func<double[], double> function, double[] start, double size, int evaluations, double tolerance)
     {

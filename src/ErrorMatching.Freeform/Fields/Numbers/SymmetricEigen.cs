@@ -1,17 +1,17 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>
-/// Eigenvalues and eigenvectors of a symmetric matrix: Householder reflections make it tridiagonal, rotations with implicit shifts diagonal
-/// (Golub and Van Loan, Matrix Computations, 4th edition, sections 8.3.1 and 8.3.3). Small eigenvalues come out to the rounding of the largest.
-/// </summary>
+/// <summary>Eigenvalues and eigenvectors of a symmetric matrix, by Householder tridiagonalization and rotations with implicit shifts
+/// (Golub and Van Loan, Matrix Computations, 4th edition, sections 8.3.1 and 8.3.3). Small eigenvalues are accurate to the rounding of the
+/// largest.</summary>
 internal sealed class SymmetricEigen
 {
     private const int MostSweeps = 60;
 
-    /// <summary>An element beside the diagonal counts as zero below this share of the largest element: far below the rounding of the reflections.</summary>
+    /// <summary>An off-diagonal element below this share of the largest element counts as zero. This is far below the rounding of the
+    /// reflections.</summary>
     private const double Nothing = 1e-18;
 
-    /// <summary>The decomposition of a symmetric matrix, which is used up.</summary>
+    /// <summary>Decomposes a symmetric matrix and overwrites it.</summary>
     public SymmetricEigen(double[][] a)
     {
         var beside = new double[a.Length];
@@ -20,13 +20,14 @@ internal sealed class SymmetricEigen
         Diagonalize(Values, beside, Vectors);
     }
 
-    /// <summary>The eigenvalues, in no order.</summary>
+    /// <summary>The eigenvalues, unordered.</summary>
     public double[] Values { get; }
 
     /// <summary>Row k is the unit eigenvector of eigenvalue k.</summary>
     public double[][] Vectors { get; }
 
-    /// <summary>Leaves the tridiagonal matrix's diagonal in a and gives the columns, as rows, of the orthogonal matrix that took it there.</summary>
+    /// <summary>Leaves the diagonal of the tridiagonal matrix in <paramref name="a"/> and returns the columns, as rows, of the orthogonal
+    /// transformation.</summary>
     private static double[][] Tridiagonal(double[][] a, double[] beside)
     {
         var n = a.Length;
@@ -69,7 +70,7 @@ internal sealed class SymmetricEigen
         return columns;
     }
 
-    /// <summary>Reflects the lower right part of a symmetric matrix from both sides.</summary>
+    /// <summary>Applies a reflection to the lower right part of a symmetric matrix from both sides.</summary>
     private static void Reflect(double[][] a, int first, double[] unit)
     {
         var count = unit.Length;
@@ -117,7 +118,7 @@ internal sealed class SymmetricEigen
         }
     }
 
-    /// <summary>One step with the shift of Wilkinson, from the end of an unreduced block to its beginning.</summary>
+    /// <summary>One step with a Wilkinson shift, from the end to the start of an unreduced block.</summary>
     private static void Sweep(double[] diagonal, double[] beside, double[][] columns, int from, int to)
     {
         var half = (diagonal[from + 1] - diagonal[from]) / (2 * beside[from]);

@@ -3,12 +3,12 @@ using System.Runtime.Intrinsics;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>What linear algebra does with rows of numbers, four numbers at a time: everywhere in the same order, so that every processor gives the same sums.</summary>
+/// <summary>Linear algebra on rows of numbers, four numbers at a time. The order of summation is fixed, so that every processor gives the
+/// same sums.</summary>
 internal static class Vectors
 {
     private const int Width = 4;
 
-    /// <summary>The scalar product.</summary>
     public static double Dot(ReadOnlySpan<double> a, ReadOnlySpan<double> b)
     {
         ref var x = ref MemoryMarshal.GetReference(a);
@@ -29,7 +29,6 @@ internal static class Vectors
         return sum;
     }
 
-    /// <summary>The products of numbers of the same place.</summary>
     public static double[] Products(ReadOnlySpan<double> a, ReadOnlySpan<double> b)
     {
         var result = new double[a.Length];
@@ -41,7 +40,7 @@ internal static class Vectors
         return result;
     }
 
-    /// <summary>Turns two vectors in their plane: p becomes cosine p + sine q, q becomes cosine q - sine p.</summary>
+    /// <summary>Rotates two vectors in their plane: p becomes cosine p + sine q, q becomes cosine q - sine p.</summary>
     public static void Rotate(Span<double> p, Span<double> q, double cosine, double sine)
     {
         ref var x = ref MemoryMarshal.GetReference(p);
@@ -60,7 +59,6 @@ internal static class Vectors
         }
     }
 
-    /// <summary>Takes a multiple of a vector from another.</summary>
     public static void Subtract(Span<double> from, double multiple, ReadOnlySpan<double> vector)
     {
         ref var x = ref MemoryMarshal.GetReference(from);

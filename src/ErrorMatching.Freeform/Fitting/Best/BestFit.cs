@@ -1,12 +1,10 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>The way of fitting that chooses.</summary>
+/// <summary>Selects the better of two fits.</summary>
 internal static class BestFit
 {
-    /// <summary>
-    /// The rule of <see cref="BestSurface"/>, unless the curve mesh misses left-out lines by less: it has the fewest poles of all, which on
-    /// quadratics leaves the noise the least to bend.
-    /// </summary>
+    /// <summary>Uses <see cref="BestSurface"/> unless the curve mesh has a smaller line-out error. The mesh has the fewest poles, so that
+    /// noise bends it least on quadratics.</summary>
     public static FittedSurface Of(PointGrid grid, double curveToleranceMm)
     {
         BestSurface.Check(grid);

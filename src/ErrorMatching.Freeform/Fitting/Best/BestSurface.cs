@@ -3,19 +3,19 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Lays a surface through a grid of points that is known by nothing else, by the rule that fits error fields: polynomials of few terms with breaks of the curvature, Gaussian processes for waves, cubic splines as last resort.</summary>
-/// <remarks>
-/// A grid over a parallelogram of a coordinate plane, or of its own mean plane, is fitted as height over it, so that a quadratic height is met exactly; the parameters are then lengths along the sides of the parallelogram. Any other grid is fitted
-/// in x, y and z over its mean chord lengths from 0 to 1.
-/// A break of the curvature is found only along grid lines, with two lines at least on each side. One that runs obliquely to the grid is rounded off; so is a break too faint for the noise.
-/// Waves take a Gaussian process; beyond some 300 points it needs a grid of straight lines, else the cubic spline stands in for it.
-/// </remarks>
+/// <summary>Fits a surface through a grid of points by the same method as error fields: sparse polynomials with breaks of the curvature,
+/// Gaussian processes for waves, cubic splines as a last resort.</summary>
+/// <remarks>A grid over a parallelogram in a coordinate plane, or in its own mean plane, is fitted as a height over it, so that a quadratic
+/// height is reproduced exactly. The parameters are then lengths along the sides of the parallelogram. Any other grid is fitted in x, y and
+/// z over its mean chord lengths from 0 to 1. Breaks of the curvature are found only along grid lines, with at least two lines on each
+/// side. Oblique breaks, and breaks too faint for the noise, are rounded off. Waves need a Gaussian process. Beyond about 300 points it
+/// requires a grid of straight lines; otherwise the cubic spline is used.</remarks>
 public static class BestSurface
 {
-    /// <summary>The surface, with its breaks and its error when whole grid lines are left out.</summary>
+    /// <summary>Returns the surface, with its breaks and its line-out error.</summary>
     /// <param name="grid">At least two curves of at least two points each; curves may have different numbers of points.</param>
     /// <exception cref="FreeformException"><c>too-few-points</c>; <c>too-many-points</c>; <c>not-finite</c>.</exception>
-    /// <exception cref="GeometryException">Neighboring points coincide, so that they span no surface.</exception>
+    /// <exception cref="GeometryException">Neighboring points coincide, so that they do not span a surface.</exception>
     public static FittedSurface Fit(PointGrid grid)
     {
         ArgumentNullException.ThrowIfNull(grid);
@@ -31,7 +31,7 @@ public static class BestSurface
             LeaveLineOut(placed, models, surface));
     }
 
-    /// <summary>Mean distance of left-out points along the surface's normal.</summary>
+    /// <summary>Mean distance of left-out points along the surface normal.</summary>
     private static double LeaveLineOut(PlacedGrid placed, FieldModel[] models, SplineSurface surface)
     {
         var (sum, count) = (0.0, 0);
@@ -53,7 +53,7 @@ public static class BestSurface
         return count > 0 ? sum / count : double.NaN;
     }
 
-    /// <summary>Refuses a grid that no surface is laid through, as of <see cref="Fit"/>.</summary>
+    /// <summary>Throws for unusable grids, as for <see cref="Fit"/>.</summary>
     internal static void Check(PointGrid grid)
     {
         var count = grid.Curves.Sum(c => (long)c.Count);

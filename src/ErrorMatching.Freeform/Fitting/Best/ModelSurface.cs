@@ -2,10 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>One B-spline surface that is the models of a grid: exactly where they are splines, else as near as <see cref="ToleranceMm"/>.</summary>
+/// <summary>Converts the models of a grid to a B-spline surface: exactly if splines, otherwise within <see cref="ToleranceMm"/>.</summary>
 internal static class ModelSurface
 {
-    /// <summary>Largest distance of a coordinate from its model, in millimetres: a thousandth of a micrometer.</summary>
+    /// <summary>Largest distance of a coordinate from its model, in millimeters: a thousandth of a micrometer.</summary>
     public const double ToleranceMm = 1e-6;
 
     private const int MostPieces = 64;
@@ -32,7 +32,7 @@ internal static class ModelSurface
 
     private static int More(int pieces) => Math.Min(MostPieces, (pieces * 4 / 3) + 1);
 
-    /// <summary>How many pieces a spline along one direction needs, on a few lines across.</summary>
+    /// <summary>Number of pieces that a spline needs along one direction, checked on a few cross lines.</summary>
     private static int Pieces(FieldModel[] models, bool alongU)
     {
         ReadOnlySpan<double> lines = [-0.9, -0.35, 0.2, 0.75];
@@ -68,7 +68,7 @@ internal static class ModelSurface
         return us.Max(u => vs.Max(v => (surface.PointAt(u, v) - Place(grid, models, grid.U.ToUnit(u), grid.V.ToUnit(v))).Length));
     }
 
-    /// <summary>The surface through the models at as many places as it has poles.</summary>
+    /// <summary>Interpolates the models at as many places as the surface has poles.</summary>
     private static SplineSurface Through(PlacedGrid grid, FieldModel[] models, KnotVector knotsU, KnotVector knotsV)
     {
         var (us, vs) = (Greville(knotsU), Greville(knotsV));
@@ -93,7 +93,7 @@ internal static class ModelSurface
         return new(place.X, place.Y, place.Z);
     }
 
-    /// <summary>Knots from -1 to 1 where the models' pieces meet, and between them so many more that there are as many pieces as wanted.</summary>
+    /// <summary>Knots from -1 to 1 where the models' pieces meet, and more between them to reach the required number of pieces.</summary>
     private static KnotVector Knots(FieldModel[] models, int pieces, bool alongU)
     {
         var degree = models.Max(m => alongU ? m.DegreeU : m.DegreeV);

@@ -2,26 +2,27 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A grid of points with parameters: as heights over a plane, or as three coordinates over chord lengths.</summary>
+/// <summary>A grid of points with parameters: heights over a plane, or three coordinates over chord lengths.</summary>
 /// <param name="U">Range of the first parameter.</param>
 /// <param name="V">Range of the second parameter.</param>
-/// <param name="Base">What is known without a fit: a place linear in the parameters from -1 to 1, at their middle, its change to the end of the first and to that of the second.</param>
-/// <param name="Directions">What each set of values is multiplied with and added.</param>
-/// <param name="Values">The values over the parameters, one set a direction.</param>
+/// <param name="Base">The part known without a fit, linear in the parameters from -1 to 1: the place at the middle, and its change to the
+/// end of each parameter.</param>
+/// <param name="Directions">The direction of each set of values.</param>
+/// <param name="Values">The values over the parameters, one set per direction.</param>
 internal sealed record PlacedGrid(ParameterRange U, ParameterRange V, (Vector3 Middle, Vector3 AlongU, Vector3 AlongV) Base, Vector3[] Directions, FieldData[] Values)
 {
-    /// <summary>A direction nearer to an axis than this (in radians) is the axis: grids are meant to lie straight.</summary>
+    /// <summary>A direction within this angle (in radians) of an axis is set to the axis, because grids are meant to be straight.</summary>
     private const double Straight = 0.02;
 
-    /// <summary>How far a point of the rim may lie inside the parallelogram, as a share of the distance of the lines.</summary>
+    /// <summary>Largest distance of a rim point inside the parallelogram, as a share of the line spacing.</summary>
     private const double Rim = 0.25;
 
-    /// <summary>The sine of the least angle between the sides of a parallelogram, and between the surface and the axis of its heights.</summary>
+    /// <summary>Sine of the least angle between the sides of a parallelogram, and between the surface and the height axis.</summary>
     private const double LeastSine = 0.3;
 
     public static PlacedGrid Of(PointGrid grid) => OverPlane(grid, Largest) ?? OverPlane(grid, normal => normal.Normalize()) ?? OverChords(grid);
 
-    /// <summary>The heights along an axis that is chosen by the mean normal; null if they are none, or the points fill no parallelogram.</summary>
+    /// <summary>Heights along an axis selected by the mean normal; null if they are not heights or do not fill a parallelogram.</summary>
     private static PlacedGrid? OverPlane(PointGrid grid, Func<Vector3, Vector3> choose)
     {
         var curves = grid.Curves;
@@ -75,7 +76,7 @@ internal sealed record PlacedGrid(ParameterRange U, ParameterRange V, (Vector3 M
     private static FieldData Data(GridPoint[] points, double[] u, double[] v, ParameterRange rangeU, ParameterRange rangeV, double[] values) => new(
         Array.ConvertAll(points, p => p.I), Array.ConvertAll(points, p => p.J), Array.ConvertAll(u, rangeU.ToUnit), Array.ConvertAll(v, rangeV.ToUnit), values);
 
-    /// <summary>True if the points rise along both directions and those of the rim lie on the rim of the parallelogram.</summary>
+    /// <summary>True if the points ascend in both directions and the rim points are on the rim of the parallelogram.</summary>
     private static bool IsUnfolded(FieldData data)
     {
         var curves = data.Curves;
@@ -115,7 +116,7 @@ internal sealed record PlacedGrid(ParameterRange U, ParameterRange V, (Vector3 M
         return z >= x && z >= y ? new(0, 0, 1) : x >= y ? new(1, 0, 0) : new(0, 1, 0);
     }
 
-    /// <summary>A direction without its part along the axis, laid onto a coordinate axis if it is nearly one.</summary>
+    /// <summary>A direction without its component along the axis, set to a coordinate axis if close to one.</summary>
     private static Vector3 Flat(Vector3 v, Vector3 axis)
     {
         var flat = v - (axis * v.Dot(axis));

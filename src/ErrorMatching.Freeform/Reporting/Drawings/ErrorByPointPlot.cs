@@ -2,7 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Error against point number before and after, as in figures 10 to 12 of Lee 2019: circles before, plus signs after.</summary>
+/// <summary>Plots error by point number before and after, as in figures 10 to 12 of Lee 2019: circles before, plus signs after.</summary>
 /// <param name="points">The points in the order of measuring.</param>
 internal sealed class ErrorByPointPlot(IReadOnlyList<PlottedError> points)
 {
@@ -12,11 +12,11 @@ internal sealed class ErrorByPointPlot(IReadOnlyList<PlottedError> points)
     private readonly PlotAxis _axis = PlotAxis.Around(points.SelectMany(p => new[] { p.BeforeUm, p.AfterUm ?? p.BeforeUm }));
 
     /// <summary>Writes the drawing.</summary>
-    /// <param name="html">Where to.</param>
+    /// <param name="html">The output.</param>
     /// <param name="id">Prefix of its identifiers.</param>
-    /// <param name="title">What it shows.</param>
-    /// <param name="before">What the circles show.</param>
-    /// <param name="after">What the plus signs show.</param>
+    /// <param name="title">Title of the drawing.</param>
+    /// <param name="before">Legend of the circles.</param>
+    /// <param name="after">Legend of the plus signs.</param>
     public void Write(HtmlText html, string id, string title, string before, string after)
     {
         using (html.In(

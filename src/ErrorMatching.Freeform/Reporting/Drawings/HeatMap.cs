@@ -3,25 +3,25 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Errors of a surface seen from above: colors for the field, a number at each measured point.</summary>
+/// <summary>A top view of the errors of a surface: colors for the field, a number at each measured point.</summary>
 internal sealed class HeatMap
 {
     private const double Width = 820, Left = 20, Right = 690, Top = 46, LegendLeft = 716, LegendWidth = 22;
     private const int CellsU = 48, CellsV = 40;
 
-    // More numbers than this would cover the colors; then there are dots, and the numbers stand in the table.
+    // More numbers would cover the colors. They are then replaced by dots and listed in the table only.
     private const int MostLabels = 120;
 
     private readonly PartSurface _surface;
     private readonly double _minX, _maxY, _scale, _height, _limitUm;
     private readonly bool _hasNoSign;
 
-    // The corners of the cells as they are written: each belongs to four cells of every map.
+    // The formatted corners of the cells. Each belongs to four cells of every map.
     private readonly string[] _corners;
 
     /// <summary>A map of a surface.</summary>
     /// <param name="surface">The surface.</param>
-    /// <param name="limitUm">Absolute value in micrometres of the last colors; maps that are compared share it.</param>
+    /// <param name="limitUm">Absolute value in micrometers at the ends of the color scale, shared by maps that are compared.</param>
     public HeatMap(PartSurface surface, double limitUm)
     {
         (_surface, _limitUm) = (surface, Rounded(limitUm));
@@ -42,9 +42,10 @@ internal sealed class HeatMap
         _corners = Array.ConvertAll(corners, p => SvgNumber.Points([Place(p)]));
     }
 
-    /// <summary>A map of the same surface for what is never negative, such as an uncertainty: with half of the colors, and numbers without a sign.</summary>
-    /// <param name="like">The map whose surface it shows.</param>
-    /// <param name="limitUm">Value in micrometres of the last color.</param>
+    /// <summary>A map of the same surface for nonnegative values, such as an uncertainty: with half of the colors, and numbers without a
+    /// sign.</summary>
+    /// <param name="like">The map with the surface.</param>
+    /// <param name="limitUm">Value in micrometers at the end of the color scale.</param>
     public HeatMap(HeatMap like, double limitUm)
     {
         (_surface, _limitUm, _hasNoSign) = (like._surface, Rounded(limitUm), true);
@@ -52,11 +53,11 @@ internal sealed class HeatMap
     }
 
     /// <summary>Writes the map.</summary>
-    /// <param name="html">Where to.</param>
+    /// <param name="html">The output.</param>
     /// <param name="id">Prefix of its identifiers.</param>
-    /// <param name="title">What it shows.</param>
-    /// <param name="fieldUm">Value in micrometres at (u, v); null if only points are known.</param>
-    /// <param name="points">Points with a value in micrometres each.</param>
+    /// <param name="title">Title of the map.</param>
+    /// <param name="fieldUm">Value in micrometers at (u, v); null if only points are known.</param>
+    /// <param name="points">Points, each with a value in micrometers.</param>
     public void Write(HtmlText html, string id, string title, Func<double, double, double>? fieldUm, IReadOnlyList<PlottedPoint> points)
     {
         var height = Top + _height + 40;
@@ -99,7 +100,7 @@ internal sealed class HeatMap
             if (cells[color] is { } list)
             {
                 var path = string.Concat(list);
-                // The stroke closes the hairlines that a browser leaves between neighbors.
+                // The stroke closes the hairlines between neighbors in browsers.
                 html.Empty("path", ("d", path), ("fill", DivergingColors.Hex(color)), ("stroke", DivergingColors.Hex(color)), ("stroke-width", "0.6"));
             }
         }
@@ -150,7 +151,7 @@ internal sealed class HeatMap
         return $"Lowest {Micrometres.Signed(low.ValueUm)} µm at point {low.Label}, highest {Micrometres.Signed(high.ValueUm)} µm at point {high.Label}.";
     }
 
-    // A round limit that is not much larger than what is shown: a tenth of it is 1, 2 or 5 times a power of ten.
+    // A round limit slightly above the largest value: a tenth of it is 1, 2 or 5 times a power of ten.
     private static double Rounded(double limitUm)
     {
         var limit = Math.Max(limitUm, 0.1);

@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Freeform;
 
 /// <summary>A point in a drawing, with a value.</summary>
-/// <param name="Label">What the point is called.</param>
-/// <param name="At">Where it is.</param>
-/// <param name="ValueUm">The value in micrometres.</param>
+/// <param name="Label">Name of the point.</param>
+/// <param name="At">Its position.</param>
+/// <param name="ValueUm">The value in micrometers.</param>
 internal sealed record PlottedPoint(string Label, Point3 At, double ValueUm);

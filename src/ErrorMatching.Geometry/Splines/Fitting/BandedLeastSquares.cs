@@ -1,10 +1,10 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// Least squares of equations that each hold only a few neighboring unknowns, for several right-hand sides at once: every equation is turned by Givens rotations into a triangle with a narrow band as it
-/// arrives, so no normal equations halve the digits (M. G. Cox, "The least-squares solution of overdetermined linear equations having band or augmented band structure", IMA J. Numer. Anal. 1, 1981).
-/// </summary>
-/// <remarks>Equations are cheap in the order of their first unknown. As many independent equations as unknowns are solved exactly, so interpolation needs no solver of its own.</remarks>
+/// <summary>Least squares for equations with a few neighboring unknowns each, for several right-hand sides. Givens rotations reduce every
+/// new equation into a banded triangle, which avoids the loss of half the digits in normal equations (M. G. Cox, "The least-squares
+/// solution of overdetermined linear equations having band or augmented band structure", IMA J. Numer. Anal. 1, 1981).</summary>
+/// <remarks>Equations are cheap in the order of their first unknown. As many independent equations as unknowns are solved exactly, so
+/// interpolation needs no separate solver.</remarks>
 internal sealed class BandedLeastSquares
 {
     private readonly double[] _triangle;
@@ -14,10 +14,10 @@ internal sealed class BandedLeastSquares
     private readonly int _width;
     private readonly int _columns;
 
-    /// <summary>No equations yet.</summary>
-    /// <param name="unknowns">How many unknowns each right-hand side has.</param>
-    /// <param name="width">The most neighboring unknowns that an equation holds.</param>
-    /// <param name="columns">How many right-hand sides.</param>
+    /// <summary>Starts without equations.</summary>
+    /// <param name="unknowns">Number of unknowns per right-hand side.</param>
+    /// <param name="width">Maximum number of neighboring unknowns in an equation.</param>
+    /// <param name="columns">Number of right-hand sides.</param>
     public BandedLeastSquares(int unknowns, int width, int columns)
     {
         (_unknowns, _width, _columns) = (unknowns, Math.Min(width, unknowns), columns);
@@ -27,9 +27,9 @@ internal sealed class BandedLeastSquares
     }
 
     /// <summary>Adds an equation.</summary>
-    /// <param name="first">Number of the first unknown that it holds.</param>
-    /// <param name="factors">Factors of that unknown and the ones behind it; overwritten.</param>
-    /// <param name="rights">One number for each right-hand side; overwritten.</param>
+    /// <param name="first">Index of its first unknown.</param>
+    /// <param name="factors">Factors of that unknown and the following ones; overwritten.</param>
+    /// <param name="rights">One number per right-hand side; overwritten.</param>
     public void Add(int first, Span<double> factors, Span<double> rights)
     {
         for (var row = first; row < _unknowns; row++)
@@ -60,7 +60,7 @@ internal sealed class BandedLeastSquares
         }
     }
 
-    /// <summary>The unknowns, right-hand sides running faster.</summary>
+    /// <summary>The unknowns, right-hand sides varying fastest.</summary>
     /// <exception cref="GeometryException">The equations do not determine them (<see cref="GeometryError.RankDeficient"/>).</exception>
     public double[] Solve()
     {

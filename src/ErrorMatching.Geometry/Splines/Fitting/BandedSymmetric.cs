@@ -1,6 +1,7 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>A symmetric positive definite matrix that vanishes away from its diagonal, factored into a triangle and its transpose (Cholesky; Golub and Van Loan, Matrix Computations, 4th edition, section 4.3.5).</summary>
+/// <summary>A symmetric positive definite band matrix in Cholesky factors (Golub and Van Loan, Matrix Computations, 4th edition, section
+/// 4.3.5).</summary>
 internal sealed class BandedSymmetric
 {
     private readonly double[] _triangle;
@@ -9,10 +10,10 @@ internal sealed class BandedSymmetric
 
     private BandedSymmetric(double[] triangle, int count, int width) => (_triangle, _count, _width) = (triangle, count, width);
 
-    /// <summary>The factors of a matrix; null if it is not positive definite to rounding.</summary>
-    /// <param name="matrix">Row by row the elements from <paramref name="width"/> - 1 places left of the diagonal to the diagonal; overwritten.</param>
-    /// <param name="count">Rows.</param>
-    /// <param name="width">Elements a row.</param>
+    /// <summary>Factors a matrix; null if it is not positive definite to rounding.</summary>
+    /// <param name="matrix">Row by row, <paramref name="width"/> elements, up to and including the diagonal; overwritten.</param>
+    /// <param name="count">Number of rows.</param>
+    /// <param name="width">Elements per row.</param>
     public static BandedSymmetric? Factor(double[] matrix, int count, int width)
     {
         for (var i = 0; i < count; i++)
@@ -21,7 +22,7 @@ internal sealed class BandedSymmetric
             var given = row[width - 1];
             for (var j = Math.Max(0, i - width + 1); j <= i; j++)
             {
-                // Both rows from the first column that they share.
+                // Both rows, starting at the first column that they share.
                 var other = matrix.AsSpan(j * width, width);
                 var first = Math.Max(0, i - width + 1);
                 var sum = row[j - i + width - 1];
@@ -46,7 +47,7 @@ internal sealed class BandedSymmetric
         return new(matrix, count, width);
     }
 
-    /// <summary>Solves for several right-hand sides, which run faster, in place.</summary>
+    /// <summary>Solves in place for several right-hand sides, which vary fastest.</summary>
     public void Solve(Span<double> rights, int columns)
     {
         for (var i = 0; i < _count; i++)
@@ -70,14 +71,13 @@ internal sealed class BandedSymmetric
         }
     }
 
-    /// <summary>
-    /// The elements of the inverse inside the band, laid out as the matrix was (K. Takahashi, J. Fagan and M. Chin, "Formation of a sparse bus impedance matrix", 1973; for splines M. F. Hutchinson and F. R. de Hoog,
-    /// "Smoothing noisy data with spline functions", Numer. Math. 47, 1985).
-    /// </summary>
+    /// <summary>The elements of the inverse inside the band, in the layout of the matrix (K. Takahashi, J. Fagan and M. Chin, "Formation
+    /// of a sparse bus impedance matrix", 1973; for splines M. F. Hutchinson and F. R. de Hoog, "Smoothing noisy data with spline
+    /// functions", Numer. Math. 47, 1985).</summary>
     public double[] Inverse()
     {
         var z = new double[_triangle.Length];
-        // The triangle by columns, so that sums run over neighbors.
+        // The triangle by columns, so that sums run over contiguous elements.
         var column = new double[_width];
         var inverse = new double[_width];
         for (var j = _count - 1; j >= 0; j--)

@@ -1,12 +1,13 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>Knots for curves and surfaces that are to be laid through or near points with given parameters.</summary>
+/// <summary>Knots for fitting curves and surfaces to points with given parameters.</summary>
 public static class FittingKnots
 {
-    /// <summary>Knots for interpolation: each inner knot is the mean of as many neighboring parameters as the degree says, so that every piece has its points (The NURBS Book, equation 9.8).</summary>
-    /// <param name="degree">1 to the number of parameters less one.</param>
-    /// <param name="parameters">Rising parameters, one a pole.</param>
-    /// <exception cref="GeometryException">The degree needs more parameters, or they do not rise.</exception>
+    /// <summary>Knots for interpolation. Each inner knot is the mean of as many neighboring parameters as the degree, so that every piece
+    /// has points (The NURBS Book, equation 9.8).</summary>
+    /// <param name="degree">1 to the number of parameters minus one.</param>
+    /// <param name="parameters">Ascending parameters, one per pole.</param>
+    /// <exception cref="GeometryException">The degree needs more parameters, or they do not ascend.</exception>
     public static KnotVector ForInterpolation(int degree, ReadOnlySpan<double> parameters)
     {
         SplineParameters.CheckRising(parameters, parameters.Length);
@@ -36,10 +37,11 @@ public static class FittingKnots
         return new(degree, values);
     }
 
-    /// <summary>Knots for least squares with fewer poles than points: about as many parameters in every piece (The NURBS Book, equations 9.68 and 9.69).</summary>
-    /// <param name="degree">1 to <paramref name="poles"/> less one.</param>
-    /// <param name="parameters">Rising parameters.</param>
-    /// <param name="poles">How many poles; as many as parameters gives the knots for interpolation.</param>
+    /// <summary>Knots for least squares with fewer poles than points: about equally many parameters in every piece (The NURBS Book,
+    /// equations 9.68 and 9.69).</summary>
+    /// <param name="degree">1 to <paramref name="poles"/> minus one.</param>
+    /// <param name="parameters">Ascending parameters.</param>
+    /// <param name="poles">Number of poles; as many as parameters gives the knots for interpolation.</param>
     /// <exception cref="GeometryException">There are more poles than parameters, or fewer than the degree needs.</exception>
     public static KnotVector ForLeastSquares(int degree, ReadOnlySpan<double> parameters, int poles)
     {
@@ -73,9 +75,10 @@ public static class FittingKnots
         return new(degree, values);
     }
 
-    /// <summary>True if points with these parameters determine every pole: each pole can be given a parameter of its own at which its basis function does not vanish (Schoenberg and Whitney 1953).</summary>
+    /// <summary>True if points with these parameters determine every pole: each pole can be assigned a separate parameter at which its
+    /// basis function does not vanish (Schoenberg and Whitney 1953).</summary>
     /// <param name="knots">Degree and knots.</param>
-    /// <param name="parameters">Rising parameters.</param>
+    /// <param name="parameters">Ascending parameters.</param>
     public static bool Determine(KnotVector knots, ReadOnlySpan<double> parameters)
     {
         ArgumentNullException.ThrowIfNull(knots);
@@ -83,7 +86,7 @@ public static class FittingKnots
         var next = 0;
         for (var pole = 0; pole < knots.PoleCount; pole++)
         {
-            // The outermost functions do not vanish at the ends.
+            // The first and last basis functions do not vanish at the ends.
             var (low, high) = (t[pole], t[pole + knots.Degree + 1]);
             while (next < parameters.Length && !(parameters[next] > low || (pole == 0 && parameters[next] == low)))
             {

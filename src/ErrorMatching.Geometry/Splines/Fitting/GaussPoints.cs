@@ -1,9 +1,10 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>Places and weights by which products of second derivatives of a spline are integrated exactly, piece by piece (Gauss-Legendre; Abramowitz and Stegun, table 25.4).</summary>
+/// <summary>Gauss-Legendre nodes and weights that integrate products of second derivatives of a spline exactly, piece by piece (Abramowitz
+/// and Stegun, table 25.4).</summary>
 internal static class GaussPoints
 {
-    /// <summary>As many places a piece as the degree plus one: exact for products of two splines of this degree.</summary>
+    /// <summary>Degree plus one nodes per piece: exact for products of two splines of this degree.</summary>
     public static IEnumerable<(double Parameter, double Weight)> Of(KnotVector knots)
     {
         var (nodes, weights) = Rule(knots.Degree + 1);
@@ -19,7 +20,7 @@ internal static class GaussPoints
         }
     }
 
-    /// <summary>The zeros of Legendre's polynomial of degree n by Newton from Tricomi's start, with their weights.</summary>
+    /// <summary>The zeros of the Legendre polynomial of degree n by Newton's method from Tricomi's estimate, with their weights.</summary>
     private static (double[] Nodes, double[] Weights) Rule(int n)
     {
         var (nodes, weights) = (new double[n], new double[n]);

@@ -1,18 +1,17 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// The least-squares poles of many curves at once that share parameters and knots: one pass of a tensor-product fit. A surface over a grid is two passes, first along one direction, then along the other
-/// (C. de Boor, A Practical Guide to Splines, chapter 17).
-/// </summary>
+/// <summary>The least-squares poles of many curves that share parameters and knots: one pass of a tensor-product fit. A surface over a
+/// grid takes two passes, one along each direction (C. de Boor, A Practical Guide to Splines, chapter 17).</summary>
 internal static class LinePass
 {
     /// <summary>Fits every column.</summary>
     /// <param name="knots">Degree and knots.</param>
-    /// <param name="parameters">Rising parameters, one a row.</param>
-    /// <param name="data">Rows of as many numbers as there are columns.</param>
-    /// <param name="columns">How many columns.</param>
-    /// <returns>One row a pole, with as many columns.</returns>
-    /// <exception cref="GeometryException">The parameters do not determine every pole (<see cref="GeometryError.RankDeficient"/>).</exception>
+    /// <param name="parameters">Ascending parameters, one per row.</param>
+    /// <param name="data">Rows with one number per column.</param>
+    /// <param name="columns">Number of columns.</param>
+    /// <returns>One row per pole, with the same number of columns.</returns>
+    /// <exception cref="GeometryException">The parameters do not determine every pole
+    /// (<see cref="GeometryError.RankDeficient"/>).</exception>
     public static double[] Fit(KnotVector knots, ReadOnlySpan<double> parameters, ReadOnlySpan<double> data, int columns)
     {
         if (!FittingKnots.Determine(knots, parameters))
@@ -37,7 +36,6 @@ internal static class LinePass
         return equations.Solve();
     }
 
-    /// <summary>Coordinates one after the other.</summary>
     public static double[] Numbers(ReadOnlySpan<Point3> points)
     {
         var numbers = new double[3 * points.Length];
@@ -54,7 +52,6 @@ internal static class LinePass
         return numbers;
     }
 
-    /// <summary>Points of coordinates one after the other.</summary>
     public static Point3[] Points(ReadOnlySpan<double> numbers)
     {
         var points = new Point3[numbers.Length / 3];
@@ -66,7 +63,6 @@ internal static class LinePass
         return points;
     }
 
-    /// <summary>A grid of points with rows and columns exchanged.</summary>
     public static double[] Transposed(ReadOnlySpan<double> grid, int rows, int columns)
     {
         var result = new double[grid.Length];

@@ -1,9 +1,8 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>
-/// Poles that balance the squared distances of points against a bending energy. The weight of the energy, unless it is given, is the one with the least generalized cross-validation,
-/// m * (sum of squares) / (m - trace)^2, which predicts left-out points best (P. Craven and G. Wahba, "Smoothing noisy data with spline functions", Numer. Math. 31, 1979).
-/// </summary>
+/// <summary>Poles that balance the squared distances of points against a bending energy. Unless given, the weight of the energy minimizes
+/// the generalized cross-validation m * (sum of squares) / (m - trace)^2, which predicts left-out points best (P. Craven and G. Wahba,
+/// "Smoothing noisy data with spline functions", Numer. Math. 31, 1979).</summary>
 internal sealed class PenalizedFit(int poles, int reach)
 {
     private const int Decades = 15;
@@ -13,10 +12,10 @@ internal sealed class PenalizedFit(int poles, int reach)
     private readonly double[] _rights = new double[poles * 3];
     private readonly List<(int[] Poles, double[] Factors, Point3 Point)> _equations = [];
 
-    /// <summary>Adds a point and the basis functions at its parameters, of neighboring poles.</summary>
+    /// <summary>Adds a point with the basis functions of consecutive poles at its parameters.</summary>
     public void AddPoint(int first, ReadOnlySpan<double> factors, Point3 point) => AddPoint([.. Enumerable.Range(first, factors.Length)], factors, point);
 
-    /// <summary>Adds a point and the basis functions at its parameters.</summary>
+    /// <summary>Adds a point with the basis functions at its parameters.</summary>
     public void AddPoint(int[] numbers, ReadOnlySpan<double> factors, Point3 point)
     {
         if (!point.IsFinite)
@@ -33,15 +32,17 @@ internal sealed class PenalizedFit(int poles, int reach)
         }
     }
 
-    /// <summary>Adds one place of the integral of the energy, of neighboring poles.</summary>
+    /// <summary>Adds one node of the integral of the energy, for consecutive poles.</summary>
     public void AddBending(int first, ReadOnlySpan<double> factors, double weight) => AddTo(_bending, [.. Enumerable.Range(first, factors.Length)], factors, weight);
 
-    /// <summary>Adds one place of the integral of the energy.</summary>
+    /// <summary>Adds one node of the integral of the energy.</summary>
     public void AddBending(int[] numbers, ReadOnlySpan<double> factors, double weight) => AddTo(_bending, numbers, factors, weight);
 
-    /// <summary>The poles, the weight of the energy and how many parameters the smoothed poles are worth (the trace of the matrix that leads from points to fitted points).</summary>
-    /// <param name="weight">The weight; null chooses it.</param>
-    /// <exception cref="GeometryException">The points do not determine the poles even with the energy (<see cref="GeometryError.RankDeficient"/>).</exception>
+    /// <summary>Returns the poles, the weight of the energy, and the effective number of parameters of the smoothed poles (the trace of
+    /// the matrix from points to fitted points).</summary>
+    /// <param name="weight">The weight; null selects it.</param>
+    /// <exception cref="GeometryException">The points do not determine the poles even with the energy
+    /// (<see cref="GeometryError.RankDeficient"/>).</exception>
     public (Point3[] Poles, double Weight, double EffectiveParameters) Solve(double? weight = null)
     {
         if (weight is { } given)
@@ -61,7 +62,7 @@ internal sealed class PenalizedFit(int poles, int reach)
         return Solve(unit * Math.Pow(10, exponent));
     }
 
-    /// <summary>Golden section about the best power of ten.</summary>
+    /// <summary>Golden section search around the best power of ten.</summary>
     private double Refined(double unit, double best)
     {
         var golden = (Math.Sqrt(5) - 1) / 2;
@@ -84,7 +85,7 @@ internal sealed class PenalizedFit(int poles, int reach)
             }
         }
 
-        // The score is flat near its least value and need not have a single valley: what is refined must be no worse than the power of ten.
+        // The score is flat near its minimum and may have several valleys, so the refined value must be no worse than the power of ten.
         var middle = scoreA <= scoreB ? a : b;
         return Math.Min(scoreA, scoreB) <= At(best) ? middle : best;
 
@@ -102,10 +103,10 @@ internal sealed class PenalizedFit(int poles, int reach)
         return _equations.Count * squares / (freedom * freedom);
     }
 
-    /// <summary>Points less the trace of A^-1 G, with G = A - weight P, so that nothing cancels where the fit goes nearly through the points.</summary>
+    /// <summary>Points minus the trace of A^-1 G, with G = A - weight P, to avoid cancellation in a nearly exact fit.</summary>
     private double Freedom(BandedSymmetric factors, double weight) => _equations.Count - poles + (weight * TraceOfProduct(factors.Inverse(), _bending));
 
-    /// <summary>The fit of a weight; null if it is not determined to rounding.</summary>
+    /// <summary>The fit for a weight; null if it is not determined to rounding.</summary>
     private (double[] Poles, BandedSymmetric Factors)? Balanced(double weight)
     {
         var matrix = new double[_points.Length];
@@ -121,7 +122,7 @@ internal sealed class PenalizedFit(int poles, int reach)
 
         var solution = (double[])_rights.Clone();
         factors.Solve(solution, 3);
-        // Normal equations halve the digits; one step on what is left of the equations brings them back.
+        // Normal equations halve the digits. One step of iterative refinement restores them.
         var (rest, _) = Rest(solution, weight);
         factors.Solve(rest, 3);
         for (var i = 0; i < rest.Length; i++)
@@ -132,7 +133,7 @@ internal sealed class PenalizedFit(int poles, int reach)
         return (solution, factors);
     }
 
-    /// <summary>What the fitted poles leave of the normal equations, from the points themselves, and the sum of squared distances.</summary>
+    /// <summary>The residual of the normal equations for fitted poles, from the points, and the sum of squared distances.</summary>
     private (double[] Left, double SquareSum) Rest(double[] solution, double weight)
     {
         var rest = new double[solution.Length];

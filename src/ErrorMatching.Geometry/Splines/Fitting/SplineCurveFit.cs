@@ -1,27 +1,29 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>Spline curves through points or as near to them as least squares bring them.</summary>
+/// <summary>Spline curves through points, or near them by least squares.</summary>
 public static class SplineCurveFit
 {
-    /// <summary>The curve through every point, parameters by chord length and knots by averaging (The NURBS Book, section 9.2.1).</summary>
+    /// <summary>The curve through every point, with chord length parameters and averaged knots (The NURBS Book, section 9.2.1).</summary>
     /// <param name="points">At least two points in order; neighbors differ.</param>
-    /// <param name="degree">The highest degree wanted; lower where there are too few points for it.</param>
-    /// <exception cref="GeometryException">The points determine no curve.</exception>
+    /// <param name="degree">The highest degree; lower if there are too few points.</param>
+    /// <exception cref="GeometryException">The points do not determine a curve.</exception>
     public static SplineCurve Interpolate(ReadOnlySpan<Point3> points, int degree = 3) => Interpolate(points, SplineParameters.ChordLength(points), degree);
 
-    /// <summary>The curve through every point at a given parameter.</summary>
+    /// <summary>The curve through every point at given parameters.</summary>
     /// <param name="points">At least two points in order.</param>
-    /// <param name="parameters">Rising parameters, one a point.</param>
-    /// <param name="degree">The highest degree wanted; lower where there are too few points for it.</param>
-    /// <exception cref="GeometryException">The parameters do not rise, or a coordinate is not finite.</exception>
+    /// <param name="parameters">Ascending parameters, one per point.</param>
+    /// <param name="degree">The highest degree; lower if there are too few points.</param>
+    /// <exception cref="GeometryException">The parameters do not ascend, or a coordinate is not finite.</exception>
     public static SplineCurve Interpolate(ReadOnlySpan<Point3> points, ReadOnlySpan<double> parameters, int degree = 3) =>
         LeastSquares(points, parameters, FittingKnots.ForInterpolation(Math.Min(degree, parameters.Length - 1), parameters));
 
-    /// <summary>The curve with given knots that has the least sum of squared distances between the points and its places at their parameters. With one pole a point it goes through them.</summary>
+    /// <summary>The curve with given knots and the least sum of squared distances between points and curve at their parameters. With one
+    /// pole per point, it passes through them.</summary>
     /// <param name="points">Points in order.</param>
-    /// <param name="parameters">Rising parameters, one a point.</param>
+    /// <param name="parameters">Ascending parameters, one per point.</param>
     /// <param name="knots">Degree and knots.</param>
-    /// <exception cref="GeometryException"><see cref="GeometryError.RankDeficient"/> if the points do not determine every pole (<see cref="FittingKnots.Determine"/>); the parameters do not rise; a coordinate is not finite.</exception>
+    /// <exception cref="GeometryException"><see cref="GeometryError.RankDeficient"/> if the points do not determine every pole
+    /// (<see cref="FittingKnots.Determine"/>); the parameters do not ascend; a coordinate is not finite.</exception>
     public static SplineCurve LeastSquares(ReadOnlySpan<Point3> points, ReadOnlySpan<double> parameters, KnotVector knots)
     {
         ArgumentNullException.ThrowIfNull(knots);
@@ -29,9 +31,9 @@ public static class SplineCurveFit
         return new(knots, LinePass.Points(LinePass.Fit(knots, parameters, LinePass.Numbers(points), 3)));
     }
 
-    /// <summary>The same for several curves whose points have the same parameters: one solution for all, faster than one by one.</summary>
-    /// <param name="curves">The points of each curve in order, as many as parameters.</param>
-    /// <param name="parameters">Rising parameters.</param>
+    /// <summary>Fits several curves with common parameters in one solution, which is faster than separately.</summary>
+    /// <param name="curves">The points of each curve in order, one per parameter.</param>
+    /// <param name="parameters">Ascending parameters.</param>
     /// <param name="knots">Degree and knots.</param>
     /// <exception cref="GeometryException">As for one curve.</exception>
     public static IReadOnlyList<SplineCurve> LeastSquaresFamily(IReadOnlyList<Point3[]> curves, ReadOnlySpan<double> parameters, KnotVector knots)
@@ -49,11 +51,13 @@ public static class SplineCurveFit
         return [.. Enumerable.Range(0, curves.Count).Select(j => new SplineCurve(knots, byCurve.AsSpan(j * knots.PoleCount, knots.PoleCount)))];
     }
 
-    /// <summary>The curve with given knots that balances the points against its bending energy; the weight is the one that predicts left-out points best.</summary>
+    /// <summary>The curve with given knots that balances the points against its bending energy. The weight predicts left-out points
+    /// best.</summary>
     /// <param name="points">At least two points in order.</param>
-    /// <param name="parameters">Rising parameters, one a point.</param>
+    /// <param name="parameters">Ascending parameters, one per point.</param>
     /// <param name="knots">Degree, at least 2, and knots.</param>
-    /// <exception cref="GeometryException">The parameters do not rise, a coordinate is not finite, or the degree is 1, which has no bending.</exception>
+    /// <exception cref="GeometryException">The parameters do not ascend, a coordinate is not finite, or the degree is 1, which has no
+    /// bending.</exception>
     public static SplineCurve Smooth(ReadOnlySpan<Point3> points, ReadOnlySpan<double> parameters, KnotVector knots)
     {
         ArgumentNullException.ThrowIfNull(knots);

@@ -1,22 +1,24 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>Parameters for points that a curve or a surface is to be laid through, from 0 to 1 (The NURBS Book, sections 9.2.1 and 9.2.5).</summary>
+/// <summary>Parameters from 0 to 1 for fitting a curve or a surface to points (The NURBS Book, sections 9.2.1 and 9.2.5).</summary>
 public static class SplineParameters
 {
-    /// <summary>Parameters in proportion to the chords between the points.</summary>
+    /// <summary>Parameters proportional to the chords between the points.</summary>
     /// <param name="points">At least two points in order; neighbors differ.</param>
-    /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>, <see cref="GeometryError.NotFinite"/>, or <see cref="GeometryError.CoincidentPoints"/> if neighbors coincide.</exception>
+    /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>, <see cref="GeometryError.NotFinite"/>, or
+    /// <see cref="GeometryError.CoincidentPoints"/> if neighbors coincide.</exception>
     public static double[] ChordLength(ReadOnlySpan<Point3> points) => Of(points, 1);
 
-    /// <summary>Parameters in proportion to the square roots of the chords: for points whose curve turns sharply.</summary>
+    /// <summary>Parameters proportional to the square roots of the chords, for curves with sharp turns.</summary>
     /// <inheritdoc cref="ChordLength"/>
     public static double[] Centripetal(ReadOnlySpan<Point3> points) => Of(points, 0.5);
 
-    /// <summary>Parameters of both directions of a grid in proportion to the chords, the mean over the lines of each direction.</summary>
-    /// <param name="points">The points, v running faster.</param>
+    /// <summary>Parameters of both directions of a grid, proportional to the chords, averaged over the lines of each direction.</summary>
+    /// <param name="points">The points, v varying fastest.</param>
     /// <param name="countU">Points along u, at least two.</param>
     /// <param name="countV">Points along v, at least two.</param>
-    /// <exception cref="GeometryException">As for <see cref="ChordLength"/>; the count is not the product; neighbors of a line coincide, unless the whole line is one point (a pole of the surface).</exception>
+    /// <exception cref="GeometryException">As for <see cref="ChordLength"/>; the count is not the product; or neighbors on a line
+    /// coincide, unless the whole line is one point (a pole of the surface).</exception>
     public static (double[] U, double[] V) OfGrid(ReadOnlySpan<Point3> points, int countU, int countV)
     {
         if (points.Length != countU * countV)

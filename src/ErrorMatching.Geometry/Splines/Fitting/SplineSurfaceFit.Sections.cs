@@ -4,11 +4,13 @@ namespace ErrorMatching.Geometry;
 
 public static partial class SplineSurfaceFit
 {
-    /// <summary>Skinning: the surface that runs through curves along u, each at a parameter v, and between them as smoothly as the degree allows (The NURBS Book, section 10.3).</summary>
-    /// <param name="sections">At least two curves over the same parameters, none rational.</param>
-    /// <param name="vs">Rising parameters, one a curve; empty for the mean chord lengths between the curves' poles.</param>
-    /// <param name="degreeV">The highest degree wanted across the curves; lower where there are too few for it.</param>
-    /// <exception cref="GeometryException">There are fewer than two curves, one is rational, their parameters differ in range, or neighbors coincide.</exception>
+    /// <summary>Skinning: the surface through curves along u, each at a parameter v, and as smooth between them as the degree allows (The
+    /// NURBS Book, section 10.3).</summary>
+    /// <param name="sections">At least two nonrational curves over the same parameters.</param>
+    /// <param name="vs">Ascending parameters, one per curve; empty for the mean chord lengths between the curves' poles.</param>
+    /// <param name="degreeV">The highest degree across the curves; lower if there are too few curves.</param>
+    /// <exception cref="GeometryException">There are fewer than two curves, one is rational, their parameter ranges differ, or neighbors
+    /// coincide.</exception>
     public static SplineSurface Skin(IReadOnlyList<SplineCurve> sections, ReadOnlySpan<double> vs = default, int degreeV = 3)
     {
         CheckFamily(sections);
@@ -31,16 +33,16 @@ public static partial class SplineSurfaceFit
         return new(knotsU, knotsV, LinePass.Points(LinePass.Transposed(alongV, knotsV.PoleCount, knotsU.PoleCount)));
     }
 
-    /// <summary>
-    /// The Gordon surface through a mesh of curves: the skin of the curves along u, plus the skin of those along v, less the surface through their intersections
-    /// (W. J. Gordon, "Spline-blended surface interpolation through curve networks", J. Math. Mech. 18, 1969; The NURBS Book, section 10.5).
-    /// </summary>
-    /// <param name="alongU">At least two curves along u over the same parameters, none rational; curve j lies at vs[j].</param>
-    /// <param name="vs">Rising parameters of the curves along u, within the parameters of those along v.</param>
-    /// <param name="alongV">At least two curves along v over the same parameters, none rational; curve i lies at us[i].</param>
-    /// <param name="us">Rising parameters of the curves along v, within the parameters of those along u.</param>
-    /// <param name="gapMm">How far apart curves may be where they should meet; the surface runs through both up to that gap.</param>
-    /// <exception cref="GeometryException">As for <see cref="Skin"/>; two curves that should meet are farther apart than the gap (<see cref="GeometryError.OpenMesh"/>).</exception>
+    /// <summary>The Gordon surface through a mesh of curves: the skin of the curves along u, plus the skin of those along v, minus the
+    /// surface through their intersections (W. J. Gordon, "Spline-blended surface interpolation through curve networks", J. Math. Mech.
+    /// 18, 1969; The NURBS Book, section 10.5).</summary>
+    /// <param name="alongU">At least two nonrational curves along u over the same parameters; curve j is at vs[j].</param>
+    /// <param name="vs">Ascending parameters of the curves along u, within the parameters of those along v.</param>
+    /// <param name="alongV">At least two nonrational curves along v over the same parameters; curve i is at us[i].</param>
+    /// <param name="us">Ascending parameters of the curves along v, within the parameters of those along u.</param>
+    /// <param name="gapMm">Maximum distance between curves that should meet. The surface passes through both up to that gap.</param>
+    /// <exception cref="GeometryException">As for <see cref="Skin"/>; or two curves that should meet are farther apart than the gap
+    /// (<see cref="GeometryError.OpenMesh"/>).</exception>
     public static SplineSurface Gordon(IReadOnlyList<SplineCurve> alongU, ReadOnlySpan<double> vs, IReadOnlyList<SplineCurve> alongV, ReadOnlySpan<double> us, double gapMm)
     {
         CheckFamily(alongU);

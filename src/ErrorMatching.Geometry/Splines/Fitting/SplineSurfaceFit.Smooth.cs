@@ -2,19 +2,19 @@ namespace ErrorMatching.Geometry;
 
 public static partial class SplineSurfaceFit
 {
-    /// <summary>
-    /// The surface with given knots that balances points against the bending energy of a thin plate, the integral of Suu^2 + 2 Suv^2 + Svv^2 over an area as large as the surface (J. Duchon 1977), for each coordinate.
-    /// The weight of the energy, unless it is given, is the one that predicts left-out points best (generalized cross-validation).
-    /// </summary>
-    /// <param name="points">At least three points in any order, on a grid or not.</param>
-    /// <param name="us">One parameter u a point.</param>
-    /// <param name="vs">One parameter v a point.</param>
-    /// <param name="knotsU">Degree, at least 2, and knots along u. Time grows with the poles along u and the cube of the poles along v.</param>
+    /// <summary>The surface with given knots that balances points against the bending energy of a thin plate, for each coordinate: the
+    /// integral of Suu^2 + 2 Suv^2 + Svv^2 over an area as large as the surface (J. Duchon 1977). Unless given, the weight of the energy
+    /// predicts left-out points best (generalized cross-validation).</summary>
+    /// <param name="points">At least three points in any order, on a grid or scattered.</param>
+    /// <param name="us">One parameter u per point.</param>
+    /// <param name="vs">One parameter v per point.</param>
+    /// <param name="knotsU">Degree, at least 2, and knots along u. Time grows with the poles along u and the cube of those along v.</param>
     /// <param name="knotsV">Degree, at least 2, and knots along v.</param>
-    /// <param name="lengthU">Length of the surface along u in mm, so that bending is that of the surface and not of its parameters.</param>
+    /// <param name="lengthU">Length of the surface along u in mm, so that bending is that of the surface, not of its parameters.</param>
     /// <param name="lengthV">Length of the surface along v in mm.</param>
-    /// <param name="weight">The weight in mm^2; null chooses it.</param>
-    /// <exception cref="GeometryException"><see cref="GeometryError.RankDeficient"/> if the points do not even determine a plane over the parameters; the counts differ; a number is not finite; a degree below 2; a length that is not positive.</exception>
+    /// <param name="weight">The weight in mm^2; null selects it.</param>
+    /// <exception cref="GeometryException"><see cref="GeometryError.RankDeficient"/> if the points do not even determine a plane over the
+    /// parameters; the counts differ; a number is not finite; a degree is below 2; a length is not positive.</exception>
     public static SmoothedSurface Smooth(
         ReadOnlySpan<Point3> points,
         ReadOnlySpan<double> us,

@@ -1,15 +1,16 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>Spline surfaces through points or as near to them as least squares bring them. Points of grids run faster along v, as poles do.</summary>
+/// <summary>Spline surfaces through points, or near them by least squares. In grids of points and poles, v varies fastest.</summary>
 public static partial class SplineSurfaceFit
 {
-    /// <summary>The surface through every point of a grid, parameters by the mean chord lengths and knots by averaging (The NURBS Book, section 9.2.5).</summary>
-    /// <param name="points">The points, v running faster.</param>
+    /// <summary>The surface through every point of a grid, with mean chord length parameters and averaged knots (The NURBS Book, section
+    /// 9.2.5).</summary>
+    /// <param name="points">The points, v varying fastest.</param>
     /// <param name="countU">Points along u, at least two.</param>
     /// <param name="countV">Points along v, at least two.</param>
-    /// <param name="degreeU">The highest degree wanted along u; lower where there are too few points for it.</param>
-    /// <param name="degreeV">The highest degree wanted along v.</param>
-    /// <exception cref="GeometryException">The points determine no surface.</exception>
+    /// <param name="degreeU">The highest degree along u; lower if there are too few points.</param>
+    /// <param name="degreeV">The highest degree along v; lower if there are too few points.</param>
+    /// <exception cref="GeometryException">The points do not determine a surface.</exception>
     public static SplineSurface Interpolate(ReadOnlySpan<Point3> points, int countU, int countV, int degreeU = 3, int degreeV = 3)
     {
         var (us, vs) = SplineParameters.OfGrid(points, countU, countV);
@@ -17,12 +18,12 @@ public static partial class SplineSurfaceFit
     }
 
     /// <summary>The surface through every point of a grid at given parameters.</summary>
-    /// <param name="points">The points, v running faster.</param>
-    /// <param name="us">Rising parameters along u.</param>
-    /// <param name="vs">Rising parameters along v.</param>
-    /// <param name="degreeU">The highest degree wanted along u; lower where there are too few points for it.</param>
-    /// <param name="degreeV">The highest degree wanted along v.</param>
-    /// <exception cref="GeometryException">The parameters do not rise or do not fit the points, or a coordinate is not finite.</exception>
+    /// <param name="points">The points, v varying fastest.</param>
+    /// <param name="us">Ascending parameters along u.</param>
+    /// <param name="vs">Ascending parameters along v.</param>
+    /// <param name="degreeU">The highest degree along u; lower if there are too few points.</param>
+    /// <param name="degreeV">The highest degree along v; lower if there are too few points.</param>
+    /// <exception cref="GeometryException">The parameters do not ascend or match the points, or a coordinate is not finite.</exception>
     public static SplineSurface Interpolate(ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, int degreeU = 3, int degreeV = 3) => LeastSquares(
         points,
         us,
@@ -30,13 +31,15 @@ public static partial class SplineSurfaceFit
         FittingKnots.ForInterpolation(Math.Min(degreeU, us.Length - 1), us),
         FittingKnots.ForInterpolation(Math.Min(degreeV, vs.Length - 1), vs));
 
-    /// <summary>The surface with given knots that has the least sum of squared distances between the points of a grid and its places at their parameters: a fit along u of all lines at once, then one along v.</summary>
-    /// <param name="points">The points, v running faster.</param>
-    /// <param name="us">Rising parameters along u.</param>
-    /// <param name="vs">Rising parameters along v.</param>
+    /// <summary>The surface with given knots and the least sum of squared distances between the points of a grid and the surface at their
+    /// parameters. All lines are fitted along u, then along v.</summary>
+    /// <param name="points">The points, v varying fastest.</param>
+    /// <param name="us">Ascending parameters along u.</param>
+    /// <param name="vs">Ascending parameters along v.</param>
     /// <param name="knotsU">Degree and knots along u.</param>
     /// <param name="knotsV">Degree and knots along v.</param>
-    /// <exception cref="GeometryException"><see cref="GeometryError.RankDeficient"/> if the points do not determine every pole (<see cref="FittingKnots.Determine"/>); the parameters do not rise or do not fit the points; a coordinate is not finite.</exception>
+    /// <exception cref="GeometryException"><see cref="GeometryError.RankDeficient"/> if the points do not determine every pole
+    /// (<see cref="FittingKnots.Determine"/>); the parameters do not ascend or match the points; a coordinate is not finite.</exception>
     public static SplineSurface LeastSquares(ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, KnotVector knotsU, KnotVector knotsV)
     {
         ArgumentNullException.ThrowIfNull(knotsU);
@@ -54,13 +57,14 @@ public static partial class SplineSurfaceFit
         return new(knotsU, knotsV, LinePass.Points(LinePass.Transposed(alongV, knotsV.PoleCount, knotsU.PoleCount)));
     }
 
-    /// <summary>The same for points that lie on no grid: each has parameters of its own.</summary>
+    /// <summary>The least-squares surface for scattered points with individual parameters.</summary>
     /// <param name="points">The points in any order.</param>
-    /// <param name="us">One parameter u a point.</param>
-    /// <param name="vs">One parameter v a point.</param>
+    /// <param name="us">One parameter u per point.</param>
+    /// <param name="vs">One parameter v per point.</param>
     /// <param name="knotsU">Degree and knots along u.</param>
     /// <param name="knotsV">Degree and knots along v.</param>
-    /// <exception cref="GeometryException"><see cref="GeometryError.RankDeficient"/> if the points do not determine every pole; the counts differ; a number is not finite.</exception>
+    /// <exception cref="GeometryException"><see cref="GeometryError.RankDeficient"/> if the points do not determine every pole; the counts
+    /// differ; a number is not finite.</exception>
     public static SplineSurface LeastSquaresScattered(ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, KnotVector knotsU, KnotVector knotsV)
     {
         CheckScattered(points, us, vs, knotsU, knotsV);

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Geometry;
 
-/// <summary>The products of basis functions that do not vanish at a pair of parameters, and their derivatives.</summary>
+/// <summary>The nonzero products of basis functions at a pair of parameters, and their derivatives.</summary>
 internal sealed class TensorBasis(KnotVector knotsU, KnotVector knotsV)
 {
     private readonly double[] _u = new double[3 * (knotsU.Degree + 1)];
@@ -9,7 +9,7 @@ internal sealed class TensorBasis(KnotVector knotsU, KnotVector knotsV)
     private int _firstU;
     private int _firstV;
 
-    /// <summary>Goes to a pair of parameters.</summary>
+    /// <summary>Moves to a pair of parameters.</summary>
     public void MoveTo(double u, double v, int order)
     {
         var (spanU, spanV) = (knotsU.SpanAt(u), knotsV.SpanAt(v));
@@ -18,7 +18,7 @@ internal sealed class TensorBasis(KnotVector knotsU, KnotVector knotsV)
         (_firstU, _firstV) = (spanU - knotsU.Degree, spanV - knotsV.Degree);
     }
 
-    /// <summary>Numbers of the poles whose products do not vanish, in rising order.</summary>
+    /// <summary>Indices of the poles with nonzero products, ascending.</summary>
     public int[] Poles()
     {
         var (rows, columns) = (knotsU.Degree + 1, knotsV.Degree + 1);
@@ -31,7 +31,7 @@ internal sealed class TensorBasis(KnotVector knotsU, KnotVector knotsV)
         return poles;
     }
 
-    /// <summary>The products of the derivatives of given orders; overwritten by the next call.</summary>
+    /// <summary>The products of derivatives of given orders; overwritten by the next call.</summary>
     public ReadOnlySpan<double> Of(int orderU, int orderV)
     {
         var (rows, columns) = (knotsU.Degree + 1, knotsV.Degree + 1);

@@ -1,11 +1,12 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>The columns of a file with one line per coordinate of a feature. Lines whose item is not X, Y or Z (a diameter, an angle) are passed over.</summary>
+/// <summary>The columns of a file with one line per coordinate of a feature. Lines whose item is not X, Y or Z (a diameter, an angle) are
+/// skipped.</summary>
 /// <param name="Feature">Name of the feature, which becomes the label of its point.</param>
-/// <param name="Item">What the line gives: X, Y, Z or something else.</param>
-/// <param name="Nominal">The value of the drawing.</param>
+/// <param name="Item">The item of the line: X, Y, Z or something else.</param>
+/// <param name="Nominal">The nominal value.</param>
 /// <param name="Actual">The measured value.</param>
-/// <param name="Deviation">Actual - nominal, checked against the two; null if the file has none.</param>
+/// <param name="Deviation">Actual - nominal, checked against both; null if the file has none.</param>
 public sealed record FeatureTableColumns(ColumnSelector Feature, ColumnSelector Item, ColumnSelector Nominal, ColumnSelector Actual, ColumnSelector? Deviation)
     : MeasurementColumns
 {

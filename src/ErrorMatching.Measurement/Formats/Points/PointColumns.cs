@@ -4,7 +4,7 @@ namespace ErrorMatching.Measurement;
 /// <param name="Label">Name of the point.</param>
 /// <param name="X">First coordinate.</param>
 /// <param name="Y">Second coordinate.</param>
-/// <param name="Z">Third coordinate; null if it is not to be read. A column given by name may be absent from the file.</param>
+/// <param name="Z">Third coordinate; null if it is ignored. A column given by name may be missing in the file.</param>
 public sealed record PointColumns(ColumnSelector Label, ColumnSelector X, ColumnSelector Y, ColumnSelector? Z) : MeasurementColumns
 {
     /// <inheritdoc/>
