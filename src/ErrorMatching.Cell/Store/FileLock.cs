@@ -8,8 +8,9 @@ internal sealed class FileLock : ISlotLock
 
     private FileLock(FileStream file) => _file = file;
 
+    // The lock is on the file that was opened: once somebody removed that, the next one locks another file of its name, which is younger.
     /// <inheritdoc/>
-    public bool IsHeld => !_disposed;
+    public bool IsHeld => !_disposed && File.GetLastWriteTimeUtc(_file.SafeFileHandle) == File.GetLastWriteTimeUtc(_file.Name);
 
     /// <summary>Name of the lock's file beside the store's.</summary>
     public static string NameBeside(string store, string name) => $"{store}.{name}.lock";
