@@ -22,6 +22,9 @@ internal sealed class FilletCheck(ProofTask task, ProofFindings findings)
     public bool Is(int motion) => (task.Elements.IndexOf(motion) is var element && (element < 0 || task.Wish.Elements[element].IsFillet))
         && Around(motion) is var (first, last) && task.Flank(first - 1) is not null && task.Flank(last + 1) is not null;
 
+    /// <summary>True if some motions are all arcs of one such fillet.</summary>
+    public bool IsWhole(int first, int last) => Is(first) && Around(first) == (first, last);
+
     /// <summary>
     /// It is measured where it cuts, and ends where it touches; a joint between two of its arcs keeps its direction from the center.
     /// </summary>

@@ -18,7 +18,8 @@ internal sealed class JointCheck(ProofTask task, ProofFindings findings, WayChec
     private const double TangentStep = 0.0004;
 
     /// <summary>
-    /// Joints that may move: those of named motions, those that positioning shares with them, and the other end of a closed contour.
+    /// Joints that may move: those of named motions, those inside a fillet between them, those that positioning shares with them, and
+    /// the other end of a closed contour.
     /// </summary>
     public bool[] Allowed()
     {
@@ -28,6 +29,15 @@ internal sealed class JointCheck(ProofTask task, ProofFindings findings, WayChec
             for (var joint = task.Elements[run].First; joint <= task.Elements[run].Last + 1; joint++)
             {
                 allowed[joint] = true;
+            }
+        }
+
+        for (var run = 1; run < task.Elements.Count; run++)
+        {
+            var (first, behind) = (task.Elements[run - 1].Last + 1, task.Elements[run].First);
+            if (behind - first > 1 && fillets.IsWhole(first, behind - 1))
+            {
+                allowed.AsSpan(first + 1, behind - first - 1).Fill(true);
             }
         }
 

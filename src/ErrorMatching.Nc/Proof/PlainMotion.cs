@@ -10,11 +10,4 @@ internal static class PlainMotion
         | MotionFlags.CompensationLeft | MotionFlags.CompensationRight | MotionFlags.CompensationSwitches | MotionFlags.StartsElsewhere;
 
     public static bool Is(in NcMotion motion) => (motion.Flags | Plain) == Plain && (motion.IsCut || motion.Kind == MotionKind.Rapid);
-
-    /// <summary>
-    /// True for a rounding or chamfer that the control inserts at the end of a block. It is computed from the blocks on both sides, so it
-    /// must be the same to the last digit.
-    /// </summary>
-    public static bool IsInserted(NcMotions motions, int motion) => motions[motion].Has(MotionFlags.CornerWord)
-        && motion > 0 && motions.BlockOf(motion - 1) == motions.BlockOf(motion);
 }

@@ -110,10 +110,6 @@ public sealed class Prover
             {
                 _findings.Fail(was.Block, "it moved although neither it nor a motion beside it was named.");
             }
-            else if (differs && PlainMotion.IsInserted(_task.Before.Motions, i))
-            {
-                _findings.Fail(was.Block, "the rounding or chamfer that the control inserts behind it moved.");
-            }
             else if (_task.Elements.IndexOf(i) is >= 0 and var element)
             {
                 elements.Check(_task.Wish.Elements[element], was, now);

@@ -84,4 +84,65 @@ public sealed class FilletProofTests
         Assert.Empty(proof.Failures);
         Assert.Equal(isFillet ? NeighborRole.Fillet : NeighborRole.Follows, proof.Neighbors.Single(n => n.Block == "N20").Role);
     }
+
+    // Both ends are right, but the center lies aside by d to the right and d down: the middle lies 0.414 d off. 1.6 increments are allowed, 0.0016 mm.
+    [Theory]
+    [InlineData("I0.0038 J4.7962", true)]
+    [InlineData("I0.004 J4.796", false)]
+    public void The_middle_of_a_fillet_is_held_to_the_rounding_of_its_center(string center, bool holds)
+    {
+        var result = After.Replace("I0. J4.8", center, StringComparison.Ordinal);
+
+        Assert.Equal(holds, Verdict.OnElements(Before, result, ("N10", 0.1), ("N30", 0.3)).Holds);
+    }
+
+    [Fact]
+    public void A_fillet_smaller_than_the_displacement_of_its_lines_is_not_proved()
+    {
+        var failures = Verdict.OnElements(Before, After, ("N10", 6), ("N30", 6)).Failures;
+
+        Assert.Contains(failures, f => f.Message.Contains("no arc of the radius", StringComparison.Ordinal));
+    }
+
+    // The arc touches two lines, but only one of them is displaced: it is no fillet then, and the proof holds all the same.
+    [Theory]
+    [InlineData("N10")]
+    [InlineData("N30")]
+    public void An_arc_beside_one_displaced_line_is_no_fillet(string named)
+    {
+        var path = Bench.Read(Before);
+        var wish = Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, named), 0.1));
+        var proof = Prover.Check(path, Bench.Usable(Rewriter.Apply(path, wish)).Program, wish, 0.001);
+
+        Assert.Empty(proof.Failures);
+        Assert.DoesNotContain(proof.Neighbors, n => n.Role == NeighborRole.Fillet);
+    }
+
+    // An arc in two blocks that nobody named: the rewriter makes what was written by hand here.
+    [Fact]
+    public void A_fillet_in_two_blocks_that_nobody_named_goes_along()
+    {
+        var path = Bench.Read(Before.Replace("N20 G3 X15. Y5. I0. J5.\n", "N20 G3 X13. Y1. I0. J5.\nN21 X15. Y5. I-3. J4.\n", StringComparison.Ordinal));
+        var elements = new[] { ("N10", 0.1), ("N30", 0.3) }
+            .Select(w => ElementWish.AlongNormals(path, path.MotionOf(Bench.Blocks(path, w.Item1)[0]), w.Item2, w.Item2, w.Item2));
+        var rewrite = Bench.Rewritten(path, DisplacementWish.OfElements([.. elements]));
+
+        Assert.Contains("N20 G3 X12.78 Y1.06 I0. J4.8\nN21 X14.7 Y4.9 I-2.88 J3.84\n", Bench.Text(rewrite.Program), StringComparison.Ordinal);
+    }
+
+    // In two arcs that meet at 3 to 4 below the center: at (13, 1) before and at (9.9 + 0.6 * 4.8, 4.9 - 0.8 * 4.8) = (12.78, 1.06) behind.
+    // From there the second arc's center lies at (-2.88, 3.84). Five increments of the joint are free along the circle.
+    [Theory]
+    [InlineData("X12.78 Y1.06", "I-2.88 J3.84", true)]
+    [InlineData("X12.7836 Y1.0627", "I-2.8836 J3.8373", true)]
+    [InlineData("X12.7843 Y1.0632", "I-2.8843 J3.8368", false)]
+    public void A_joint_inside_a_fillet_keeps_its_direction_from_the_center(string joint, string center, bool holds)
+    {
+        const string Two = "N20 G3 X13. Y1. I0. J5.\nN21 X15. Y5. I-3. J4.\n";
+        var before = Before.Replace("N20 G3 X15. Y5. I0. J5.\n", Two, StringComparison.Ordinal);
+        var result = After.Replace(
+            "N20 G3 X14.7 Y4.9 I0. J4.8\n", $"N20 G3 {joint} I0. J4.8\nN21 X14.7 Y4.9 {center}\n", StringComparison.Ordinal);
+
+        Assert.Equal(holds, Verdict.OnElements(before, result, ("N10", 0.1), ("N30", 0.3)).Holds);
+    }
 }
