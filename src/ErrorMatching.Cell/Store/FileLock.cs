@@ -8,7 +8,8 @@ internal sealed class FileLock : ISlotLock
 
     private FileLock(FileStream file) => _file = file;
 
-    public bool IsHeld => !_disposed;
+    // The lock is on the file that was opened. Once that file is deleted, the next process locks a new file of the same name.
+    public bool IsHeld => !_disposed && File.GetLastWriteTimeUtc(_file.SafeFileHandle) == File.GetLastWriteTimeUtc(_file.Name);
 
     /// <summary>Name of a lock file next to the store.</summary>
     public static string NameBeside(string store, string name) => $"{store}.{name}.lock";

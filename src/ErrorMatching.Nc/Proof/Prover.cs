@@ -1,59 +1,16 @@
-using System.Text;
-using ErrorMatching.Geometry;
-
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Proves what a rewriting did: reads the result again, interprets it, and compares it with the original motion by motion and byte by byte. It knows the wish,
-/// never the edits.
+/// Proves what a rewriting did: reads the result again, interprets it, and compares it with the original motion by motion and byte by
+/// byte. It knows the wish, never the edits.
 /// </summary>
-public sealed partial class Prover
+public sealed class Prover
 {
-    /// <summary>How far a vertex may go, in multiples of the largest displacement asked for: a corner of 10 degrees needs 11.5.</summary>
-    private const double FurthestCorner = 13;
-
-    /// <summary>From so many changed motions on, a second core is worth its start.</summary>
-    private const int Many = 10_000;
-
-    /// <summary>Places closer than this are one, mm.</summary>
-    private const double SamePlace = 1e-9;
-
-    private readonly NcPath _before;
-    private readonly NcPath _after;
-    private readonly DisplacementWish _wish;
+    private readonly ProofTask _task;
+    private readonly ProofFindings _findings;
     private readonly string? _marker;
-    private readonly double _increment;
-    private readonly MotionRuns _elements = new();
-    private readonly MotionRuns _endPoints = new();
-    private readonly Dictionary<int, int> _closures = [];
-    private List<int> _different = [];
-    private readonly List<NcRefusal> _failures = [];
-    private readonly List<ProofNeighbor> _neighbors = [];
-    private readonly Dictionary<(int Block, NeighborRole Role), int> _noted = [];
-    private readonly double _reach;
-    private double _maxDeviation;
 
-    private Prover(NcPath before, NcPath after, DisplacementWish wish, string? marker, double increment)
-    {
-        _before = before;
-        _after = after;
-        _wish = wish;
-        _marker = marker;
-        _increment = increment;
-        var largest = 0.0;
-        foreach (var element in wish.Elements)
-        {
-            _elements.Add(element.Motion);
-            largest = Math.Max(largest, Math.Max(element.Start.Length, element.End.Length));
-        }
-
-        foreach (var motion in wish.EndPoints)
-        {
-            _endPoints.Add(motion);
-        }
-
-        _reach = (FurthestCorner * largest) + (2 * increment);
-    }
+    private Prover(ProofTask task, string? marker) => (_task, _findings, _marker) = (task, new(task.Before), marker);
 
     /// <summary>Compares a displaced program with its original.</summary>
     /// <param name="before">The original, interpreted.</param>
@@ -62,153 +19,108 @@ public sealed partial class Prover
     /// <param name="leastIncrementMm">Increment to which new coordinates were rounded.</param>
     /// <param name="marker">Text of the one comment line that was inserted, or null.</param>
     public static NcProof Check(NcPath before, NcProgram result, DisplacementWish wish, double leastIncrementMm, string? marker = null) =>
-        new Prover(before, NcInterpreter.Run(result, before), wish, marker, leastIncrementMm).Run();
+        new Prover(new(before, NcInterpreter.Run(result, before), wish, leastIncrementMm), marker).Run();
 
     private NcProof Run()
     {
-        var markerBlock = FindMarker();
+        var markerBlock = new MarkerCheck(_task, _findings, _marker).Find();
         var moved = 0;
         var bytesIdentical = false;
-        if (_after.Refusal is { } refusal)
+        if (_task.After.Refusal is { } refusal)
         {
-            _failures.Add(refusal);
+            _findings.Add(refusal);
         }
 
-        if (_failures.Count == 0 && SameStructure(markerBlock))
+        if (_findings.Failures.Count == 0 && DifferentMotions(markerBlock) is { } different)
         {
             // The two look at different things and need nothing of each other, so a long program has them beside each other.
-            var parts = CompareBytes(markerBlock);
-            moved = CompareMotions();
+            var parts = new ByteCheck(_task, different).Compare(markerBlock);
+            moved = CompareMotions(different);
             bytesIdentical = true;
             foreach (var part in parts)
             {
                 var (identical, failures) = part.GetAwaiter().GetResult();
                 bytesIdentical &= identical;
-                _failures.AddRange(failures);
+                foreach (var failure in failures)
+                {
+                    _findings.Add(failure);
+                }
             }
         }
 
-        return new(_failures.Count == 0, _before.Motions.Length, moved, _neighbors, _marker, _maxDeviation, bytesIdentical, _failures);
+        var failed = _findings.Failures;
+        return new(
+            failed.Count == 0,
+            _task.Before.Motions.Length,
+            moved,
+            _findings.Neighbors,
+            _marker,
+            _findings.MaxDeviation,
+            bytesIdentical,
+            failed);
     }
 
-    private void Fail(int block, string what) => _failures.Add(Failure(block, what));
-
-    private NcRefusal Failure(int block, string what) => NcRefusal.At(_before.Program, block, NcRefusalCodes.ProofFailed, what);
-
-    // The line that holds the marker in the result, or -1 where none was asked for.
-    private int FindMarker()
+    // The motions that differ in anything, in the order of the path; null if they differ in more than their places.
+    private List<int>? DifferentMotions(int markerBlock)
     {
-        var extra = _after.Program.BlockCount - _before.Program.BlockCount;
-        if (extra != (_marker is null ? 0 : 1))
+        var (before, after) = (_task.Before.Motions, _task.After.Motions);
+        if (before.Length != after.Length)
         {
-            _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, $"The result has {_after.Program.BlockCount} lines, expected {_before.Program.BlockCount + (_marker is null ? 0 : 1)}."));
-            return -1;
+            _findings.Fail($"The result has {after.Length} motions, the original {before.Length}.");
+            return null;
         }
 
-        if (_marker is null)
+        var different = before.DifferencesFrom(after, _marker is null ? int.MaxValue : markerBlock);
+        foreach (var i in different)
         {
-            return -1;
-        }
-
-        var line = LineOf(_after.Program, Encoding.UTF8.GetBytes(_marker));
-        if (line >= 0)
-        {
-            CheckMarker(line);
-            return line;
-        }
-
-        _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The marker comment is not in the result."));
-        return -1;
-    }
-
-    // The first line that is a text and nothing else, or -1.
-    private static int LineOf(NcProgram program, ReadOnlySpan<byte> text)
-    {
-        var bytes = program.Bytes.Span;
-        for (var from = 0; bytes[from..].IndexOf(text) is >= 0 and var offset; from += offset + 1)
-        {
-            var line = program.BlockAt(from + offset);
-            if (program.BytesOf(program[line]).SequenceEqual(text))
-            {
-                return line;
-            }
-        }
-
-        return -1;
-    }
-
-    // The marker does nothing and ends as the lines beside it end.
-    private void CheckMarker(int line)
-    {
-        var program = _after.Program;
-        var onlyComment = true;
-        foreach (var token in program.Tokens(program[line]))
-        {
-            onlyComment &= token.Kind is NcTokenKind.Comment or NcTokenKind.Space;
-        }
-
-        var beside = line > 0 ? line - 1 : line + 1;
-        if (!onlyComment || (beside < program.BlockCount && !LineEnd(program, line).SequenceEqual(LineEnd(program, beside))))
-        {
-            _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, "The marker is not a plain comment line."));
-        }
-    }
-
-    private static ReadOnlySpan<byte> LineEnd(NcProgram program, int line) =>
-        program.Bytes.Span[program[line].End..(program[line].Start + program[line].FullLength)];
-
-    private bool SameStructure(int markerBlock)
-    {
-        if (_before.Motions.Length != _after.Motions.Length)
-        {
-            _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, $"The result has {_after.Motions.Length} motions, the original {_before.Motions.Length}."));
-            return false;
-        }
-
-        var border = _marker is null ? int.MaxValue : markerBlock;
-        _different = _before.Motions.DifferencesFrom(_after.Motions, border);
-        foreach (var i in _different)
-        {
-            var (was, now) = (_before.Motions[i], _after.Motions[i]);
+            var (was, now) = (before[i], after[i]);
             const MotionFlags Spelling = MotionFlags.ByRadius;
-            if (now.Block != InResult(was.Block, markerBlock) || now.Kind != was.Kind || now.Plane != was.Plane || (now.Flags & ~Spelling) != (was.Flags & ~Spelling)
-                || now.Turns != was.Turns || now.Frame != was.Frame || now.Feed != was.Feed || now.UnknownStart != was.UnknownStart || now.UnknownEnd != was.UnknownEnd)
+            if (now.Block != InResult(was.Block, markerBlock) || now.Kind != was.Kind || now.Plane != was.Plane
+                || (now.Flags & ~Spelling) != (was.Flags & ~Spelling) || now.Turns != was.Turns
+                || now.Frame != was.Frame || now.Feed != was.Feed
+                || now.UnknownStart != was.UnknownStart || now.UnknownEnd != was.UnknownEnd)
             {
-                Fail(was.Block, "its kind, plane, modes, feed or turns differ from the original.");
+                _findings.Fail(was.Block, "its kind, plane, modes, feed or turns differ from the original.");
             }
         }
 
-        return _failures.Count == 0;
+        return _findings.Failures.Count == 0 ? different : null;
     }
 
     private static int InResult(int block, int markerBlock) => markerBlock >= 0 && block >= markerBlock ? block + 1 : block;
 
-    private int CompareMotions()
+    private int CompareMotions(List<int> different)
     {
-        FindClosures();
-        var allowed = AllowedJoints();
+        var ways = new WayCheck(_task, _findings);
+        var arcs = new ArcCheck(_task, _findings);
+        var fillets = new FilletCheck(_task, _findings);
+        var joints = new JointCheck(_task, _findings, ways, new(_task, ways), fillets);
+        var elements = new ElementCheck(_task, _findings, arcs, fillets, joints);
+        var endPoints = new EndPointCheck(_task, _findings, ways, arcs);
+        var neighbors = new NeighborCheck(_task, _findings, ways, arcs, fillets);
+        var allowed = joints.Allowed();
         var moved = 0;
-        foreach (var i in ToCompare())
+        foreach (var i in ToCompare(different))
         {
-            var (was, now) = (_before.Motions[i], _after.Motions[i]);
-            var (startMoved, endMoved) = (!Same(was.Start, now.Start), !Same(was.End, now.End));
-            var differs = startMoved || endMoved || (was.IsArc && !Same(was.Center, now.Center));
+            var (was, now) = (_task.Before.Motions[i], _task.After.Motions[i]);
+            var (startMoved, endMoved) = (!ProofTask.Same(was.Start, now.Start), !ProofTask.Same(was.End, now.End));
+            var differs = startMoved || endMoved || (was.IsArc && !ProofTask.Same(was.Center, now.Center));
             moved += differs ? 1 : 0;
-            if ((startMoved && (!allowed[i] || IsOtherTools(i, i))) || (endMoved && (!allowed[i + 1] || IsOtherTools(i, i + 1))))
+            if ((startMoved && (!allowed[i] || ways.IsOtherTools(i, i))) || (endMoved && (!allowed[i + 1] || ways.IsOtherTools(i, i + 1))))
             {
-                Fail(was.Block, "it moved although neither it nor a motion beside it was named.");
+                _findings.Fail(was.Block, "it moved although neither it nor a motion beside it was named.");
             }
-            else if (_elements.IndexOf(i) is >= 0 and var element)
+            else if (_task.Elements.IndexOf(i) is >= 0 and var element)
             {
-                CheckElement(_wish.Elements[element], was, now);
+                elements.Check(_task.Wish.Elements[element], was, now);
             }
-            else if (_wish.EndPoints.Count > 0)
+            else if (_task.Wish.EndPoints.Count > 0)
             {
-                CheckEndPoint(i, was, now, startMoved, endMoved);
+                endPoints.Check(i, was, now, startMoved, endMoved);
             }
             else if (differs)
             {
-                CheckNeighbor(i, was, now, startMoved, endMoved);
+                neighbors.Check(i, was, now, startMoved, endMoved);
             }
         }
 
@@ -216,28 +128,38 @@ public sealed partial class Prover
         return moved;
     }
 
-    // A motion that is the same in both has moved nowhere, so only the named ones are looked at besides those that differ.
-    private IEnumerable<int> ToCompare()
+    // What is set or called where the tool stands must find it where it was.
+    private void CheckPlaceDependents()
     {
-        var next = 0;
-        foreach (var motion in _wish.Elements.Count > 0 ? _wish.Elements.Select(e => e.Motion) : _wish.EndPoints)
+        foreach (var (block, joint) in _task.Before.PlaceDependents)
         {
-            for (; next < _different.Count && _different[next] < motion; next++)
+            // What follows may count from a new origin, so the end before it is compared.
+            var motion = joint - 1;
+            if (motion >= 0 && !ProofTask.Same(_task.Before.Motions[motion].End, _task.After.Motions[motion].End))
             {
-                yield return _different[next];
+                _findings.Fail(block, "an origin is set or a program is called here at a place that moved.");
             }
-
-            next += next < _different.Count && _different[next] == motion ? 1 : 0;
-            yield return motion;
-        }
-
-        for (; next < _different.Count; next++)
-        {
-            yield return _different[next];
         }
     }
 
-    private static bool Same(Point3 a, Point3 b) => (a - b).Length < SamePlace;
+    // A motion that is the same in both has moved nowhere, so only the named ones are looked at besides those that differ.
+    private IEnumerable<int> ToCompare(List<int> different)
+    {
+        var next = 0;
+        foreach (var motion in _task.Wish.Elements.Count > 0 ? _task.Wish.Elements.Select(e => e.Motion) : _task.Wish.EndPoints)
+        {
+            for (; next < different.Count && different[next] < motion; next++)
+            {
+                yield return different[next];
+            }
 
-    private static bool Same(Point2 a, Point2 b) => a.DistanceTo(b) < SamePlace;
+            next += next < different.Count && different[next] == motion ? 1 : 0;
+            yield return motion;
+        }
+
+        for (; next < different.Count; next++)
+        {
+            yield return different[next];
+        }
+    }
 }

@@ -125,6 +125,26 @@ public sealed class CompensatorTests
         Assert.True(piece.Off(result.Surface.Spline, (u, v) => result.Before.MeanMm) < 3e-5);
     }
 
+    // Noise whose own mean is taken away, and a mean of so many of its standard errors put in its place.
+    [Theory]
+    [InlineData(1.95, false)]
+    [InlineData(2.05, true)]
+    [InlineData(-1.95, false)]
+    [InlineData(-2.05, true)]
+    public void A_mean_beside_noise_is_cut_from_two_of_its_standard_errors_on(double standardErrors, bool isCut)
+    {
+        var piece = new MeasuredDesign(PaperDesign.Three);
+        var random = new Random(4);
+        var noise = piece.Plan.Points.ToDictionary(p => (p.U, p.V), _ => 0.002 * (random.NextDouble() - 0.5));
+        var own = noise.Values.Average();
+        var deviation = Math.Sqrt(noise.Values.Sum(e => (e - own) * (e - own)) / (noise.Count - 1));
+        var mean = standardErrors * deviation / Math.Sqrt(noise.Count);
+        var result = piece.Compensate(piece.With((u, v) => noise[(u, v)] - own + mean)).Result!;
+
+        Assert.Equal(SpatialVerdict.Noise, result.Structure.Verdict);
+        Assert.Equal(isCut ? Math.Abs(mean) : 0, result.LargestMoveMm, 1e-6);
+    }
+
     [Theory]
     [InlineData("mirror")]
     [InlineData("tool-radius")]

@@ -28,6 +28,19 @@ public sealed class GougeTests
         Assert.Equal(0, path.Certificate.RaisedPoints);
     }
 
+    // A hollow quarter of a cylinder whose radius is smaller than the ball's 3 mm by e: the ball that touches one edge comes within sqrt((3 - e)^2 + e^2)
+    // of the other. Twice the chordal error of 0.01 mm may be missing: 0.0189 mm are for e = 0.019, 0.0212 mm for e = 0.0213.
+    [Theory]
+    [InlineData(0.019, true)]
+    [InlineData(0.0213, false)]
+    public void A_ball_may_lie_deeper_than_it_touches_by_twice_the_chordal_error(double e, bool isFree)
+    {
+        var result = Plans.Of(Shapes.Cylinder(3 - e, 4, hollow: true), Plans.Passes(0.001, 0.01, alongU: false));
+
+        Assert.Equal(isFree, result.IsUsable && result.Path.Certificate.RaisedPoints == 0);
+        Assert.Equal(isFree ? null : "ball-does-not-fit", result.Refusal?.Code);
+    }
+
     [Fact]
     public void Where_stock_is_left_the_ball_is_raised_until_it_fits()
     {

@@ -69,4 +69,32 @@ public sealed class CornerWordTests
             "G90 G17 G0 X0. Y0. Z0.\nN10 G1 X10. ,R2. F100\nN20 Y9.9\nN30 X0. Y9.9\nG0 Z5.\n",
             Bench.Normal(
                 "G90 G17 G0 X0. Y0. Z0.\nN10 G1 X10. ,R2. F100\nN20 Y10.\nN30 X0. Y10.\nG0 Z5.\n", 0.1, "N30", NcDialects.FanucMill));
+
+    // N30 goes 0.4 mm up, and the end of N20 0.5 mm along its own direction (3, 4)/5, to (25.3, 20.4): no digit is rounded here, but it could be.
+    [Theory]
+    [InlineData("N20 X25. Y20.", false)]
+    [InlineData("N20 Y20.", true)]
+    public void A_line_that_slides_aslant_does_not_keep_the_corner_before_it(string line, bool isUsable)
+    {
+        var program = $"G90 G17 G0 X0. Y0. Z0.\nN10 G1 X10. ,R2. F100\n{line}\nN30 X0. Y20.\nG0 Z5.\n";
+        var path = Bench.Read(program, NcDialects.FanucMill);
+        var outcome = Rewriter.Apply(path, Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, "N30"), -0.4)));
+
+        Assert.Equal(isUsable ? null : NcRefusalCodes.CornerWord, outcome.Refusal?.Code);
+    }
+
+    // The rounding is computed from the blocks on both sides: one increment of its end turns it.
+    [Theory]
+    [InlineData("N20 Y19.999", true)]
+    [InlineData("N20 X10.001 Y20.", false)]
+    public void A_rounding_that_moved_is_not_proved(string line, bool holds)
+    {
+        const string Before = "G90 G17 G0 X0. Y0. Z0.\nN10 G1 X10. ,R2. F100\nN20 Y20.\nG0 Z5.\n";
+        var path = Bench.Read(Before, NcDialects.FanucMill);
+        var by = holds ? new Vector3(0, -0.001, 0) : new Vector3(0.001, 0, 0);
+        var wish = Bench.Usable(DisplacementWish.EndsBy(path, Bench.Blocks(path, "N20"), by));
+        var result = NcProgram.FromText(Before.Replace("N20 Y20.", line, StringComparison.Ordinal));
+
+        Assert.Equal(holds, Prover.Check(path, result, wish, 0.001).Holds);
+    }
 }

@@ -1,0 +1,76 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>Every byte outside the values of words that had to change must be the original's.</summary>
+internal sealed class ByteCheck(ProofTask task, List<int> different)
+{
+    /// <summary>From so many changed motions on, a second core is worth its start.</summary>
+    private const int Many = 10_000;
+
+    /// <summary>Blocks that are compared in one go where many differ: whoever has nothing else to do takes the next.</summary>
+    private const int PartOfMany = 16_384;
+
+    public List<Task<(bool Identical, List<NcRefusal> Failures)>> Compare(int markerBlock)
+    {
+        var blocks = task.Before.Program.BlockCount;
+        var border = markerBlock < 0 ? blocks : markerBlock;
+        return [.. Compare(0, border, 0), .. Compare(border, blocks, 1)];
+    }
+
+    private IEnumerable<Task<(bool Identical, List<NcRefusal> Failures)>> Compare(int from, int end, int linesBefore)
+    {
+        var many = different.Count >= Many;
+        for (var first = from; first < end;)
+        {
+            var (begin, behind) = (first, many ? Math.Min(end, first + PartOfMany) : end);
+            yield return many
+                ? Task.Run(() => ComparePart(begin, behind, linesBefore))
+                : Task.FromResult(ComparePart(begin, behind, linesBefore));
+            first = behind;
+        }
+    }
+
+    // Blocks of the original that stand a number of lines further down in the result.
+    private (bool Identical, List<NcRefusal> Failures) ComparePart(int first, int behind, int linesBefore)
+    {
+        var compared = new BlockComparison(task.Before, task.After);
+        var failures = new List<NcRefusal>();
+        var (identical, recent) = (true, 0);
+        for (var i = compared.NextDifference(first, behind, linesBefore);
+            i < behind;
+            i = compared.NextDifference(i + 1, behind, linesBefore))
+        {
+            var motion = task.Before.RunOf(i, 0, ref recent);
+            if (motion < 0 || !compared.SameButCoordinates(motion, i, i + linesBefore))
+            {
+                failures.Add(ProofFindings.Failure(task.Before, i, "something other than the words of its new place changed in it."));
+                identical = false;
+            }
+            else if (!Moved(i, ref recent))
+            {
+                failures.Add(ProofFindings.Failure(
+                    task.Before, i, "its words changed although its motion, as far as the program says where it is, did not."));
+                identical = false;
+            }
+            else if (!PlainMotion.Is(task.Before.Motions[motion]))
+            {
+                failures.Add(ProofFindings.Failure(task.Before, i, "it changed although its words alone do not say where it goes."));
+            }
+        }
+
+        return (identical, failures);
+    }
+
+    private bool Moved(int block, ref int recent)
+    {
+        for (var run = 0; task.Before.RunOf(block, run, ref recent) is >= 0 and var i; run++)
+        {
+            var (was, now) = (task.Before.Motions[i], task.After.Motions[i]);
+            if (was.Start != now.Start || was.End != now.End || was.Center != now.Center)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+}

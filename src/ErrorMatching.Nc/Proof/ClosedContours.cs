@@ -1,0 +1,94 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Joints that are one place of the piece because a contour closes there: a later cut ends where a run begins, an earlier one begins
+/// where a run ends, or a ring inside a run comes back to its own joint.
+/// </summary>
+internal sealed class ClosedContours
+{
+    /// <summary>
+    /// How far the directions before and behind a joint lie apart from which it is a corner, as the length between their unit vectors: a
+    /// turn of 5.7 degrees. A turn back is 2.
+    /// </summary>
+    private const double CornerTurn = 0.0996;
+
+    private readonly ProofTask _task;
+    private readonly Dictionary<int, int> _otherEnds = [];
+
+    public ClosedContours(ProofTask task, WayCheck ways)
+    {
+        _task = task;
+        var motions = task.Before.Motions;
+        var contours = new ContourSearch(motions, ProofTask.SamePlace, task.Elements.Count, ways.IsPassed);
+        for (var run = 0; run < task.Elements.Count; run++)
+        {
+            var (first, last) = task.Elements[run];
+            var (start, end) = (motions.StartOf(first), motions.EndOf(last));
+            var closing = ProofTask.Same(motions.EndOf(first), start) ? first : contours.FirstEndingAt(start, first + 1, first);
+            if (closing >= 0)
+            {
+                _otherEnds[first] = closing + 1;
+                _otherEnds.TryAdd(closing + 1, first);
+            }
+
+            var opening = ProofTask.Same(motions.StartOf(last), end) ? last : contours.LastStartingAt(end, last - 1, last);
+            if (opening >= 0)
+            {
+                _otherEnds[last + 1] = opening;
+                _otherEnds.TryAdd(opening, last + 1);
+            }
+
+            AddRings(first, last);
+        }
+    }
+
+    /// <summary>All joints of which one closes another.</summary>
+    public IReadOnlyCollection<int> Joints => _otherEnds.Values;
+
+    /// <summary>The joint that is the same place of the piece; -1 where there is none.</summary>
+    public int OtherEnd(int joint) => _otherEnds.TryGetValue(joint, out var other) ? other : -1;
+
+    // Places of a run, without its ends, to which it comes back, and where it turns at least once or makes a full circle: two paths that
+    // cross each other smoothly need not go on doing so.
+    private void AddRings(int first, int last)
+    {
+        var motions = _task.Before.Motions;
+        var lastAt = new Dictionary<Point3, int>();
+        for (var joint = first + 1; joint <= last; joint++)
+        {
+            if (Turns(joint) || motions.StartOf(joint) == motions.EndOf(joint))
+            {
+                lastAt[motions.StartOf(joint)] = -1;
+            }
+        }
+
+        for (var joint = first + 1; joint <= last && lastAt.Count > 0; joint++)
+        {
+            var place = motions.StartOf(joint);
+            if (!lastAt.TryGetValue(place, out var before))
+            {
+                continue;
+            }
+
+            if (before >= 0)
+            {
+                (_otherEnds[before], _otherEnds[joint]) = (joint, before);
+            }
+
+            lastAt[place] = joint;
+        }
+    }
+
+    private bool Turns(int joint)
+    {
+        var (before, behind) = (_task.Before.Motions[joint - 1], _task.Before.Motions[joint]);
+        return before.Plane == behind.Plane && HasDirection(before) && HasDirection(behind)
+            && (before.TangentAt(1) - behind.TangentAt(0)).Length > CornerTurn;
+    }
+
+    // A damaged arc may begin or end in its own center.
+    private static bool HasDirection(in NcMotion motion) => motion is { MovesInPlane: true, IsCut: true }
+        && (!motion.IsArc || (motion.PlaneStart != motion.Center && motion.PlaneEnd != motion.Center));
+}

@@ -1,0 +1,50 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Moved end points: the named ones by the vector, or each by its own; retracts behind them in the plane only, arcs with their ends.
+/// </summary>
+internal sealed class EndPointCheck(ProofTask task, ProofFindings findings, WayCheck ways, ArcCheck arcs)
+{
+    public void Check(int motion, in NcMotion was, in NcMotion now, bool startMoved, bool endMoved)
+    {
+        var plane = was.Plane;
+        var moved = now.End - was.End;
+        if (task.EndPoints.IndexOf(motion) is >= 0 and var index)
+        {
+            var off = moved - task.Wish.ByOf(index);
+            var furthest = Math.Max(Math.Abs(off.X), Math.Max(Math.Abs(off.Y), Math.Abs(off.Z)));
+            findings.Measure(was.Block, furthest, (0.5 * task.Increment) + 1e-6);
+        }
+        else if (task.Wish.IsPointByPoint && endMoved)
+        {
+            findings.Fail(was.Block, "it moved although it was not named.");
+        }
+        else if (task.Wish.IsPointByPoint && startMoved)
+        {
+            findings.Note(was, NeighborRole.Follows, now.PlaneStart - was.PlaneStart);
+        }
+        else if ((startMoved || endMoved) && was.Has(MotionFlags.MachineMove))
+        {
+            ways.CheckMachineMove(was, now);
+        }
+        else if (startMoved || endMoved)
+        {
+            var isRetract = !was.MovesInPlane;
+            if ((isRetract && !ProofTask.Same(now.PlaneStart, now.PlaneEnd) && !ways.LeadsAcross(motion))
+                || Math.Abs(plane.Height(default(Point3) + moved)) > 1e-9)
+            {
+                findings.Fail(was.Block, "a move along the tool axis now moves in the plane or ends at another height.");
+            }
+
+            findings.Note(
+                was,
+                isRetract ? NeighborRole.Positioning : NeighborRole.Follows,
+                endMoved ? now.PlaneEnd - was.PlaneEnd : now.PlaneStart - was.PlaneStart);
+        }
+
+        arcs.CheckWords(was, now);
+        arcs.CheckFollowing(was, now);
+    }
+}

@@ -1,0 +1,70 @@
+using System.Text;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>The one comment line that was inserted, as it must be: a line of its own that does nothing.</summary>
+internal sealed class MarkerCheck(ProofTask task, ProofFindings findings, string? marker)
+{
+    // The line that holds the marker in the result, or -1 where none was asked for.
+    public int Find()
+    {
+        var extra = task.After.Program.BlockCount - task.Before.Program.BlockCount;
+        if (extra != (marker is null ? 0 : 1))
+        {
+            var expected = task.Before.Program.BlockCount + (marker is null ? 0 : 1);
+            findings.Fail($"The result has {task.After.Program.BlockCount} lines, expected {expected}.");
+            return -1;
+        }
+
+        if (marker is null)
+        {
+            return -1;
+        }
+
+        var line = LineOf(task.After.Program, Encoding.UTF8.GetBytes(marker));
+        if (line >= 0)
+        {
+            CheckMarker(line);
+            return line;
+        }
+
+        findings.Fail("The marker comment is not in the result.");
+        return -1;
+    }
+
+    // The first line that is a text and nothing else, or -1.
+    private static int LineOf(NcProgram program, ReadOnlySpan<byte> text)
+    {
+        var bytes = program.Bytes.Span;
+        for (var from = 0; bytes[from..].IndexOf(text) is >= 0 and var offset; from += offset + 1)
+        {
+            var line = program.BlockAt(from + offset);
+            if (program.BytesOf(program[line]).SequenceEqual(text))
+            {
+                return line;
+            }
+        }
+
+        return -1;
+    }
+
+    // The marker does nothing and ends as the lines beside it end.
+    private void CheckMarker(int line)
+    {
+        var program = task.After.Program;
+        var onlyComment = true;
+        foreach (var token in program.Tokens(program[line]))
+        {
+            onlyComment &= token.Kind is NcTokenKind.Comment or NcTokenKind.Space;
+        }
+
+        var beside = line > 0 ? line - 1 : line + 1;
+        if (!onlyComment || (beside < program.BlockCount && !LineEnd(program, line).SequenceEqual(LineEnd(program, beside))))
+        {
+            findings.Fail("The marker is not a plain comment line.");
+        }
+    }
+
+    private static ReadOnlySpan<byte> LineEnd(NcProgram program, int line) =>
+        program.Bytes.Span[program[line].End..(program[line].Start + program[line].FullLength)];
+}

@@ -1,0 +1,82 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>Motions that were not named but moved along, as they may: beside a named one, and on the ways between.</summary>
+internal sealed class NeighborCheck(ProofTask task, ProofFindings findings, WayCheck ways, ArcCheck arcs, FilletCheck fillets)
+{
+    public void Check(int motion, in NcMotion was, in NcMotion now, bool startMoved, bool endMoved)
+    {
+        var moved = endMoved ? now.PlaneEnd - was.PlaneEnd : now.PlaneStart - was.PlaneStart;
+        if (was.Has(MotionFlags.MachineMove))
+        {
+            ways.CheckMachineMove(was, now);
+            return;
+        }
+
+        if (!was.MovesInPlane || !was.IsCut)
+        {
+            if (!was.MovesInPlane && !WayCheck.KeepsItsWay(was, now) && (WayCheck.HeightMoved(was, now) || !ways.LeadsAcross(motion)))
+            {
+                findings.Fail(was.Block, "a move along the tool axis now moves in the plane or ends at another height.");
+            }
+
+            findings.Note(was, NeighborRole.Positioning, moved);
+            return;
+        }
+
+        if (!startMoved && !endMoved)
+        {
+            findings.Fail(was.Block, "its center moved although its ends did not.");
+            return;
+        }
+
+        if (was.IsArc && (!was.IsKnownInPlane || was.Has(MotionFlags.BadArc)))
+        {
+            findings.Fail(was.Block, "an end of it moved, but its words do not say which arc it is.");
+            return;
+        }
+
+        arcs.CheckWords(was, now);
+        if (SlidAlong(was, now))
+        {
+            findings.Note(was, NeighborRole.Slides, moved);
+        }
+        else if (startMoved && endMoved && fillets.Is(motion))
+        {
+            fillets.Check(motion, was, now);
+            findings.Note(was, NeighborRole.Fillet, moved);
+        }
+        else
+        {
+            if (was.IsArc && moved.Length > 5 * task.Increment && arcs.EndsOnCircle(was, now) && !ways.TookWish(motion, moved, endMoved))
+            {
+                findings.Fail(was.Block, "its ends slid along its circle, but its center moved.");
+            }
+
+            arcs.CheckFollowing(was, now);
+            findings.Note(was, NeighborRole.Follows, moved);
+        }
+
+        if (!was.IsArc && (now.PlaneEnd - now.PlaneStart).Dot(was.PlaneEnd - was.PlaneStart) <= 0)
+        {
+            findings.Fail(was.Block, "it turned round.");
+        }
+    }
+
+    private bool SlidAlong(in NcMotion was, in NcMotion now)
+    {
+        if (was.IsArc)
+        {
+            return now.Center.DistanceTo(was.Center) <= 3 * task.Increment && arcs.EndsOnCircle(was, now);
+        }
+
+        if (was.PlaneStart == was.PlaneEnd)
+        {
+            // It begins or ends where the program does not say, so nothing shows along which line.
+            return false;
+        }
+
+        var line = was.Segment.Line;
+        return Math.Abs(line.SignedDistance(now.PlaneStart)) <= task.LineTolerance
+            && Math.Abs(line.SignedDistance(now.PlaneEnd)) <= task.LineTolerance;
+    }
+}

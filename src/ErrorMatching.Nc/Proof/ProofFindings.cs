@@ -1,0 +1,50 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>What a proof found: failures, motions that moved along, and the largest distance from where something was wanted.</summary>
+internal sealed class ProofFindings(NcPath before)
+{
+    private readonly List<NcRefusal> _failures = [];
+    private readonly List<ProofNeighbor> _neighbors = [];
+    private readonly Dictionary<(int Block, NeighborRole Role), int> _noted = [];
+
+    public IReadOnlyList<NcRefusal> Failures => _failures;
+
+    public IReadOnlyList<ProofNeighbor> Neighbors => _neighbors;
+
+    public double MaxDeviation { get; private set; }
+
+    /// <summary>A failure at a block of the original.</summary>
+    public static NcRefusal Failure(NcPath before, int block, string what) =>
+        NcRefusal.At(before.Program, block, NcRefusalCodes.ProofFailed, what);
+
+    public void Fail(int block, string what) => _failures.Add(Failure(before, block, what));
+
+    /// <summary>A failure of the result as a whole.</summary>
+    public void Fail(string what) => _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, what));
+
+    public void Add(NcRefusal failure) => _failures.Add(failure);
+
+    public void Measure(int block, double deviation, double tolerance)
+    {
+        MaxDeviation = Math.Max(MaxDeviation, deviation);
+        if (!(deviation <= tolerance))
+        {
+            Fail(block, FormattableString.Invariant($"it lies {deviation:0.0000} mm from where it was wanted."));
+        }
+    }
+
+    // A block that runs several times is one neighbor, named with the furthest that it moved.
+    public void Note(in NcMotion was, NeighborRole role, Vector2 moved)
+    {
+        if (_noted.TryAdd((was.Block, role), _neighbors.Count))
+        {
+            _neighbors.Add(new(before.Program.NameOf(before.Program[was.Block]), was.Block + 1, role, moved.Length));
+            return;
+        }
+
+        var noted = _noted[(was.Block, role)];
+        _neighbors[noted] = _neighbors[noted] with { DisplacementMm = Math.Max(_neighbors[noted].DisplacementMm, moved.Length) };
+    }
+}

@@ -1,0 +1,76 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>What is proved: two programs, interpreted, and the wish that led from the one to the other.</summary>
+internal sealed class ProofTask
+{
+    /// <summary>Places closer than this are one, mm.</summary>
+    public const double SamePlace = 1e-9;
+
+    /// <summary>How far a vertex may go, in multiples of the largest displacement asked for: a corner of 10 degrees needs 11.5.</summary>
+    private const double FurthestCorner = 13;
+
+    public ProofTask(NcPath before, NcPath after, DisplacementWish wish, double increment)
+    {
+        (Before, After, Wish, Increment) = (before, after, wish, increment);
+        var largest = 0.0;
+        foreach (var element in wish.Elements)
+        {
+            Elements.Add(element.Motion);
+            largest = Math.Max(largest, Math.Max(element.Start.Length, element.End.Length));
+        }
+
+        foreach (var motion in wish.EndPoints)
+        {
+            EndPoints.Add(motion);
+        }
+
+        Reach = (FurthestCorner * largest) + (2 * increment);
+    }
+
+    public NcPath Before { get; }
+
+    public NcPath After { get; }
+
+    public DisplacementWish Wish { get; }
+
+    /// <summary>Increment to which new coordinates were rounded, mm.</summary>
+    public double Increment { get; }
+
+    /// <summary>The named elements; the position of one among them is that of its wish.</summary>
+    public MotionRuns Elements { get; } = new();
+
+    /// <summary>The motions whose ends are named.</summary>
+    public MotionRuns EndPoints { get; } = new();
+
+    /// <summary>How far an end may go, mm.</summary>
+    public double Reach { get; }
+
+    /// <summary>Both coordinates of an end are rounded by up to half an increment.</summary>
+    public double LineTolerance => (0.75 * Increment) + 1e-6;
+
+    /// <summary>Arcs add the rounding of their center.</summary>
+    public double ArcTolerance => (1.6 * Increment) + 1e-6;
+
+    public static bool Same(Point3 a, Point3 b) => (a - b).Length < SamePlace;
+
+    public static bool Same(Point2 a, Point2 b) => a.DistanceTo(b) < SamePlace;
+
+    public static double Mismatch(in NcMotion motion) => ArcCenter.Mismatch(motion.PlaneStart, motion.PlaneEnd, motion.Center);
+
+    /// <summary>The line where a named straight element was wanted; null for anything else.</summary>
+    public Line2? Flank(int motion) => Elements.IndexOf(motion) is >= 0 and var index && Before.Motions[motion] is { IsArc: false } m
+        ? Line2.Through(m.PlaneStart + Wish.Elements[index].Start, m.PlaneEnd + Wish.Elements[index].End)
+        : null;
+
+    public bool IsCutInPlane(int motion) =>
+        motion >= 0 && motion < Before.Motions.Length && Before.Motions[motion] is { IsCut: true, MovesInPlane: true };
+
+    /// <summary>
+    /// True for a named line that was cut off by the displacement of a corner and shrank to it: what it was measured by are the elements
+    /// on both sides.
+    /// </summary>
+    public bool IsShrunk(int motion, in NcMotion was) => !After.Motions.MovesInPlane(motion) && Elements.Contains(motion)
+        && was is { Kind: MotionKind.Line, MovesInPlane: true } && was.PlaneLength <= Reach;
+}

@@ -1,0 +1,172 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// What is between one cut and the next: steps in depth at a corner, the ways along the tool axis on which the tool is lifted, and moves to
+/// places of the machine. What a moved joint takes along, and what must stay.
+/// </summary>
+internal sealed class WayCheck(ProofTask task, ProofFindings findings)
+{
+    // Joints that positioning shares with those that are allowed already: what one reaches, the next would reach as well, so each way is
+    // gone once. A cut at the end of the way shares its joint only where the tool was not lifted on it.
+    public void AllowPositioning(bool[] allowed)
+    {
+        var motions = task.Before.Motions;
+        var joint = Array.IndexOf(allowed, true);
+        for (; joint >= 0 && joint < motions.Length; joint = Array.IndexOf(allowed, true, joint + 1))
+        {
+            allowed[joint + 1] |= motions[joint].Has(MotionFlags.MachineMove)
+                || (!motions.MovesInPlane(joint) && !IsLiftedBefore(joint + 1));
+        }
+
+        joint = task.Elements.Count > 0 ? Array.LastIndexOf(allowed, true) : 0;
+        for (; joint > 0; joint = Array.LastIndexOf(allowed, true, joint - 1))
+        {
+            allowed[joint - 1] |= !motions.MovesInPlane(joint - 1) && !IsLiftedBehind(joint - 1);
+        }
+    }
+
+    // The cut that begins at a joint, and was not named, was reached along the tool axis and not by feeds of one tool alone.
+    private bool IsLiftedBefore(int joint)
+    {
+        var motions = task.Before.Motions;
+        if (!task.IsCutInPlane(joint) || task.EndPoints.Contains(joint))
+        {
+            return false;
+        }
+
+        var isLifted = task.Before.ChangesTool(joint, joint);
+        for (var i = joint - 1; i >= 0 && !motions.MovesInPlane(i) && !isLifted; i--)
+        {
+            isLifted = motions[i].Kind != MotionKind.Line || task.Before.ChangesTool(i, i);
+        }
+
+        return isLifted;
+    }
+
+    // The cut that ends at a joint was left along the tool axis and not by feeds of one tool alone.
+    private bool IsLiftedBehind(int joint)
+    {
+        var motions = task.Before.Motions;
+        if (!task.IsCutInPlane(joint - 1))
+        {
+            return false;
+        }
+
+        var isLifted = task.Before.ChangesTool(joint, joint);
+        for (var i = joint; i < motions.Length && !motions.MovesInPlane(i) && !isLifted; i++)
+        {
+            isLifted = motions[i].Kind != MotionKind.Line || task.Before.ChangesTool(i + 1, i + 1);
+        }
+
+        return isLifted;
+    }
+
+    // The joint of a cut that nobody named, at which the tool was changed.
+    public bool IsOtherTools(int motion, int joint) =>
+        task.Before.ChangesTool(joint, joint) && task.IsCutInPlane(motion)
+        && !task.Elements.Contains(motion) && !task.EndPoints.Contains(motion);
+
+    /// <summary>
+    /// True for the rapid that leads from the place of one cut to that of another which was the same and no longer is: the tool was lifted
+    /// or changed before it, and nothing else on the way from the one to the other goes anywhere in the plane.
+    /// </summary>
+    public bool LeadsAcross(int rapid)
+    {
+        var was = task.Before.Motions[rapid];
+        if (was.Kind != MotionKind.Rapid || was.Has(MotionFlags.MachineMove)
+            || (rapid > 0 && task.Before.Motions[rapid - 1].IsCut && !task.Before.ChangesTool(rapid, rapid)))
+        {
+            return false;
+        }
+
+        var (first, last) = (rapid, rapid);
+        while (first > 0 && IsAlongAxis(first - 1))
+        {
+            first--;
+        }
+
+        while (last + 1 < task.Before.Motions.Length && IsAlongAxis(last + 1))
+        {
+            last++;
+        }
+
+        var isHeld = task.IsCutInPlane(first - 1)
+            || (first > 0 && (task.Before.Motions[first - 1].Has(MotionFlags.MachineMove) || task.EndPoints.Contains(first - 1)));
+        for (var i = first; i <= last; i++)
+        {
+            isHeld &= i == rapid || ProofTask.Same(task.After.Motions[i].PlaneStart, task.After.Motions[i].PlaneEnd);
+        }
+
+        return isHeld && task.IsCutInPlane(last + 1);
+    }
+
+    private bool IsAlongAxis(int motion) => !task.Before.Motions.MovesInPlane(motion) && !task.EndPoints.Contains(motion);
+
+    public static bool KeepsItsWay(in NcMotion was, in NcMotion now) =>
+        ProofTask.Same(default(Point3) + (now.Start - was.Start), default(Point3) + (now.End - was.End));
+
+    public static bool HeightMoved(in NcMotion was, in NcMotion now) =>
+        Math.Abs(was.Plane.Height(now.Start) - was.Plane.Height(was.Start)) > ProofTask.SamePlace
+        || Math.Abs(was.Plane.Height(now.End) - was.Plane.Height(was.End)) > ProofTask.SamePlace;
+
+    // It ends in each axis where it did: at the place of the machine, or as much elsewhere as it began, where it says nothing of the axis.
+    public void CheckMachineMove(in NcMotion was, in NcMotion now)
+    {
+        var (start, end) = (now.Start - was.Start, now.End - was.End);
+        if (!StaysOrGoesAlong(start.X, end.X) || !StaysOrGoesAlong(start.Y, end.Y) || !StaysOrGoesAlong(start.Z, end.Z))
+        {
+            findings.Fail(was.Block, "a move to a place of the machine ends neither there nor where it comes from.");
+        }
+
+        findings.Note(
+            was, NeighborRole.Positioning, was.Plane.Project(default(Point3) + (end == Vector3.Zero ? start : end)) - Point2.Origin);
+    }
+
+    private static bool StaysOrGoesAlong(double start, double end) =>
+        Math.Abs(end) <= ProofTask.SamePlace || Math.Abs(end - start) <= ProofTask.SamePlace;
+
+    // Motions that go nowhere in the plane and do not part the cuts on both sides of them.
+    public bool IsPassed(int motion) => IsNowhere(motion) || IsStep(motion);
+
+    // A straight cut whose end is its start to the last bit.
+    private bool IsNowhere(int motion) =>
+        task.Before.Motions[motion] is { Kind: MotionKind.Line } m && m.End - m.Start == Vector3.Zero;
+
+    // A feed along the tool axis from one named element to the next: a step in depth at their corner.
+    private bool IsStep(int motion)
+    {
+        var (before, behind) = (motion, motion);
+        while (before >= 0 && IsFeedAlongAxis(before))
+        {
+            before--;
+        }
+
+        while (behind < task.Before.Motions.Length && IsFeedAlongAxis(behind))
+        {
+            behind++;
+        }
+
+        return before < motion && motion < behind && task.Elements.Contains(before) && task.Elements.Contains(behind)
+            && task.Before.Motions.IsComparable(before, behind);
+    }
+
+    private bool IsFeedAlongAxis(int motion) =>
+        !task.Before.Motions.MovesInPlane(motion)
+        && task.Before.Motions[motion] is { Kind: MotionKind.Line } m && !m.Has(MotionFlags.MachineMove);
+
+    // An end that was asked to go a way that happens to lie along the circle of an arc is not one that slid: something along the tool axis
+    // is between the named element and the arc.
+    public bool TookWish(int motion, Vector2 moved, bool atEnd)
+    {
+        var beside = atEnd ? motion + 1 : motion - 1;
+        while (beside >= 0 && beside < task.Before.Motions.Length && !task.Before.Motions.MovesInPlane(beside))
+        {
+            beside += atEnd ? 1 : -1;
+        }
+
+        return Math.Abs(beside - motion) > 1 && task.Elements.IndexOf(beside) is >= 0 and var index
+            && (moved - (atEnd ? task.Wish.Elements[index].Start : task.Wish.Elements[index].End)).Length <= task.Increment + 1e-6;
+    }
+}

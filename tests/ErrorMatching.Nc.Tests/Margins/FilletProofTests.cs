@@ -1,0 +1,148 @@
+namespace ErrorMatching.Nc.Tests;
+
+/// <summary>
+/// The arc N20 of radius 5 rounds the corner of N10, which goes 0.1 mm to the left, and N30, which goes 0.3 mm: to y = 0.1 and x = 14.7. Its radius
+/// changes by the mean of the two, to 4.8; so it lies about (9.9, 4.9) and touches the lines at (9.9, 0.1) and (14.7, 4.9).
+/// </summary>
+public sealed class FilletProofTests
+{
+    private const string Before = "G90 G17\nG0 X0. Y0. Z0.\nN10 G1 X10. Y0. F100\nN20 G3 X15. Y5. I0. J5.\nN30 G1 X15. Y15.\nG0 Z5.\n";
+    private const string After = "G90 G17\nG0 X0. Y0.1 Z0.\nN10 G1 X9.9 Y0.1 F100\nN20 G3 X14.7 Y4.9 I0. J4.8\nN30 G1 X14.7 Y15.\nG0 Z5.\n";
+
+    // The same corner from its end to its start, with the material on the other side.
+    private const string BeforeClockwise = "G90 G17\nG0 X15. Y15. Z0.\nN30 G1 X15. Y5. F100\nN20 G2 X10. Y0. I-5. J0.\nN10 G1 X0. Y0.\nG0 Z5.\n";
+    private const string AfterClockwise = "G90 G17\nG0 X14.7 Y15. Z0.\nN30 G1 X14.7 Y4.9 F100\nN20 G2 X9.9 Y0.1 I-4.8 J0.\nN10 G1 X0. Y0.1\nG0 Z5.\n";
+
+    // A corner of 270 degrees: the lines cross at (0, 0) behind the arc's start and before its end, the arc of radius 5 lies about (5, -5).
+    private const string BeforeLoop = "G90 G17\nG0 X-10. Y0. Z0.\nN10 G1 X5. Y0. F100\nN20 G2 X0. Y-5. I0. J-5.\nN30 G1 X0. Y10.\nG0 Z5.\n";
+    private const string AfterLoop = "G90 G17\nG0 X-10. Y0.1 Z0.\nN10 G1 X5. Y0.1 F100\nN20 G2 X-0.3 Y-5.2 I0. J-5.3\nN30 G1 X-0.3 Y10.\nG0 Z5.\n";
+
+    [Fact]
+    public void A_fillet_is_where_both_lines_and_its_radius_put_it()
+    {
+        Assert.Empty(Verdict.OnElements(Before, After, ("N10", 0.1), ("N30", 0.3)).Failures);
+        Assert.Empty(Verdict.OnElements(BeforeClockwise, AfterClockwise, ("N10", -0.1), ("N30", -0.3)).Failures);
+    }
+
+    // To the left of both lines lies the outside of a clockwise arc: its radius grows by 0.2 to 5.2. It touches y = 0.1 and x = -0.3 about (4.9, -5.1).
+    [Fact]
+    public void A_fillet_of_more_than_half_a_turn_is_measured_alike()
+    {
+        var good = AfterLoop.Replace("X5. Y0.1", "X4.9 Y0.1", StringComparison.Ordinal)
+            .Replace("X-0.3 Y-5.2 I0. J-5.3", "X-0.3 Y-5.1 I0. J-5.2", StringComparison.Ordinal);
+
+        Assert.Empty(Verdict.OnElements(BeforeLoop, good, ("N10", 0.1), ("N30", 0.3)).Failures);
+        Assert.False(Verdict.OnElements(BeforeLoop, AfterLoop, ("N10", 0.1), ("N30", 0.3)).Holds);
+    }
+
+    // Where it touches counts to the rounding of a word: the circle is the right one in all of these.
+    [Theory]
+    [InlineData("X9.9 Y0.1 F100", "X9.9007 Y0.1 F100", "I0. J4.8", "I-0.0007 J4.8", true)]
+    [InlineData("X9.9 Y0.1 F100", "X9.9008 Y0.1 F100", "I0. J4.8", "I-0.0008 J4.8", false)]
+    [InlineData("X9.9 Y0.1 F100", "X9.8993 Y0.1 F100", "I0. J4.8", "I0.0007 J4.8", true)]
+    [InlineData("X9.9 Y0.1 F100", "X9.8992 Y0.1 F100", "I0. J4.8", "I0.0008 J4.8", false)]
+    [InlineData("X14.7 Y4.9", "X14.7 Y4.9007", "I0.", "I0.", true)]
+    [InlineData("X14.7 Y4.9", "X14.7 Y4.9008", "I0.", "I0.", false)]
+    [InlineData("X14.7 Y4.9", "X14.7 Y4.8993", "I0.", "I0.", true)]
+    [InlineData("X14.7 Y4.9", "X14.7 Y4.8992", "I0.", "I0.", false)]
+    public void A_tangent_point_is_held_to_the_rounding(string was, string now, string wasCenter, string nowCenter, bool holds)
+    {
+        var result = After.Replace(was, now, StringComparison.Ordinal).Replace(wasCenter, nowCenter, StringComparison.Ordinal);
+
+        Assert.Equal(holds, Verdict.OnElements(Before, result, ("N10", 0.1), ("N30", 0.3)).Holds);
+    }
+
+    // A circle that touches both lines, but whose radius is an increment or two off, or that took the change of one line only.
+    [Theory]
+    [InlineData(4.799)]
+    [InlineData(4.801)]
+    [InlineData(4.7)]
+    [InlineData(4.9)]
+    public void A_fillet_of_another_radius_that_touches_both_lines_is_not_proved(double radius)
+    {
+        var result = FormattableString.Invariant(
+            $"G90 G17\nG0 X0. Y0.1 Z0.\nN10 G1 X{14.7 - radius:0.0##} Y0.1 F100\nN20 G3 X14.7 Y{0.1 + radius:0.0##} I0. J{radius:0.0##}\n")
+            + "N30 G1 X14.7 Y15.\nG0 Z5.\n";
+
+        Assert.False(Verdict.OnElements(Before, result, ("N10", 0.1), ("N30", 0.3)).Holds);
+    }
+
+    // An arc that leaves its line by 2.8 degrees rounds a corner, at 3.0 degrees it does not: then it follows its ends, about another center.
+    [Theory]
+    [InlineData(2.8, true)]
+    [InlineData(3.0, false)]
+    public void An_arc_is_a_fillet_as_long_as_it_leaves_its_line_tangentially(double degrees, bool isFillet)
+    {
+        var (sine, cosine) = Math.SinCos(degrees * Math.PI / 180);
+        var before = FormattableString.Invariant($"G90 G17\nG0 X{-10 * cosine:0.000000} Y{-10 * sine:0.000000} Z0.\nN10 G1 X0. Y0. F100\n")
+            + "N20 G3 X5. Y5. I0. J5.\nN30 G1 X5. Y15.\nG0 Z5.\n";
+        var path = Bench.Read(before);
+        var elements = new[] { "N10", "N30" }.Select(b => ElementWish.AlongNormals(path, path.MotionOf(Bench.Blocks(path, b)[0]), 0.1, 0.1, 0.1));
+        var wish = DisplacementWish.OfElements([.. elements]);
+        var proof = Prover.Check(path, Bench.Usable(Rewriter.Apply(path, wish)).Program, wish, 0.001);
+
+        Assert.Empty(proof.Failures);
+        Assert.Equal(isFillet ? NeighborRole.Fillet : NeighborRole.Follows, proof.Neighbors.Single(n => n.Block == "N20").Role);
+    }
+
+    // Both ends are right, but the center lies aside by d to the right and d down: the middle lies 0.414 d off. 1.6 increments are allowed, 0.0016 mm.
+    [Theory]
+    [InlineData("I0.0038 J4.7962", true)]
+    [InlineData("I0.004 J4.796", false)]
+    public void The_middle_of_a_fillet_is_held_to_the_rounding_of_its_center(string center, bool holds)
+    {
+        var result = After.Replace("I0. J4.8", center, StringComparison.Ordinal);
+
+        Assert.Equal(holds, Verdict.OnElements(Before, result, ("N10", 0.1), ("N30", 0.3)).Holds);
+    }
+
+    [Fact]
+    public void A_fillet_smaller_than_the_displacement_of_its_lines_is_not_proved()
+    {
+        var failures = Verdict.OnElements(Before, After, ("N10", 6), ("N30", 6)).Failures;
+
+        Assert.Contains(failures, f => f.Message.Contains("no arc of the radius", StringComparison.Ordinal));
+    }
+
+    // The arc touches two lines, but only one of them is displaced: it is no fillet then, and the proof holds all the same.
+    [Theory]
+    [InlineData("N10")]
+    [InlineData("N30")]
+    public void An_arc_beside_one_displaced_line_is_no_fillet(string named)
+    {
+        var path = Bench.Read(Before);
+        var wish = Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, named), 0.1));
+        var proof = Prover.Check(path, Bench.Usable(Rewriter.Apply(path, wish)).Program, wish, 0.001);
+
+        Assert.Empty(proof.Failures);
+        Assert.DoesNotContain(proof.Neighbors, n => n.Role == NeighborRole.Fillet);
+    }
+
+    // An arc in two blocks that nobody named: the rewriter makes what was written by hand here.
+    [Fact]
+    public void A_fillet_in_two_blocks_that_nobody_named_goes_along()
+    {
+        var path = Bench.Read(Before.Replace("N20 G3 X15. Y5. I0. J5.\n", "N20 G3 X13. Y1. I0. J5.\nN21 X15. Y5. I-3. J4.\n", StringComparison.Ordinal));
+        var elements = new[] { ("N10", 0.1), ("N30", 0.3) }
+            .Select(w => ElementWish.AlongNormals(path, path.MotionOf(Bench.Blocks(path, w.Item1)[0]), w.Item2, w.Item2, w.Item2));
+        var rewrite = Bench.Rewritten(path, DisplacementWish.OfElements([.. elements]));
+
+        Assert.Contains("N20 G3 X12.78 Y1.06 I0. J4.8\nN21 X14.7 Y4.9 I-2.88 J3.84\n", Bench.Text(rewrite.Program), StringComparison.Ordinal);
+    }
+
+    // In two arcs that meet at 3 to 4 below the center: at (13, 1) before and at (9.9 + 0.6 * 4.8, 4.9 - 0.8 * 4.8) = (12.78, 1.06) behind.
+    // From there the second arc's center lies at (-2.88, 3.84). Five increments of the joint are free along the circle.
+    [Theory]
+    [InlineData("X12.78 Y1.06", "I-2.88 J3.84", true)]
+    [InlineData("X12.7836 Y1.0627", "I-2.8836 J3.8373", true)]
+    [InlineData("X12.7843 Y1.0632", "I-2.8843 J3.8368", false)]
+    public void A_joint_inside_a_fillet_keeps_its_direction_from_the_center(string joint, string center, bool holds)
+    {
+        const string Two = "N20 G3 X13. Y1. I0. J5.\nN21 X15. Y5. I-3. J4.\n";
+        var before = Before.Replace("N20 G3 X15. Y5. I0. J5.\n", Two, StringComparison.Ordinal);
+        var result = After.Replace(
+            "N20 G3 X14.7 Y4.9 I0. J4.8\n", $"N20 G3 {joint} I0. J4.8\nN21 X14.7 Y4.9 {center}\n", StringComparison.Ordinal);
+
+        Assert.Equal(holds, Verdict.OnElements(before, result, ("N10", 0.1), ("N30", 0.3)).Holds);
+    }
+}
