@@ -36,7 +36,6 @@ public sealed class HouseTests
         ["ErrorMatching.Nc.NcFlow"] = 1968,
         ["ErrorMatching.Nc.Prover"] = 993,
         ["ErrorMatching.Peers.Tests.RandomProgram"] = 947,
-        ["ErrorMatching.Nc.NcTokenizer"] = 719,
         ["ErrorMatching.Cell.Tests.StoreTests"] = 717,
         ["ErrorMatching.Hmi.PlotArea"] = 708,
         ["ErrorMatching.Cell.CellStore"] = 699,
