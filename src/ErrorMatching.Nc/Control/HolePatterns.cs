@@ -2,19 +2,17 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <content>
-/// Siemens patterns of holes: a row (HOLES1), a circle (HOLES2), a grid or frame (CYCLE801). At each place the cycle runs that MCALL called.
-/// </content>
-public sealed partial class NcInterpreter
+/// <summary>Siemens patterns of holes: a row (HOLES1), a circle (HOLES2), a grid or frame (CYCLE801).</summary>
+internal sealed class HolePatterns(ControlState control, CycleSteps steps)
 {
-    // Null where the call is no pattern, or one whose places are not known.
-    private List<Point2>? PatternOf(CycleCall call)
+    /// <summary>The places of a call. Null where it is no pattern, or one whose places are not known.</summary>
+    public List<Point2>? PlacesOf(CycleCall call)
     {
         var places = call.Name switch
         {
-            "HOLES1" when IsAbsent(call, 6, int.MaxValue) && CountOf(call[5]) is { } count => Row(call, count),
-            "HOLES2" when IsAbsent(call, 6, int.MaxValue) && CountOf(call[5]) is { } count => Circle(call, count),
-            "CYCLE801" when IsAbsent(call, 8, int.MaxValue) && call[7] is null or 0 or 1 && CountOf(call[5] * call[6]) is not null => Grid(call),
+            "HOLES1" when call.IsAbsent(6) && CountOf(call[5]) is { } count => Row(call, count),
+            "HOLES2" when call.IsAbsent(6) && CountOf(call[5]) is { } count => Circle(call, count),
+            "CYCLE801" when call.IsAbsent(8) && call[7] is null or 0 or 1 && CountOf(call[5] * call[6]) is not null => Grid(call),
             _ => null,
         };
         return places is not null && places.TrueForAll(p => double.IsFinite(p.X + p.Y)) ? places : null;
@@ -22,7 +20,7 @@ public sealed partial class NcInterpreter
 
     private int? CountOf(double? number)
     {
-        if (number is not (>= 1 and <= MostSteps) || number != Math.Floor(number.Value) || (_cycleSteps += number.Value) > MostSteps)
+        if (number is not (>= 1 and <= CycleSteps.Most) || number != Math.Floor(number.Value) || (steps.Count += number.Value) > CycleSteps.Most)
         {
             return null;
         }
@@ -40,10 +38,10 @@ public sealed partial class NcInterpreter
             places.Add(Place(call, along * ((call[3] ?? 0) + (i * (call[4] ?? 0)))));
         }
 
-        var plane = _state.Plane;
-        var at = plane.Project(_state.Position);
+        var plane = control.State.Plane;
+        var at = plane.Project(control.State.Position);
         var (first, last) = (at.DistanceTo(places[0]), at.DistanceTo(places[^1]));
-        if (count > 1 && ((_state.Unknown & plane.Axes()) != AxisSet.None || Math.Abs(first - last) < 1e-9))
+        if (count > 1 && ((control.State.Unknown & plane.Axes()) != AxisSet.None || Math.Abs(first - last) < 1e-9))
         {
             return null;
         }
@@ -96,27 +94,5 @@ public sealed partial class NcInterpreter
 
     // As exact as the sums of increments are.
     private Point2 Place(CycleCall call, Vector2 from) =>
-        new(Sum((call[0] ?? 0) * Unit, from.X * Unit), Sum((call[1] ?? 0) * Unit, from.Y * Unit));
-
-    private void RunPattern(List<Point2> places, bool hasOrder)
-    {
-        var plane = _state.Plane;
-        DependOnPlace();
-        if (!hasOrder)
-        {
-            Note("cycle-not-followed", "The places of the grid are known; in which order it goes there is the control's affair.");
-        }
-
-        foreach (var place in places)
-        {
-            Append(hasOrder ? MotionKind.Rapid : MotionKind.Cycle, MotionFlags.Cycle, plane.Lift(place, plane.Height(_state.Position)), _state.Unknown & ~plane.Axes());
-            if (_modalCycle is { } call)
-            {
-                RunCycle(call);
-            }
-        }
-
-        // At which end it stops could differ from version to version of the cycle.
-        _state.Unknown |= places.Count > 1 ? plane.Axes() : AxisSet.None;
-    }
+        new(BlockValues.Sum((call[0] ?? 0) * control.Unit, from.X * control.Unit), BlockValues.Sum((call[1] ?? 0) * control.Unit, from.Y * control.Unit));
 }

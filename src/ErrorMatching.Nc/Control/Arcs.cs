@@ -2,75 +2,81 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <content>Centers of arcs from what a block says: center words, a radius, an opening angle, a point on the way, or the direction of the motion before.</content>
-public sealed partial class NcInterpreter
+/// <summary>Arcs from what a block says: center words, a radius, an opening angle, a point on the way, or the direction of the motion before.</summary>
+internal sealed class Arcs(
+    ControlState control,
+    BlockValues values,
+    CoordinateLayers layers,
+    RunResult result,
+    MotionWriter writer,
+    Corners corners)
 {
     private readonly record struct FoundArc(MotionKind Kind, Point2 Center, MotionFlags Flags, Point2? End = null);
 
-    private void Turn(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd)
+    public void Turn(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd)
     {
-        var plane = _state.Plane;
-        var (start, to) = (plane.Project(_state.Position), plane.Project(end));
-        var isKnown = ((_state.Unknown | unknownEnd) & plane.Axes()) == AxisSet.None;
+        var plane = control.State.Plane;
+        var (start, to) = (plane.Project(control.State.Position), plane.Project(end));
+        var isKnown = ((control.State.Unknown | unknownEnd) & plane.Axes()) == AxisSet.None;
         var arc = FindArc(kind, start, to, plane.Height(end), isKnown);
         if (arc.End is { } found)
         {
             end = plane.Lift(found, plane.Height(end));
         }
 
-        flags |= arc.Flags | SwitchCompensation(movesInPlane: true);
+        flags |= arc.Flags | control.SwitchCompensation(movesInPlane: true);
         var (center, turned) = (arc.Center, arc.Kind);
-        if (_frame is not null)
+        if (layers.Transforms.Frame is not null)
         {
-            var (stays, turnsOver) = _frame.OnCircles(plane);
+            var (stays, turnsOver) = layers.Transforms.Frame.OnCircles(plane);
             flags |= stays ? MotionFlags.None : BadArc("the frame that is active makes it an ellipse or tilts it out of its plane");
-            center = plane.Project(_frame.Apply(plane.Lift(center, plane.Height(end))));
+            center = plane.Project(layers.Transforms.Frame.Apply(plane.Lift(center, plane.Height(end))));
             turned = turnsOver ? Opposite(turned) : turned;
         }
 
-        Corner(turned, flags, end, unknownEnd, center);
-        Append(turned, flags, end, unknownEnd, center, Turns());
+        corners.Cut(turned, flags, end, unknownEnd, center);
+        writer.Append(turned, flags, end, unknownEnd, center, Turns());
     }
 
     private static MotionKind Opposite(MotionKind kind) => kind == MotionKind.ArcClockwise ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise;
 
     private int Turns() =>
-        _words.Has(NcAddress.Turn) ? (int)Math.Clamp(_words.Value(NcAddress.Turn), 0, 100_000)
-        : _dialect.TurnsLetter != 0 && _words.Has(_dialect.TurnsLetter) ? (int)Math.Clamp(_words.Value(_dialect.TurnsLetter) - 1, 0, 100_000)
+        values.Words.Has(NcAddress.Turn) ? (int)Math.Clamp(values.Words.Value(NcAddress.Turn), 0, 100_000)
+        : values.Dialect.TurnsLetter != 0 && values.Words.Has(values.Dialect.TurnsLetter) ? (int)Math.Clamp(values.Words.Value(values.Dialect.TurnsLetter) - 1, 0, 100_000)
         : 0;
 
     private FoundArc FindArc(MotionKind kind, Point2 start, Point2 end, double endHeight, bool isKnown)
     {
-        if ((_words.Unknown & GeometryWords & ~LinearAxes) != 0)
+        if ((values.Words.Unknown & BlockWords.GeometryWords & ~BlockWords.LinearAxes) != 0)
         {
             return new(kind, start.Lerp(end, 0.5), MotionFlags.BadArc);
         }
 
-        if (_state.Form == NcMeaning.ArcThrough)
+        if (control.State.Form == NcMeaning.ArcThrough)
         {
             return Through(start, end, endHeight, isKnown);
         }
 
-        if (_state.Form == NcMeaning.TangentArc)
+        if (control.State.Form == NcMeaning.TangentArc)
         {
             return Tangent(start, end, isKnown);
         }
 
-        if (_words.Has('R') && _dialect.RoleOf((byte)'R') == LetterRole.Radius)
+        if (values.Words.Has('R') && values.Dialect.RoleOf((byte)'R') == LetterRole.Radius)
         {
-            return ByRadius(kind, start, end, Length('R'), isKnown);
+            return ByRadius(kind, start, end, values.Length('R'), isKnown);
         }
 
-        if (_words.Has(NcAddress.CircleRadius))
+        if (values.Words.Has(NcAddress.CircleRadius))
         {
-            return ByRadius(kind, start, end, Length(NcAddress.CircleRadius), isKnown);
+            return ByRadius(kind, start, end, values.Length(NcAddress.CircleRadius), isKnown);
         }
 
-        var (first, second) = _state.Plane switch { CoordinatePlane.ZX => ('K', 'I'), CoordinatePlane.YZ => ('J', 'K'), _ => ('I', 'J') };
-        var hasCenter = _words.Has(first) || _words.Has(second);
-        if (_words.Has(NcAddress.OpeningAngle))
+        var (first, second) = control.State.Plane switch { CoordinatePlane.ZX => ('K', 'I'), CoordinatePlane.YZ => ('J', 'K'), _ => ('I', 'J') };
+        var hasCenter = values.Words.Has(first) || values.Words.Has(second);
+        if (values.Words.Has(NcAddress.OpeningAngle))
         {
-            return ByAngle(kind, start, end, _words.Value(NcAddress.OpeningAngle), hasCenter ? Center(start, first, second) : null, isKnown);
+            return ByAngle(kind, start, end, values.Words.Value(NcAddress.OpeningAngle), hasCenter ? Center(start, first, second) : null, isKnown);
         }
 
         if (!hasCenter)
@@ -80,24 +86,24 @@ public sealed partial class NcInterpreter
 
         var center = Center(start, first, second);
         var radius = start.DistanceTo(center);
-        var tolerance = Math.Max(_dialect.ArcMismatchMm, _dialect.ArcMismatchOfRadius * radius);
+        var tolerance = Math.Max(values.Dialect.ArcMismatchMm, values.Dialect.ArcMismatchOfRadius * radius);
         var mismatch = ArcCenter.Mismatch(start, end, center);
         var bad = isKnown && !(mismatch <= tolerance && radius > 0);
         return new(kind, center, bad ? BadArc(FormattableString.Invariant($"the radii at start and end differ by {mismatch:0.####} mm")) : MotionFlags.None);
     }
 
-    private Point2 Center(Point2 start, char first, char second) => new(CenterWord(start.X, first), CenterWord(start.Y, second));
+    public Point2 Center(Point2 start, char first, char second) => new(CenterWord(start.X, first), CenterWord(start.Y, second));
 
     // A missing center word is the start's own coordinate, or zero where centers are positions.
     private double CenterWord(double start, char letter)
     {
         var bit = BlockWords.Bit(letter);
-        var absolute = (_state.AbsoluteCenters && (_words.Incremental & bit) == 0) || (_words.Absolute & bit) != 0;
-        return (absolute ? 0 : start) + (_words.Has(letter) ? Length(letter) : 0);
+        var absolute = (control.State.AbsoluteCenters && (values.Words.Incremental & bit) == 0) || (values.Words.Absolute & bit) != 0;
+        return (absolute ? 0 : start) + (values.Words.Has(letter) ? values.Length(letter) : 0);
     }
 
     private FoundArc ByRadius(MotionKind kind, Point2 start, Point2 end, double radius, bool isKnown) =>
-        ArcCenter.ByRadius(start, end, radius, kind == MotionKind.ArcCounterClockwise, _dialect.ArcMismatchMm) is { } center
+        ArcCenter.ByRadius(start, end, radius, kind == MotionKind.ArcCounterClockwise, values.Dialect.ArcMismatchMm) is { } center
             ? new(kind, center, MotionFlags.ByRadius)
             : new(kind, start.Lerp(end, 0.5), MotionFlags.ByRadius | (isKnown ? BadArc("no circle of this radius reaches from the start to the end") : MotionFlags.None));
 
@@ -126,12 +132,12 @@ public sealed partial class NcInterpreter
 
     private FoundArc Through(Point2 start, Point2 end, double endHeight, bool isKnown)
     {
-        var at = _state.Position;
+        var at = control.State.Position;
         var way = new Point3(Way(NcAddress.ThroughX, at.X), Way(NcAddress.ThroughY, at.Y), Way(NcAddress.ThroughZ, at.Z));
-        var (through, height) = (_state.Plane.Project(way), _state.Plane.Height(at));
+        var (through, height) = (control.State.Plane.Project(way), control.State.Plane.Height(at));
         var side = (through - start).Cross(end - through);
         var kind = side < 0 ? MotionKind.ArcClockwise : MotionKind.ArcCounterClockwise;
-        if (_state.Plane.Height(way) != height || endHeight != height)
+        if (control.State.Plane.Height(way) != height || endHeight != height)
         {
             return new(kind, start.Lerp(end, 0.5), isKnown ? BadArc("its three points lie at different heights; an arc in space is not followed") : MotionFlags.BadArc);
         }
@@ -146,20 +152,20 @@ public sealed partial class NcInterpreter
         }
     }
 
-    private double Way(byte letter, double at)
+    public double Way(byte letter, double at)
     {
         var bit = BlockWords.Bit(letter);
-        var incremental = (_state.Incremental && (_words.Absolute & bit) == 0) || (_words.Incremental & bit) != 0;
-        return _words.Has(letter) ? (incremental ? at : 0) + Length(letter) : at;
+        var incremental = (control.State.Incremental && (values.Words.Absolute & bit) == 0) || (values.Words.Incremental & bit) != 0;
+        return values.Words.Has(letter) ? (incremental ? at : 0) + values.Length(letter) : at;
     }
 
     private FoundArc Tangent(Point2 start, Point2 end, bool isKnown)
     {
-        if (_motions.Length > 0 && _motions[_motions.Length - 1] is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } before && (_frame?.OnCircles(_state.Plane).StayCircles ?? true))
+        if (result.Motions.Length > 0 && result.Motions[result.Motions.Length - 1] is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } before && (layers.Transforms.Frame?.OnCircles(control.State.Plane).StayCircles ?? true))
         {
-            var plane = _state.Plane;
+            var plane = control.State.Plane;
             var direction = plane.Lift(Point2.Origin + before.TangentAt(1), 0) - default(Point3);
-            var tangent = (plane.Project(default(Point3) + (_inverse?.Turn(direction) ?? direction)) - Point2.Origin).Normalize();
+            var tangent = (plane.Project(default(Point3) + (layers.Transforms.Inverse?.Turn(direction) ?? direction)) - Point2.Origin).Normalize();
             var chord = end - start;
             var side = tangent.Cross(chord);
             if (Math.Abs(side) > 1e-9 * chord.Length)
@@ -172,5 +178,5 @@ public sealed partial class NcInterpreter
         return new(MotionKind.ArcClockwise, start.Lerp(end, 0.5), isKnown ? BadArc("no motion before it gives a direction to continue, or its end lies straight ahead") : MotionFlags.BadArc);
     }
 
-    private MotionFlags BadArc(string why) => Problem("bad-arc", $"Not an arc: {why}.", MotionFlags.BadArc);
+    private MotionFlags BadArc(string why) => result.Problem("bad-arc", $"Not an arc: {why}.", MotionFlags.BadArc);
 }

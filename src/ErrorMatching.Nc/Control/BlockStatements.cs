@@ -2,13 +2,20 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <content>Words of several letters: commands, cycles, addresses and variables, by what the dialect's table says of them.</content>
-public sealed partial class NcInterpreter
+/// <summary>Words of several letters: commands, cycles, addresses and variables, by what the dialect's table says of them.</summary>
+internal sealed class BlockStatements(
+    ControlState control,
+    BlockValues values,
+    ProgramRun run,
+    CoordinateLayers layers,
+    RunResult result,
+    BlockCodes codes,
+    CycleCalls calls)
 {
-    private MotionFlags ReadStatements()
+    public MotionFlags Read()
     {
         var flags = MotionFlags.None;
-        foreach (var statement in _words.Statements)
+        foreach (var statement in values.Words.Statements)
         {
             flags |= statement.Kind switch
             {
@@ -23,41 +30,41 @@ public sealed partial class NcInterpreter
 
     private MotionFlags ReadKeyword(NcToken statement)
     {
-        var name = NameOf(statement);
-        if (_text.Bytes.Span[statement.End - 1] == ':')
+        var name = run.NameOf(statement);
+        if (run.Text.Bytes.Span[statement.End - 1] == ':')
         {
             return MotionFlags.None;
         }
 
-        if (_dialect.IsFlow(name) || _dialect.IsFlow(name.TrimEnd("0123456789"u8)))
+        if (values.Dialect.IsFlow(name) || values.Dialect.IsFlow(name.TrimEnd("0123456789"u8)))
         {
             // One that is not followed: those that are never come here.
-            Forget();
-            return UnknownWord(TextOf(statement).ToUpperInvariant());
+            layers.Forget();
+            return result.UnknownWord(run.TextOf(statement).ToUpperInvariant());
         }
 
-        switch (_dialect.MeaningOf(name))
+        switch (values.Dialect.MeaningOf(name))
         {
             case NcMeaning.Unknown:
-                Forget();
-                if (_nextCycleIsModal)
+                layers.Forget();
+                if (calls.NextIsModal)
                 {
                     // Whatever it is, it runs behind every motion.
-                    CallCycle(statement);
+                    calls.Call(statement);
                 }
 
-                return UnknownWord(TextOf(statement).ToUpperInvariant());
+                return result.UnknownWord(run.TextOf(statement).ToUpperInvariant());
             case NcMeaning.ModalCycle:
-                (_modalCycle, _nextCycleIsModal) = (null, true);
+                calls.BeginModal();
                 return MotionFlags.None;
             case NcMeaning.CycleCall:
-                CallCycle(statement);
+                calls.Call(statement);
                 return MotionFlags.None;
             case NcMeaning.OpaqueTransform when HasNoArguments(statement):
-                Obey(NcMeaning.OpaqueTransformOff, _dialect.FamilyOf(name));
+                codes.Obey(NcMeaning.OpaqueTransformOff, values.Dialect.FamilyOf(name));
                 return MotionFlags.None;
             case var meaning:
-                Obey(meaning, _dialect.FamilyOf(name));
+                codes.Obey(meaning, values.Dialect.FamilyOf(name));
                 return MotionFlags.None;
         }
     }
@@ -65,14 +72,14 @@ public sealed partial class NcInterpreter
     // CYCLE800() takes back what CYCLE800(..) set.
     private bool HasNoArguments(NcToken statement)
     {
-        var bytes = _text.Bytes.Span.Slice(statement.Start, statement.Length);
+        var bytes = run.BytesOf(statement);
         return bytes.IndexOf((byte)'(') is > 0 and var open && bytes[open..].IndexOfAnyExcept("() \t"u8) < 0;
     }
 
     private MotionFlags ReadAssignment(NcToken statement)
     {
-        var bytes = _text.Bytes.Span.Slice(statement.Start, statement.Length);
-        if (_dialect.Syntax != NcSyntax.Siemens)
+        var bytes = run.BytesOf(statement);
+        if (values.Dialect.Syntax != NcSyntax.Siemens)
         {
             return MotionFlags.None;
         }
@@ -81,45 +88,45 @@ public sealed partial class NcInterpreter
         {
             if (!IsHarmlessMachineVariable(bytes))
             {
-                LoseOrigin();
+                layers.LoseOrigin();
             }
 
             return MotionFlags.None;
         }
 
-        var name = NameOf(statement);
+        var name = run.NameOf(statement);
         if (Ascii.EqualsIgnoreCase(name, "RPL"u8))
         {
             var equals = bytes.IndexOf((byte)'=') + 1;
-            _words.PlaneAngle = Compute(statement.Start + equals, statement.Length - equals) ?? double.NaN;
+            values.Words.PlaneAngle = run.Compute(statement.Start + equals, statement.Length - equals) ?? double.NaN;
             return MotionFlags.None;
         }
 
-        switch (_dialect.RoleOf(name))
+        switch (values.Dialect.RoleOf(name))
         {
             case LetterRole.OtherAxis:
                 return MotionFlags.OtherAxis;
             case LetterRole.PolarEnd:
-                _state.Unknown |= _state.Plane.Axes();
-                return UnknownWord(TextOf(statement));
+                control.State.Unknown |= control.State.Plane.Axes();
+                return result.UnknownWord(run.TextOf(statement));
             case LetterRole.Harmless or LetterRole.Variable:
                 return MotionFlags.None;
         }
 
-        if (_dialect.MeaningOf(name) is not NcMeaning.Unknown and var meaning)
+        if (values.Dialect.MeaningOf(name) is not NcMeaning.Unknown and var meaning)
         {
-            Obey(meaning, _dialect.FamilyOf(name));
+            codes.Obey(meaning, values.Dialect.FamilyOf(name));
             return MotionFlags.None;
         }
 
-        if (IsVariable(name))
+        if (run.IsVariable(name))
         {
             return MotionFlags.None;
         }
 
         // It could be an axis by another name.
-        _state.Unknown = AxisSet.All;
-        return UnknownWord(TextOf(statement));
+        control.State.Unknown = AxisSet.All;
+        return result.UnknownWord(run.TextOf(statement));
     }
 
     // Tool data, outputs and markers; all others can be offsets and settings.
@@ -134,26 +141,5 @@ public sealed partial class NcInterpreter
         }
 
         return false;
-    }
-
-    // Offsets of the control could be anything from here on.
-    private void LoseOrigin()
-    {
-        ForgetOrigins();
-        NextFrame();
-        _state.Unknown = AxisSet.All;
-        DependOnPlace();
-    }
-
-    private ReadOnlySpan<byte> NameOf(NcToken statement)
-    {
-        var bytes = _text.Bytes.Span.Slice(statement.Start, statement.Length);
-        var length = 0;
-        while (length < bytes.Length && SyntaxBytes.IsNamePart(bytes[length]))
-        {
-            length++;
-        }
-
-        return bytes[..length];
     }
 }
