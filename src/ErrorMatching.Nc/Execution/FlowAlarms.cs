@@ -1,12 +1,12 @@
 namespace ErrorMatching.Nc;
 
-/// <content>Branches on what only the machine knows (a probe that touched nothing), one way of which only stops the run: whatever is executed behind them went the other way, so that no guess is needed.</content>
-internal sealed partial class NcFlow
+/// <summary>Branches on what only the machine knows (a probe that touched nothing), one way of which only stops the run: whatever is executed behind them went the other way, so that no guess is needed.</summary>
+internal sealed class FlowAlarms(NcSyntax syntax, CallStack calls, FlowReport report, FlowMemory memory)
 {
     private const string ConditionalStop = "conditional-stop";
 
-    // IF [..] THEN #3000=..
-    private bool OnlyRaisesAlarm(int block, ReadOnlySpan<byte> text, int at)
+    /// <summary>IF [..] THEN #3000=..</summary>
+    public bool OnlyRaisesAlarm(int block, ReadOnlySpan<byte> text, int at)
     {
         at = BehindSpaces(text, at);
         if (!BlockHead.Stands(text, at, "THEN"u8))
@@ -15,13 +15,13 @@ internal sealed partial class NcFlow
         }
 
         at = BehindSpaces(text, at + 4);
-        return at < text.Length && text[at] == '#' && BlockHead.NumberAt(text, at + 1).Value == AlarmVariable && NoteStop(block);
+        return at < text.Length && text[at] == '#' && BlockHead.NumberAt(text, at + 1).Value == IsoWords.AlarmVariable && NoteStop(block);
     }
 
-    // IF .. with nothing but messages, an alarm and M30 up to its ENDIF.
-    private bool OnlyStops(FlowStatement branch, ReadOnlySpan<byte> condition)
+    /// <summary>IF .. with nothing but messages, an alarm and M30 up to its ENDIF.</summary>
+    public bool OnlyStops(FlowStatement branch, ReadOnlySpan<byte> condition)
     {
-        if (_syntax != NcSyntax.Siemens || branch.Kind != FlowKind.If || branch.Branch is not { Kind: FlowKind.EndIf } end)
+        if (syntax != NcSyntax.Siemens || branch.Kind != FlowKind.If || branch.Branch is not { Kind: FlowKind.EndIf } end)
         {
             return false;
         }
@@ -29,8 +29,8 @@ internal sealed partial class NcFlow
         var ends = false;
         for (var block = branch.Block + 1; block < end.Block; block++)
         {
-            var text = Program.BytesOf(Program[block]);
-            var head = BlockHead.Read(text, _syntax);
+            var text = calls.Program.BytesOf(calls.Program[block]);
+            var head = BlockHead.Read(text, syntax);
             var at = head.At;
             var word = text.Slice(at, BlockHead.NameLength(text, at));
             ends = IsWord(word, "M30"u8) || IsWord(word, "M2"u8) || IsWord(word, "M02"u8);
@@ -40,7 +40,7 @@ internal sealed partial class NcFlow
             }
         }
 
-        var reader = ReaderAt(condition, branch.At);
+        var reader = memory.ReaderAt(condition, branch.At);
         var value = reader.Expression();
         return ends && reader.Error is null && value.IsUnknown && NoteStop(branch.Block);
     }
@@ -48,8 +48,8 @@ internal sealed partial class NcFlow
     private bool NoteStop(int block)
     {
         // Once a program: a probing program has one at every point.
-        block = _notes.Find(n => n.Code == ConditionalStop)?.Block ?? block;
-        Note(ConditionalStop, block, "Whether the program stops here with an alarm is known to the machine only; what is shown is what it does where it goes on.");
+        block = report.Notes.FirstOrDefault(n => n.Code == ConditionalStop)?.Block ?? block;
+        report.Note(ConditionalStop, block, "Whether the program stops here with an alarm is known to the machine only; what is shown is what it does where it goes on.");
         return true;
     }
 

@@ -1,20 +1,54 @@
 namespace ErrorMatching.Nc;
 
-/// <content>Blocks of ISO controls and LinuxCNC: assignments, and the words that matter to calls.</content>
-internal sealed partial class NcFlow
+/// <summary>Blocks of ISO controls and LinuxCNC: assignments, and the words that matter to calls.</summary>
+internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport report, FlowMemory memory, FlowCourse course)
 {
-    private const int AlarmVariable = 3000;
+    /// <summary>The variable that raises an alarm.</summary>
+    public const int AlarmVariable = 3000;
 
     private readonly List<(byte Letter, NcValue Value)> _words = [];
+    private readonly List<(VariablePlace Place, NcValue Value)> _pending = [];
     private int _scanned = -1;
-    private bool _hasComputed;
 
-    // Makes the assignments of a block (LinuxCNC: keeps them until its words have been read) and collects its words with their values.
-    private FlowAction Assign(int block, ReadOnlySpan<byte> text, int at)
+    /// <summary>The words of the block with their values, in their order; letter 0 is a word of several letters.</summary>
+    public IReadOnlyList<(byte Letter, NcValue Value)> Collected => _words;
+
+    /// <summary>A block begins.</summary>
+    public void Begin()
+    {
+        _pending.Clear();
+        _scanned = -1;
+    }
+
+    /// <summary>A block ends: its words are not those of the next time that it runs.</summary>
+    public void End() => _scanned = -1;
+
+    /// <summary>Makes what LinuxCNC assigns behind the words of a block; false where the refusal says what is wrong.</summary>
+    public bool TryFinish(int block, ReadOnlySpan<byte> text)
+    {
+        if (_scanned != block && Assign(block, text, BlockHead.Read(text, syntax).At) == FlowAction.Stop)
+        {
+            return false;
+        }
+
+        foreach (var (place, value) in _pending)
+        {
+            if (memory.Assigned(block, place, value, 0) == FlowAction.Stop)
+            {
+                return false;
+            }
+        }
+
+        _pending.Clear();
+        return true;
+    }
+
+    /// <summary>Makes the assignments of a block (LinuxCNC: keeps them until its words have been read) and collects its words with their values.</summary>
+    public FlowAction Assign(int block, ReadOnlySpan<byte> text, int at)
     {
         _words.Clear();
         _scanned = block;
-        var reader = ReaderAt(text, at);
+        var reader = memory.ReaderAt(text, at);
         for (reader.SkipSpaces(); reader.Error is null && reader.At < text.Length; reader.SkipSpaces())
         {
             var c = text[reader.At];
@@ -35,7 +69,7 @@ internal sealed partial class NcFlow
                     return FlowAction.Stop;
                 }
             }
-            else if (SyntaxBytes.IsLetter(c) || (c is (byte)'@' or (byte)'^' && _syntax == NcSyntax.LinuxCnc))
+            else if (SyntaxBytes.IsLetter(c) || (c is (byte)'@' or (byte)'^' && syntax == NcSyntax.LinuxCnc))
             {
                 ReadWord(text, ref reader);
             }
@@ -45,7 +79,7 @@ internal sealed partial class NcFlow
             }
         }
 
-        return !Check(ref reader, block) ? FlowAction.Stop : _words.Count > 0 || _pending.Count > 0 ? FlowAction.Words : FlowAction.Continue;
+        return !memory.Check(ref reader, block) ? FlowAction.Stop : _words.Count > 0 || _pending.Count > 0 ? FlowAction.Words : FlowAction.Continue;
     }
 
     private FlowAction AssignOne(int block, ref ExpressionReader reader)
@@ -58,12 +92,12 @@ internal sealed partial class NcFlow
         }
 
         var value = reader.Expression();
-        if (!Check(ref reader, block))
+        if (!memory.Check(ref reader, block))
         {
             return FlowAction.Stop;
         }
 
-        if (_syntax == NcSyntax.LinuxCnc)
+        if (syntax == NcSyntax.LinuxCnc)
         {
             _pending.Add((place, value));
             return FlowAction.Continue;
@@ -74,25 +108,25 @@ internal sealed partial class NcFlow
             if (IsLock(block))
             {
                 const string locked = "The program raises an alarm here (#3000) before it moves, until this block is taken out. What is shown is what it does then.";
-                Note("program-alarm", block, locked);
+                report.Note("program-alarm", block, locked);
                 return FlowAction.Continue;
             }
 
-            Note("program-alarm", block, "The program raises an alarm here (#3000) and ends.");
-            return Ended();
+            report.Note("program-alarm", block, "The program raises an alarm here (#3000) and ends.");
+            return course.Ended();
         }
 
-        _hasComputed = true;
-        return Assigned(block, place, value, column);
+        memory.HasComputed = true;
+        return memory.Assigned(block, place, value, column);
     }
 
     // A guard has something before it that decides. An alarm that nothing leads to, not even a motion, is a lock: somebody takes it out once the program is complete.
     private bool IsLock(int block)
     {
-        var isLock = Depth == 0 && _steps == 0 && !_hasComputed;
+        var isLock = calls.Depth == 0 && course.Steps == 0 && !memory.HasComputed;
         for (var i = 0; isLock && i < block; i++)
         {
-            foreach (var token in Program.Tokens(Program[i]))
+            foreach (var token in calls.Program.Tokens(calls.Program[i]))
             {
                 isLock &= token.Kind != NcTokenKind.Word || token.Letter is not ((>= (byte)'U' and <= (byte)'Z') or (>= (byte)'A' and <= (byte)'C'));
             }
@@ -111,7 +145,7 @@ internal sealed partial class NcFlow
         {
             _words.Add((letter, reader.Operand()));
         }
-        else if (name > 1 && _syntax == NcSyntax.LinuxCnc)
+        else if (name > 1 && syntax == NcSyntax.LinuxCnc)
         {
             _words.Add((letter, reader.Operand()));
         }
@@ -121,46 +155,5 @@ internal sealed partial class NcFlow
             _words.Add((0, NcValue.Vacant));
             reader.At = name > 0 ? text.Length : reader.At;
         }
-    }
-
-    private FlowAction BehindIso(int block, ReadOnlySpan<byte> text, bool moved)
-    {
-        if (_scanned != block && Assign(block, text, BlockHead.Read(text, _syntax).At) == FlowAction.Stop)
-        {
-            return FlowAction.Stop;
-        }
-
-        foreach (var (place, value) in _pending)
-        {
-            if (Assigned(block, place, value, 0) == FlowAction.Stop)
-            {
-                return FlowAction.Stop;
-            }
-        }
-
-        _pending.Clear();
-        return SteerByWords(block, moved);
-    }
-
-    private FlowAction ReturnTo(int block, NcValue program)
-    {
-        var number = -1L;
-        if (!program.IsVacant && !TryCount(block, program, "the block to return to", out number))
-        {
-            return FlowAction.Stop;
-        }
-
-        if (_frames.Count > 1)
-        {
-            return Return(block, number);
-        }
-
-        if (number >= 0)
-        {
-            return JumpToNumber(block, number);
-        }
-
-        Note("endless-program", block, "M99 in the main program begins it again; one pass is read.");
-        return Ended();
     }
 }
