@@ -147,9 +147,7 @@ internal sealed class BlockExecutor
 
             var given = _words.Present & BlockWords.LinearAxes;
             var incremental = state.Incremental ? given : 0;
-            var at = state.Position;
-            var end = new Point3(_values.Axis('X', at.X, given, incremental), _values.Axis('Y', at.Y, given, incremental), _values.Axis('Z', at.Z, given, incremental));
-            _writer.AppendStraight(end, state.Unknown & ~BlockWords.AxesOf(given & ~incremental));
+            _writer.AppendStraight(_values.End(state.Position, given, incremental), state.Unknown & ~BlockWords.AxesOf(given & ~incremental));
         }
 
         return true;

@@ -77,11 +77,17 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
     public double Degrees(char letter) =>
         Words.Value(letter) / (Dialect.IntegersAreIncrements && (Words.Integers & BlockWords.Bit(letter)) != 0 ? Math.Pow(10, Dialect.MetricDecimals) : 1);
 
-    /// <summary>The coordinate to which a block goes along an axis.</summary>
-    public double Axis(char letter, double at, uint given, uint incremental)
+    /// <summary>The place to which a block goes from another one.</summary>
+    /// <param name="at">Where the tool is.</param>
+    /// <param name="given">Letters whose words count.</param>
+    /// <param name="incremental">Letters whose words are increments.</param>
+    public Point3 End(Point3 at, uint given, uint incremental)
     {
-        var bit = BlockWords.Bit(letter);
-        return (given & bit) == 0 ? at : (incremental & bit) != 0 ? Sum(at, Length(letter)) : Length(letter);
+        // Nearly always a word is the coordinate.
+        var isPlain = (given & incremental) == 0 && !control.State.Inch && !Dialect.IntegersAreIncrements;
+        return isPlain
+            ? new(PlainAxis('X', at.X, given), PlainAxis('Y', at.Y, given), PlainAxis('Z', at.Z, given))
+            : new(Axis('X', at.X, given, incremental), Axis('Y', at.Y, given, incremental), Axis('Z', at.Z, given, incremental));
     }
 
     /// <summary>A word as a factor; without a point it counts thousandths.</summary>
@@ -93,6 +99,14 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
     /// <summary>A value for each axis that the block names, and another one for the others.</summary>
     public Vector3 Along(Func<char, double> value, double otherwise) =>
         new(Words.Has('X') ? value('X') : otherwise, Words.Has('Y') ? value('Y') : otherwise, Words.Has('Z') ? value('Z') : otherwise);
+
+    private double PlainAxis(char letter, double at, uint given) => (given & BlockWords.Bit(letter)) == 0 ? at : Words.Value(letter);
+
+    private double Axis(char letter, double at, uint given, uint incremental)
+    {
+        var bit = BlockWords.Bit(letter);
+        return (given & bit) == 0 ? at : (incremental & bit) != 0 ? Sum(at, Length(letter)) : Length(letter);
+    }
 
     private static uint LettersOf(NcDialect dialect, params ReadOnlySpan<LetterRole> roles)
     {

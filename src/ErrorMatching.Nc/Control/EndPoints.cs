@@ -21,7 +21,7 @@ internal sealed class EndPoints(ControlState control, BlockValues values, Coordi
         var at = control.State.Position;
         var (given, unknown) = (values.Words.Present, control.State.Unknown);
         var incremental = ((control.State.Incremental ? BlockWords.LinearAxes : 0) & ~values.Words.Absolute) | values.Words.Incremental;
-        var end = (given & BlockWords.LinearAxes) == 0 ? at : new(values.Axis('X', at.X, given, incremental), values.Axis('Y', at.Y, given, incremental), values.Axis('Z', at.Z, given, incremental));
+        var end = (given & BlockWords.LinearAxes) == 0 ? at : values.End(at, given, incremental);
         unknown &= ~BlockWords.AxesOf(given & ~incremental);
         return (end, intent.HasUnknownCode ? AxisSet.All : unknown | values.UnknownWords());
     }

@@ -107,14 +107,15 @@ public sealed class NcInterpreter
         using var ahead = new CancellationTokenSource();
         while (!_run.HasEnded)
         {
-            if ((_run.At & (RunBorders.Stretch - 1)) == 0 && _run.IsInProgram && CrossBorder(ahead.Token))
+            var (text, at) = (_run.Text, _run.At);
+            if ((at & (RunBorders.Stretch - 1)) == 0 && _run.IsInProgram && CrossBorder(ahead.Token))
             {
                 continue;
             }
 
-            if (_run.At < _run.Text.BlockCount)
+            if (at < text.BlockCount)
             {
-                RunBlock(_run.Text[_run.At]);
+                RunBlock(text, at);
             }
             else if (!_run.IsInProgram)
             {
@@ -180,23 +181,28 @@ public sealed class NcInterpreter
         return true;
     }
 
-    private void RunBlock(NcBlock block)
+    private void RunBlock(NcProgram text, int at)
     {
-        _result.Block = _run.IsInProgram ? _run.At : _result.Block;
-        if (!_executor.TryReadPlain(_run.Text.BytesOf(block)))
+        var (block, executor) = (text[at], _executor);
+        if (ReferenceEquals(text, _run.Program))
+        {
+            _result.Block = at;
+        }
+
+        if (!executor.TryReadPlain(text.BytesOf(block)))
         {
             RunAny(block);
             return;
         }
 
-        if (_executor.TryRunStraight())
+        if (executor.TryRunStraight())
         {
-            _run.At++;
+            _run.At = at + 1;
             return;
         }
 
-        _borders.OnlyCuts &= _executor.IsCut();
-        if (_executor.Steering.ConcernFlow())
+        _borders.OnlyCuts &= executor.IsCut();
+        if (executor.Steering.ConcernFlow())
         {
             RunAny(block);
             return;
