@@ -59,7 +59,8 @@ internal sealed class FollowedPath(NcPath path, SurfaceWalk walk, double radiusM
         foreach (var (motion, by) in _points)
         {
             var beside = by with { Z = 0 };
-            for (var behind = motion + 1; behind < path.Motions.Length && IsUpright(path.Motions[behind]) && moves.TryAdd(behind, beside); behind++)
+            var count = path.Motions.Length;
+            for (var behind = motion + 1; behind < count && IsUpright(path.Motions[behind]) && moves.TryAdd(behind, beside); behind++)
             {
             }
 
@@ -78,7 +79,7 @@ internal sealed class FollowedPath(NcPath path, SurfaceWalk walk, double radiusM
         {
             return SurfaceDisplacer.Refuse(path, motion.Block, "program-in-surface", string.Create(
                 CultureInfo.InvariantCulture,
-                $"here the ball would cut {-deepest:0.000} mm into the surface. Check the tool's diameter, the work offset, and whether the program moves the {Other} of the ball."));
+                $"here the ball would cut {-deepest:0.000} mm into the surface. {Check}"));
         }
 
         return motion.IsArc && (deepest <= radiusMm || _last?.OverMm <= radiusMm)
@@ -100,7 +101,8 @@ internal sealed class FollowedPath(NcPath path, SurfaceWalk walk, double radiusM
             {
                 var its = walk.At(place);
                 deepest = Math.Min(deepest, its.OverMm);
-                MisfitMm = Touches(its) ? Math.Max(MisfitMm, (its.Move - (from.Moved(radiusMm) * (1 - fraction)) - (end.Moved(radiusMm) * fraction)).Length) : MisfitMm;
+                MisfitMm = Touches(its) ? Math.Max(MisfitMm,
+                    (its.Move - (from.Moved(radiusMm) * (1 - fraction)) - (end.Moved(radiusMm) * fraction)).Length) : MisfitMm;
             }
         }
 
@@ -120,12 +122,14 @@ internal sealed class FollowedPath(NcPath path, SurfaceWalk walk, double radiusM
 
     private NcRefusal OffSurface() => SurfaceDisplacer.Misread(path) ?? new NcRefusal("program-off-surface", "", 0, string.Create(
         CultureInfo.InvariantCulture,
-        $"No cut of the program touches the surface with a ball of {2 * radiusMm} mm within {SurfaceDisplacer.TouchMm} mm. Check the tool's diameter, the work offset, and whether the program moves the {Other} of the ball."));
+        $"No cut of the program touches the surface with a ball of {2 * radiusMm} mm within {SurfaceDisplacer.TouchMm} mm. {Check}"));
 
-    // Which point of the ball the program could move instead.
-    private string Other => programsTip ? "center" : "tip";
+    // The program could move the other point of the ball.
+    private string Check =>
+        $"Check the tool's diameter, the work offset, and whether the program moves the {(programsTip ? "center" : "tip")} of the ball.";
 
-    // Places on a straight cut, half a radius apart or closer, its middle at least; of one that is long beyond reason, so many that nothing hangs.
+    // Places on a straight cut, half a radius apart or closer, its middle at least; of one that is long beyond reason, so many that nothing
+    // hangs.
     private IEnumerable<(double Fraction, Point3 Place)> Between(NcMotion motion)
     {
         var way = motion.End - motion.Start;
@@ -141,6 +145,7 @@ internal sealed class FollowedPath(NcPath path, SurfaceWalk walk, double radiusM
 
     private bool LeadsUpright(int motion) => IsUpright(path.Motions[motion]) && path.Motions[motion - 1].UnknownEnd == AxisSet.None;
 
-    private static bool IsUpright(in NcMotion motion) => motion is { Kind: MotionKind.Rapid or MotionKind.Line, UnknownStart: AxisSet.None, UnknownEnd: AxisSet.None }
+    private static bool IsUpright(in NcMotion motion) =>
+        motion is { Kind: MotionKind.Rapid or MotionKind.Line, UnknownStart: AxisSet.None, UnknownEnd: AxisSet.None }
         && motion.Start.X == motion.End.X && motion.Start.Y == motion.End.Y;
 }

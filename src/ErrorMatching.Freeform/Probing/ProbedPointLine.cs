@@ -84,7 +84,8 @@ internal sealed class ProbedPointLine(string file, string line, int number)
     private FreeformException Fail() => new(
         "bad-log",
         file,
-        FormattableString.Invariant($"found {ProbingLogReader.Shown(line)} at character {_at + 1}; expected a point such as P12 C X1.5 Y2.0 Z-3.25."),
+        FormattableString.Invariant(
+            $"found {ProbingLogReader.Shown(line)} at character {_at + 1}; expected a point such as P12 C X1.5 Y2.0 Z-3.25."),
         number,
         _at + 1);
 }

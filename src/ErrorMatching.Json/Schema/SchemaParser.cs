@@ -61,7 +61,8 @@ internal sealed class SchemaParser(JsonItem document)
             return;
         }
 
-        if (!SaysWhatItIs(rule, member.Name, member.Value) && !SaysParts(rule, member.Name, member.Value) && !SaysLimit(rule, member.Name, member.Value))
+        var (keyword, value) = (member.Name, member.Value);
+        if (!SaysWhatItIs(rule, keyword, value) && !SaysParts(rule, keyword, value) && !SaysLimit(rule, keyword, value))
         {
             Problems.Add(new(
                 "schema",

@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
@@ -29,7 +30,9 @@ internal sealed class BlockCodes(
             switch (meaning)
             {
                 case NcMeaning.Unknown:
-                    flags |= result.Problem("unknown-code", $"G{(tenths / 10m).ToString(System.Globalization.CultureInfo.InvariantCulture)} is not known to the dialect {values.Dialect.Name}.", MotionFlags.UnknownWord);
+                    var code = (tenths / 10m).ToString(CultureInfo.InvariantCulture);
+                    flags |= result.Problem(
+                        "unknown-code", $"G{code} is not known to the dialect {values.Dialect.Name}.", MotionFlags.UnknownWord);
                     layers.Forget();
                     intent.HasUnknownCode = true;
                     break;
@@ -139,7 +142,8 @@ internal sealed class BlockCodes(
                 transforms.End(meaning, family);
                 break;
             case NcMeaning.Smoothing:
-                result.Note("smoothing", "From here on the control smooths the path: the motions are as programmed only within its tolerance.");
+                result.Note("smoothing",
+                    "From here on the control smooths the path: the motions are as programmed only within its tolerance.");
                 break;
             case var _ when SetsOrigin(meaning):
                 (intent.Use, intent.Code, intent.Family) = (AxisUse.Origin, meaning, family);

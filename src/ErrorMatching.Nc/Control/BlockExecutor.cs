@@ -3,7 +3,9 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Executes the words of a block: holds the parts that remember something, and asks them in the order in which a control does.</summary>
+/// <summary>
+/// Executes the words of a block: holds the parts that remember something, and asks them in the order in which a control does.
+/// </summary>
 internal sealed class BlockExecutor
 {
     private const uint StraightLetters = BlockWords.LinearAxes | (1u << ('N' - 'A')) | (1u << ('F' - 'A'));
@@ -78,14 +80,16 @@ internal sealed class BlockExecutor
     public bool Moved => _intent.Use == AxisUse.Motion && _values.MovesAxes();
 
     /// <summary>
-    /// True if a straight move is nothing else: no cycle or macro waits for it, no corner and no entry of compensation, and work coordinates are those programmed. Two runs in one
+    /// True if a straight move is nothing else: no cycle or macro waits for it, no corner and no entry of compensation, and work
+    /// coordinates are those programmed. Two runs in one
     /// <see cref="ModalState"/> in which this is true do the same from there on, as far as they only cut.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool IsStraight()
     {
         ref var state = ref _control.State;
-        return state.Cycle == NcMeaning.Unknown && state.Form == NcMeaning.Unknown && !_intent.HasUnknownCode && !state.CompensationSwitched && state.ModalRounding == 0
+        return state.Cycle == NcMeaning.Unknown && state.Form == NcMeaning.Unknown && !_intent.HasUnknownCode
+            && !state.CompensationSwitched && state.ModalRounding == 0
             && !_corners.IsPending && _transforms.AreNone && _calls.AreNone && !_run.HasModalCall;
     }
 
@@ -99,14 +103,16 @@ internal sealed class BlockExecutor
         var isCut = (_words.Present & ~_cutLetters) == 0 && _words.Repeated == 0 && _words.Functions.Length == 0 && IsStraight();
         foreach (var code in _words.Codes)
         {
-            isCut &= _dialect.MeaningOf(code) is NcMeaning.Rapid or NcMeaning.Line or NcMeaning.ArcClockwise or NcMeaning.ArcCounterClockwise;
+            isCut &= _dialect.MeaningOf(code) is NcMeaning.Rapid or NcMeaning.Line or NcMeaning.ArcClockwise
+                or NcMeaning.ArcCounterClockwise;
         }
 
         return isCut;
     }
 
     /// <summary>
-    /// The short way for what nearly all blocks are: a straight move of plain words in a state without cycles, transforms and the like. It does what <see cref="Step"/> would do; a test holds that.
+    /// The short way for what nearly all blocks are: a straight move of plain words in a state without cycles, transforms and the like. It
+    /// does what <see cref="Step"/> would do; a test holds that.
     /// </summary>
     /// <returns>False where more than a straight move may be in the block, and nothing has been done then.</returns>
     public bool TryRunStraight()
@@ -121,7 +127,8 @@ internal sealed class BlockExecutor
         if (codes.Length > 0)
         {
             var meaning = _dialect.MeaningOf(codes[0]);
-            if (codes.Length > 1 || meaning is not (NcMeaning.Rapid or NcMeaning.Line) || (_values.ListsIdleMoves && (_words.Present & BlockWords.LinearAxes) == 0))
+            if (codes.Length > 1 || meaning is not (NcMeaning.Rapid or NcMeaning.Line)
+                || (_values.ListsIdleMoves && (_words.Present & BlockWords.LinearAxes) == 0))
             {
                 return false;
             }
@@ -147,7 +154,8 @@ internal sealed class BlockExecutor
 
             var given = _words.Present & BlockWords.LinearAxes;
             var incremental = state.Incremental ? given : 0;
-            _writer.AppendStraight(_values.End(state.Position, given, incremental), state.Unknown & ~BlockWords.AxesOf(given & ~incremental));
+            _writer.AppendStraight(_values.End(state.Position, given, incremental),
+                state.Unknown & ~BlockWords.AxesOf(given & ~incremental));
         }
 
         return true;

@@ -34,7 +34,8 @@ internal sealed class BlockObstacles(
         {
             for (var letter = 'A'; letter <= 'Z'; letter++)
             {
-                flags |= (given & values.UnknownLetters & BlockWords.Bit(letter)) != 0 ? result.UnknownWord(letter.ToString()) : MotionFlags.None;
+                flags |= (given & values.UnknownLetters & BlockWords.Bit(letter)) != 0 ? result.UnknownWord(letter.ToString())
+                    : MotionFlags.None;
             }
         }
 
@@ -45,7 +46,8 @@ internal sealed class BlockObstacles(
 
         if ((values.Words.Repeated & BlockWords.GeometryWords) != 0)
         {
-            flags |= result.Problem("repeated-word", "A coordinate stands twice in the block; which one counts depends on the control.", MotionFlags.UnknownWord);
+            flags |= result.Problem("repeated-word", "A coordinate stands twice in the block; which one counts depends on the control.",
+                MotionFlags.UnknownWord);
         }
 
         flags |= (values.Words.Computed & BlockWords.GeometryWords) != 0 ? MotionFlags.Expression : MotionFlags.None;

@@ -19,17 +19,21 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
     /// <summary>Letters whose number is a length.</summary>
     public uint LengthLetters { get; } = LettersOf(dialect, LetterRole.Axis, LetterRole.Center, LetterRole.Radius);
 
-    /// <summary>LinuxCNC has a motion for each step of a cycle even where it leads nowhere, and one for each block that states a straight one.</summary>
+    /// <summary>
+    /// LinuxCNC has a motion for each step of a cycle even where it leads nowhere, and one for each block that states a straight one.
+    /// </summary>
     public bool ListsIdleMoves => dialect.Syntax == NcSyntax.LinuxCnc;
 
     /// <summary>Length of the corner word, as programmed.</summary>
-    public double CornerLength() => Words.CornerValue / (Dialect.IntegersAreIncrements && Words.CornerIsInteger ? Math.Pow(10, control.LeastDecimals) : 1);
+    public double CornerLength() =>
+        Words.CornerValue / (Dialect.IntegersAreIncrements && Words.CornerIsInteger ? Math.Pow(10, control.LeastDecimals) : 1);
 
     /// <summary>True if the block has a word that moves an axis in the mode in force.</summary>
     public bool MovesAxes()
     {
         var given = Words.Present | Words.Computed;
-        var arc = control.State.Mode is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise && control.State.Cycle == NcMeaning.Unknown;
+        var arc = control.State.Mode is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise
+            && control.State.Cycle == NcMeaning.Unknown;
         var axes = control.State.Cycle == NcMeaning.Unknown ? BlockWords.LinearAxes : BlockWords.LinearAxes | BlockWords.Bit('R');
         return (given & (axes | OtherAxes)) != 0 || Words.IsPolar || (arc && (given & BlockWords.CenterWords) != 0);
     }
@@ -75,7 +79,8 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
 
     /// <summary>A word as an angle in degrees; without a point it counts thousandths, or finer, where lengths do.</summary>
     public double Degrees(char letter) =>
-        Words.Value(letter) / (Dialect.IntegersAreIncrements && (Words.Integers & BlockWords.Bit(letter)) != 0 ? Math.Pow(10, Dialect.MetricDecimals) : 1);
+        Words.Value(letter) / (Dialect.IntegersAreIncrements && (Words.Integers & BlockWords.Bit(letter)) != 0
+            ? Math.Pow(10, Dialect.MetricDecimals) : 1);
 
     /// <summary>The place to which a block goes from another one.</summary>
     /// <param name="at">Where the tool is.</param>

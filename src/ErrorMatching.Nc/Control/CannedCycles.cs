@@ -12,7 +12,10 @@ internal sealed class CannedCycles(
     OffTheWall wall,
     CycleSteps steps)
 {
-    /// <summary>How far above the last depth a rapid ends in a deep hole, mm: LinuxCNC's 0.010 inch; other controls have a parameter for it (assumed the same).</summary>
+    /// <summary>
+    /// How far above the last depth a rapid ends in a deep hole, mm: LinuxCNC's 0.010 inch; other controls have a parameter for it (assumed
+    /// the same).
+    /// </summary>
     private const double PeckClearanceMm = 0.254;
 
     // Where the tool was along its axis when the first cycle began, and the words that hold on from block to block.
@@ -47,7 +50,8 @@ internal sealed class CannedCycles(
         if (control.State.Cycle == NcMeaning.TapCycle && plane != CoordinatePlane.XY)
         {
             // Measured with rs274: its feeds go along other axes than its rapids.
-            result.Problem("tap-plane", "LinuxCNC 2.9 taps along the wrong axes in G18 and G19: what it does here is not followed.", MotionFlags.None);
+            result.Problem("tap-plane", "LinuxCNC 2.9 taps along the wrong axes in G18 and G19: what it does here is not followed.",
+                MotionFlags.None);
             writer.Append(MotionKind.Cycle, flags, target, AxisSet.All);
             return;
         }
@@ -57,11 +61,13 @@ internal sealed class CannedCycles(
         {
             // Over the position, at a height that depends.
             var height = control.State.RetractsToR && control.State.Cycle != NcMeaning.BackBoreCycle ? _words.Plane : _initial;
-            writer.Append(MotionKind.Cycle, flags, plane.Lift(plane.Project(target), height), (unknown & plane.Axes()) | (isKnown ? AxisSet.None : toolAxis));
+            writer.Append(MotionKind.Cycle, flags, plane.Lift(plane.Project(target), height),
+                (unknown & plane.Axes()) | (isKnown ? AxisSet.None : toolAxis));
             return;
         }
 
-        var times = values.Words.Has('L') ? values.Words.Value('L') : values.Words.Has('K') && !wall.ShiftsByK ? values.Words.Value('K') : 1;
+        var times = values.Words.Has('L') ? values.Words.Value('L') : values.Words.Has('K') && !wall.ShiftsByK ? values.Words.Value('K')
+            : 1;
         steps.Count += times * (1 + PecksOfHole());
         if (!(steps.Count <= CycleSteps.Most))
         {

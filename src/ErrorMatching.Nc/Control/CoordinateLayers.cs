@@ -3,15 +3,18 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Offsets and transforms as layers: machine = origin of the work offset + tool length + rotation of (work + shift); work = transforms of what is programmed.
-/// Motions are in work coordinates. The tool stays where it is when a layer changes; what its coordinates are then follows as far as it is known.
+/// Offsets and transforms as layers: machine = origin of the work offset + tool length + rotation of (work + shift); work = transforms of
+/// what is programmed.
+/// Motions are in work coordinates. The tool stays where it is when a layer changes; what its coordinates are then follows as far as it is
+/// known.
 /// </summary>
 /// <param name="control">Where the tool is, as programmed.</param>
 /// <param name="result">Takes problems.</param>
 /// <param name="run">Where variables are that a change of layers makes unknown.</param>
 internal sealed class CoordinateLayers(ControlState control, RunResult result, ProgramRun run)
 {
-    private readonly List<NcFrame> _frames = [new(0, 540, 0, Vector3.Zero, AxisSet.All, null, Vector3.Zero, AxisSet.None, Vector3.Zero, false)];
+    private readonly List<NcFrame> _frames =
+        [new(0, 540, 0, Vector3.Zero, AxisSet.All, null, Vector3.Zero, AxisSet.None, Vector3.Zero, false)];
 
     public WorkOffsets Offsets { get; } = new(turn: run.Dialect.Syntax == NcSyntax.LinuxCnc);
 
@@ -87,7 +90,8 @@ internal sealed class CoordinateLayers(ControlState control, RunResult result, P
         control.State.Frame++;
         var (offset, origin, isTransformed) = (Offsets.Chosen, Offsets.Origin, Transforms.AreMoreThanShift);
         var programShift = isTransformed ? Vector3.Zero : Transforms.Frame?.ShiftOnly ?? Vector3.Zero;
-        _frames.Add(new(result.Block, offset.Code, offset.Number, origin.Place, origin.Unknown, origin.Degrees, Shift.Vector, Shift.Unknown, programShift, isTransformed));
+        _frames.Add(new(result.Block, offset.Code, offset.Number, origin.Place, origin.Unknown, origin.Degrees, Shift.Vector,
+            Shift.Unknown, programShift, isTransformed));
     }
 
     /// <summary>After a call or an unknown statement nothing is certain until it is stated again.</summary>

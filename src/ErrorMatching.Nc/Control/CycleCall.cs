@@ -1,6 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>A call of a machining cycle, with its arguments as they were when it was read: null where nothing stands, NaN where only the machine knows the value.</summary>
+/// <summary>
+/// A call of a machining cycle, with its arguments as they were when it was read: null where nothing stands, NaN where only the machine
+/// knows the value.
+/// </summary>
 /// <param name="Name">Its name in capital letters.</param>
 /// <param name="Number">The number of a CYCLE; 0 for others.</param>
 /// <param name="Arguments">The arguments.</param>
@@ -36,7 +39,10 @@ internal sealed record CycleCall(string Name, int Number, IReadOnlyList<double?>
         return true;
     }
 
-    /// <summary>The depth at an argument, which is given as a place or below the reference plane; what two values mean that disagree hangs on the version of the cycle.</summary>
+    /// <summary>
+    /// The depth at an argument, which is given as a place or below the reference plane; what two values mean that disagree hangs on the
+    /// version of the cycle.
+    /// </summary>
     public double? DepthOf(int index)
     {
         var (place, reference, below) = (this[index], this[1], this[index + 1]);

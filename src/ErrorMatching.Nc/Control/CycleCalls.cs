@@ -5,8 +5,10 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Machining cycles with their arguments in parentheses: return plane, reference plane, safety distance, depth, depth below the reference plane. Drilling, boring, tapping and
-/// patterns of holes are followed; of all others only the return plane is known. The motions are those of the Siemens cycles guide (docs/dialects.md says what of them is assumed).
+/// Machining cycles with their arguments in parentheses: return plane, reference plane, safety distance, depth, depth below the reference
+/// plane. Drilling, boring, tapping and
+/// patterns of holes are followed; of all others only the return plane is known. The motions are those of the Siemens cycles guide
+/// (docs/dialects.md says what of them is assumed).
 /// </summary>
 internal sealed class CycleCalls(
     ControlState control,
@@ -35,7 +37,8 @@ internal sealed class CycleCalls(
     public void Call(NcToken token)
     {
         var name = run.NameOf(token);
-        var number = name.Length > 5 && Ascii.EqualsIgnoreCase(name[..5], "CYCLE"u8) && int.TryParse(name[5..], NumberStyles.None, CultureInfo.InvariantCulture, out var n) ? n : 0;
+        var number = name.Length > 5 && Ascii.EqualsIgnoreCase(name[..5], "CYCLE"u8)
+            && int.TryParse(name[5..], NumberStyles.None, CultureInfo.InvariantCulture, out var n) ? n : 0;
         var call = new CycleCall(Encoding.ASCII.GetString(name).ToUpperInvariant(), number, ArgumentsOf(token));
         if (_nextIsModal)
         {
@@ -83,7 +86,8 @@ internal sealed class CycleCalls(
         var height = isDrilling && call[0] * control.Unit is { } known && !double.IsNaN(known) ? known : (double?)null;
         var unknown = isDrilling ? height is null ? control.State.Unknown | toolAxis : control.State.Unknown & ~toolAxis : AxisSet.All;
         result.DependOnPlace();
-        writer.Append(MotionKind.Cycle, MotionFlags.Cycle, plane.Lift(plane.Project(control.State.Position), height ?? plane.Height(control.State.Position)), unknown);
+        writer.Append(MotionKind.Cycle, MotionFlags.Cycle,
+            plane.Lift(plane.Project(control.State.Position), height ?? plane.Height(control.State.Position)), unknown);
     }
 
     private void RunPattern(List<Point2> places, bool hasOrder)
@@ -97,7 +101,8 @@ internal sealed class CycleCalls(
 
         foreach (var place in places)
         {
-            writer.Append(hasOrder ? MotionKind.Rapid : MotionKind.Cycle, MotionFlags.Cycle, plane.Lift(place, plane.Height(control.State.Position)), control.State.Unknown & ~plane.Axes());
+            writer.Append(hasOrder ? MotionKind.Rapid : MotionKind.Cycle, MotionFlags.Cycle,
+                plane.Lift(place, plane.Height(control.State.Position)), control.State.Unknown & ~plane.Axes());
             if (_modal is { } call)
             {
                 Run(call);
@@ -135,7 +140,8 @@ internal sealed class CycleCalls(
             }
             else if (bytes[at] is (byte)',' or (byte)')' && depth == 0)
             {
-                values.Add(bytes[from..at].Trim(" \t"u8) is { Length: > 0 } text ? text[0] == '"' ? double.NaN : run.Compute(call.Start + from, at - from) : null);
+                values.Add(bytes[from..at].Trim(" \t"u8) is { Length: > 0 } text ? text[0] == '"' ? double.NaN
+                    : run.Compute(call.Start + from, at - from) : null);
                 from = at + 1;
             }
         }

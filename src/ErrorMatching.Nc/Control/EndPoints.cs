@@ -26,7 +26,9 @@ internal sealed class EndPoints(ControlState control, BlockValues values, Coordi
         return (end, intent.HasUnknownCode ? AxisSet.All : unknown | values.UnknownWords());
     }
 
-    /// <summary>LinuxCNC's @ and ^ are the polar coordinates of the end in the plane XY, or how much they grow; what is not said stays.</summary>
+    /// <summary>
+    /// LinuxCNC's @ and ^ are the polar coordinates of the end in the plane XY, or how much they grow; what is not said stays.
+    /// </summary>
     public (Point3 End, AxisSet Unknown) PolarWordsTarget(Point3 at, AxisSet unknown)
     {
         var from = new Vector2(at.X, at.Y);
@@ -35,26 +37,32 @@ internal sealed class EndPoints(ControlState control, BlockValues values, Coordi
         distance = control.State.Incremental ? distance + (grown ?? 0) : grown ?? distance;
         degrees = control.State.Incremental ? degrees + (turned ?? 0) : turned ?? degrees;
         var flat = AxisSet.X | AxisSet.Y;
-        var isUnknown = double.IsNaN(distance) || double.IsNaN(degrees) || ((control.State.Incremental || grown is null || turned is null) && (unknown & flat) != AxisSet.None);
+        var isUnknown = double.IsNaN(distance) || double.IsNaN(degrees)
+            || ((control.State.Incremental || grown is null || turned is null) && (unknown & flat) != AxisSet.None);
         var (sin, cos) = Math.SinCos(degrees * Math.PI / 180);
         var z = values.Words.Has('Z') ? (control.State.Incremental ? BlockValues.Sum(at.Z, values.Length('Z')) : values.Length('Z')) : at.Z;
         var unknownZ = values.Words.Has('Z') && !control.State.Incremental ? AxisSet.None : unknown & AxisSet.Z;
-        return isUnknown ? (new(at.X, at.Y, z), flat | unknownZ | values.UnknownWords()) : (new(distance * cos, distance * sin, z), unknownZ | values.UnknownWords());
+        return isUnknown ? (new(at.X, at.Y, z), flat | unknownZ | values.UnknownWords())
+            : (new(distance * cos, distance * sin, z), unknownZ | values.UnknownWords());
     }
 
     // The first axis of the plane is a radius about the origin, the second an angle.
     private (Point3 End, AxisSet Unknown) PolarTarget()
     {
         var plane = control.State.Plane;
-        var (first, second, third) = plane switch { CoordinatePlane.ZX => ('Z', 'X', 'Y'), CoordinatePlane.YZ => ('Y', 'Z', 'X'), _ => ('X', 'Y', 'Z') };
+        var (first, second, third) =
+            plane switch { CoordinatePlane.ZX => ('Z', 'X', 'Y'), CoordinatePlane.YZ => ('Y', 'Z', 'X'), _ => ('X', 'Y', 'Z') };
         var (at, height) = (plane.Project(control.State.Position), plane.Height(control.State.Position));
         var inPlane = values.Words.Has(first) || values.Words.Has(second);
         var radius = values.Words.Has(first) ? values.Length(first) : at.DistanceTo(Point2.Origin);
         var angle = values.Words.Has(second) ? Angle.FromDegrees(values.Degrees(second)) : (at - Point2.Origin).Direction;
         var end = inPlane ? Point2.Origin + (Vector2.FromDirection(angle) * radius) : at;
-        var newHeight = values.Words.Has(third) ? (control.State.Incremental ? BlockValues.Sum(height, values.Length(third)) : values.Length(third)) : height;
-        var missing = inPlane && !(values.Words.Has(first) && values.Words.Has(second)) ? control.State.Unknown & plane.Axes() : AxisSet.None;
-        var unknown = (inPlane ? (missing != AxisSet.None || control.State.Incremental ? plane.Axes() : AxisSet.None) : control.State.Unknown & plane.Axes())
+        var newHeight = values.Words.Has(third)
+            ? (control.State.Incremental ? BlockValues.Sum(height, values.Length(third)) : values.Length(third)) : height;
+        var missing = inPlane && !(values.Words.Has(first) && values.Words.Has(second)) ? control.State.Unknown & plane.Axes()
+            : AxisSet.None;
+        var unknown = (inPlane ? (missing != AxisSet.None || control.State.Incremental ? plane.Axes() : AxisSet.None)
+            : control.State.Unknown & plane.Axes())
             | (values.Words.Has(third) && !control.State.Incremental ? AxisSet.None : control.State.Unknown & ~plane.Axes());
         return (plane.Lift(end, newHeight), unknown | values.UnknownWords());
     }

@@ -3,18 +3,24 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Siemens CYCLE81 to CYCLE89 and CYCLE840 as motions: rapid to the safety distance over the reference plane, to depth at feed (CYCLE83 in strokes), out as each cycle does, rapid to
+/// Siemens CYCLE81 to CYCLE89 and CYCLE840 as motions: rapid to the safety distance over the reference plane, to depth at feed (CYCLE83 in
+/// strokes), out as each cycle does, rapid to
 /// the return plane.
 /// </summary>
 internal sealed class HoleCycles(ControlState control, MotionWriter writer, CycleSteps steps)
 {
-    /// <summary>The heights that a call states. Null where it is not followed: heights that nobody stated, or arguments that change what the others mean.</summary>
+    /// <summary>
+    /// The heights that a call states. Null where it is not followed: heights that nobody stated, or arguments that change what the others
+    /// mean.
+    /// </summary>
     public CalledHole? HoleOf(CycleCall call)
     {
-        if (IsFollowed(call) && call[0] * control.Unit is { } top && call[1] * control.Unit is { } reference && call.DepthOf(3) * control.Unit is { } depth)
+        if (IsFollowed(call) && call[0] * control.Unit is { } top && call[1] * control.Unit is { } reference
+            && call.DepthOf(3) * control.Unit is { } depth)
         {
             var safety = Math.Abs(call[2] ?? 0) * control.Unit;
-            return double.IsFinite(top + reference + depth + safety) ? new(top, reference, BlockValues.Sum(reference, depth < reference ? safety : -safety), depth) : null;
+            return double.IsFinite(top + reference + depth + safety)
+                ? new(top, reference, BlockValues.Sum(reference, depth < reference ? safety : -safety), depth) : null;
         }
 
         return null;
@@ -22,8 +28,10 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
 
     /// <summary>Depths from the reference plane at which the strokes end; null where nothing published says what the cycle does.</summary>
     /// <remarks>
-    /// CYCLE83: first depth FDEP or FDPR, then each stroke shorter by DAM until it is DAM; strokes of DAM while more than twice DAM remains; the rest in two halves. Without DAM all
-    /// strokes are as long as the first, the last one ends at the depth (assumed). VARI=0 lifts at feed to break the chip, VARI=1 leaves the hole. Other cycles have one stroke.
+    /// CYCLE83: first depth FDEP or FDPR, then each stroke shorter by DAM until it is DAM; strokes of DAM while more than twice DAM
+    /// remains; the rest in two halves. Without DAM all
+    /// strokes are as long as the first, the last one ends at the depth (assumed). VARI=0 lifts at feed to break the chip, VARI=1 leaves
+    /// the hole. Other cycles have one stroke.
     /// </remarks>
     public List<double>? StrokesOf(CycleCall call, CalledHole hole)
     {
@@ -33,7 +41,8 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
             return ++steps.Count > CycleSteps.Most ? null : [total];
         }
 
-        var first = call.DepthOf(5) * control.Unit is { } depth ? (hole.Reference - depth) * (hole.Depth < hole.Reference ? 1 : -1) : double.NaN;
+        var first = call.DepthOf(5) * control.Unit is { } depth ? (hole.Reference - depth) * (hole.Depth < hole.Reference ? 1 : -1)
+            : double.NaN;
         var less = (call[7] ?? 0) * control.Unit;
         if (!(first > 0) || !(less >= 0) || (first < less && first < total))
         {
@@ -46,7 +55,8 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
             at = BlockValues.Sum(at, stroke);
             if (at >= total || stroke == 0)
             {
-                // A stroke that the rules would make longer than what remains is none of theirs, but for the first one and where all are alike.
+                // A stroke that the rules would make longer than what remains is none of theirs, but for the first one and where all are
+                // alike.
                 return at == total || strokes.Count == 0 || less == 0 ? [.. strokes, total] : null;
             }
 
@@ -92,7 +102,8 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
         ToKnownHeight(MotionKind.Rapid, hole.Return);
     }
 
-    // Which arguments say no more than depth, feed, waits and spindle. Those behind are of later versions: geometry mode (of what the depth is), display mode (the plane), alternative mode (how arguments are read).
+    // Which arguments say no more than depth, feed, waits and spindle. Those behind are of later versions: geometry mode (of what the depth
+    // is), display mode (the plane), alternative mode (how arguments are read).
     private bool IsFollowed(CycleCall call) => call.Number switch
     {
         81 or 82 => HasUsualModes(call, 6),
@@ -110,7 +121,8 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
     // The third axis is the tool's, in whichever plane.
     private static bool IsToolAxis(double? axis) => axis is null or 0 or 3;
 
-    // The alternative mode says which of both depths counts (ones: 1 below the reference plane, 2 the place) and what waits are counted in (tens).
+    // The alternative mode says which of both depths counts (ones: 1 below the reference plane, 2 the place) and what waits are counted in
+    // (tens).
     private bool HasUsualModes(CycleCall call, int geometry)
     {
         var plane = control.State.Plane switch { CoordinatePlane.ZX => 2, CoordinatePlane.YZ => 3, _ => 1 };
@@ -157,14 +169,16 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
         var toolAxis = AxisSet.All & ~plane.Axes();
         if (plane.Height(control.State.Position) != height || (control.State.Unknown & toolAxis) != AxisSet.None)
         {
-            writer.Append(kind, MotionFlags.Cycle, plane.Lift(plane.Project(control.State.Position), height), control.State.Unknown & ~toolAxis);
+            writer.Append(kind, MotionFlags.Cycle, plane.Lift(plane.Project(control.State.Position), height),
+                control.State.Unknown & ~toolAxis);
         }
     }
 
     private double LengthOr(double? stated, double length) => stated is null or 0 ? length : Math.Abs(stated.Value) * control.Unit;
 
     // A feed that only the machine knows is none that can be shown.
-    private double FeedOr(double? stated, double feed) => stated is { } f && f > 0 ? f * (control.State.InchFeed ? ControlState.MmPerInch : 1) : feed;
+    private double FeedOr(double? stated, double feed) => stated is { } f && f > 0
+        ? f * (control.State.InchFeed ? ControlState.MmPerInch : 1) : feed;
 
     // CYCLE86: along up to three axes off the wall, up to the start, then back over the hole on the way to the return plane.
     private void LiftOff(CycleCall call, CalledHole hole)

@@ -2,11 +2,15 @@ using System.Numerics;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Counts coordinates without a point, which count millimeters on one machine and least increments on another of the same make.</summary>
+/// <summary>
+/// Counts coordinates without a point, which count millimeters on one machine and least increments on another of the same make.
+/// </summary>
 /// <param name="program">The program.</param>
 /// <param name="values">The words of its blocks.</param>
 internal sealed class IntegerWords(NcProgram program, BlockValues values)
 {
+    private const string Otherwise = "A machine that is set otherwise needs a dialect that says so.";
+
     private int _first;
 
     /// <summary>True if they are worth counting on this control.</summary>
@@ -41,8 +45,11 @@ internal sealed class IntegerWords(NcProgram program, BlockValues values)
         {
             var dialect = values.Dialect;
             var counts = dialect.IntegersAreIncrements;
+            var unit = counts ? "least increments" : "millimeters or inches";
+            var hundred = counts ? 100 / Math.Pow(10, dialect.MetricDecimals) : 100;
+            var reading = FormattableString.Invariant($"Dialect {dialect.Name} reads them in {unit}: X100 is {hundred} mm.");
             yield return new("number-without-point", _first, Count, FormattableString.Invariant(
-                $"{Count} coordinates are written without a point, the first in {program.NameOf(program[_first])}. Dialect {dialect.Name} reads them in {(counts ? "least increments" : "millimeters or inches")}: X100 is {(counts ? 100 / Math.Pow(10, dialect.MetricDecimals) : 100)} mm. A machine that is set otherwise needs a dialect that says so."));
+                $"{Count} coordinates are written without a point, the first in {program.NameOf(program[_first])}. {reading} {Otherwise}"));
         }
     }
 }

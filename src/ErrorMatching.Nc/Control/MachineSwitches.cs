@@ -1,12 +1,16 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What depends on the machine and not on the program: whether a block behind a slash is executed, and whether a semicolon ends a block.</summary>
+/// <summary>
+/// What depends on the machine and not on the program: whether a block behind a slash is executed, and whether a semicolon ends a block.
+/// </summary>
 internal sealed class MachineSwitches(BlockValues values, ProgramRun run, CoordinateLayers layers, RunResult result, BlockReader reader)
 {
     private const string OnlyHere = "The result holds for this position of the switch only.";
     private const string SplitHere = "Begin a line for them, or put a comment in parentheses.";
 
-    /// <summary>Passes over a block behind a slash, or refuses it while nobody has said whether it is executed. True if it is not to be run.</summary>
+    /// <summary>
+    /// Passes over a block behind a slash, or refuses it while nobody has said whether it is executed. True if it is not to be run.
+    /// </summary>
     public bool PassesSkip(NcBlock block)
     {
         var text = run.Text.BytesOf(block);
@@ -44,11 +48,13 @@ internal sealed class MachineSwitches(BlockValues values, ProgramRun run, Coordi
     }
 
     /// <summary>
-    /// Where a semicolon ends the block, words behind it are executed and not followed here; where it begins a comment, another machine could still execute them.
+    /// Where a semicolon ends the block, words behind it are executed and not followed here; where it begins a comment, another machine
+    /// could still execute them.
     /// </summary>
     public MotionFlags ReadSemicolon()
     {
-        if (values.Dialect.Syntax != NcSyntax.Iso || !ReadableBlock.StandsBehind(run.Text.Bytes.Span, values.Words.Semicolon, values.Dialect))
+        if (values.Dialect.Syntax != NcSyntax.Iso
+            || !ReadableBlock.StandsBehind(run.Text.Bytes.Span, values.Words.Semicolon, values.Dialect))
         {
             return MotionFlags.None;
         }

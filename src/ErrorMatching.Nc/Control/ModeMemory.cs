@@ -33,7 +33,8 @@ internal sealed class ModeMemory(
     }
 
     /// <summary>The modes in force.</summary>
-    public SavedModes Now(bool atReturn) => new(control.State, layers.Offsets.Chosen, layers.Offsets.IsUnsure, lengths.IsActive, layers.Transforms.OpaqueFamilies, atReturn);
+    public SavedModes Now(bool atReturn) =>
+        new(control.State, layers.Offsets.Chosen, layers.Offsets.IsUnsure, lengths.IsActive, layers.Transforms.OpaqueFamilies, atReturn);
 
     /// <summary>Saves modes. Only feed and its mode are acted on before that; the other codes of the block come behind.</summary>
     public void Save(SavedModes before)
@@ -62,7 +63,8 @@ internal sealed class ModeMemory(
         }
 
         Take(saved);
-        if (values.Words.Functions.Length == 1 && values.Words.Codes.Length == 0 && ((values.Words.Present | values.Words.Computed) & ~BlockWords.Bit('N')) == 0)
+        if (values.Words.Functions.Length == 1 && values.Words.Codes.Length == 0
+            && ((values.Words.Present | values.Words.Computed) & ~BlockWords.Bit('N')) == 0)
         {
             return MotionFlags.None;
         }
@@ -87,9 +89,11 @@ internal sealed class ModeMemory(
     private void Take(SavedModes saved)
     {
         // Whether a length or an offset is restored is not known where something ran unseen.
-        var isSure = control.State.Unsure == Unsure.None && saved.State.Unsure == Unsure.None && !layers.Offsets.IsUnsure && !saved.IsWorkOffsetUnsure;
+        var isSure = control.State.Unsure == Unsure.None && saved.State.Unsure == Unsure.None && !layers.Offsets.IsUnsure
+            && !saved.IsWorkOffsetUnsure;
         var modes = saved.State;
-        (control.State.Inch, control.State.InchFeed, control.State.Feed, control.State.InverseTime) = (modes.Inch, modes.InchFeed, modes.Feed, modes.InverseTime);
+        (control.State.Inch, control.State.InchFeed, control.State.Feed, control.State.InverseTime) =
+            (modes.Inch, modes.InchFeed, modes.Feed, modes.InverseTime);
         (control.State.AbsoluteCenters, control.State.RetractsToR) = (modes.AbsoluteCenters, modes.RetractsToR);
         control.Plane(modes.Plane);
         control.Distance(modes.Incremental);

@@ -13,7 +13,8 @@ internal sealed class MotionWriter(ControlState control, CoordinateLayers layers
         var start = layers.Tool();
         var to = layers.Work(end, unknownEnd);
         result.Motions.Add(new(
-            result.Block, kind, state.Plane, flags | ModeFlags(), start.Place, to.Place, center, turns, state.Feed, state.Frame, start.Unknown, to.Unknown));
+            result.Block, kind, state.Plane, flags | ModeFlags(), start.Place, to.Place, center, turns,
+            state.Feed, state.Frame, start.Unknown, to.Unknown));
         state.Position = end;
         state.Unknown = unknownEnd;
     }

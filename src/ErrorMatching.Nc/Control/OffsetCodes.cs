@@ -21,7 +21,9 @@ internal sealed class OffsetCodes(ControlState control, BlockValues values, Coor
         layers.NextFrame();
     }
 
-    /// <summary>G10 L2 writes an offset; LinuxCNC's L20 writes it so that the tool gets the given coordinates. Other tables (tools) move no origin.</summary>
+    /// <summary>
+    /// G10 L2 writes an offset; LinuxCNC's L20 writes it so that the tool gets the given coordinates. Other tables (tools) move no origin.
+    /// </summary>
     public void Write()
     {
         var table = values.Words.Has('L') ? (int)Math.Clamp(values.Words.Value('L'), -1, 10_000) : 2;
@@ -33,7 +35,8 @@ internal sealed class OffsetCodes(ControlState control, BlockValues values, Coor
         }
 
         var offset = WrittenOffset(table, isLinuxCnc);
-        if (offset == default || (values.Words.Unknown & (BlockWords.Bit('P') | BlockWords.Bit('L'))) != 0 || (values.Words.Has('R') && !isLinuxCnc))
+        if (offset == default || (values.Words.Unknown & (BlockWords.Bit('P') | BlockWords.Bit('L'))) != 0
+            || (values.Words.Has('R') && !isLinuxCnc))
         {
             // An external offset, or one that only the machine knows.
             layers.ForgetOrigins();
@@ -94,15 +97,18 @@ internal sealed class OffsetCodes(ControlState control, BlockValues values, Coor
         if (was.Degrees == 0 && current.Degrees == 0)
         {
             var now = was.Place + given.PartOf(current.Place + (place - values.Given(place, incremental: false)) - was.Place);
-            layers.Offsets.Write(offset, new(now, (was.Unknown & ~given) | ((unknown | current.Unknown) & given) | values.UnknownWords(), 0));
+            layers.Offsets.Write(offset,
+                new(now, (was.Unknown & ~given) | ((unknown | current.Unknown) & given) | values.UnknownWords(), 0));
         }
         else
         {
-            var (seen, unknownSeen) = isCurrent ? (place, unknown) : WorkOrigin.Reseen(place, unknown, current, was, current.Unknown | was.Unknown, layers.Shift.Vector, layers.Shift.Unknown);
+            var (seen, unknownSeen) = isCurrent ? (place, unknown)
+                : WorkOrigin.Reseen(place, unknown, current, was, current.Unknown | was.Unknown, layers.Shift.Vector, layers.Shift.Unknown);
             var by = seen - values.Given(seen, incremental: false);
             var plane = given & (AxisSet.X | AxisSet.Y);
             var unknownBy = WorkOrigin.Mixed((unknownSeen & given) | values.UnknownWords() | (was.Degrees is null ? plane : AxisSet.None));
-            layers.Offsets.Write(offset, was with { Place = was.Place + WorkOrigin.Turned(by, was.Degrees ?? 0), Unknown = was.Unknown | unknownBy });
+            layers.Offsets.Write(offset,
+                was with { Place = was.Place + WorkOrigin.Turned(by, was.Degrees ?? 0), Unknown = was.Unknown | unknownBy });
         }
 
         if (isCurrent)

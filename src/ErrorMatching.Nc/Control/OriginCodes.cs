@@ -14,7 +14,8 @@ internal sealed class OriginCodes(
     /// <summary>Does what the block asks.</summary>
     public void Run()
     {
-        if (intent.Code is NcMeaning.SetPosition or NcMeaning.SetOffset or NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.OpaqueTransform)
+        if (intent.Code is NcMeaning.SetPosition or NcMeaning.SetOffset or NcMeaning.Rotation or NcMeaning.Scaling
+            or NcMeaning.OpaqueTransform)
         {
             result.DependOnPlace();
         }

@@ -2,10 +2,15 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Where a run is: the file and the block, and the <see cref="NcFlow"/> that says where it goes on, once a block asks for it.</summary>
-internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlState control, Func<string, NcProgram?>? library, CancellationToken cancellation)
+/// <summary>
+/// Where a run is: the file and the block, and the <see cref="NcFlow"/> that says where it goes on, once a block asks for it.
+/// </summary>
+internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlState control, Func<string, NcProgram?>? library,
+    CancellationToken cancellation)
 {
-    /// <summary>How many blocks may run before a program counts as one that never ends: some tenths of a second's work, and more for a long file.</summary>
+    /// <summary>
+    /// How many blocks may run before a program counts as one that never ends: some tenths of a second's work, and more for a long file.
+    /// </summary>
     private const long LeastSteps = 500_000;
 
     private const long StepsPerBlock = 10;
@@ -65,7 +70,8 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
 
     /// <summary>Computes a value: NaN where only the machine knows it, null where it is a variable that was never set.</summary>
     public double? Compute(int start, int length) =>
-        !Flow.TryValue(At, start, length, control.LeastDecimals, out var value) || value.Kind is NcValueKind.Unknown or NcValueKind.Text ? double.NaN
+        !Flow.TryValue(At, start, length, control.LeastDecimals, out var value) || value.Kind is NcValueKind.Unknown or NcValueKind.Text
+            ? double.NaN
         : value.IsVacant ? null
         : value.Number;
 
@@ -87,5 +93,6 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
     }
 
     /// <summary>A word as written, or the beginning of one that is longer than anybody wants to read.</summary>
-    public string TextOf(NcToken token) => token.Length <= LongestShown ? NcText.Decode(BytesOf(token)) : NcText.Decode(BytesOf(token)[..LongestShown]) + "...";
+    public string TextOf(NcToken token) => token.Length <= LongestShown ? NcText.Decode(BytesOf(token))
+        : NcText.Decode(BytesOf(token)[..LongestShown]) + "...";
 }

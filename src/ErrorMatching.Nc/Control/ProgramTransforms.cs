@@ -2,7 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Rotation, scale, mirror, polar coordinates and programmable frames between what is programmed and the work: which are active, and what all of them together are.</summary>
+/// <summary>
+/// Rotation, scale, mirror, polar coordinates and programmable frames between what is programmed and the work: which are active, and what
+/// all of them together are.
+/// </summary>
 internal sealed class ProgramTransforms
 {
     private readonly double?[] _mirrors = new double?[3];
@@ -29,7 +32,8 @@ internal sealed class ProgramTransforms
     public bool IsPolar => (_active & Transforms.Polar) != Transforms.None;
 
     /// <summary>True if more than a programmable shift is active, which alone changes no increment and no arc.</summary>
-    public bool AreMoreThanShift => _active != Transforms.None && (_isFlat || !(_active == Transforms.Programmable && (Frame is null || Frame.ShiftOnly is not null)));
+    public bool AreMoreThanShift => _active != Transforms.None
+        && (_isFlat || !(_active == Transforms.Programmable && (Frame is null || Frame.ShiftOnly is not null)));
 
     /// <summary>The families of transformations that are not followed and are active, a bit each.</summary>
     public ulong OpaqueFamilies
@@ -44,7 +48,8 @@ internal sealed class ProgramTransforms
 
     /// <summary>True if one is active, and if it is one that is not followed, one of this family; 0 counts for all.</summary>
     public bool Has(Transforms transform, int family) =>
-        (_active & transform) != Transforms.None && (transform != Transforms.Opaque || family == 0 || (_opaqueFamilies & (1ul << family)) != 0);
+        (_active & transform) != Transforms.None
+            && (transform != Transforms.Opaque || family == 0 || (_opaqueFamilies & (1ul << family)) != 0);
 
     public void Switch(Transforms transform, bool on) => _active = on ? _active | transform : _active & ~transform;
 
@@ -54,7 +59,9 @@ internal sealed class ProgramTransforms
     /// <summary>Mirrors at a place on an axis, 0 for X; null ends it.</summary>
     public void Mirror(int axis, double? at) => _mirrors[axis] = at;
 
-    /// <summary>Makes one frame of all: rotation of scale of mirror of programmable frame. False where a factor of zero makes all places one.</summary>
+    /// <summary>
+    /// Makes one frame of all: rotation of scale of mirror of programmable frame. False where a factor of zero makes all places one.
+    /// </summary>
     public bool Compose()
     {
         var frame = Programmable ?? ProgramFrame.Identity;

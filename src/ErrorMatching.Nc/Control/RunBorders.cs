@@ -1,8 +1,10 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// A program that has another one's bytes over long stretches does there what that one does. At the border of each stretch a run notes its state. Where a later run of a much like program arrives
-/// at a border in the same state, to the last bit, and up to the next border has the same bytes, which only move, it takes those motions over and goes on at that border. So the result is that of interpreting
+/// A program that has another one's bytes over long stretches does there what that one does. At the border of each stretch a run notes its
+/// state. Where a later run of a much like program arrives
+/// at a border in the same state, to the last bit, and up to the next border has the same bytes, which only move, it takes those motions
+/// over and goes on at that border. So the result is that of interpreting
 /// every block, for a block does nothing else in the same state.
 /// </summary>
 internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult result, BlockExecutor executor)
@@ -32,7 +34,9 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
     /// <summary>Takes the borders of a run of a much like program, and whether the stretch that ends at each is the same here.</summary>
     public void Expect(IReadOnlyList<RunBorder> known, bool[] isSame) => (_known, _isSame) = (known, isSame);
 
-    /// <summary>Stretches of plain cuts that have the same bytes in another program, at the same lines, by the border at which each ends.</summary>
+    /// <summary>
+    /// Stretches of plain cuts that have the same bytes in another program, at the same lines, by the border at which each ends.
+    /// </summary>
     public static bool[] SameStretches(NcProgram program, NcPath like)
     {
         var borders = Math.Min(like.Borders.Count, (program.BlockCount + Stretch - 1) / Stretch);
@@ -87,21 +91,24 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
             _borders.Add(border with { Motions = border.Motions - 1 + motions, Integers = border.Integers + executor.Integers.Count });
         }
 
-        (_next, OnlyCuts, _jumps, _problems) = (ahead._next, ahead.OnlyCuts, result.Motions.Jumps - (motionsAhead.Jumps - ahead._jumps), result.Problems.Count);
+        (_next, OnlyCuts, _jumps, _problems) =
+            (ahead._next, ahead.OnlyCuts, result.Motions.Jumps - (motionsAhead.Jumps - ahead._jumps), result.Problems.Count);
     }
 
     /// <summary>Passes over stretches that are the same, if this run arrived as that one did. True if it did.</summary>
     public bool TryPass()
     {
         var (first, behind) = (run.At / Stretch, Math.Min(_known.Count, _isSame.Length));
-        if (first + 1 >= behind || !_isSame[first + 1] || !StandsAs(_known[first].State) || !result.Motions.EndsAsAfter(_known[first].Motions))
+        if (first + 1 >= behind || !_isSame[first + 1] || !StandsAs(_known[first].State)
+            || !result.Motions.EndsAsAfter(_known[first].Motions))
         {
             return false;
         }
 
         // The first coordinate without a point is to be named, so its stretch is interpreted.
         var last = first;
-        while (last + 1 < behind && _isSame[last + 1] && (executor.Integers.Count > 0 || _known[last + 1].Integers == _known[first].Integers))
+        while (last + 1 < behind && _isSame[last + 1]
+            && (executor.Integers.Count > 0 || _known[last + 1].Integers == _known[first].Integers))
         {
             last++;
         }
@@ -117,5 +124,6 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
     public bool StandsAs(in ModalState state) => executor.IsStraight() && control.State.SameAs(state);
 
     // The bytes between a border and the one before it.
-    private static ReadOnlySpan<byte> Bytes(NcProgram program, int border) => program.Bytes.Span[program[(border - 1) * Stretch].Start..program[border * Stretch].Start];
+    private static ReadOnlySpan<byte> Bytes(NcProgram program, int border) =>
+        program.Bytes.Span[program[(border - 1) * Stretch].Start..program[border * Stretch].Start];
 }

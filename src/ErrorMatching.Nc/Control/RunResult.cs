@@ -13,7 +13,9 @@ internal sealed class RunResult(NcDialect dialect, NcMotions motions)
 
     public NcMotions Motions { get; } = motions;
 
-    /// <summary>The block that motions belong to: the one being executed, or the one in this file that called a program of another file.</summary>
+    /// <summary>
+    /// The block that motions belong to: the one being executed, or the one in this file that called a program of another file.
+    /// </summary>
     public int Block { get; set; }
 
     public IReadOnlyList<NcProblem> Problems => _problems;
@@ -39,7 +41,8 @@ internal sealed class RunResult(NcDialect dialect, NcMotions motions)
         return flag;
     }
 
-    public MotionFlags UnknownWord(string what) => Problem("unknown-word", $"\"{what}\" is not known to the dialect {dialect.Name}.", MotionFlags.UnknownWord);
+    public MotionFlags UnknownWord(string what) =>
+        Problem("unknown-word", $"\"{what}\" is not known to the dialect {dialect.Name}.", MotionFlags.UnknownWord);
 
     /// <summary>Says what the control does that is not followed: kept where it is first met, and counted from there on.</summary>
     public void Note(string code, string message)

@@ -1,8 +1,10 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// The second core begins in the middle of a long program, with the modes that its first blocks set and the place that the blocks before the middle lead to. That is a guess: when the
-/// first core arrives there and its state is another one, to the last bit, what ran ahead counts for nothing. So the result is that of one core.
+/// The second core begins in the middle of a long program, with the modes that its first blocks set and the place that the blocks before
+/// the middle lead to. That is a guess: when the
+/// first core arrives there and its state is another one, to the last bit, what ran ahead counts for nothing. So the result is that of one
+/// core.
 /// </summary>
 internal sealed class SecondCore(NcProgram program, NcDialect dialect)
 {
@@ -38,7 +40,8 @@ internal sealed class SecondCore(NcProgram program, NcDialect dialect)
             return null;
         }
 
-        return _ahead.GetAwaiter().GetResult() is var (run, began) && borders.StandsAs(began) && motions.EndsWhereBegins(run.Motions) ? run : null;
+        return _ahead.GetAwaiter().GetResult() is var (run, began) && borders.StandsAs(began) && motions.EndsWhereBegins(run.Motions) ? run
+            : null;
     }
 
     // The rest of the program from the seam on, as far as it has cuts and rapids only; null where something else leads to the seam.

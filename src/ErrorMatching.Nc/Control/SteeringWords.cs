@@ -3,7 +3,9 @@ namespace ErrorMatching.Nc;
 /// <summary>Words of a block that say how the program goes on: they call, return, end or begin a program.</summary>
 internal sealed class SteeringWords(BlockValues values, ProgramRun run)
 {
-    /// <summary>Plain words that call, return, end or begin a program. The end of a program that never called needs no index of it.</summary>
+    /// <summary>
+    /// Plain words that call, return, end or begin a program. The end of a program that never called needs no index of it.
+    /// </summary>
     public bool ConcernFlow()
     {
         var isNamed = values.Words.Has('O') || (values.Words.Has('L') && values.Dialect.Syntax == NcSyntax.Siemens);
@@ -28,7 +30,9 @@ internal sealed class SteeringWords(BlockValues values, ProgramRun run)
         return isNamed;
     }
 
-    /// <summary>Whether the words of the block say how the program goes on. A call by an address that is a word among others is not executed.</summary>
+    /// <summary>
+    /// Whether the words of the block say how the program goes on. A call by an address that is a word among others is not executed.
+    /// </summary>
     public bool AreThere()
     {
         var steers = values.Dialect.Syntax == NcSyntax.Siemens && values.Dialect.RoleOf((byte)'L') == LetterRole.Program
@@ -61,8 +65,10 @@ internal sealed class SteeringWords(BlockValues values, ProgramRun run)
             calls |= values.Dialect.MeaningOf(code) is NcMeaning.Call;
         }
 
-        return (calls && values.Words.Has('P') && values.Dialect.IsMachineProgram((int)Math.Clamp(values.Words.Value('P'), -1, int.MaxValue)))
-            || (values.Dialect.Syntax == NcSyntax.Siemens && values.Words.Has('L') && values.Dialect.IsMachineProgram((int)Math.Clamp(values.Words.Value('L'), -1, int.MaxValue)));
+        return (calls && values.Words.Has('P')
+            && values.Dialect.IsMachineProgram((int)Math.Clamp(values.Words.Value('P'), -1, int.MaxValue)))
+            || (values.Dialect.Syntax == NcSyntax.Siemens && values.Words.Has('L')
+                && values.Dialect.IsMachineProgram((int)Math.Clamp(values.Words.Value('L'), -1, int.MaxValue)));
     }
 
     /// <summary>Siemens writes plain addresses with an equals sign as well; they concern nobody but the interpreter.</summary>
@@ -75,8 +81,10 @@ internal sealed class SteeringWords(BlockValues values, ProgramRun run)
 
         foreach (var token in run.Text.Tokens(block))
         {
-            if (token.Kind is NcTokenKind.Keyword or NcTokenKind.Assignment or NcTokenKind.Expression or NcTokenKind.ExpressionWord or NcTokenKind.Percent
-                || token is { Kind: NcTokenKind.Word, Letter: (byte)'M' or (byte)'L' } || (token.Kind == NcTokenKind.CommaWord && token.Number == default))
+            if (token.Kind is NcTokenKind.Keyword or NcTokenKind.Assignment or NcTokenKind.Expression or NcTokenKind.ExpressionWord
+                or NcTokenKind.Percent
+                || token is { Kind: NcTokenKind.Word, Letter: (byte)'M' or (byte)'L' }
+                    || (token.Kind == NcTokenKind.CommaWord && token.Number == default))
             {
                 return true;
             }

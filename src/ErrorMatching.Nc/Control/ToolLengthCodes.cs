@@ -56,7 +56,8 @@ internal sealed class ToolLengthCodes(ControlState control, BlockValues values, 
         var by = layers.Length.Vector - to;
         layers.Length.Change(to, control.State.Inch);
         var degrees = layers.Offsets.Origin.Degrees;
-        layers.MoveWork(WorkOrigin.Turned(by, -(degrees ?? 0)), degrees is null && (by.X != 0 || by.Y != 0) ? unknown | AxisSet.X | AxisSet.Y : degrees == 0 ? unknown : WorkOrigin.Mixed(unknown));
+        layers.MoveWork(WorkOrigin.Turned(by, -(degrees ?? 0)), degrees is null && (by.X != 0 || by.Y != 0)
+            ? unknown | AxisSet.X | AxisSet.Y : degrees == 0 ? unknown : WorkOrigin.Mixed(unknown));
         layers.NextFrame();
     }
 }

@@ -10,7 +10,8 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
     /// <summary>Begins a transformation, or adds to it.</summary>
     public void Begin(NcMeaning meaning, int family)
     {
-        var isKnown = (values.Words.Unknown & (BlockWords.LinearAxes | BlockWords.CenterWords | BlockWords.Bit('R') | BlockWords.Bit('P'))) == 0;
+        var isKnown = (values.Words.Unknown & (BlockWords.LinearAxes | BlockWords.CenterWords | BlockWords.Bit('R')
+            | BlockWords.Bit('P'))) == 0;
         var work = layers.Tool();
         switch (meaning)
         {
@@ -19,7 +20,8 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
                 isKnown &= values.Words.Has('R');
 
                 // A center that is named while scaling is active is scaled too, the angle is not (B-63944EN-2/02, page 211).
-                Active.Rotation = ProgramFrame.Rotation(plane, Active.Scale?.Apply(center) ?? center, values.Words.Has('R') ? values.Degrees('R') : 0);
+                Active.Rotation = ProgramFrame.Rotation(plane, Active.Scale?.Apply(center) ?? center,
+                    values.Words.Has('R') ? values.Degrees('R') : 0);
                 Active.Switch(Transforms.Rotation, on: true);
                 break;
             case NcMeaning.Scaling:
@@ -41,7 +43,9 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
                 Active.Switch(Transforms.Polar, on: true);
                 break;
             case NcMeaning.OpaqueTransform:
-                result.Note("opaque-transform", "From here on the control transforms the coordinates in a way that is not followed: they are shown as programmed, and no block is changed.");
+                result.Note("opaque-transform",
+                    "From here on the control transforms the coordinates in a way that is not followed: "
+                        + "they are shown as programmed, and no block is changed.");
                 Active.OpaqueFamilies |= 1ul << family;
                 isKnown = false;
                 break;
@@ -135,12 +139,14 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
             return ProgramFrame.Scale(center, new(factor, factor, factor));
         }
 
-        return ProgramFrame.Scale(center, new(values.Words.Has('I') ? values.Factor('I') : 1, values.Words.Has('J') ? values.Factor('J') : 1, values.Words.Has('K') ? values.Factor('K') : 1));
+        return ProgramFrame.Scale(center, new(values.Words.Has('I') ? values.Factor('I') : 1,
+            values.Words.Has('J') ? values.Factor('J') : 1, values.Words.Has('K') ? values.Factor('K') : 1));
     }
 
     private ProgramFrame? FrameOf(NcMeaning meaning, ref bool isKnown)
     {
-        var sum = meaning is NcMeaning.FrameShiftMore or NcMeaning.FrameRotationMore or NcMeaning.FrameScaleMore or NcMeaning.FrameMirrorMore;
+        var sum = meaning is NcMeaning.FrameShiftMore or NcMeaning.FrameRotationMore or NcMeaning.FrameScaleMore
+            or NcMeaning.FrameMirrorMore;
         var before = sum ? Active.Programmable ?? ProgramFrame.Identity : ProgramFrame.Identity;
         var angle = values.Words.PlaneAngle;
         if (values.GivenAxes() == AxisSet.None && angle is null)
@@ -151,10 +157,13 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
         isKnown &= angle is not { } a || !double.IsNaN(a);
         var own = meaning switch
         {
-            NcMeaning.FrameShift or NcMeaning.FrameShiftMore => ProgramFrame.Shift(values.Given(default, incremental: false) - default(Point3)),
-            NcMeaning.FrameRotation or NcMeaning.FrameRotationMore when angle is { } turn => ProgramFrame.Rotation(control.State.Plane, default, turn),
+            NcMeaning.FrameShift or NcMeaning.FrameShiftMore =>
+                ProgramFrame.Shift(values.Given(default, incremental: false) - default(Point3)),
+            NcMeaning.FrameRotation or NcMeaning.FrameRotationMore when angle is { } turn =>
+                ProgramFrame.Rotation(control.State.Plane, default, turn),
             NcMeaning.FrameRotation or NcMeaning.FrameRotationMore => RotationAboutAxes(),
-            NcMeaning.FrameScale or NcMeaning.FrameScaleMore => ProgramFrame.Scale(default, values.Along(letter => values.Words.Value(letter), 1)),
+            NcMeaning.FrameScale or NcMeaning.FrameScaleMore =>
+                ProgramFrame.Scale(default, values.Along(letter => values.Words.Value(letter), 1)),
             _ => ProgramFrame.Scale(default, values.Along(_ => -1, 1)),
         };
         return before.After(own);

@@ -1,7 +1,8 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>Which block runs next: jumps, calls and returns, with their limits.</summary>
-internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport report, FlowMemory memory, ProgramParameters parameters, FlowSettings settings)
+internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport report, FlowMemory memory, ProgramParameters parameters,
+    FlowSettings settings)
 {
     private const int SearchedPerStep = 8;
 
@@ -26,7 +27,10 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
     /// <summary>Something has changed beside variables that a loop can depend on.</summary>
     public void Change() => _changes++;
 
-    /// <summary>Goes on at a block of the present program. A jump back that finds the program knowing just what it knew the last time will never end.</summary>
+    /// <summary>
+    /// Goes on at a block of the present program. A jump back that finds the program knowing just what it knew the last time will never
+    /// end.
+    /// </summary>
     public FlowAction Jump(int from, int target)
     {
         if (target <= from)
@@ -62,11 +66,14 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
         (_resumed, Next) = (target, target);
         if (Steps + (calls.Unit.Index.Searched / SearchedPerStep) > settings.Steps)
         {
-            return report.Refuse(NcRefusalCodes.EndlessLoop, from, FormattableString.Invariant($"{settings.Steps} blocks were executed and the program has not ended; the loop here is taken never to end."));
+            return report.Refuse(NcRefusalCodes.EndlessLoop, from,
+                FormattableString.Invariant(
+                    $"{settings.Steps} blocks were executed and the program has not ended; the loop here is taken never to end."));
         }
 
         return settings.Cancellation.IsCancellationRequested
-            ? report.Refuse(NcRefusalCodes.EndlessLoop, from, "the time for executing the program is used up; the loop here is taken never to end.")
+            ? report.Refuse(NcRefusalCodes.EndlessLoop, from,
+                "the time for executing the program is used up; the loop here is taken never to end.")
             : FlowAction.Continue;
     }
 
@@ -75,7 +82,8 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
     {
         if (calls.Frames.Count > settings.Depth)
         {
-            return report.Refuse(NcRefusalCodes.CallTooDeep, frame.Caller, FormattableString.Invariant($"programs call one another more than {settings.Depth} deep."));
+            return report.Refuse(NcRefusalCodes.CallTooDeep, frame.Caller,
+                FormattableString.Invariant($"programs call one another more than {settings.Depth} deep."));
         }
 
         var action = GoTo(frame.Caller, frame.First);
@@ -144,7 +152,8 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
             target = calls.Unit.Index.FindNumber(calls.Unit, frame.Caller, number);
             if (target < 0)
             {
-                return report.Refuse(NcRefusalCodes.MissingLabel, frame.Caller, FormattableString.Invariant($"the called program returns to block N{number}, which does not exist here."));
+                return report.Refuse(NcRefusalCodes.MissingLabel, frame.Caller,
+                    FormattableString.Invariant($"the called program returns to block N{number}, which does not exist here."));
             }
         }
 
@@ -174,7 +183,8 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
     {
         var target = number < 0 ? -1 : calls.Unit.Index.FindNumber(calls.Unit, block, number);
         return target < 0
-            ? report.Refuse(NcRefusalCodes.MissingLabel, block, FormattableString.Invariant($"the jump goes to block N{number}, which does not exist in this program."))
+            ? report.Refuse(NcRefusalCodes.MissingLabel, block,
+                FormattableString.Invariant($"the jump goes to block N{number}, which does not exist in this program."))
             : Jump(block, target);
     }
 
@@ -188,7 +198,8 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
 
         if (syntax == NcSyntax.Iso)
         {
-            report.Note("no-return", Math.Min(block, calls.Program.BlockCount) - 1, "The subprogram ends without M99; it is taken to return here.");
+            report.Note("no-return", Math.Min(block, calls.Program.BlockCount) - 1,
+                "The subprogram ends without M99; it is taken to return here.");
         }
 
         return Return(block - 1);

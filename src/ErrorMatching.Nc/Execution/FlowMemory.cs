@@ -38,7 +38,8 @@ internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
     {
         if (reader.Error is not null)
         {
-            report.Refuse(NcRefusalCodes.BadExpression, block, FormattableString.Invariant($"column {reader.ErrorAt + 1}: {reader.Error}."));
+            report.Refuse(NcRefusalCodes.BadExpression, block,
+                FormattableString.Invariant($"column {reader.ErrorAt + 1}: {reader.Error}."));
         }
 
         return report.Refusal is null;
@@ -77,7 +78,8 @@ internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
 
         if (value.IsUnknown)
         {
-            report.Refuse(NcRefusalCodes.UnknownCondition, block, "which way the program goes hangs on a value that only the machine knows.");
+            report.Refuse(NcRefusalCodes.UnknownCondition, block,
+                "which way the program goes hangs on a value that only the machine knows.");
         }
         else if (value.Kind == NcValueKind.Text)
         {
@@ -103,7 +105,8 @@ internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
 
     public bool IsVariable(ReadOnlySpan<byte> text, int at, int length)
     {
-        if ((text[at] | 0x20) == 'r' && (length > 1 ? BlockHead.NumberAt(text, at + 1).Length == length - 1 : at + 1 < text.Length && text[at + 1] == '['))
+        if ((text[at] | 0x20) == 'r'
+            && (length > 1 ? BlockHead.NumberAt(text, at + 1).Length == length - 1 : at + 1 < text.Length && text[at + 1] == '['))
         {
             return true;
         }
@@ -114,7 +117,8 @@ internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
     public FlowAction Assigned(int block, VariablePlace place, NcValue value, int column)
     {
         var error = Variables.Write(place, value);
-        return error is null ? FlowAction.Continue : report.Refuse(NcRefusalCodes.BadExpression, block, FormattableString.Invariant($"column {column + 1}: {error}."));
+        return error is null ? FlowAction.Continue
+            : report.Refuse(NcRefusalCodes.BadExpression, block, FormattableString.Invariant($"column {column + 1}: {error}."));
     }
 
     public static string Word(ref ExpressionReader reader, ReadOnlySpan<byte> text)

@@ -17,7 +17,8 @@ internal sealed class FlowReport(CallStack calls)
         var main = calls.InProgram(block);
         if (ReferenceEquals(called, program))
         {
-            Refusal ??= program.BlockCount == 0 ? new(code, "", 0, message) : NcRefusal.At(program, Math.Clamp(main, 0, program.BlockCount - 1), code, message);
+            Refusal ??= program.BlockCount == 0 ? new(code, "", 0, message)
+                : NcRefusal.At(program, Math.Clamp(main, 0, program.BlockCount - 1), code, message);
         }
         else
         {
@@ -31,7 +32,8 @@ internal sealed class FlowReport(CallStack calls)
     }
 
     public FlowAction Missing(int block, string name) =>
-        Refuse(NcRefusalCodes.MissingProgram, block, $"the program {name} is called, and neither this file nor the folder of the program has it.");
+        Refuse(NcRefusalCodes.MissingProgram, block,
+            $"the program {name} is called, and neither this file nor the folder of the program has it.");
 
     /// <summary>Refuses a call that cannot be executed, or a block with two words that steer.</summary>
     public FlowAction RefuseCall(int block, string word) => Refuse(

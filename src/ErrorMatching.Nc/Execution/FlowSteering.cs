@@ -2,7 +2,9 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What the roles of a dialect do to the run of a program. All are decided here; one that has no way of its own is refused.</summary>
+/// <summary>
+/// What the roles of a dialect do to the run of a program. All are decided here; one that has no way of its own is refused.
+/// </summary>
 internal sealed class FlowSteering(
     NcDialect dialect,
     FlowReport report,

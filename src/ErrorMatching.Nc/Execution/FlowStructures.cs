@@ -22,7 +22,8 @@ internal sealed class FlowStructures(
 
         if (statement.Start?.End is not { } end)
         {
-            return report.Refuse(NcRefusalCodes.MissingLabel, block, "a branch or loop is not complete here: its begin or its end is missing, or too many stand in one another.");
+            return report.Refuse(NcRefusalCodes.MissingLabel, block,
+                "a branch or loop is not complete here: its begin or its end is missing, or too many stand in one another.");
         }
 
         var start = statement.Start;
@@ -30,11 +31,11 @@ internal sealed class FlowStructures(
         {
             case FlowKind.If: return Branch(statement, text);
             case FlowKind.ElseIf or FlowKind.Else: return course.Jump(block, end.Block + 1);
-            case FlowKind.While: return Condition(statement, text, out var goesOn) ? course.Jump(block, goesOn ? block + 1 : end.Block + 1) : FlowAction.Stop;
+            case FlowKind.While: return While(statement, text, end);
             case FlowKind.EndWhile: return course.Jump(block, start.Block);
             case FlowKind.EndLoop: return course.Jump(block, start.Block + 1);
             case FlowKind.Until when _breaking: return LeaveUntil(block);
-            case FlowKind.Until: return Condition(statement, text, out var holds) ? course.Jump(block, holds == (syntax == NcSyntax.LinuxCnc) ? start.Block + 1 : block + 1) : FlowAction.Stop;
+            case FlowKind.Until: return Until(statement, text, start);
             case FlowKind.Repeat: return BeginRepeat(statement, text, end);
             case FlowKind.EndRepeat: return EndRepeat(statement, start);
             case FlowKind.For: return For(statement, text, end, begins: true);
@@ -47,12 +48,28 @@ internal sealed class FlowStructures(
         }
     }
 
-    // Measured with rs274: a break out of a while loop still counts at the next end of a do loop, which is left whatever its condition says.
+    // Measured with rs274: a break out of a while loop still counts at the next end of a do loop, which is left whatever its condition
+    // says.
     private FlowAction LeaveUntil(int block)
     {
         _breaking = false;
-        report.Note("loop-left", block, "LinuxCNC 2.9 leaves this loop whatever its condition says, since a break out of a while loop before it still counts here. Set a variable for the while loop's condition instead of the break.");
+        report.Note("loop-left", block,
+            "LinuxCNC 2.9 leaves this loop whatever its condition says, since a break out of a while loop before it still counts here. "
+                + "Set a variable for the while loop's condition instead of the break.");
         return course.Jump(block, block + 1);
+    }
+
+    private FlowAction While(FlowStatement statement, ReadOnlySpan<byte> text, FlowStatement end) =>
+        Condition(statement, text, out var goesOn)
+            ? course.Jump(statement.Block, goesOn ? statement.Block + 1 : end.Block + 1)
+            : FlowAction.Stop;
+
+    private FlowAction Until(FlowStatement statement, ReadOnlySpan<byte> text, FlowStatement start)
+    {
+        var block = statement.Block;
+        return Condition(statement, text, out var holds)
+            ? course.Jump(block, holds == (syntax == NcSyntax.LinuxCnc) ? start.Block + 1 : block + 1)
+            : FlowAction.Stop;
     }
 
     private bool Condition(FlowStatement statement, ReadOnlySpan<byte> text, out bool truth)
@@ -99,7 +116,8 @@ internal sealed class FlowStructures(
         var reader = memory.ReaderAt(text, statement.At);
         var value = reader.Bracket();
         FlowMemory.EndOfStatement(ref reader, text);
-        if (!memory.Check(ref reader, statement.Block) || !memory.TryCount(statement.Block, value, "the number of repetitions", out var passes))
+        if (!memory.Check(ref reader, statement.Block)
+            || !memory.TryCount(statement.Block, value, "the number of repetitions", out var passes))
         {
             return FlowAction.Stop;
         }
@@ -145,10 +163,12 @@ internal sealed class FlowStructures(
         var value = begins ? first : memory.Variables.Read(counter, out _);
         if (counter.Kind == VariableKind.Machine || !value.IsNumber || !last.IsNumber)
         {
-            return report.Refuse(NcRefusalCodes.UnknownCondition, from, "how often the loop runs hangs on a value that only the machine knows.");
+            return report.Refuse(NcRefusalCodes.UnknownCondition, from,
+                "how often the loop runs hangs on a value that only the machine knows.");
         }
 
         value = begins ? value : NcValue.Of(value.Number + 1);
-        return memory.Assigned(from, counter, value, start.At) == FlowAction.Stop ? FlowAction.Stop : course.Jump(from, value.Number > last.Number ? end.Block + 1 : start.Block + 1);
+        return memory.Assigned(from, counter, value, start.At) == FlowAction.Stop ? FlowAction.Stop
+            : course.Jump(from, value.Number > last.Number ? end.Block + 1 : start.Block + 1);
     }
 }

@@ -42,7 +42,8 @@ internal sealed class IsoStatements(FlowReport report, FlowMemory memory, FlowCo
 
         if (reader.At >= text.Length || text[reader.At] != '#')
         {
-            return report.Refuse(NcRefusalCodes.BadExpression, block, FormattableString.Invariant($"column {reader.At + 1}: GOTO, or THEN with an assignment, is expected behind a condition."));
+            return report.Refuse(NcRefusalCodes.BadExpression, block,
+                FormattableString.Invariant($"column {reader.At + 1}: GOTO, or THEN with an assignment, is expected behind a condition."));
         }
 
         return holds ? words.Assign(block, text, reader.At) : FlowAction.Continue;
@@ -51,6 +52,7 @@ internal sealed class IsoStatements(FlowReport report, FlowMemory memory, FlowCo
     private FlowAction GoTo(int block, ExpressionReader reader)
     {
         var value = reader.Operand();
-        return memory.Check(ref reader, block) && memory.TryCount(block, value, "the target of the jump", out var number) ? course.JumpToNumber(block, number) : FlowAction.Stop;
+        return memory.Check(ref reader, block) && memory.TryCount(block, value, "the target of the jump", out var number)
+            ? course.JumpToNumber(block, number) : FlowAction.Stop;
     }
 }

@@ -14,7 +14,8 @@ internal sealed class MacroCalls(
     private readonly List<ModalCall> _modal = [];
 
     // Local variables of the letters A to Z; 0 where a letter is no argument (Fanuc, argument specification I).
-    private static ReadOnlySpan<byte> LocalOfLetter => [1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26];
+    private static ReadOnlySpan<byte> LocalOfLetter =>
+        [1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26];
 
     /// <summary>True while a macro is called behind every motion.</summary>
     public bool HasModalCall => calls.Frames.Count > 0 && Math.Min(calls.Frame.ModalCalls, _modal.Count) > 0;
@@ -31,7 +32,8 @@ internal sealed class MacroCalls(
             return FlowAction.Continue;
         }
 
-        return UnitOf(number) is { } unit ? course.Enter(new() { Unit = unit, First = unit.First, Caller = block, Passes = passes }) : report.Missing(block, FlowIndex.NumberName(number));
+        return UnitOf(number) is { } unit ? course.Enter(new() { Unit = unit, First = unit.First, Caller = block, Passes = passes })
+            : report.Missing(block, FlowIndex.NumberName(number));
     }
 
     // M97 P100: the blocks of this program from N100 on.
@@ -91,7 +93,8 @@ internal sealed class MacroCalls(
         _modal.Add(new(unit, passes, arguments));
         calls.Frame.ModalCalls = _modal.Count;
         course.Change();
-        return _modal.Count > settings.Depth ? report.Refuse(NcRefusalCodes.CallTooDeep, block, "too many modal calls are active.") : FlowAction.Continue;
+        return _modal.Count > settings.Depth ? report.Refuse(NcRefusalCodes.CallTooDeep, block, "too many modal calls are active.")
+            : FlowAction.Continue;
     }
 
     public FlowAction EndModal()
@@ -110,7 +113,16 @@ internal sealed class MacroCalls(
     {
         var level = Math.Min(calls.Frame.ModalCalls, _modal.Count) - 1;
         var call = _modal[level];
-        return course.Enter(new() { Unit = call.Unit, First = call.Unit.First, Caller = block, Passes = call.Passes, Arguments = call.Arguments, IsModalMacro = true, ModalCalls = level });
+        return course.Enter(new()
+        {
+            Unit = call.Unit,
+            First = call.Unit.First,
+            Caller = block,
+            Passes = call.Passes,
+            Arguments = call.Arguments,
+            IsModalMacro = true,
+            ModalCalls = level,
+        });
     }
 
     public FlowAction ReturnTo(int block, NcValue program)
@@ -171,7 +183,8 @@ internal sealed class MacroCalls(
         // LinuxCNC calls nothing with L0.
         if (passes < (syntax == NcSyntax.LinuxCnc ? 0 : 1) || number < 0)
         {
-            report.Refuse(NcRefusalCodes.BadExpression, block, "the call has a number of repetitions, or of a program, that is not positive.");
+            report.Refuse(NcRefusalCodes.BadExpression, block,
+                "the call has a number of repetitions, or of a program, that is not positive.");
         }
 
         return report.Refusal is null;
@@ -180,7 +193,8 @@ internal sealed class MacroCalls(
     private FlowUnit? UnitOf(long number)
     {
         var name = FlowIndex.NumberName(number);
-        return calls.Unit.Index.Unit(name) ?? (library.Find(syntax == NcSyntax.LinuxCnc ? name[1..].TrimStart('0') : name) is { } index ? index.Unit(name) ?? index.Main : null);
+        return calls.Unit.Index.Unit(name) ?? (library.Find(syntax == NcSyntax.LinuxCnc ? name[1..].TrimStart('0') : name) is { } index
+            ? index.Unit(name) ?? index.Main : null);
     }
 
     // Letters to local variables. A second I, J, K belongs to the next three variables (argument specification II).

@@ -1,12 +1,15 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Executes what a program computes: decides which block runs next, keeps variables and calls, and stops where a program would never end or where only the
+/// Executes what a program computes: decides which block runs next, keeps variables and calls, and stops where a program would never end or
+/// where only the
 /// machine knows how it goes on. A program without such statements need not be given to it at all.
 /// </summary>
 /// <remarks>
-/// A block that <see cref="FlowTrigger"/> names is given to <see cref="Before"/>; where that answers <see cref="FlowAction.Words"/>, its words are read (with
-/// <see cref="TryValue"/> for computed ones) and acted on, and then <see cref="Behind"/> is called. Everything else runs from one block to the next.
+/// A block that <see cref="FlowTrigger"/> names is given to <see cref="Before"/>; where that answers <see cref="FlowAction.Words"/>, its
+/// words are read (with
+/// <see cref="TryValue"/> for computed ones) and acted on, and then <see cref="Behind"/> is called. Everything else runs from one block to
+/// the next.
 /// </remarks>
 internal sealed class NcFlow
 {
@@ -115,7 +118,9 @@ internal sealed class NcFlow
         return BehindRegion(block, depth, action);
     }
 
-    /// <summary>Executes what a block does behind its words: the assignments of LinuxCNC, calls, returns and the end of the program.</summary>
+    /// <summary>
+    /// Executes what a block does behind its words: the assignments of LinuxCNC, calls, returns and the end of the program.
+    /// </summary>
     /// <param name="block">The block.</param>
     /// <param name="moved">True if its words moved an axis; a modal macro is then called.</param>
     public FlowAction Behind(int block, bool moved = false)
@@ -151,7 +156,8 @@ internal sealed class NcFlow
     /// <param name="block">The block.</param>
     /// <param name="start">First byte of the value, counted from the start of the program; an equals sign before it is passed over.</param>
     /// <param name="length">Number of bytes of the value; it must be used up.</param>
-    /// <param name="decimals">Decimals of the address's least increment, to which ROUND rounds in a Fanuc address; 0 where the address has none.</param>
+    /// <param name="decimals">Decimals of the address's least increment, to which ROUND rounds in a Fanuc address; 0 where the address has
+    /// none.</param>
     /// <param name="value">The value; vacant where the word is as if not written.</param>
     /// <returns>False where <see cref="Refusal"/> says what is wrong.</returns>
     public bool TryValue(int block, int start, int length, int decimals, out NcValue value)
@@ -173,9 +179,11 @@ internal sealed class NcFlow
 
     // A percent sign, or the number of a program.
     private bool Heads(ReadOnlySpan<byte> text, int at) =>
-        at < text.Length && (text[at] == '%' || (_syntax == NcSyntax.Iso && (text[at] | 0x20) == 'o' && BlockHead.NumberAt(text, at + 1).Length > 0));
+        at < text.Length && (text[at] == '%'
+            || (_syntax == NcSyntax.Iso && (text[at] | 0x20) == 'o' && BlockHead.NumberAt(text, at + 1).Length > 0));
 
-    // The beginning of the next program is the end of the one that runs. What an index knows is not asked here: behind its end no block is met.
+    // The beginning of the next program is the end of the one that runs. What an index knows is not asked here: behind its end no block is
+    // met.
     private FlowAction Heading(int block, ReadOnlySpan<byte> head, int headAt)
     {
         var isFirst = _calls.Frames.Count == 0;
@@ -197,7 +205,8 @@ internal sealed class NcFlow
 
     // Structures begin with a word of letters, or with an O word.
     private bool MayBeStructure(ReadOnlySpan<byte> text, int at) =>
-        at + 1 < text.Length && SyntaxBytes.IsLetter(text[at]) && (SyntaxBytes.IsLetter(text[at + 1]) || (_syntax == NcSyntax.LinuxCnc && (text[at] | 0x20) == 'o'));
+        at + 1 < text.Length && SyntaxBytes.IsLetter(text[at])
+            && (SyntaxBytes.IsLetter(text[at + 1]) || (_syntax == NcSyntax.LinuxCnc && (text[at] | 0x20) == 'o'));
 
     private FlowAction Statement(int block, ReadOnlySpan<byte> text, BlockHead head) => _syntax switch
     {

@@ -42,7 +42,8 @@ internal sealed class OWords(CallStack calls, FlowReport report, FlowMemory memo
         {
             var number = memory.ReaderAt(text[..labelEnd], statement.At + 1);
             var value = number.Operand();
-            if (!memory.Check(ref number, statement.Block) || !memory.TryCount(statement.Block, value, "the number of the subroutine", out var count))
+            if (!memory.Check(ref number, statement.Block)
+                || !memory.TryCount(statement.Block, value, "the number of the subroutine", out var count))
             {
                 return FlowAction.Stop;
             }
@@ -82,6 +83,12 @@ internal sealed class OWords(CallStack calls, FlowReport report, FlowMemory memo
         }
 
         memory.Variables.Return(null);
-        return course.Enter(new() { Unit = index.UnitAt(sub.Block), First = sub.Block + 1, Caller = statement.Block, Arguments = arguments });
+        return course.Enter(new()
+        {
+            Unit = index.UnitAt(sub.Block),
+            First = sub.Block + 1,
+            Caller = statement.Block,
+            Arguments = arguments,
+        });
     }
 }

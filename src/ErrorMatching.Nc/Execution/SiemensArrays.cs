@@ -28,7 +28,8 @@ internal sealed class SiemensArrays(FlowReport report, FlowMemory memory, FlowCo
                 break;
             }
 
-            var array = Dimensions(ref reader, out var rows, out var columns) ? memory.Variables.Define(name, type.Value, rows, columns) : null;
+            var array = Dimensions(ref reader, out var rows, out var columns) ? memory.Variables.Define(name, type.Value, rows, columns)
+                : null;
             if (array is not null && reader.Take((byte)'=') && Initial(block, ref reader, text, array) == FlowAction.Stop)
             {
                 return FlowAction.Stop;

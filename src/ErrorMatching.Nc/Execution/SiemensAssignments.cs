@@ -47,7 +47,8 @@ internal sealed class SiemensAssignments(FlowMemory memory, SiemensArrays arrays
     {
         reader.SkipSpaces();
         var isSet = BlockHead.Stands(text, reader.At, "SET"u8);
-        if (place.Kind is VariableKind.Named or VariableKind.Element && (isSet || BlockHead.Stands(text, reader.At, "REP"u8)) && memory.Variables.Find(place.Name!) is { } array)
+        if (place.Kind is VariableKind.Named or VariableKind.Element && (isSet || BlockHead.Stands(text, reader.At, "REP"u8))
+            && memory.Variables.Find(place.Name!) is { } array)
         {
             reader.At += 3;
             return arrays.Fill(block, ref reader, array, place.Number, isRepeated: !isSet);

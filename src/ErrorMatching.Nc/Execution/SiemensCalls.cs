@@ -98,7 +98,15 @@ internal sealed class SiemensCalls(
             return FlowAction.Continue;
         }
 
-        return course.Enter(new() { Unit = unit, First = unit.First, Caller = block, Passes = passes, Arguments = [], Parameters = values });
+        return course.Enter(new()
+        {
+            Unit = unit,
+            First = unit.First,
+            Caller = block,
+            Passes = passes,
+            Arguments = [],
+            Parameters = values,
+        });
     }
 
     private FlowAction WordsOf(int block, ReadOnlySpan<byte> text, int at) =>

@@ -24,7 +24,8 @@ internal sealed class SiemensJumps(CallStack calls, FlowReport report, FlowMemor
         end = at + length;
         if (word is not ("GOTO" or "GOTOF" or "GOTOB" or "GOTOC" or "GOTOS"))
         {
-            return report.Refuse(NcRefusalCodes.BadExpression, block, FormattableString.Invariant($"column {at + 1}: a jump (GOTOF, GOTOB, GOTO) is expected here."));
+            return report.Refuse(NcRefusalCodes.BadExpression, block,
+                FormattableString.Invariant($"column {at + 1}: a jump (GOTOF, GOTOB, GOTO) is expected here."));
         }
 
         if (word == "GOTOS")
@@ -43,9 +44,13 @@ internal sealed class SiemensJumps(CallStack calls, FlowReport report, FlowMemor
         }
 
         var target = Target(block, label, word != "GOTOB", word != "GOTOF");
-        return target >= 0 ? course.Jump(block, target)
-            : word == "GOTOC" ? FlowAction.Continue
-            : report.Refuse(NcRefusalCodes.MissingLabel, block, $"the jump goes to {label}, which does not exist {(word == "GOTOF" ? "behind it" : word == "GOTOB" ? "before it" : "in this program")}.");
+        if (target >= 0 || word == "GOTOC")
+        {
+            return target >= 0 ? course.Jump(block, target) : FlowAction.Continue;
+        }
+
+        var where = word == "GOTOF" ? "behind it" : word == "GOTOB" ? "before it" : "in this program";
+        return report.Refuse(NcRefusalCodes.MissingLabel, block, $"the jump goes to {label}, which does not exist {where}.");
     }
 
     // CASE (value) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C
@@ -66,7 +71,8 @@ internal sealed class SiemensJumps(CallStack calls, FlowReport report, FlowMemor
 
         if (value.IsUnknown)
         {
-            return report.Refuse(NcRefusalCodes.UnknownCondition, block, "which way the program goes hangs on a value that only the machine knows.");
+            return report.Refuse(NcRefusalCodes.UnknownCondition, block,
+                "which way the program goes hangs on a value that only the machine knows.");
         }
 
         reader.At += 2;
@@ -81,7 +87,8 @@ internal sealed class SiemensJumps(CallStack calls, FlowReport report, FlowMemor
                 return FlowAction.Stop;
             }
 
-            var holds = ExpressionArithmetic.Apply(ExpressionOperator.Equal, value, candidate, ExpressionEquality.Relative, out _).Number != 0;
+            var holds = ExpressionArithmetic.Apply(ExpressionOperator.Equal, value, candidate, ExpressionEquality.Relative,
+                out _).Number != 0;
             var action = GoToLabel(block, text, reader.At, holds, out var end);
             if (holds || action == FlowAction.Stop)
             {
@@ -130,7 +137,8 @@ internal sealed class SiemensJumps(CallStack calls, FlowReport report, FlowMemor
 
         if (first < 0 || last < first)
         {
-            return report.Refuse(NcRefusalCodes.MissingLabel, block, $"the section {label} that is to be repeated, or its end, does not exist in this program.");
+            return report.Refuse(NcRefusalCodes.MissingLabel, block,
+                $"the section {label} that is to be repeated, or its end, does not exist in this program.");
         }
 
         if (!memory.TryPasses(block, ref reader, out var passes))
@@ -155,9 +163,11 @@ internal sealed class SiemensJumps(CallStack calls, FlowReport report, FlowMemor
 
     private int Target(int block, string label, bool forward, bool backward)
     {
-        var isNumber = label.Length > 1 && label[0] is 'N' or 'n' && label.AsSpan(1).IndexOfAnyExceptInRange('0', '9') < 0 && label.Length < 14;
+        var isNumber = label.Length > 1 && label[0] is 'N' or 'n' && label.AsSpan(1).IndexOfAnyExceptInRange('0', '9') < 0
+            && label.Length < 14;
         return isNumber
-            ? calls.Unit.Index.FindNumber(calls.Unit, block, long.Parse(label.AsSpan(1), System.Globalization.CultureInfo.InvariantCulture), forward, backward)
+            ? calls.Unit.Index.FindNumber(calls.Unit, block,
+                long.Parse(label.AsSpan(1), System.Globalization.CultureInfo.InvariantCulture), forward, backward)
             : calls.Unit.Index.FindLabel(calls.Unit, block, label, forward, backward);
     }
 
@@ -184,7 +194,8 @@ internal sealed class SiemensJumps(CallStack calls, FlowReport report, FlowMemor
         label = value.Text ?? "";
         if (value.Kind != NcValueKind.Text)
         {
-            report.Refuse(value.IsUnknown ? NcRefusalCodes.UnknownCondition : NcRefusalCodes.BadExpression, block, "the target of the jump is no label that can be known here.");
+            report.Refuse(value.IsUnknown ? NcRefusalCodes.UnknownCondition : NcRefusalCodes.BadExpression, block,
+                "the target of the jump is no label that can be known here.");
         }
 
         return report.Refusal is null;

@@ -5,7 +5,8 @@ namespace ErrorMatching.Nc;
 /// states it again, so that nothing is ever guessed silently.
 /// </summary>
 /// <remarks>
-/// It decides which block runs next: a block of plain words runs at once (<see cref="BlockExecutor"/>); one that computes, branches, calls or ends is given to <see cref="NcFlow"/> before and
+/// It decides which block runs next: a block of plain words runs at once (<see cref="BlockExecutor"/>); one that computes, branches, calls
+/// or ends is given to <see cref="NcFlow"/> before and
 /// behind its words.
 /// </remarks>
 public sealed class NcInterpreter
@@ -20,7 +21,8 @@ public sealed class NcInterpreter
     private readonly RunBorders _borders;
     private readonly SecondCore _second;
 
-    internal NcInterpreter(NcProgram program, NcDialect dialect, NcMotions motions, Func<string, NcProgram?>? library, CancellationToken cancellation)
+    internal NcInterpreter(NcProgram program, NcDialect dialect, NcMotions motions, Func<string, NcProgram?>? library,
+        CancellationToken cancellation)
     {
         _control = new(dialect);
         _run = new(program, dialect, _control, library, cancellation);
@@ -48,13 +50,17 @@ public sealed class NcInterpreter
     /// <summary>Interprets a program.</summary>
     /// <param name="program">The program; it is read in the dialect's syntax.</param>
     /// <param name="dialect">The control that it is for.</param>
-    /// <param name="library">Finds a called program that is not in the file, by its name (<c>O1002</c>, <c>L10</c>, <c>POCKET</c>); null where there is none. Null instead of it: no other program is known.</param>
+    /// <param name="library">Finds a called program that is not in the file, by its name (<c>O1002</c>, <c>L10</c>, <c>POCKET</c>); null
+    /// where there is none. Null instead of it: no other program is known.</param>
     /// <param name="cancellation">Ends a long run.</param>
     /// <exception cref="OperationCanceledException">The run was canceled.</exception>
     public static NcPath Run(NcProgram program, NcDialect dialect, Func<string, NcProgram?>? library, CancellationToken cancellation) =>
         new NcInterpreter(program.In(dialect.Syntax), dialect, new(), library, cancellation).Run();
 
-    /// <summary>Interprets a program as another was that it is much like: motions that are the same take no memory of their own, and those in stretches with the same bytes little time.</summary>
+    /// <summary>
+    /// Interprets a program as another was that it is much like: motions that are the same take no memory of their own, and those in
+    /// stretches with the same bytes little time.
+    /// </summary>
     internal static NcPath Run(NcProgram program, NcPath like)
     {
         program = program.In(like.Dialect.Syntax);
@@ -62,7 +68,8 @@ public sealed class NcInterpreter
 
         // Where less than half of a long program is the same, two cores are faster.
         var passes = program.BlockCount < SecondCore.Many || isSame.Count(s => s) > isSame.Length / 2;
-        var interpreter = new NcInterpreter(program, like.Dialect, new(like.Motions, inPlace: passes), like.Library, CancellationToken.None);
+        var interpreter = new NcInterpreter(program, like.Dialect, new(like.Motions, inPlace: passes), like.Library,
+            CancellationToken.None);
         interpreter._borders.Expect(passes ? like.Borders : [], isSame);
         return interpreter.Run();
     }
@@ -80,7 +87,8 @@ public sealed class NcInterpreter
                 _borders.Note();
             }
 
-            if (((at & (Watch - 1)) == 0 && _run.Cancellation.IsCancellationRequested) || !_executor.TryReadPlain(_run.Program.BytesOf(_run.Program[at])))
+            if (((at & (Watch - 1)) == 0 && _run.Cancellation.IsCancellationRequested)
+                || !_executor.TryReadPlain(_run.Program.BytesOf(_run.Program[at])))
             {
                 return;
             }
@@ -130,7 +138,8 @@ public sealed class NcInterpreter
         ahead.Cancel();
         _run.Cancellation.ThrowIfCancellationRequested();
         NcNote[] notes = [.. _result.Notes.Concat(_run.FlowNotes).Concat(_executor.Integers.Notes()).OrderBy(n => n.Block)];
-        return new(program, _run.Dialect, Motions, _result.Problems, _result.PlaceDependents, _executor.Layers.Frames, notes, _run.Refusal, _run.Library)
+        return new(program, _run.Dialect, Motions, _result.Problems, _result.PlaceDependents, _executor.Layers.Frames, notes, _run.Refusal,
+            _run.Library)
         {
             Borders = _borders.Borders,
             ToolChanges = _result.ToolChanges,

@@ -42,7 +42,9 @@ internal readonly ref struct BlockScanner(ReadOnlySpan<byte> bytes, int end, NcS
         if (at < End && Bytes[at] == '.')
         {
             behind = at + 1;
-            for (at = Inside(behind); at < End && SyntaxBytes.IsDigit(Bytes[at]) && significant <= NcNumber.MaxDigits && decimals <= NcNumber.MaxDigits; at = Inside(behind))
+            for (at = Inside(behind);
+                at < End && SyntaxBytes.IsDigit(Bytes[at]) && significant <= NcNumber.MaxDigits && decimals <= NcNumber.MaxDigits;
+                at = Inside(behind))
             {
                 digits = (digits * 10) + (Bytes[at] - '0');
                 significant += digits == 0 ? 0 : 1;
@@ -120,7 +122,8 @@ internal readonly ref struct BlockScanner(ReadOnlySpan<byte> bytes, int end, NcS
     }
 
     /// <summary>A token without a value.</summary>
-    public static NcToken Plain(NcTokenKind kind, int at, int next, byte letter = 0) => new(kind, letter, at, next - at, at, next - at, default, WordDistance.Modal);
+    public static NcToken Plain(NcTokenKind kind, int at, int next, byte letter = 0) =>
+        new(kind, letter, at, next - at, at, next - at, default, WordDistance.Modal);
 
     /// <summary>A token that ends with its value.</summary>
     public static NcToken Valued(NcTokenKind kind, byte letter, int at, int value, int next, NcNumber number = default) =>

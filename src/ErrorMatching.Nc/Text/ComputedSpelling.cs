@@ -72,7 +72,8 @@ internal static class ComputedSpelling
 
         at = SyntaxBytes.BehindBracket(text.Bytes, at, text.End);
         var slash = text.SkipSpaces(at);
-        if (slash < text.End && text.Bytes[slash] == '/' && text.SkipSpaces(slash + 1) is var second && second < text.End && text.Bytes[second] == '[')
+        if (slash < text.End && text.Bytes[slash] == '/' && text.SkipSpaces(slash + 1) is var second && second < text.End
+            && text.Bytes[second] == '[')
         {
             at = SyntaxBytes.BehindBracket(text.Bytes, second, text.End);
         }
@@ -82,7 +83,8 @@ internal static class ComputedSpelling
 
     private static bool IsFunction(ReadOnlySpan<byte> name)
     {
-        foreach (var known in (ReadOnlySpan<string>)["ABS", "ACOS", "ASIN", "ATAN", "COS", "EXP", "EXISTS", "FIX", "FUP", "LN", "ROUND", "SIN", "SQRT", "TAN"])
+        foreach (var known in (ReadOnlySpan<string>)["ABS", "ACOS", "ASIN", "ATAN", "COS", "EXP", "EXISTS", "FIX", "FUP", "LN", "ROUND",
+            "SIN", "SQRT", "TAN"])
         {
             if (System.Text.Ascii.EqualsIgnoreCase(name, known))
             {

@@ -78,18 +78,21 @@ public ref struct NcTokenizer
             case (byte)'@' or (byte)'^' when syntax == NcSyntax.LinuxCnc:
                 return PolarWordAt(at, c);
             case (byte)'#':
-                return BlockScanner.Plain(NcTokenKind.Assignment, at, syntax == NcSyntax.LinuxCnc ? _text.AssignmentEnd(at) : _text.ToCommentOrEnd(at + 1));
+                return BlockScanner.Plain(NcTokenKind.Assignment, at,
+                    syntax == NcSyntax.LinuxCnc ? _text.AssignmentEnd(at) : _text.ToCommentOrEnd(at + 1));
             case (byte)'$' or (byte)'_' when syntax == NcSyntax.Siemens:
                 return _text.NameAt(at, 0);
             case (byte)'[':
                 return BlockScanner.Plain(NcTokenKind.Expression, at, SyntaxBytes.BehindBracket(bytes, at, end));
             case (byte)'"':
-                return BlockScanner.Plain(syntax == NcSyntax.Siemens ? NcTokenKind.Expression : NcTokenKind.Invalid, at, SyntaxBytes.BehindString(bytes, at, end));
+                return BlockScanner.Plain(syntax == NcSyntax.Siemens ? NcTokenKind.Expression : NcTokenKind.Invalid, at,
+                    SyntaxBytes.BehindString(bytes, at, end));
             case 0xEF when at == 0 && SyntaxBytes.MarkLength(bytes) is > 0 and var mark:
                 return BlockScanner.Plain(NcTokenKind.Space, at, mark);
             case 0 or SyntaxBytes.EndOfFile:
                 var filled = SyntaxBytes.BehindPadding(bytes, at, end);
-                return BlockScanner.Plain(SyntaxBytes.IsFiller(bytes, at, filled, end) ? NcTokenKind.Space : NcTokenKind.Invalid, at, filled);
+                return BlockScanner.Plain(SyntaxBytes.IsFiller(bytes, at, filled, end) ? NcTokenKind.Space : NcTokenKind.Invalid, at,
+                    filled);
             default:
                 return BlockScanner.Plain(NcTokenKind.Invalid, at, at + 1);
         }

@@ -5,7 +5,8 @@ namespace ErrorMatching.Nc;
 /// <summary>Names, addresses with an equals sign, and statements in Siemens spelling.</summary>
 internal static class SiemensSpelling
 {
-    private static readonly string[] Statements = ["IF", "WHILE", "UNTIL", "FOR", "CASE", "DEF", "PROC", "EXTERN", "GOTO", "GOTOF", "GOTOB", "GOTOC", "CALL", "PCALL", "REPEAT", "REPEATB"];
+    private static readonly string[] Statements = ["IF", "WHILE", "UNTIL", "FOR", "CASE", "DEF", "PROC", "EXTERN", "GOTO", "GOTOF",
+        "GOTOB", "GOTOC", "CALL", "PCALL", "REPEAT", "REPEATB"];
 
     private static readonly string[] WordOperators = ["DIV", "MOD", "AND", "OR", "XOR", "B_AND", "B_OR", "B_XOR"];
 
@@ -101,7 +102,8 @@ internal static class SiemensSpelling
 
         if (text.ReadNumber(value, out var next, out var number) && next == end)
         {
-            return BlockScanner.Valued(corner == 0 ? NcTokenKind.Word : NcTokenKind.CommaWord, corner == 0 ? letter : corner, start, value, end, number);
+            return BlockScanner.Valued(corner == 0 ? NcTokenKind.Word : NcTokenKind.CommaWord, corner == 0 ? letter : corner, start, value,
+                end, number);
         }
 
         if (corner != 0)
@@ -133,7 +135,8 @@ internal static class SiemensSpelling
 
         inside = text.SkipSpaces(open + 1);
         var name = text.Bytes[at..nameEnd];
-        return Ascii.EqualsIgnoreCase(name, "AC"u8) ? WordDistance.Absolute : Ascii.EqualsIgnoreCase(name, "IC"u8) ? WordDistance.Incremental : WordDistance.Modal;
+        return Ascii.EqualsIgnoreCase(name, "AC"u8) ? WordDistance.Absolute : Ascii.EqualsIgnoreCase(name, "IC"u8)
+            ? WordDistance.Incremental : WordDistance.Modal;
     }
 
     // Operands and operators in turn; spaces may stand between them.
@@ -227,7 +230,8 @@ internal static class SiemensSpelling
         }
 
         var length = 0;
-        while (at + length < text.End && length < 2 && text.Bytes[at + length] is (byte)'+' or (byte)'-' or (byte)'*' or (byte)'/' or (byte)'<' or (byte)'>' or (byte)'=')
+        while (at + length < text.End && length < 2
+            && text.Bytes[at + length] is (byte)'+' or (byte)'-' or (byte)'*' or (byte)'/' or (byte)'<' or (byte)'>' or (byte)'=')
         {
             length++;
         }

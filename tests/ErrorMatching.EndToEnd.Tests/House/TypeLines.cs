@@ -1,13 +1,15 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>
-/// Counts the lines of each type in C# sources: from its first line to its closing brace, all partial parts together. A nested type counts for itself and not for the one around it.
+/// Counts the lines of each type in C# sources: from its first line to its closing brace, all partial parts together. A nested type counts
+/// for itself and not for the one around it.
 /// </summary>
 internal sealed class TypeLines
 {
     private static readonly HashSet<string> Modifiers = new(StringComparer.Ordinal)
     {
-        "public", "internal", "private", "protected", "file", "static", "sealed", "abstract", "readonly", "ref", "unsafe", "partial", "new", "record",
+        "public", "internal", "private", "protected", "file", "static", "sealed", "abstract", "readonly", "ref", "unsafe", "partial",
+        "new", "record",
     };
 
     private readonly Dictionary<string, int> _lines = new(StringComparer.Ordinal);
@@ -27,7 +29,8 @@ internal sealed class TypeLines
         for (var i = 0; i < tokens.Count; i++)
         {
             var (text, line) = tokens[i];
-            if (declared is null && text is "class" or "struct" or "interface" or "enum" or "record" && i > 0 && Modifiers.Contains(tokens[i - 1].Text) && i + 1 < tokens.Count
+            if (declared is null && text is "class" or "struct" or "interface" or "enum" or "record" && i > 0
+                && Modifiers.Contains(tokens[i - 1].Text) && i + 1 < tokens.Count
                 && IsName(tokens[i + 1].Text) && tokens[i + 1].Text is not ("class" or "struct"))
             {
                 var outer = open.Count == 0 ? project : open.Peek().Name;
@@ -208,7 +211,8 @@ internal sealed class TypeLines
         for (var depth = 1; at < source.Length && depth > 0;)
         {
             depth += source[at] == '{' ? 1 : source[at] == '}' ? -1 : 0;
-            at = IsText(source, at) ? BehindText(source, at) : BehindPlain(source, at) is > 0 and var behind && source[at] != '#' ? behind : at + 1;
+            at = IsText(source, at) ? BehindText(source, at) : BehindPlain(source, at) is > 0 and var behind && source[at] != '#' ? behind
+                : at + 1;
         }
 
         return at;
