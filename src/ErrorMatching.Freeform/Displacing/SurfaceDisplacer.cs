@@ -1,6 +1,4 @@
-using System.Globalization;
 using System.Security.Cryptography;
-using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform;
@@ -41,63 +39,14 @@ public static class SurfaceDisplacer
             return refusal;
         }
 
-        var walk = new SurfaceWalk(surface, field, gain, tool.RadiusMm, programsTip);
-        var points = new List<PointWish>();
-        var (touching, followed, largest, misfit) = (0, 0, 0.0, 0.0);
-        var last = default(SurfaceContact?);
-        for (var i = 0; i < path.Motions.Length; i++)
-        {
-            var motion = path.Motions[i];
-            if (motion.UnknownEnd != AxisSet.None)
-            {
-                last = null;
-                continue;
-            }
+        var followed = new FollowedPath(path, new(surface, field, gain, tool.RadiusMm, programsTip), tool.RadiusMm, programsTip);
+        return followed.Follow() is { } off ? off : Proved(path, program, followed, measurementSha256);
+    }
 
-            var contact = walk.At(motion.End);
-            var deepest = contact.OverMm;
-            if (motion.IsCut && last is { } from)
-            {
-                foreach (var (fraction, place) in Between(motion, tool.RadiusMm))
-                {
-                    var its = walk.At(place);
-                    deepest = Math.Min(deepest, its.OverMm);
-                    misfit = Touches(its) ? Math.Max(misfit, (its.Move - (from.Moved(tool.RadiusMm) * (1 - fraction)) - (contact.Moved(tool.RadiusMm) * fraction)).Length) : misfit;
-                }
-            }
-
-            if (deepest < -TouchMm)
-            {
-                return Refuse(path, motion.Block, "program-in-surface", string.Create(
-                    CultureInfo.InvariantCulture,
-                    $"here the ball would cut {-deepest:0.000} mm into the surface. Check the tool's diameter, the work offset, and whether the program moves the {(programsTip ? "center" : "tip")} of the ball."));
-            }
-
-            var isNear = contact.OverMm <= tool.RadiusMm;
-            if (motion.IsArc && (isNear || deepest <= tool.RadiusMm || last?.OverMm <= tool.RadiusMm))
-            {
-                return Refuse(path, motion.Block, NcRefusalCodes.ArcForm, "an arc near the surface cannot follow points that are displaced each by its own vector. Post it as short straight lines.");
-            }
-
-            if (isNear)
-            {
-                var touches = Touches(contact) && motion.IsCut;
-                (touching, followed) = touches ? (touching + 1, followed) : (touching, followed + 1);
-                largest = Math.Max(largest, contact.Move.Length);
-                points.Add(new(i, contact.Move));
-            }
-
-            last = contact;
-        }
-
-        if (touching < 2)
-        {
-            return Misread(path) ?? new NcRefusal("program-off-surface", "", 0, string.Create(
-                CultureInfo.InvariantCulture,
-                $"No cut of the program touches the surface with a ball of {2 * tool.RadiusMm} mm within {TouchMm} mm. Check the tool's diameter, the work offset, and whether the program moves the {(programsTip ? "center" : "tip")} of the ball."));
-        }
-
-        var wish = DisplacementWish.OfPoints(StraightUpAndDown(path, points));
+    private static NcOutcome<DisplacedProgram> Proved(NcPath path, ReadOnlyMemory<byte> program, FollowedPath followed, string measurementSha256)
+    {
+        var syntax = path.Dialect.Syntax;
+        var wish = DisplacementWish.OfPoints(followed.Points());
         var rewrite = Rewriter.Apply(path, wish);
         if (!rewrite.IsUsable)
         {
@@ -105,10 +54,10 @@ public static class SurfaceDisplacer
         }
 
         var marker = rewrite.Value.Patches.Count == 0 ? null : new Marker(measurementSha256, Convert.ToHexStringLower(SHA256.HashData(program.Span)));
-        var displaced = marker is null ? rewrite.Value.Program : NcProgram.Read(marker.InsertInto(rewrite.Value.Program), dialect.Syntax);
-        var proof = Prover.Check(path, displaced, wish, rewrite.Value.LeastIncrementMm, marker?.TextIn(dialect.Syntax));
+        var displaced = marker is null ? rewrite.Value.Program : NcProgram.Read(marker.InsertInto(rewrite.Value.Program), syntax);
+        var proof = Prover.Check(path, displaced, wish, rewrite.Value.LeastIncrementMm, marker?.TextIn(syntax));
         return proof.Holds
-            ? new DisplacedProgram(displaced, path, wish, rewrite.Value, proof, marker, touching, followed, largest, misfit)
+            ? new DisplacedProgram(displaced, path, wish, rewrite.Value, proof, marker, followed.Touching, followed.Followed, followed.LargestMm, followed.MisfitMm)
             : proof.Failures[0];
     }
 
@@ -124,55 +73,14 @@ public static class SurfaceDisplacer
     }
 
     // Where the dialect is another's, everything behind the first unknown code goes wrong: that one is to blame.
-    private static NcRefusal? Misread(NcPath path) => path.Problems is [var problem, ..]
+    internal static NcRefusal? Misread(NcPath path) => path.Problems is [var problem, ..]
         ? Refuse(path, problem.Block, NcRefusalCodes.UnknownState, $"{problem.Message} Behind it the program cannot be followed with certainty. Check that toolpath.dialect, {path.Dialect.Name}, is the control that the program was posted for.")
         : null;
 
-    // Places on a straight cut, half a radius apart or closer, its middle at least; of one that is long beyond reason, so many that nothing hangs.
-    private static IEnumerable<(double Fraction, Point3 Place)> Between(NcMotion motion, double radius)
-    {
-        var way = motion.End - motion.Start;
-        var pieces = (int)Math.Clamp(Math.Ceiling(2 * way.Length / radius), 2, 1000);
-        for (var i = 1; i < pieces && !motion.IsArc; i++)
-        {
-            var fraction = (double)i / pieces;
-            yield return (fraction, motion.Start + (way * fraction));
-        }
-    }
-
-    private static bool Touches(SurfaceContact contact) => Math.Abs(contact.OverMm) <= TouchMm;
-
-    private static NcRefusal Refuse(NcPath path, int position, string code, string message)
+    internal static NcRefusal Refuse(NcPath path, int position, string code, string message)
     {
         var block = path.Program[position];
         var name = path.Program.NameOf(block);
         return new(code, name, block.Line, $"{name}: {message}");
     }
-
-    // What goes straight up from a moved place, or straight down to one, keeps to it in X and Y.
-    private static List<PointWish> StraightUpAndDown(NcPath path, List<PointWish> points)
-    {
-        var moves = new SortedDictionary<int, Vector3>();
-        foreach (var (motion, by) in points)
-        {
-            moves[motion] = by;
-        }
-
-        foreach (var (motion, by) in points)
-        {
-            var beside = by with { Z = 0 };
-            for (var behind = motion + 1; behind < path.Motions.Length && IsUpright(path.Motions[behind]) && moves.TryAdd(behind, beside); behind++)
-            {
-            }
-
-            for (var before = motion; before > 0 && IsUpright(path.Motions[before]) && path.Motions[before - 1].UnknownEnd == AxisSet.None && moves.TryAdd(before - 1, beside); before--)
-            {
-            }
-        }
-
-        return [.. moves.Select(m => new PointWish(m.Key, m.Value))];
-    }
-
-    private static bool IsUpright(in NcMotion motion) => motion is { Kind: MotionKind.Rapid or MotionKind.Line, UnknownStart: AxisSet.None, UnknownEnd: AxisSet.None }
-        && motion.Start.X == motion.End.X && motion.Start.Y == motion.End.Y;
 }

@@ -1,6 +1,3 @@
-using System.Globalization;
-using ErrorMatching.Geometry;
-
 namespace ErrorMatching.Freeform;
 
 /// <summary>Reads the log that a probing program writes: a line that names the plan, then one a point, then one that says that it is whole.</summary>
@@ -49,7 +46,7 @@ internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
             }
             else
             {
-                points.Add(Point(line, i + 1));
+                points.Add(new ProbedPointLine(file, line, i + 1).Read());
             }
         }
 
@@ -74,78 +71,6 @@ internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
         {
             throw new FreeformException("other-plan", file, $"the log belongs to the plan {Shown(id)}; that of the job is {expected}. Was the job or its surface changed behind surface probe?", number);
         }
-    }
-
-    private RawPoint Point(string line, int number)
-    {
-        var at = 0;
-        var point = Number('P');
-        var kind = at < line.Length && line[at] is 'C' or 'S' ? line[at++] : throw Fail();
-        var position = new Point3(Number('X'), Number('Y'), Number('Z'));
-        return at == line.Length && point is >= 0 and <= int.MaxValue && point == Math.Floor(point) && position.IsFinite ? new((int)point, null, null, position, kind == 'C', number) : throw Fail();
-
-        double Number(char letter)
-        {
-            Skip();
-            if (at >= line.Length || line[at++] != letter)
-            {
-                throw Fail();
-            }
-
-            Skip();
-            var start = at;
-            while (at < line.Length && (char.IsAsciiDigit(line[at]) || line[at] is '-' or '+' or '.'))
-            {
-                at++;
-            }
-
-            // The sign may stand before the padding.
-            var text = line[start..at];
-            if (text is "-" or "+")
-            {
-                Skip();
-                start = at;
-                while (at < line.Length && (char.IsAsciiDigit(line[at]) || line[at] is '.'))
-                {
-                    at++;
-                }
-
-                text += line[start..at];
-            }
-
-            text += Exponent();
-            var value = double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out var read) ? read : throw Fail();
-            Skip();
-            return value;
-        }
-
-        // Of a value close to nothing: E-07, or EX-07 as Siemens writes it.
-        string Exponent()
-        {
-            if (at >= line.Length || line[at] is not ('E' or 'e'))
-            {
-                return "";
-            }
-
-            at += at + 1 < line.Length && line[at + 1] is 'X' or 'x' ? 2 : 1;
-            var start = at;
-            while (at < line.Length && (char.IsAsciiDigit(line[at]) || (at == start && line[at] is '-' or '+')))
-            {
-                at++;
-            }
-
-            return "E" + line[start..at];
-        }
-
-        void Skip()
-        {
-            while (at < line.Length && line[at] is ' ' or '\t')
-            {
-                at++;
-            }
-        }
-
-        FreeformException Fail() => new("bad-log", file, FormattableString.Invariant($"found {Shown(line)} at character {at + 1}; expected a point such as P12 C X1.5 Y2.0 Z-3.25."), number, at + 1);
     }
 
     internal static string Shown(string text) => "\"" + string.Concat((text.Length <= 60 ? text : text[..60] + "...").Select(c => char.IsControl(c) ? '?' : c)) + "\"";

@@ -56,90 +56,104 @@ internal sealed class SchemaParser(JsonItem document)
 
     private void Apply(SchemaRule rule, JsonMember member)
     {
-        var value = member.Value;
-        switch (member.Name)
+        if (member.Name is "$schema" or "$id" or "$comment" or "description" or "examples" or "default")
         {
-            case "$schema" or "$id" or "$comment" or "description" or "examples" or "default":
-                break;
-            case "title":
-                rule.Title = value.Text;
-                break;
-            case "$defs":
-                foreach (var definition in MembersOf(value))
-                {
-                    _definitions[definition.Name] = ParseRule(definition.Value);
-                }
-
-                break;
-            case "$ref":
-                _references.Add((value, rule, value.Text));
-                break;
-            case "type":
-                rule.Types = [.. (value.Kind == JsonItemKind.List ? value.Items : [value]).Select(TypeName)];
-                break;
-            case "enum" or "const":
-                rule.Values = member.Name == "enum" ? ItemsOf(value) : [value];
-                rule.IsConst = member.Name == "const";
-                foreach (var allowed in rule.Values.Where(v => v.Kind is JsonItemKind.List or JsonItemKind.Object))
-                {
-                    Refuse(allowed, ValueText.Of(allowed), "a plain value");
-                }
-
-                break;
-            case "required":
-                rule.Required = [.. ItemsOf(value).Select(i => i.Text)];
-                break;
-            case "properties":
-                rule.Properties = [.. MembersOf(value).Select(p => KeyValuePair.Create(p.Name, ParseRule(p.Value)))];
-                break;
-            case "additionalProperties":
-                rule.IsClosed = value is { Kind: JsonItemKind.Boolean, Flag: false };
-                if (!rule.IsClosed)
-                {
-                    Refuse(value, ValueText.Of(value), "false");
-                }
-
-                break;
-            case "items":
-                rule.Items = ParseRule(value);
-                break;
-            case "prefixItems":
-                rule.PrefixItems = Rules(value);
-                break;
-            case "oneOf":
-                rule.OneOf = Rules(value);
-                break;
-            case "anyOf":
-                rule.AnyOf = Rules(value);
-                break;
-            case "minItems":
-                rule.MinItems = Count(value);
-                break;
-            case "maxItems":
-                rule.MaxItems = Count(value);
-                break;
-            case "minLength":
-                rule.MinLength = Count(value);
-                break;
-            case "minimum":
-                rule.Minimum = Number(value);
-                break;
-            case "maximum":
-                rule.Maximum = Number(value);
-                break;
-            case "exclusiveMinimum":
-                rule.ExclusiveMinimum = Number(value);
-                break;
-            case "exclusiveMaximum":
-                rule.ExclusiveMaximum = Number(value);
-                break;
-            case "pattern":
-                rule.Pattern = Pattern(value);
-                break;
-            default:
-                Problems.Add(new("schema", value.Path, member.Place, $"the keyword \"{member.Name}\"", "a keyword that is checked", $"the keyword \"{member.Name}\" is not checked here, so a schema must not use it"));
-                break;
+            return;
         }
+
+        var (keyword, value) = (member.Name, member.Value);
+        if (!SaysWhatItIs(rule, keyword, value) && !SaysParts(rule, keyword, value) && !SaysLimit(rule, keyword, value))
+        {
+            Problems.Add(new(
+                "schema",
+                member.Value.Path,
+                member.Place,
+                $"the keyword \"{member.Name}\"",
+                "a keyword that is checked",
+                $"the keyword \"{member.Name}\" is not checked here, so a schema must not use it"));
+        }
+    }
+
+    // What a value is called, and what it is or can be.
+    private bool SaysWhatItIs(SchemaRule rule, string keyword, JsonItem value)
+    {
+        switch (keyword)
+        {
+            case "title": rule.Title = value.Text; break;
+            case "$defs": Define(value); break;
+            case "$ref": _references.Add((value, rule, value.Text)); break;
+            case "type": rule.Types = [.. (value.Kind == JsonItemKind.List ? value.Items : [value]).Select(TypeName)]; break;
+            case "enum": (rule.Values, rule.IsConst) = (PlainValues(ItemsOf(value)), false); break;
+            case "const": (rule.Values, rule.IsConst) = (PlainValues([value]), true); break;
+            case "oneOf": rule.OneOf = Rules(value); break;
+            case "anyOf": rule.AnyOf = Rules(value); break;
+            default: return false;
+        }
+
+        return true;
+    }
+
+    // What is inside an object or a list.
+    private bool SaysParts(SchemaRule rule, string keyword, JsonItem value)
+    {
+        switch (keyword)
+        {
+            case "required": rule.Required = [.. ItemsOf(value).Select(i => i.Text)]; break;
+            case "properties": rule.Properties = [.. MembersOf(value).Select(p => KeyValuePair.Create(p.Name, ParseRule(p.Value)))]; break;
+            case "additionalProperties": rule.IsClosed = Closes(value); break;
+            case "items": rule.Items = ParseRule(value); break;
+            case "prefixItems": rule.PrefixItems = Rules(value); break;
+            default: return false;
+        }
+
+        return true;
+    }
+
+    private bool SaysLimit(SchemaRule rule, string keyword, JsonItem value)
+    {
+        switch (keyword)
+        {
+            case "minItems": rule.MinItems = Count(value); break;
+            case "maxItems": rule.MaxItems = Count(value); break;
+            case "minLength": rule.MinLength = Count(value); break;
+            case "minimum": rule.Minimum = Number(value); break;
+            case "maximum": rule.Maximum = Number(value); break;
+            case "exclusiveMinimum": rule.ExclusiveMinimum = Number(value); break;
+            case "exclusiveMaximum": rule.ExclusiveMaximum = Number(value); break;
+            case "pattern": rule.Pattern = Pattern(value); break;
+            default: return false;
+        }
+
+        return true;
+    }
+
+    private void Define(JsonItem value)
+    {
+        foreach (var definition in MembersOf(value))
+        {
+            _definitions[definition.Name] = ParseRule(definition.Value);
+        }
+    }
+
+    private IReadOnlyList<JsonItem> PlainValues(IReadOnlyList<JsonItem> values)
+    {
+        foreach (var value in values.Where(v => v.Kind is JsonItemKind.List or JsonItemKind.Object))
+        {
+            Refuse(value, ValueText.Of(value), "a plain value");
+        }
+
+        return values;
+    }
+
+    private bool Closes(JsonItem value)
+    {
+        var closes = value is { Kind: JsonItemKind.Boolean, Flag: false };
+        if (!closes)
+        {
+            Refuse(value, ValueText.Of(value), "false");
+        }
+
+        return closes;
     }
 
     private string TypeName(JsonItem value)

@@ -1,80 +1,77 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Executes what a program computes: decides which block runs next, keeps variables and calls, and stops where a program would never end or where only the
+/// Executes what a program computes: decides which block runs next, keeps variables and calls, and stops where a program would never end or
+/// where only the
 /// machine knows how it goes on. A program without such statements need not be given to it at all.
 /// </summary>
 /// <remarks>
-/// A block that <see cref="FlowTrigger"/> names is given to <see cref="Before"/>; where that answers <see cref="FlowAction.Words"/>, its words are read (with
-/// <see cref="TryValue"/> for computed ones) and acted on, and then <see cref="Behind"/> is called. Everything else runs from one block to the next.
+/// A block that <see cref="FlowTrigger"/> names is given to <see cref="Before"/>; where that answers <see cref="FlowAction.Words"/>, its
+/// words are read (with
+/// <see cref="TryValue"/> for computed ones) and acted on, and then <see cref="Behind"/> is called. Everything else runs from one block to
+/// the next.
 /// </remarks>
-internal sealed partial class NcFlow
+internal sealed class NcFlow
 {
-    private const int SearchedPerStep = 8;
-
-    private readonly FlowSettings _settings;
+    private readonly NcProgram _program;
     private readonly NcDialect _dialect;
     private readonly NcSyntax _syntax;
-    private readonly ExpressionSyntax _expressions;
-    private readonly NcProgram _program;
-    private readonly Stack<FlowFrame> _frames = new();
-    private readonly Dictionary<string, FlowIndex?> _library = new(StringComparer.Ordinal);
-    private readonly Dictionary<(FlowIndex, int), long> _jumps = [];
-    private readonly List<(VariablePlace Place, NcValue Value)> _pending = [];
-    private readonly List<NcNote> _notes = [];
-    private readonly List<ModalCall> _modalCalls = [];
-    private long _changes;
-    private long _steps;
-    private int _resumed;
-    private bool _hasEnded;
-    private bool _breaking;
+    private readonly CallStack _calls;
+    private readonly FlowReport _report;
+    private readonly FlowMemory _memory;
+    private readonly FlowCourse _course;
+    private readonly FlowStructures _structures;
+    private readonly IsoWords _words;
+    private readonly IsoStatements _iso;
+    private readonly SiemensStatements _siemens;
+    private readonly MacroCalls _macros;
+    private readonly FlowSteering _steering;
 
     public NcFlow(NcProgram program, NcDialect dialect, FlowSettings? settings = null)
     {
-        _program = program;
-        _dialect = dialect;
-        _syntax = dialect.Syntax;
-        _settings = settings ?? new();
-        _expressions = ExpressionSyntax.Of(_syntax);
-        Variables = new(_syntax);
+        settings ??= new();
+        (_program, _dialect, _syntax) = (program, dialect, dialect.Syntax);
+        _calls = new(program, dialect);
+        _report = new(_calls);
+        _memory = new(_syntax, _report);
+        _course = new(_syntax, _calls, _report, _memory, new(_syntax, _report, _memory), settings);
+
+        var library = new FlowLibrary(dialect, settings);
+        var alarms = new FlowAlarms(_syntax, _calls, _report, _memory);
+        _structures = new(_syntax, _calls, _report, _memory, _course, alarms, new(_calls, _report, _memory, _course, library));
+        _words = new(_syntax, _calls, _report, _memory, _course);
+        _iso = new(_report, _memory, _course, alarms, _words);
+        _macros = new(_syntax, _calls, _report, _memory, _course, library, _words, settings);
+        _steering = new(dialect, _report, _memory, _course, _macros, _words);
+
+        var arrays = new SiemensArrays(_report, _memory, _course);
+        var assignments = new SiemensAssignments(_memory, arrays);
+        var named = new SiemensCalls(dialect, _calls, _report, _memory, _course, library, assignments);
+        _siemens = new(dialect, _course, _report, new(_calls, _report, _memory, _course, settings), arrays, named, assignments);
     }
 
     /// <summary>The file in which <see cref="Next"/> stands: the program itself, or one of the library.</summary>
-    public NcProgram Program => _frames.Count == 0 ? _program : Unit.Index.Program;
+    public NcProgram Program => _calls.Program;
 
     /// <summary>The block to be executed next.</summary>
-    public int Next { get; private set; }
+    public int Next => _course.Next;
 
     /// <summary>How many calls the present block is inside of; 0 in the main program.</summary>
-    public int Depth => Math.Max(0, _frames.Count - 1);
+    public int Depth => _calls.Depth;
 
     /// <summary>Why the program cannot go on; null where it can.</summary>
-    public NcRefusal? Refusal { get; private set; }
+    public NcRefusal? Refusal => _report.Refusal;
 
     /// <summary>What is worth knowing of how the program ran.</summary>
-    public IReadOnlyList<NcNote> Notes => _notes;
+    public IReadOnlyList<NcNote> Notes => _report.Notes;
 
-    public NcVariables Variables { get; }
+    public NcVariables Variables => _memory.Variables;
 
     /// <summary>True while a macro is called behind every motion: then each block that moves is given to <see cref="Behind"/>.</summary>
-    public bool HasModalCall => _frames.Count > 0 && Math.Min(Frame.ModalCalls, _modalCalls.Count) > 0;
+    public bool HasModalCall => _macros.HasModalCall;
 
-    // Files are indexed only when a statement needs it: a straight program with M30 at its end never is.
-    private FlowFrame Frame
-    {
-        get
-        {
-            if (_frames.Count == 0)
-            {
-                var main = new FlowIndex(_program, _dialect).Main;
-                _frames.Push(new() { Unit = main, First = main.First });
-            }
-
-            return _frames.Peek();
-        }
-    }
-
-    private FlowUnit Unit => Frame.Unit;
+    /// <summary>True if the block last given to <see cref="Behind"/> had a word that steers, and it was executed.</summary>
+    public bool HasSteered => _steering.HasSteered;
 
     /// <summary>The block that runs first: 0, or the main program's first in an archive that begins with a subprogram.</summary>
     public int First
@@ -85,29 +82,28 @@ internal sealed partial class NcFlow
             text = text[SyntaxBytes.MarkLength(text)..];
             if (_syntax == NcSyntax.Siemens && text.Length > 0 && text[0] == '%' && text.IndexOf("_MPF"u8) < 0)
             {
-                _resumed = Unit.First;
+                _course.Begin(_calls.Unit.First);
             }
 
-            return _resumed;
+            return _course.Begun;
         }
     }
 
     /// <summary>Executes what a block does before its words are read: assignments, conditions, jumps, and calls that stand alone.</summary>
     public FlowAction Before(int block)
     {
-        if (Refusal is not null || _hasEnded)
+        if (Refusal is not null || _course.HasEnded)
         {
             return FlowAction.Stop;
         }
 
-        if (_frames.Count > 0 && block >= Unit.End)
+        if (_calls.Frames.Count > 0 && block >= _calls.Unit.End)
         {
-            return AtEnd(block);
+            return _course.AtEnd(block);
         }
 
-        _pending.Clear();
-        _scanned = -1;
-        Next = block + 1;
+        _words.Begin();
+        _course.Next = block + 1;
         var text = Program.BytesOf(Program[block]);
         var head = BlockHead.Read(text, _syntax);
         if (head.At >= text.Length && head.LabelLength == 0)
@@ -117,166 +113,105 @@ internal sealed partial class NcFlow
 
         var depth = Depth;
         var action = Heads(text, head.At) ? Heading(block, text, head.At)
-            : MayBeStructure(text, head.At) && Unit.Index.StatementAt(block) is { } statement ? Execute(statement, text)
+            : MayBeStructure(text, head.At) && _calls.Unit.Index.StatementAt(block) is { } statement ? _structures.Execute(statement, text)
             : Statement(block, text, head);
-        return action == FlowAction.Continue && Depth == depth && Next == block + 1 ? BehindRegion(block) : action;
+        return BehindRegion(block, depth, action);
     }
 
-    /// <summary>Executes what a block does behind its words: the assignments of LinuxCNC, calls, returns and the end of the program.</summary>
+    /// <summary>
+    /// Executes what a block does behind its words: the assignments of LinuxCNC, calls, returns and the end of the program.
+    /// </summary>
     /// <param name="block">The block.</param>
     /// <param name="moved">True if its words moved an axis; a modal macro is then called.</param>
     public FlowAction Behind(int block, bool moved = false)
     {
-        if (Refusal is not null || _hasEnded)
+        if (Refusal is not null || _course.HasEnded)
         {
             return FlowAction.Stop;
         }
 
-        Next = block + 1;
-        HasSteered = false;
-        var text = Program.BytesOf(Program[block]);
+        _course.Next = block + 1;
         var depth = Depth;
-        var action = _syntax == NcSyntax.Siemens ? BehindSiemens(block, text) : BehindIso(block, text, moved);
-        _scanned = -1;
-        return action == FlowAction.Continue && Depth == depth && Next == block + 1 ? BehindRegion(block) : action;
+        var action = _steering.Behind(block, Program.BytesOf(Program[block]), moved);
+        _words.End();
+        return BehindRegion(block, depth, action);
+    }
+
+    /// <summary>Passes over a block that is not executed.</summary>
+    public FlowAction Skip(int block)
+    {
+        if (_calls.Frames.Count > 0 && block >= _calls.Unit.End)
+        {
+            return _course.AtEnd(block);
+        }
+
+        _course.Next = block + 1;
+        return _course.BehindRegion(block);
     }
 
     /// <summary>Goes on where a file's last block has been executed: in the calling program, or nowhere.</summary>
-    public FlowAction AtEnd() => AtEnd(Program.BlockCount);
+    public FlowAction AtEnd() => _course.AtEnd(Program.BlockCount);
 
     /// <summary>Computes the value of a word, as it is before the block's own assignments take effect in LinuxCNC.</summary>
     /// <param name="block">The block.</param>
     /// <param name="start">First byte of the value, counted from the start of the program; an equals sign before it is passed over.</param>
     /// <param name="length">Number of bytes of the value; it must be used up.</param>
-    /// <param name="decimals">Decimals of the address's least increment, to which ROUND rounds in a Fanuc address; 0 where the address has none.</param>
+    /// <param name="decimals">Decimals of the address's least increment, to which ROUND rounds in a Fanuc address; 0 where the address has
+    /// none.</param>
     /// <param name="value">The value; vacant where the word is as if not written.</param>
     /// <returns>False where <see cref="Refusal"/> says what is wrong.</returns>
     public bool TryValue(int block, int start, int length, int decimals, out NcValue value)
     {
         var place = Program[block];
         var text = Program.Bytes.Span[place.Start..(start + length)];
-        var reader = new ExpressionReader(text, start - place.Start, _expressions, Variables) { RoundDecimals = _syntax == NcSyntax.Iso ? decimals : 0 };
-        reader.Take((byte)'=');
-        value = _syntax == NcSyntax.Siemens ? reader.Expression() : reader.Operand();
-        reader.SkipSpaces();
-        if (reader.Error is null && reader.At < text.Length)
-        {
-            reader.Fail("the value should end here");
-        }
-
-        return Check(ref reader, block);
+        return _memory.TryValue(block, text, start - place.Start, decimals, out value);
     }
 
-    private FlowAction AtEnd(int block)
-    {
-        if (_frames.Count <= 1)
-        {
-            return Ended();
-        }
+    /// <summary>Ends the run at a block for a reason.</summary>
+    public FlowAction Refuse(string code, int block, string message) => _report.Refuse(code, block, message);
 
-        if (_syntax == NcSyntax.Iso)
-        {
-            Note("no-return", Math.Min(block, Program.BlockCount) - 1, "The subprogram ends without M99; it is taken to return here.");
-        }
+    /// <summary>Refuses a call that cannot be executed, or a block with two words that steer.</summary>
+    public FlowAction RefuseCall(int block, string word) => _report.RefuseCall(block, word);
 
-        return Return(block - 1);
-    }
-
-    private FlowAction Ended()
-    {
-        _hasEnded = true;
-        return FlowAction.Stop;
-    }
+    // Where the block has led nowhere else, a repeated section can end behind it.
+    private FlowAction BehindRegion(int block, int depth, FlowAction action) =>
+        action == FlowAction.Continue && Depth == depth && Next == block + 1 ? _course.BehindRegion(block) : action;
 
     // A percent sign, or the number of a program.
     private bool Heads(ReadOnlySpan<byte> text, int at) =>
-        at < text.Length && (text[at] == '%' || (_syntax == NcSyntax.Iso && (text[at] | 0x20) == 'o' && BlockHead.NumberAt(text, at + 1).Length > 0));
+        at < text.Length && (text[at] == '%'
+            || (_syntax == NcSyntax.Iso && (text[at] | 0x20) == 'o' && BlockHead.NumberAt(text, at + 1).Length > 0));
 
-    // The beginning of the next program is the end of the one that runs. What an index knows is not asked here: behind its end no block is met.
+    // The beginning of the next program is the end of the one that runs. What an index knows is not asked here: behind its end no block is
+    // met.
     private FlowAction Heading(int block, ReadOnlySpan<byte> head, int headAt)
     {
-        var first = _frames.Count == 0 && _syntax == NcSyntax.Iso ? Leader.BlocksOf(_program, _dialect) : 0;
-        for (var i = block - 1; _frames.Count == 0 && i >= first; i--)
+        var isFirst = _calls.Frames.Count == 0;
+        var first = isFirst && _syntax == NcSyntax.Iso ? Leader.BlocksOf(_program, _dialect) : 0;
+        for (var i = block - 1; isFirst && i >= first; i--)
         {
             var text = _program.BytesOf(_program[i]);
             var at = BlockHead.Read(text, _syntax).At;
             if (at < text.Length && text[at] != ';' && text[at] != '%')
             {
-                return Ended();
+                return _course.Ended();
             }
         }
 
         // What stands behind the number of a program is executed.
         var number = BlockHead.NumberAt(head, headAt + 1);
-        return head[headAt] == '%' ? FlowAction.Continue : Macro(block, head, number.Start + number.Length);
+        return head[headAt] == '%' ? FlowAction.Continue : _iso.Execute(block, head, number.Start + number.Length);
     }
 
     // Structures begin with a word of letters, or with an O word.
     private bool MayBeStructure(ReadOnlySpan<byte> text, int at) =>
-        at + 1 < text.Length && SyntaxBytes.IsLetter(text[at]) && (SyntaxBytes.IsLetter(text[at + 1]) || (_syntax == NcSyntax.LinuxCnc && (text[at] | 0x20) == 'o'));
+        at + 1 < text.Length && SyntaxBytes.IsLetter(text[at])
+            && (SyntaxBytes.IsLetter(text[at + 1]) || (_syntax == NcSyntax.LinuxCnc && (text[at] | 0x20) == 'o'));
 
     private FlowAction Statement(int block, ReadOnlySpan<byte> text, BlockHead head) => _syntax switch
     {
-        NcSyntax.Siemens => Siemens(block, text, head),
-        NcSyntax.Iso => Macro(block, text, head.At),
-        _ => Assign(block, text, head.At),
+        NcSyntax.Siemens => _siemens.Execute(block, text, head),
+        NcSyntax.Iso => _iso.Execute(block, text, head.At),
+        _ => _words.Assign(block, text, head.At),
     };
-
-    private ExpressionReader ReaderAt(ReadOnlySpan<byte> text, int at) => new(text, at, _expressions, Variables);
-
-    // True where nothing is wrong; else the refusal is set.
-    private bool Check(ref ExpressionReader reader, int block)
-    {
-        if (reader.Error is not null)
-        {
-            Refuse(NcRefusalCodes.BadExpression, block, FormattableString.Invariant($"column {reader.ErrorAt + 1}: {reader.Error}."));
-        }
-
-        return Refusal is null;
-    }
-
-    /// <summary>Ends the run at a block for a reason.</summary>
-    public FlowAction Refuse(string code, int block, string message)
-    {
-        var main = InProgram(block);
-        if (ReferenceEquals(Program, _program))
-        {
-            Refusal ??= _program.BlockCount == 0 ? new(code, "", 0, message) : NcRefusal.At(_program, Math.Clamp(main, 0, _program.BlockCount - 1), code, message);
-        }
-        else
-        {
-            // The file that the setter named has the block that calls; the message says where in the other one.
-            var name = Unit.Name.Length > 0 ? Unit.Name : "the called program";
-            var where = Program.BlockCount == 0 ? "" : $", {Program.NameOf(Program[Math.Clamp(block, 0, Program.BlockCount - 1)])}";
-            Refusal ??= NcRefusal.At(_program, main, code, $"in {name}{where}: {message}");
-        }
-
-        return FlowAction.Stop;
-    }
-
-    private void Note(string code, int block, string message)
-    {
-        block = InProgram(block);
-        if (!_notes.Exists(n => n.Code == code && n.Block == block))
-        {
-            _notes.Add(new(code, block, 1, message));
-        }
-    }
-
-    // A block of a program in another file stands for the block of this one that called it.
-    private int InProgram(int block)
-    {
-        foreach (var frame in _frames)
-        {
-            block = ReferenceEquals(frame.Unit.Index.Program, _program) ? block : frame.Caller;
-        }
-
-        return block;
-    }
-
-    private FlowAction Assigned(int block, VariablePlace place, NcValue value, int column)
-    {
-        var error = Variables.Write(place, value);
-        return error is null ? FlowAction.Continue : Refuse(NcRefusalCodes.BadExpression, block, FormattableString.Invariant($"column {column + 1}: {error}."));
-    }
 }

@@ -3,6 +3,15 @@ namespace ErrorMatching.Nc;
 /// <summary>The words of one block, sorted by letter: reused from block to block so that interpreting allocates nothing.</summary>
 internal sealed partial class BlockWords
 {
+    /// <summary>X, Y and Z.</summary>
+    public const uint LinearAxes = (1u << 23) | (1u << 24) | (1u << 25);
+
+    /// <summary>I, J and K.</summary>
+    public const uint CenterWords = (1u << 8) | (1u << 9) | (1u << 10);
+
+    /// <summary>All words that say where a motion goes.</summary>
+    public const uint GeometryWords = LinearAxes | CenterWords | (1u << 17) | (0x3Fu << 26);
+
     private readonly double[] _values = new double[32];
     private readonly int[] _codes = new int[16];
     private readonly int[] _functions = new int[16];
@@ -68,6 +77,9 @@ internal sealed partial class BlockWords
     public static uint Bit(char letter) => 1u << (letter - 'A');
 
     public static uint Bit(byte letter) => 1u << (letter - 'A');
+
+    /// <summary>The linear axes among letters.</summary>
+    public static AxisSet AxesOf(uint letters) => (AxisSet)((letters >> 23) & 7);
 
     public bool Has(char letter) => (Present & Bit(letter)) != 0;
 

@@ -31,6 +31,14 @@ internal struct ModalState
 
     public Unsure Unsure;
 
+    /// <summary>What a motion keeps of the modes.</summary>
+    public readonly MotionFlags Flags =>
+        (Inch ? MotionFlags.Inch : MotionFlags.None)
+        | (Incremental ? MotionFlags.Incremental : MotionFlags.None)
+        | (AbsoluteCenters ? MotionFlags.AbsoluteCenter : MotionFlags.None)
+        | Compensation
+        | (Unsure != Unsure.None ? MotionFlags.UnsureMode : MotionFlags.None);
+
     /// <summary>True if everything is the same, to the last bit of where the tool is.</summary>
     public readonly bool SameAs(in ModalState other) => Mode == other.Mode && Form == other.Form && Plane == other.Plane && Inch == other.Inch && InchFeed == other.InchFeed
         && Incremental == other.Incremental && AbsoluteCenters == other.AbsoluteCenters && Compensation == other.Compensation && CompensationSwitched == other.CompensationSwitched

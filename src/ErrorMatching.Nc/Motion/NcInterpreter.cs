@@ -1,67 +1,46 @@
-using ErrorMatching.Geometry;
-
 namespace ErrorMatching.Nc;
 
 /// <summary>
 /// Reads a program as its control would and yields the motions. What it does not understand makes the state unknown until the program
 /// states it again, so that nothing is ever guessed silently.
 /// </summary>
-public sealed partial class NcInterpreter
+/// <remarks>
+/// It decides which block runs next: a block of plain words runs at once (<see cref="BlockExecutor"/>); one that computes, branches, calls
+/// or ends is given to <see cref="NcFlow"/> before and
+/// behind its words.
+/// </remarks>
+public sealed class NcInterpreter
 {
-    private const double MmPerInch = 25.4;
-    private const int ToolChange = 6;
-    private const uint LinearAxes = (1u << 23) | (1u << 24) | (1u << 25);
-    private const uint CenterWords = (1u << 8) | (1u << 9) | (1u << 10);
-    private const uint GeometryWords = LinearAxes | CenterWords | (1u << 17) | (0x3Fu << 26);
+    /// <summary>What runs ahead is looked at for an end that often, in blocks.</summary>
+    private const int Watch = 1_024;
 
-    private readonly NcProgram _program;
-    private readonly NcDialect _dialect;
-    private readonly BlockWords _words = new();
-    private readonly List<NcProblem> _problems = [];
-    private readonly HashSet<NcProblem> _said = [];
-    private readonly List<(int Block, int Joint)> _placeDependents = [];
-    private readonly List<int> _toolChanges = [];
-    private readonly NcMotions _motions;
-    private readonly uint _otherAxes;
-    private readonly uint _unknownLetters;
-    private readonly uint _straightLetters;
-    private readonly uint _cutLetters;
-    private readonly uint _lengthLetters;
-    private ModalState _state = ModalState.Initial;
+    private readonly ControlState _control;
+    private readonly ProgramRun _run;
+    private readonly RunResult _result;
+    private readonly BlockExecutor _executor;
+    private readonly RunBorders _borders;
+    private readonly SecondCore _second;
 
-    // The block that motions belong to: the one being executed, or the one in this file that called a program of another file.
-    private int _block;
-
-    private NcInterpreter(NcProgram program, NcDialect dialect, NcMotions motions, Func<string, NcProgram?>? library, CancellationToken cancellation)
+    internal NcInterpreter(NcProgram program, NcDialect dialect, NcMotions motions, Func<string, NcProgram?>? library,
+        CancellationToken cancellation)
     {
-        _program = program;
-        _text = program;
-        _library = library;
-        _cancellation = cancellation;
-        _dialect = dialect;
-        _countsIntegers = dialect.NotesNumbersWithoutPoint;
-        _state.RetractsToR = dialect.Syntax == NcSyntax.LinuxCnc;
-        _motions = motions;
-        for (var letter = 'A'; letter <= 'Z'; letter++)
-        {
-            var role = dialect.RoleOf((byte)letter);
-            _otherAxes |= role == LetterRole.OtherAxis ? BlockWords.Bit(letter) : 0;
-            _unknownLetters |= role == LetterRole.Unknown ? BlockWords.Bit(letter) : 0;
-            _lengthLetters |= role is LetterRole.Axis or LetterRole.Center or LetterRole.Radius ? BlockWords.Bit(letter) : 0;
-        }
-
-        _straightLetters = StraightLetters & ~(_otherAxes | _unknownLetters);
-        _cutLetters = _straightLetters | (CutLetters & ~(_otherAxes | _unknownLetters));
+        _control = new(dialect);
+        _run = new(program, dialect, _control, library, cancellation);
+        _result = new(dialect, motions);
+        _executor = new(_control, _run, _result);
+        _borders = new(_control, _run, _result, _executor);
+        _second = new(program, dialect);
     }
 
-    private enum AxisUse
-    {
-        Motion,
-        Nothing,
-        Origin,
-        Reference,
-        MachineCoordinates,
-    }
+    internal ref readonly ModalState State => ref _control.State;
+
+    internal int At => _run.At;
+
+    internal NcMotions Motions => _result.Motions;
+
+    internal RunBorders Borders => _borders;
+
+    internal bool HasProblems => _result.Problems.Count > 0;
 
     /// <summary>Interprets a program that stands alone.</summary>
     /// <param name="program">The program; it is read in the dialect's syntax.</param>
@@ -71,164 +50,251 @@ public sealed partial class NcInterpreter
     /// <summary>Interprets a program.</summary>
     /// <param name="program">The program; it is read in the dialect's syntax.</param>
     /// <param name="dialect">The control that it is for.</param>
-    /// <param name="library">Finds a called program that is not in the file, by its name (<c>O1002</c>, <c>L10</c>, <c>POCKET</c>); null where there is none. Null instead of it: no other program is known.</param>
+    /// <param name="library">Finds a called program that is not in the file, by its name (<c>O1002</c>, <c>L10</c>, <c>POCKET</c>); null
+    /// where there is none. Null instead of it: no other program is known.</param>
     /// <param name="cancellation">Ends a long run.</param>
     /// <exception cref="OperationCanceledException">The run was canceled.</exception>
     public static NcPath Run(NcProgram program, NcDialect dialect, Func<string, NcProgram?>? library, CancellationToken cancellation) =>
         new NcInterpreter(program.In(dialect.Syntax), dialect, new(), library, cancellation).Run();
 
-    private void Step()
+    /// <summary>
+    /// Interprets a program as another was that it is much like: motions that are the same take no memory of their own, and those in
+    /// stretches with the same bytes little time.
+    /// </summary>
+    internal static NcPath Run(NcProgram program, NcPath like)
     {
-        (_use, _code, _family, _probes, _hasUnknownCode) = (AxisUse.Motion, NcMeaning.Unknown, 0, false, false);
-        var flags = ReadObstacles();
-        var modes = ModesRole();
-        if (modes == FunctionRole.RestoreModes)
-        {
-            flags |= RestoreModes();
-        }
+        program = program.In(like.Dialect.Syntax);
+        var isSame = RunBorders.SameStretches(program, like);
 
-        var saves = modes is FunctionRole.SaveModes or FunctionRole.SaveModesOfCall;
-        var before = saves ? Modes(atReturn: modes == FunctionRole.SaveModesOfCall) : default;
-        var inchFeed = _state.InchFeed;
-        flags |= ReadCodes() | ReadFunctions();
-
-        if (_countsIntegers && _words.Integers != 0 && _use != AxisUse.Nothing)
-        {
-            CountIntegers();
-        }
-
-        if (_words.Has('F') && _use != AxisUse.Nothing)
-        {
-            // LinuxCNC takes the feed of a block before its units.
-            inchFeed = _dialect.Syntax == NcSyntax.LinuxCnc ? inchFeed : _state.InchFeed;
-            _state.Feed = _words.Value('F') * (inchFeed && !_state.InverseTime ? MmPerInch : 1);
-        }
-
-        if (saves)
-        {
-            SaveModes(before);
-        }
-
-        switch (_use)
-        {
-            case AxisUse.Motion when MovesAxes():
-                Move(flags);
-                break;
-            case AxisUse.Motion when ListsIdleMoves && StatesStraightMotion():
-                // LinuxCNC goes where it stands.
-                Append(_state.Mode, flags, _state.Position, _state.Unknown);
-                break;
-            case AxisUse.MachineCoordinates when MovesAxes():
-                MoveInMachine(flags);
-                break;
-            case AxisUse.Reference:
-                ReturnToReference(flags);
-                break;
-            case AxisUse.Origin:
-                if (_code is NcMeaning.SetPosition or NcMeaning.SetOffset or NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.OpaqueTransform)
-                {
-                    DependOnPlace();
-                }
-
-                SetOrigin(_code);
-                break;
-        }
-
-        if (_cycleCall is not null || _modalCycle is not null || _nextCycleIsModal)
-        {
-            RunCycleCalls();
-        }
+        // Where less than half of a long program is the same, two cores are faster.
+        var passes = program.BlockCount < SecondCore.Many || isSame.Count(s => s) > isSame.Length / 2;
+        var interpreter = new NcInterpreter(program, like.Dialect, new(like.Motions, inPlace: passes), like.Library,
+            CancellationToken.None);
+        interpreter._borders.Expect(passes ? like.Borders : [], isSame);
+        return interpreter.Run();
     }
 
-    private bool Moved => _use == AxisUse.Motion && MovesAxes();
-
-    private void DependOnPlace() => _placeDependents.Add((_block, _motions.Length));
-
-    private bool MovesAxes()
+    /// <summary>Runs blocks in a state up to one that could do more than move, which is not run.</summary>
+    internal void RunCuts(in ModalState state, int from, int behind)
     {
-        var given = _words.Present | _words.Computed;
-        var arc = _state.Mode is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise && _state.Cycle == NcMeaning.Unknown;
-        var axes = _state.Cycle == NcMeaning.Unknown ? LinearAxes : LinearAxes | BlockWords.Bit('R');
-        return (given & (axes | _otherAxes)) != 0 || _words.IsPolar || (arc && (given & CenterWords) != 0);
-    }
-
-    private bool StatesStraightMotion()
-    {
-        foreach (var code in _words.Codes)
+        (_control.State, _run.At) = (state, from);
+        _borders.BeginAt(from);
+        for (; _run.At < behind; _run.At++)
         {
-            if (_dialect.MeaningOf(code) is NcMeaning.Rapid or NcMeaning.Line)
+            var at = _result.Block = _run.At;
+            if ((at & (RunBorders.Stretch - 1)) == 0)
             {
-                return true;
+                _borders.Note();
+            }
+
+            if (((at & (Watch - 1)) == 0 && _run.Cancellation.IsCancellationRequested)
+                || !_executor.TryReadPlain(_run.Program.BytesOf(_run.Program[at])))
+            {
+                return;
+            }
+
+            if (_executor.TryRunStraight())
+            {
+                continue;
+            }
+
+            if (!_executor.IsCut())
+            {
+                return;
+            }
+
+            _executor.Step();
+        }
+    }
+
+    private NcPath Run()
+    {
+        var program = _run.Program;
+        var bytes = program.Bytes.Span[SyntaxBytes.MarkLength(program.Bytes.Span)..];
+        _run.At = _run.Dialect.Syntax == NcSyntax.Siemens && bytes is [(byte)'%', ..] ? _run.Flow.First : BehindLeader();
+        using var ahead = new CancellationTokenSource();
+        while (!_run.HasEnded)
+        {
+            var (text, at) = (_run.Text, _run.At);
+            if ((at & (RunBorders.Stretch - 1)) == 0 && _run.IsInProgram && CrossBorder(ahead.Token))
+            {
+                continue;
+            }
+
+            if (at < text.BlockCount)
+            {
+                RunBlock(text, at);
+            }
+            else if (!_run.IsInProgram)
+            {
+                _run.Follow(_run.Flow.AtEnd());
+            }
+            else
+            {
+                break;
             }
         }
 
-        return false;
-    }
-
-    private void Append(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd, Point2 center = default, int turns = 0)
-    {
-        var start = Work(_state.Position, _state.Unknown);
-        var to = Work(end, unknownEnd);
-        _motions.Add(new(_block, kind, _state.Plane, flags | ModeFlags(), start.Place, to.Place, center, turns, _state.Feed, _state.Frame, start.Unknown, to.Unknown));
-        _state.Position = end;
-        _state.Unknown = unknownEnd;
-    }
-
-    private MotionFlags ModeFlags() =>
-        (_state.Inch ? MotionFlags.Inch : MotionFlags.None)
-        | (_state.Incremental ? MotionFlags.Incremental : MotionFlags.None)
-        | (_state.AbsoluteCenters ? MotionFlags.AbsoluteCenter : MotionFlags.None)
-        | _state.Compensation
-        | (IsTransformed ? MotionFlags.Transformed : MotionFlags.None)
-        | (_state.ModalRounding != 0 ? MotionFlags.CornerWord : MotionFlags.None)
-        | (_state.Unsure != Unsure.None ? MotionFlags.UnsureMode : MotionFlags.None);
-
-    // After a call or an unknown statement nothing is certain until it is stated again.
-    private void Forget()
-    {
-        _state.Unsure = Unsure.All;
-        _state.Unknown = AxisSet.All;
-        _state.Cycle = NcMeaning.Unknown;
-        ForgetOrigins();
-    }
-
-    private AxisSet GivenAxes() => AxesOf(_words.Present | _words.Computed);
-
-    private static AxisSet AxesOf(uint letters) => (AxisSet)((letters >> 23) & 7);
-
-    /// <summary>A word as a length in mm.</summary>
-    private double Length(byte letter)
-    {
-        var value = _words.Value(letter);
-        if (_dialect.IntegersAreIncrements && (_words.Integers & BlockWords.Bit(letter)) != 0)
+        ahead.Cancel();
+        _run.Cancellation.ThrowIfCancellationRequested();
+        NcNote[] notes = [.. _result.Notes.Concat(_run.FlowNotes).Concat(_executor.Integers.Notes()).OrderBy(n => n.Block)];
+        return new(program, _run.Dialect, Motions, _result.Problems, _result.PlaceDependents, _executor.Layers.Frames, notes, _run.Refusal,
+            _run.Library)
         {
-            value /= Math.Pow(10, LeastDecimals);
+            Borders = _borders.Borders,
+            ToolChanges = _result.ToolChanges,
+        };
+    }
+
+    private int BehindLeader()
+    {
+        var leader = Leader.BlocksOf(_run.Program, _run.Dialect);
+        if (leader > 0)
+        {
+            _result.Note("leader", "What stands before the first percent sign is a leader, which the control does not read.");
         }
 
-        return _state.Inch ? Sum(0, value * MmPerInch) : value;
+        return leader;
     }
 
-    private double Length(char letter) => Length((byte)letter);
-
-    /// <summary>A word as an angle in degrees; without a point it counts thousandths, or finer, where lengths do.</summary>
-    private double Degrees(char letter) =>
-        _words.Value(letter) / (_dialect.IntegersAreIncrements && (_words.Integers & BlockWords.Bit(letter)) != 0 ? Math.Pow(10, _dialect.MetricDecimals) : 1);
-
-    private int LeastDecimals => _state.Inch ? _dialect.InchDecimals : _dialect.MetricDecimals;
-
-    // Sums of increments, as exact as the control's: the double nearest to the decimal, ten digits behind the point.
-    private static double Sum(double start, double increment) => Math.Round(start + increment, 10);
-
-    private MotionFlags Problem(string code, string message, MotionFlags flag)
+    // Comes to a border in the program itself. True if the run goes on elsewhere.
+    private bool CrossBorder(CancellationToken endOfAhead)
     {
-        // Once, however often the block runs.
-        var problem = new NcProblem(code, _block, message);
-        if (_said.Add(problem))
+        if (_borders.AreKnown)
         {
-            _onlyCuts = false;
-            _problems.Add(problem);
+            return _borders.TryPass();
         }
 
-        return flag;
+        _borders.Note();
+        if (_run.At == SecondCore.LeadIn && _run.Program.BlockCount >= SecondCore.Many && _executor.IsStraight())
+        {
+            _second.Start(_control.State, Motions, endOfAhead);
+        }
+
+        return _run.At == _second.Seam && TryJoinAhead();
+    }
+
+    // Goes on where the second core has come to, if it began as the program really arrives at the seam.
+    private bool TryJoinAhead()
+    {
+        if (_second.Meet(_borders, Motions) is not { } ahead)
+        {
+            return false;
+        }
+
+        var before = Motions.Length;
+        Motions.Join(ahead.Motions);
+        _borders.Join(ahead._borders, before, ahead.Motions);
+        (_control.State, _run.At) = (ahead.State, ahead.At);
+        _executor.Integers.Join(ahead._executor.Integers);
+        return true;
+    }
+
+    private void RunBlock(NcProgram text, int at)
+    {
+        var (block, executor) = (text[at], _executor);
+        if (ReferenceEquals(text, _run.Program))
+        {
+            _result.Block = at;
+        }
+
+        if (!executor.TryReadPlain(text.BytesOf(block)))
+        {
+            RunAny(block);
+            return;
+        }
+
+        if (executor.TryRunStraight())
+        {
+            _run.At = at + 1;
+            return;
+        }
+
+        _borders.OnlyCuts &= executor.IsCut();
+        if (executor.Steering.ConcernFlow())
+        {
+            RunAny(block);
+            return;
+        }
+
+        _executor.Step();
+        GoOn();
+    }
+
+    private void RunAny(NcBlock block)
+    {
+        _borders.OnlyCuts = false;
+        if (_executor.Switches.PassesSkip(block))
+        {
+            return;
+        }
+
+        if (FlowTrigger.Concerns(_run.Text.BytesOf(block), _run.Dialect) && _executor.Steering.HasStatements(block))
+        {
+            RunWithFlow(block);
+            return;
+        }
+
+        _executor.Reader.ReadTokens(block);
+        if (_executor.Steering.ConcernFlow())
+        {
+            RunWithFlow(block);
+            return;
+        }
+
+        _executor.Step();
+        GoOn();
+    }
+
+    private void RunWithFlow(NcBlock block)
+    {
+        if (_executor.Switches.RefusesSemicolon(block))
+        {
+            return;
+        }
+
+        var flow = _run.Flow;
+        var writes = flow.Variables.MachineWrites;
+        var action = flow.Before(_run.At);
+        if (action == FlowAction.Words)
+        {
+            _executor.Reader.ReadTokens(block);
+            if (flow.Refusal is null)
+            {
+                _executor.Step();
+                if (_executor.Steering.CallMachineProgram())
+                {
+                    _result.DependOnPlace();
+                    _executor.Layers.Forget();
+                    _run.ForgetMachine();
+                    _run.At++;
+                    return;
+                }
+            }
+
+            action = flow.Behind(_run.At, _executor.Moved);
+            if (action == FlowAction.Continue && _executor.Steering.AreThere() && !flow.HasSteered)
+            {
+                action = flow.RefuseCall(_run.At, "A word of this block");
+            }
+        }
+
+        if (flow.Variables.MachineWrites != writes)
+        {
+            _executor.Layers.LoseOrigin();
+        }
+
+        _run.Follow(action);
+    }
+
+    private void GoOn()
+    {
+        if (_run.HasModalCall && _executor.Moved)
+        {
+            _run.Follow(_run.Flow.Behind(_run.At, moved: true));
+            return;
+        }
+
+        _run.At++;
     }
 }

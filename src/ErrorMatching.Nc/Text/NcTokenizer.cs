@@ -6,25 +6,19 @@ namespace ErrorMatching.Nc;
 /// Walks over a block's tokens without allocating. Spelling only: every byte belongs to exactly one token, and what no rule explains is
 /// <see cref="NcTokenKind.Invalid"/>, never dropped.
 /// </summary>
-public ref partial struct NcTokenizer
+public ref struct NcTokenizer
 {
-    private readonly ReadOnlySpan<byte> _bytes;
-    private readonly int _end;
-    private readonly NcSyntax _syntax;
-    private int _position;
+    private readonly BlockScanner _text;
     private bool _atStart;
     private bool _hasUnpaired;
     private NcToken _current;
 
     internal NcTokenizer(ReadOnlySpan<byte> bytes, int start, int end, NcSyntax syntax)
     {
-        _bytes = bytes;
-        _end = end;
-        _syntax = syntax;
-        _position = start;
+        _text = new(bytes, end, syntax);
         _atStart = true;
         _hasUnpaired = false;
-        _current = default;
+        _current = BlockScanner.Plain(NcTokenKind.Space, start, start);
     }
 
     /// <summary>The token last read; another one as soon as the next is read.</summary>
@@ -37,250 +31,140 @@ public ref partial struct NcTokenizer
     /// <summary>Reads the next token; false at the end of the block.</summary>
     public bool MoveNext()
     {
-        if (_position >= _end)
+        var at = _current.End;
+        if (at >= _text.End)
         {
             return false;
         }
 
-        var c = _bytes[_position];
+        var c = _text.Bytes[at];
         if (SyntaxBytes.IsLetter(c))
         {
             var letter = (byte)(c & ~0x20);
-            if (_syntax == NcSyntax.Siemens)
-            {
-                ReadName(letter);
-            }
-            else
-            {
-                ReadLetter(letter);
-            }
-
-            _atStart &= Current is { Kind: NcTokenKind.Word, Letter: (byte)'N' };
+            _current = _text.Syntax == NcSyntax.Siemens ? _text.NameAt(at, letter) : LetterAt(at, letter);
+            _atStart &= _current is { Kind: NcTokenKind.Word, Letter: (byte)'N' };
             return true;
         }
 
-        ReadSign(c);
-        _atStart &= Current.Kind is NcTokenKind.Space or NcTokenKind.BlockSkip;
+        _current = SignAt(at, c);
+        _atStart &= _current.Kind is NcTokenKind.Space or NcTokenKind.BlockSkip;
         return true;
     }
 
-    private void ReadSign(byte c)
+    private NcToken SignAt(int at, byte c)
     {
+        var bytes = _text.Bytes;
+        var (end, syntax) = (_text.End, _text.Syntax);
         switch (c)
         {
             case (byte)' ' or (byte)'\t':
-                Plain(NcTokenKind.Space, SkipSpaces(_position + 1));
-                break;
-            case (byte)'(' when _syntax == NcSyntax.Siemens:
-                Plain(NcTokenKind.Expression, SyntaxBytes.BehindBracket(_bytes, _position, _end));
-                break;
+                return BlockScanner.Plain(NcTokenKind.Space, at, _text.SkipSpaces(at + 1));
+            case (byte)'(' when syntax == NcSyntax.Siemens:
+                return BlockScanner.Plain(NcTokenKind.Expression, at, SyntaxBytes.BehindBracket(bytes, at, end));
             case (byte)'(':
-                ReadComment();
-                break;
+                return CommentAt(at);
             case (byte)';':
-                Plain(NcTokenKind.Comment, _end);
-                break;
+                return BlockScanner.Plain(NcTokenKind.Comment, at, end);
             case (byte)'%':
-                Plain(NcTokenKind.Percent, _end);
-                break;
+                return BlockScanner.Plain(NcTokenKind.Percent, at, end);
             // A slash stands at the beginning of a block or behind its number (N10 /1 G0); elsewhere it divides.
             case (byte)'/' when _atStart:
-                Plain(NcTokenKind.BlockSkip, _position + 1 < _end && SyntaxBytes.IsDigit(_bytes[_position + 1]) ? _position + 2 : _position + 1);
-                break;
+                return BlockScanner.Plain(NcTokenKind.BlockSkip, at, at + 1 < end && SyntaxBytes.IsDigit(bytes[at + 1]) ? at + 2 : at + 1);
             // A program number may begin with a colon.
-            case (byte)':' when _atStart && _syntax == NcSyntax.Iso && ReadNumber(_position + 1, out var behind, out var program):
-                Word((byte)'O', _position + 1, behind, program);
-                break;
+            case (byte)':' when _atStart && syntax == NcSyntax.Iso && _text.ReadNumber(at + 1, out var behind, out var program):
+                return BlockScanner.Valued(NcTokenKind.Word, (byte)'O', at, at + 1, behind, program);
             case (byte)',':
-                ReadCommaWord();
-                break;
-            case (byte)'@' or (byte)'^' when _syntax == NcSyntax.LinuxCnc:
-                ReadPolarWord(c);
-                break;
+                return CommaWordAt(at);
+            case (byte)'@' or (byte)'^' when syntax == NcSyntax.LinuxCnc:
+                return PolarWordAt(at, c);
             case (byte)'#':
-                Plain(NcTokenKind.Assignment, _syntax == NcSyntax.LinuxCnc ? AssignmentEnd(_position) : ToCommentOrEnd(_position + 1));
-                break;
-            case (byte)'$' or (byte)'_' when _syntax == NcSyntax.Siemens:
-                ReadName(0);
-                break;
+                return BlockScanner.Plain(NcTokenKind.Assignment, at,
+                    syntax == NcSyntax.LinuxCnc ? _text.AssignmentEnd(at) : _text.ToCommentOrEnd(at + 1));
+            case (byte)'$' or (byte)'_' when syntax == NcSyntax.Siemens:
+                return _text.NameAt(at, 0);
             case (byte)'[':
-                Plain(NcTokenKind.Expression, SyntaxBytes.BehindBracket(_bytes, _position, _end));
-                break;
+                return BlockScanner.Plain(NcTokenKind.Expression, at, SyntaxBytes.BehindBracket(bytes, at, end));
             case (byte)'"':
-                Plain(_syntax == NcSyntax.Siemens ? NcTokenKind.Expression : NcTokenKind.Invalid, SyntaxBytes.BehindString(_bytes, _position, _end));
-                break;
-            case 0xEF when _position == 0 && SyntaxBytes.MarkLength(_bytes) is > 0 and var mark:
-                Plain(NcTokenKind.Space, mark);
-                break;
+                return BlockScanner.Plain(syntax == NcSyntax.Siemens ? NcTokenKind.Expression : NcTokenKind.Invalid, at,
+                    SyntaxBytes.BehindString(bytes, at, end));
+            case 0xEF when at == 0 && SyntaxBytes.MarkLength(bytes) is > 0 and var mark:
+                return BlockScanner.Plain(NcTokenKind.Space, at, mark);
             case 0 or SyntaxBytes.EndOfFile:
-                var filled = SyntaxBytes.BehindPadding(_bytes, _position, _end);
-                Plain(SyntaxBytes.IsFiller(_bytes, _position, filled, _end) ? NcTokenKind.Space : NcTokenKind.Invalid, filled);
-                break;
+                var filled = SyntaxBytes.BehindPadding(bytes, at, end);
+                return BlockScanner.Plain(SyntaxBytes.IsFiller(bytes, at, filled, end) ? NcTokenKind.Space : NcTokenKind.Invalid, at,
+                    filled);
             default:
-                Plain(NcTokenKind.Invalid, _position + 1);
-                break;
+                return BlockScanner.Plain(NcTokenKind.Invalid, at, at + 1);
         }
     }
 
-    private void Plain(NcTokenKind kind, int next, byte letter = 0)
-    {
-        _current = new(kind, letter, _position, next - _position, _position, next - _position, default, WordDistance.Modal);
-        _position = next;
-    }
-
-    private void Word(byte letter, int valueAt, int next, NcNumber number)
-    {
-        _current = new(NcTokenKind.Word, letter, _position, next - _position, valueAt, next - valueAt, number, WordDistance.Modal);
-        _position = next;
-    }
-
-    private readonly int SkipSpaces(int at) => SyntaxBytes.SkipSpaces(_bytes, at, _end);
-
     // Without a partner for every parenthesis of the block the first closing one ends a comment, as most controls read it.
-    private void ReadComment()
+    private NcToken CommentAt(int at)
     {
-        var close = _hasUnpaired ? -1 : PartnerOf(_position);
+        var close = _hasUnpaired ? -1 : _text.PartnerOf(at);
         if (close < 0)
         {
             _hasUnpaired = true;
-            close = _bytes[_position.._end].IndexOf((byte)')') is >= 0 and var first ? _position + first : -1;
+            close = _text.Bytes[at.._text.End].IndexOf((byte)')') is >= 0 and var first ? at + first : -1;
         }
 
-        Plain(close < 0 ? NcTokenKind.Invalid : NcTokenKind.Comment, close < 0 ? _end : close + 1);
+        return BlockScanner.Plain(close < 0 ? NcTokenKind.Invalid : NcTokenKind.Comment, at, close < 0 ? _text.End : close + 1);
     }
 
-    private readonly int PartnerOf(int open)
+    private readonly NcToken CommaWordAt(int at)
     {
-        var depth = 0;
-        for (var at = open; at < _end; at++)
+        var letterAt = _text.SkipSpaces(at + 1);
+        if (letterAt < _text.End && SyntaxBytes.IsLetter(_text.Bytes[letterAt]))
         {
-            depth += _bytes[at] == '(' ? 1 : _bytes[at] == ')' ? -1 : 0;
-            if (depth == 0)
+            var letter = (byte)(_text.Bytes[letterAt] & ~0x20);
+            var valueAt = _text.SkipSpaces(letterAt + 1);
+            if (_text.ReadNumber(valueAt, out var next, out var number))
             {
-                return at;
+                return BlockScanner.Valued(NcTokenKind.CommaWord, letter, at, valueAt, next, number);
+            }
+
+            if (valueAt < _text.End && _text.ComputedEnd(valueAt) is > 0 and var behind)
+            {
+                return BlockScanner.Valued(NcTokenKind.CommaWord, letter, at, valueAt, behind);
             }
         }
 
-        return -1;
+        return BlockScanner.Plain(NcTokenKind.Invalid, at, at + 1);
     }
 
-    private void ReadCommaWord()
+    private readonly NcToken PolarWordAt(int at, byte sign)
     {
-        var letterAt = SkipSpaces(_position + 1);
-        if (letterAt < _end && SyntaxBytes.IsLetter(_bytes[letterAt]))
+        var valueAt = _text.SkipSpaces(at + 1);
+        if (!_text.ReadNumber(valueAt, out var behind, out var number))
         {
-            var valueAt = SkipSpaces(letterAt + 1);
-            if (ReadNumber(valueAt, out var next, out var number))
-            {
-                _current = new(NcTokenKind.CommaWord, (byte)(_bytes[letterAt] & ~0x20), _position, next - _position, valueAt, next - valueAt, number, WordDistance.Modal);
-                _position = next;
-                return;
-            }
-
-            if (valueAt < _end && ComputedEnd(valueAt) is > 0 and var behind)
-            {
-                _current = new(NcTokenKind.CommaWord, (byte)(_bytes[letterAt] & ~0x20), _position, behind - _position, valueAt, behind - valueAt, default, WordDistance.Modal);
-                _position = behind;
-                return;
-            }
+            behind = valueAt < _text.End ? _text.ComputedEnd(valueAt) : 0;
         }
 
-        Plain(NcTokenKind.Invalid, _position + 1);
+        return behind <= valueAt
+            ? BlockScanner.Plain(NcTokenKind.Invalid, at, at + 1)
+            : BlockScanner.Valued(NcTokenKind.PolarWord, sign, at, valueAt, behind, number);
     }
 
-    private void ReadPolarWord(byte sign)
+    private readonly NcToken LetterAt(int at, byte letter)
     {
-        var valueAt = SkipSpaces(_position + 1);
-        if (!ReadNumber(valueAt, out var behind, out var number))
+        var valueAt = _text.SkipSpaces(at + 1);
+        if (_text.ReadNumber(valueAt, out var next, out var number))
         {
-            behind = valueAt < _end ? ComputedEnd(valueAt) : 0;
+            return BlockScanner.Valued(NcTokenKind.Word, letter, at, valueAt, next, number);
         }
 
-        if (behind <= valueAt)
+        if (letter == 'O' && valueAt < _text.End && _text.Bytes[valueAt] == '<')
         {
-            Plain(NcTokenKind.Invalid, _position + 1);
-            return;
+            return BlockScanner.Plain(NcTokenKind.ExpressionWord, at, _text.BehindName(valueAt), letter);
         }
 
-        _current = new(NcTokenKind.PolarWord, sign, _position, behind - _position, valueAt, behind - valueAt, number, WordDistance.Modal);
-        _position = behind;
+        if (valueAt < _text.End && _text.ComputedEnd(valueAt) is > 0 and var behind)
+        {
+            return BlockScanner.Valued(NcTokenKind.ExpressionWord, letter, at, valueAt, behind);
+        }
+
+        return at + 1 < _text.End && SyntaxBytes.IsLetter(_text.Bytes[at + 1])
+            ? BlockScanner.Plain(NcTokenKind.Keyword, at, _text.KeywordEnd(at))
+            : BlockScanner.Plain(NcTokenKind.Invalid, at, at + 1, letter);
     }
-
-    private void ReadLetter(byte letter)
-    {
-        var valueAt = SkipSpaces(_position + 1);
-        if (ReadNumber(valueAt, out var next, out var number))
-        {
-            Word(letter, valueAt, next, number);
-        }
-        else if (letter == 'O' && valueAt < _end && _bytes[valueAt] == '<')
-        {
-            Plain(NcTokenKind.ExpressionWord, BehindName(valueAt), letter);
-        }
-        else if (valueAt < _end && ComputedEnd(valueAt) is > 0 and var behind)
-        {
-            _current = new(NcTokenKind.ExpressionWord, letter, _position, behind - _position, valueAt, behind - valueAt, default, WordDistance.Modal);
-            _position = behind;
-        }
-        else if (_position + 1 < _end && SyntaxBytes.IsLetter(_bytes[_position + 1]))
-        {
-            Plain(NcTokenKind.Keyword, KeywordEnd());
-        }
-        else
-        {
-            Plain(NcTokenKind.Invalid, _position + 1, letter);
-        }
-    }
-
-    // Sign, digits, point, digits. More digits than are exact make the word invalid rather than wrong.
-    private readonly bool ReadNumber(int at, out int next, out NcNumber number)
-    {
-        next = at;
-        number = default;
-        if (at >= _end)
-        {
-            return false;
-        }
-
-        var negative = _bytes[at] == '-';
-        if (negative || _bytes[at] == '+')
-        {
-            at = Inside(at + 1);
-        }
-
-        long digits = 0;
-        var (whole, significant, decimals) = (0, 0, 0);
-        var end = at;
-        for (; at < _end && SyntaxBytes.IsDigit(_bytes[at]) && significant <= NcNumber.MaxDigits; at = Inside(end))
-        {
-            digits = (digits * 10) + (_bytes[at] - '0');
-            significant += digits == 0 ? 0 : 1;
-            whole++;
-            end = at + 1;
-        }
-
-        if (at < _end && _bytes[at] == '.')
-        {
-            end = at + 1;
-            for (at = Inside(end); at < _end && SyntaxBytes.IsDigit(_bytes[at]) && significant <= NcNumber.MaxDigits && decimals <= NcNumber.MaxDigits; at = Inside(end))
-            {
-                digits = (digits * 10) + (_bytes[at] - '0');
-                significant += digits == 0 ? 0 : 1;
-                decimals++;
-                end = at + 1;
-            }
-        }
-
-        if (whole + decimals == 0 || significant > NcNumber.MaxDigits || decimals > NcNumber.MaxDigits)
-        {
-            return false;
-        }
-
-        next = end;
-        number = new(negative ? -digits : digits, decimals);
-        return true;
-    }
-
-    // LinuxCNC reads spaces inside numbers as if they were not there.
-    private readonly int Inside(int at) => _syntax == NcSyntax.LinuxCnc ? SkipSpaces(at) : at;
 }

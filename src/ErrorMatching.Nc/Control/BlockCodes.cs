@@ -1,0 +1,204 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>What the G codes and M functions of a block do to the modes.</summary>
+internal sealed class BlockCodes(
+    ControlState control,
+    BlockValues values,
+    ProgramRun run,
+    CoordinateLayers layers,
+    RunResult result,
+    BlockIntent intent,
+    OffsetCodes offsets,
+    ToolLengthCodes lengths,
+    TransformCodes transforms,
+    MachineMoves machine,
+    CannedCycles canned,
+    ModeMemory memory)
+{
+    /// <summary>The function that changes the tool.</summary>
+    public const int ToolChange = 6;
+
+    public MotionFlags ReadCodes()
+    {
+        var flags = MotionFlags.None;
+        foreach (var tenths in values.Words.Codes)
+        {
+            var meaning = values.Dialect.MeaningOf(tenths);
+            switch (meaning)
+            {
+                case NcMeaning.Unknown:
+                    var code = (tenths / 10m).ToString(CultureInfo.InvariantCulture);
+                    flags |= result.Problem(
+                        "unknown-code", $"G{code} is not known to the dialect {values.Dialect.Name}.", MotionFlags.UnknownWord);
+                    layers.Forget();
+                    intent.HasUnknownCode = true;
+                    break;
+                case NcMeaning.WorkOffset:
+                    var number = values.Words.Has('P') ? (int)Math.Clamp(values.Words.Value('P'), 0, 1000) : 0;
+                    offsets.Choose((tenths, number), (values.Words.Unknown & BlockWords.Bit('P')) == 0);
+                    break;
+                case NcMeaning.Inch or NcMeaning.Metric:
+                    control.Units(meaning == NcMeaning.Inch, values.Dialect.ScalesFeed(tenths));
+                    break;
+                case var _ when meaning.Steers():
+                    // The flow executes it behind the words; axis words are arguments.
+                    intent.Use = AxisUse.Nothing;
+                    break;
+                case NcMeaning.ReferenceReturn or NcMeaning.StoreReference:
+                    intent.Reference = tenths / 10;
+                    Obey(meaning, 0);
+                    break;
+                default:
+                    Obey(meaning, values.Dialect.FamilyOf(tenths));
+                    break;
+            }
+        }
+
+        return flags;
+    }
+
+    public MotionFlags ReadFunctions()
+    {
+        var flags = MotionFlags.None;
+        foreach (var function in values.Words.Functions)
+        {
+            switch (values.Dialect.FunctionOf(function))
+            {
+                case FunctionRole.Harmless when function == ToolChange:
+                    result.ChangeTool();
+                    break;
+                case FunctionRole.Harmless or FunctionRole.SaveModes or FunctionRole.SaveModesOfCall or FunctionRole.RestoreModes:
+                    break;
+                case FunctionRole.DropModes:
+                    memory.Drop();
+                    break;
+                case FunctionRole.Unknown:
+                    var message = $"An M function is not known to the dialect {values.Dialect.Name}.";
+                    flags |= result.Problem("unknown-code", message, MotionFlags.UnknownWord);
+                    layers.Forget();
+                    break;
+                case var role when role.Steers():
+                    // The flow executes it behind the words.
+                    break;
+                default:
+                    layers.Forget();
+                    break;
+            }
+        }
+
+        return flags;
+    }
+
+    /// <summary>Does what a code or a keyword means; the family tells transformations apart that have an end of their own.</summary>
+    public void Obey(NcMeaning meaning, int family)
+    {
+        switch (meaning)
+        {
+            case NcMeaning.Dwell:
+                intent.Use = AxisUse.Nothing;
+                break;
+            case NcMeaning.ReferenceReturn or NcMeaning.ReferenceReturnOfAxes:
+                (intent.Use, intent.Code) = (AxisUse.Reference, meaning);
+                break;
+            case NcMeaning.ProbeInBlock:
+                intent.Probes = true;
+                break;
+            case NcMeaning.Polar:
+                // Axis words beside it are polar already.
+                transforms.Begin(meaning, family);
+                break;
+            case NcMeaning.MirroringOff:
+                // Its axis words say which axes; they are no motion.
+                intent.Use = AxisUse.Nothing;
+                transforms.End(meaning, family);
+                break;
+            case NcMeaning.StoreReference:
+                machine.Store();
+                break;
+            case NcMeaning.MachineCoordinates or NcMeaning.SuppressFrames:
+                intent.Use = AxisUse.MachineCoordinates;
+                break;
+            case var _ when meaning.Steers():
+                // A word that calls and that the flow has not executed.
+                intent.Use = AxisUse.Nothing;
+                run.Flow.RefuseCall(run.At, "A word of this block");
+                break;
+            case NcMeaning.Inch or NcMeaning.Metric:
+                control.Units(meaning == NcMeaning.Inch, feedsToo: true);
+                break;
+            case NcMeaning.Harmless:
+                break;
+            case NcMeaning.LengthOffset:
+                lengths.TakeFromTable();
+                break;
+            case NcMeaning.LengthOffsetOff:
+                lengths.End();
+                transforms.End(NcMeaning.OpaqueTransformOff, family);
+                break;
+            case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff:
+                transforms.End(meaning, family);
+                break;
+            case NcMeaning.Smoothing:
+                result.Note("smoothing",
+                    "From here on the control smooths the path: the motions are as programmed only within its tolerance.");
+                break;
+            case var _ when SetsOrigin(meaning):
+                (intent.Use, intent.Code, intent.Family) = (AxisUse.Origin, meaning, family);
+                break;
+            default:
+                SwitchMode(meaning);
+                break;
+        }
+    }
+
+    private static bool SetsOrigin(NcMeaning meaning) => meaning
+        is (>= NcMeaning.SetPosition and <= NcMeaning.SetOffset) or NcMeaning.ToolLength
+        or NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.Mirroring or NcMeaning.OpaqueTransform
+        or (>= NcMeaning.FrameShift and <= NcMeaning.FrameMirrorMore);
+
+    private void SwitchMode(NcMeaning meaning)
+    {
+        switch (meaning)
+        {
+            case NcMeaning.Rapid: control.Mode(MotionKind.Rapid); break;
+            case NcMeaning.Line: control.Mode(MotionKind.Line); break;
+            case NcMeaning.ThreadCut:
+                control.Mode(MotionKind.Line);
+                control.State.Form = meaning;
+                break;
+            case NcMeaning.ArcClockwise: control.Mode(MotionKind.ArcClockwise); break;
+            case NcMeaning.ArcCounterClockwise: control.Mode(MotionKind.ArcCounterClockwise); break;
+            case NcMeaning.Probe: control.Mode(MotionKind.Probe); break;
+            case NcMeaning.Spline or NcMeaning.ArcThrough or NcMeaning.TangentArc:
+                control.Mode(meaning == NcMeaning.Spline ? MotionKind.Spline : MotionKind.ArcClockwise);
+                control.State.Form = meaning;
+                break;
+            case >= NcMeaning.DrillCycle and <= NcMeaning.OpaqueCycle: canned.Begin(meaning); break;
+            case NcMeaning.CycleOff:
+                control.State.Cycle = NcMeaning.Unknown;
+                control.State.Unsure &= ~Unsure.Mode;
+                break;
+            case NcMeaning.RetractToInitial: control.State.RetractsToR = false; break;
+            case NcMeaning.RetractToR: control.State.RetractsToR = true; break;
+            case NcMeaning.PlaneXY: control.Plane(CoordinatePlane.XY); break;
+            case NcMeaning.PlaneZX: control.Plane(CoordinatePlane.ZX); break;
+            case NcMeaning.PlaneYZ: control.Plane(CoordinatePlane.YZ); break;
+            case NcMeaning.Absolute: control.Distance(incremental: false); break;
+            case NcMeaning.Incremental: control.Distance(incremental: true); break;
+            case NcMeaning.AbsoluteCenters: control.State.AbsoluteCenters = true; break;
+            case NcMeaning.IncrementalCenters: control.State.AbsoluteCenters = false; break;
+            case NcMeaning.CompensationOff: control.Compensate(MotionFlags.None); break;
+            case NcMeaning.CompensationLeft: control.Compensate(MotionFlags.CompensationLeft); break;
+            case NcMeaning.CompensationRight: control.Compensate(MotionFlags.CompensationRight); break;
+            case NcMeaning.InverseTimeFeed: control.State.InverseTime = true; break;
+            case NcMeaning.FeedPerMinute or NcMeaning.FeedPerRevolution: control.State.InverseTime = false; break;
+            default:
+                result.Problem("unknown-code", "What a word of this block means is not followed here.", MotionFlags.UnknownWord);
+                layers.Forget();
+                break;
+        }
+    }
+}

@@ -1,0 +1,17 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>Reads the words of a block that is not plain, with the values that the flow computes.</summary>
+internal sealed class BlockReader(BlockValues values, ProgramRun run)
+{
+    public void ReadTokens(NcBlock block) => values.Words.ReadTokens(run.Text.Bytes.Span, block, values.Dialect.Syntax, ValueOf);
+
+    // Values of words that move nothing are not asked for: tool names, angles of rotary axes, offsets.
+    private double? ValueOf(NcToken token)
+    {
+        var role = token.Kind == NcTokenKind.PolarWord ? LetterRole.Axis : values.Dialect.RoleOf(token.Letter);
+        var matters = role is LetterRole.Axis or LetterRole.Center or LetterRole.Radius or LetterRole.Feed or LetterRole.G or LetterRole.M
+            or LetterRole.OpeningAngle or LetterRole.MoreTurns or LetterRole.IntermediatePoint
+            || token.Letter is (byte)'P' or (byte)'Q' or (byte)'L' or (byte)'R' or (byte)'K';
+        return matters && token.ValueLength > 0 ? run.Compute(token.ValueStart, token.ValueLength) : double.NaN;
+    }
+}

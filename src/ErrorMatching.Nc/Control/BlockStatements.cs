@@ -1,0 +1,145 @@
+using System.Text;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Words of several letters: commands, cycles, addresses and variables, by what the dialect's table says of them.</summary>
+internal sealed class BlockStatements(
+    ControlState control,
+    BlockValues values,
+    ProgramRun run,
+    CoordinateLayers layers,
+    RunResult result,
+    BlockCodes codes,
+    CycleCalls calls)
+{
+    public MotionFlags Read()
+    {
+        var flags = MotionFlags.None;
+        foreach (var statement in values.Words.Statements)
+        {
+            flags |= statement.Kind switch
+            {
+                NcTokenKind.Keyword => ReadKeyword(statement),
+                NcTokenKind.Assignment => ReadAssignment(statement),
+                _ => MotionFlags.None,
+            };
+        }
+
+        return flags;
+    }
+
+    private MotionFlags ReadKeyword(NcToken statement)
+    {
+        var name = run.NameOf(statement);
+        if (run.Text.Bytes.Span[statement.End - 1] == ':')
+        {
+            return MotionFlags.None;
+        }
+
+        if (values.Dialect.IsFlow(name) || values.Dialect.IsFlow(name.TrimEnd("0123456789"u8)))
+        {
+            // One that is not followed: those that are never come here.
+            layers.Forget();
+            return result.UnknownWord(run.TextOf(statement).ToUpperInvariant());
+        }
+
+        switch (values.Dialect.MeaningOf(name))
+        {
+            case NcMeaning.Unknown:
+                layers.Forget();
+                if (calls.NextIsModal)
+                {
+                    // Whatever it is, it runs behind every motion.
+                    calls.Call(statement);
+                }
+
+                return result.UnknownWord(run.TextOf(statement).ToUpperInvariant());
+            case NcMeaning.ModalCycle:
+                calls.BeginModal();
+                return MotionFlags.None;
+            case NcMeaning.CycleCall:
+                calls.Call(statement);
+                return MotionFlags.None;
+            case NcMeaning.OpaqueTransform when HasNoArguments(statement):
+                codes.Obey(NcMeaning.OpaqueTransformOff, values.Dialect.FamilyOf(name));
+                return MotionFlags.None;
+            case var meaning:
+                codes.Obey(meaning, values.Dialect.FamilyOf(name));
+                return MotionFlags.None;
+        }
+    }
+
+    // CYCLE800() takes back what CYCLE800(..) set.
+    private bool HasNoArguments(NcToken statement)
+    {
+        var bytes = run.BytesOf(statement);
+        return bytes.IndexOf((byte)'(') is > 0 and var open && bytes[open..].IndexOfAnyExcept("() \t"u8) < 0;
+    }
+
+    private MotionFlags ReadAssignment(NcToken statement)
+    {
+        var bytes = run.BytesOf(statement);
+        if (values.Dialect.Syntax != NcSyntax.Siemens)
+        {
+            return MotionFlags.None;
+        }
+
+        if (bytes[0] == '$')
+        {
+            if (!IsHarmlessMachineVariable(bytes))
+            {
+                layers.LoseOrigin();
+            }
+
+            return MotionFlags.None;
+        }
+
+        var name = run.NameOf(statement);
+        if (Ascii.EqualsIgnoreCase(name, "RPL"u8))
+        {
+            var equals = bytes.IndexOf((byte)'=') + 1;
+            values.Words.PlaneAngle = run.Compute(statement.Start + equals, statement.Length - equals) ?? double.NaN;
+            return MotionFlags.None;
+        }
+
+        switch (values.Dialect.RoleOf(name))
+        {
+            case LetterRole.OtherAxis:
+                return MotionFlags.OtherAxis;
+            case LetterRole.PolarEnd:
+                control.State.Unknown |= control.State.Plane.Axes();
+                return result.UnknownWord(run.TextOf(statement));
+            case LetterRole.Harmless or LetterRole.Variable:
+                return MotionFlags.None;
+        }
+
+        if (values.Dialect.MeaningOf(name) is not NcMeaning.Unknown and var meaning)
+        {
+            codes.Obey(meaning, values.Dialect.FamilyOf(name));
+            return MotionFlags.None;
+        }
+
+        if (run.IsVariable(name))
+        {
+            return MotionFlags.None;
+        }
+
+        // It could be an axis by another name.
+        control.State.Unknown = AxisSet.All;
+        return result.UnknownWord(run.TextOf(statement));
+    }
+
+    // Tool data, outputs and markers; all others can be offsets and settings.
+    private static bool IsHarmlessMachineVariable(ReadOnlySpan<byte> name)
+    {
+        foreach (var prefix in (ReadOnlySpan<string>)["$TC_", "$A_", "$AC_MARKER", "$AC_PARAM", "$AC_TIMER"])
+        {
+            if (name.Length >= prefix.Length && Ascii.EqualsIgnoreCase(name[..prefix.Length], prefix))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+}

@@ -1,0 +1,226 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Canned cycles as the motions that they are made of.</summary>
+internal sealed class CannedCycles(
+    ControlState control,
+    BlockValues values,
+    RunResult result,
+    MotionWriter writer,
+    EndPoints ends,
+    OffTheWall wall,
+    CycleSteps steps)
+{
+    /// <summary>
+    /// How far above the last depth a rapid ends in a deep hole, mm: LinuxCNC's 0.010 inch; other controls have a parameter for it (assumed
+    /// the same).
+    /// </summary>
+    private const double PeckClearanceMm = 0.254;
+
+    // Where the tool was along its axis when the first cycle began, and the words that hold on from block to block.
+    private double _initial;
+    private (double Depth, double Plane, double Peck, bool HasPlane) _words;
+    private AxisSet _unknown;
+
+    /// <summary>Switches to a cycle.</summary>
+    public void Begin(NcMeaning meaning)
+    {
+        if (control.State.Cycle == NcMeaning.Unknown)
+        {
+            _initial = control.State.Plane.Height(control.State.Position);
+            _words = default;
+            wall.Begin();
+            _unknown = AxisSet.All;
+        }
+
+        control.State.Cycle = meaning;
+        control.State.Unsure &= ~Unsure.Mode;
+    }
+
+    /// <summary>Runs the cycle in force at the place of the block.</summary>
+    public void Drill(MotionFlags flags)
+    {
+        flags |= MotionFlags.Cycle;
+        var plane = control.State.Plane;
+        var axis = plane switch { CoordinatePlane.ZX => 'Y', CoordinatePlane.YZ => 'X', _ => 'Z' };
+        var toolAxis = AxisSet.All & ~plane.Axes();
+        var (target, unknown) = ends.Target();
+        ReadWords(axis, toolAxis);
+        if (control.State.Cycle == NcMeaning.TapCycle && plane != CoordinatePlane.XY)
+        {
+            // Measured with rs274: its feeds go along other axes than its rapids.
+            result.Problem("tap-plane", "LinuxCNC 2.9 taps along the wrong axes in G18 and G19: what it does here is not followed.",
+                MotionFlags.None);
+            writer.Append(MotionKind.Cycle, flags, target, AxisSet.All);
+            return;
+        }
+
+        var isKnown = (control.State.Unknown & toolAxis) == AxisSet.None && (_unknown & toolAxis) == AxisSet.None && _words.HasPlane;
+        if (!isKnown || control.State.Cycle == NcMeaning.OpaqueCycle)
+        {
+            // Over the position, at a height that depends.
+            var height = control.State.RetractsToR && control.State.Cycle != NcMeaning.BackBoreCycle ? _words.Plane : _initial;
+            writer.Append(MotionKind.Cycle, flags, plane.Lift(plane.Project(target), height),
+                (unknown & plane.Axes()) | (isKnown ? AxisSet.None : toolAxis));
+            return;
+        }
+
+        var times = values.Words.Has('L') ? values.Words.Value('L') : values.Words.Has('K') && !wall.ShiftsByK ? values.Words.Value('K')
+            : 1;
+        steps.Count += times * (1 + PecksOfHole());
+        if (!(steps.Count <= CycleSteps.Most))
+        {
+            writer.Append(MotionKind.Cycle, flags, target, AxisSet.All);
+            return;
+        }
+
+        var step = plane.Project(target) - plane.Project(control.State.Position);
+        for (var i = 0; i < times; i++)
+        {
+            var place = i == 0 || !control.State.Incremental ? plane.Project(target)
+                : values.Words.IsPolar ? plane.Project(ends.PolarWordsTarget(control.State.Position, control.State.Unknown).End)
+                : plane.Project(control.State.Position) + step;
+            if (control.State.Cycle == NcMeaning.BackBoreCycle)
+            {
+                BackBore(flags, place, unknown & plane.Axes());
+            }
+            else
+            {
+                Hole(flags, place, unknown & plane.Axes(), i == 0);
+            }
+        }
+    }
+
+    // The R plane counts from where the cycle began, the depth from the R plane, where coordinates are increments.
+    private void ReadWords(char axis, AxisSet toolAxis)
+    {
+        if (values.Words.Has('R'))
+        {
+            _words.Plane = control.State.Incremental ? BlockValues.Sum(_initial, values.Length('R')) : values.Length('R');
+            _words.HasPlane = true;
+        }
+
+        if (values.Words.Has(axis))
+        {
+            _words.Depth = control.State.Incremental ? BlockValues.Sum(_words.Plane, values.Length(axis)) : values.Length(axis);
+            _unknown &= ~toolAxis;
+        }
+
+        wall.Read();
+        _words.Peck = values.Words.Has('Q') ? Math.Abs(values.Length('Q')) : _words.Peck;
+        _unknown |= values.UnknownWords() & toolAxis;
+        if ((values.Words.Unknown & (BlockWords.Bit('R') | BlockWords.Bit('Q'))) != 0)
+        {
+            _unknown |= toolAxis;
+        }
+    }
+
+    private void Hole(MotionFlags flags, Point2 place, AxisSet unknown, bool first)
+    {
+        var plane = control.State.Plane;
+        var (bottom, top) = (_words.Depth, _words.Plane);
+        var clear = control.State.RetractsToR ? top : Math.Max(_initial, top);
+        var height = plane.Height(control.State.Position);
+        if (first && values.ListsIdleMoves)
+        {
+            // LinuxCNC asks where the cycle began, not where the tool is.
+            if (_initial < top)
+            {
+                writer.Append(MotionKind.Rapid, flags, plane.Lift(plane.Project(control.State.Position), top), control.State.Unknown);
+                height = top;
+            }
+
+            height = Math.Max(height, clear);
+        }
+        else if (first && height < top)
+        {
+            ToHeight(MotionKind.Rapid, flags, top);
+            height = top;
+        }
+
+        if (values.ListsIdleMoves || plane.Project(control.State.Position) != place || control.State.Unknown != unknown)
+        {
+            writer.Append(MotionKind.Rapid, flags, plane.Lift(place, height), unknown);
+        }
+
+        if (height != top)
+        {
+            ToHeight(MotionKind.Rapid, flags, top);
+        }
+
+        Pecks(flags, bottom, top);
+        ToHeight(MotionKind.Line, flags, bottom);
+        if (control.State.Cycle is NcMeaning.FeedOutToClearCycle or NcMeaning.TapCycle)
+        {
+            ToHeight(MotionKind.Line, flags, clear);
+            return;
+        }
+
+        if (control.State.Cycle == NcMeaning.FineBoreCycle)
+        {
+            LeaveOffTheWall(flags, place, unknown, clear);
+            return;
+        }
+
+        if (control.State.Cycle == NcMeaning.FeedOutCycle)
+        {
+            ToHeight(MotionKind.Line, flags, top);
+        }
+
+        ToHeight(MotionKind.Rapid, flags, clear);
+    }
+
+    // From the bottom: off the wall, out, back over the hole.
+    private void LeaveOffTheWall(MotionFlags flags, Point2 place, AxisSet unknown, double clear)
+    {
+        wall.Shift(flags, place, unknown, away: true);
+        ToHeight(MotionKind.Rapid, flags, clear);
+        wall.Shift(flags, place, unknown, away: false);
+    }
+
+    // The tool passes the hole off its wall, cuts upwards from the R plane below, and leaves to where it began, whatever G98 and G99 say.
+    private void BackBore(MotionFlags flags, Point2 place, AxisSet unknown)
+    {
+        var plane = control.State.Plane;
+        if (plane.Project(control.State.Position) != place || control.State.Unknown != unknown)
+        {
+            writer.Append(MotionKind.Rapid, flags, plane.Lift(place, plane.Height(control.State.Position)), unknown);
+        }
+
+        wall.Shift(flags, place, unknown, away: true);
+        ToHeight(MotionKind.Rapid, flags, _words.Plane);
+        wall.Shift(flags, place, unknown, away: false);
+        ToHeight(MotionKind.Line, flags, _words.Depth);
+        LeaveOffTheWall(flags, place, unknown, _initial);
+    }
+
+    private double PecksOfHole() => control.State.Cycle is NcMeaning.PeckCycle or NcMeaning.ChipBreakCycle && _words.Peck > 0
+        ? Math.Max(0, Math.Ceiling((_words.Plane - _words.Depth) / _words.Peck))
+        : 0;
+
+    private void Pecks(MotionFlags flags, double bottom, double top)
+    {
+        // Counted, since a peck can be too short to change a large height.
+        var (most, depth) = (PecksOfHole(), BlockValues.Sum(top, -_words.Peck));
+        for (var peck = 0; peck < most && depth > bottom; peck++, depth = BlockValues.Sum(depth, -_words.Peck))
+        {
+            ToHeight(MotionKind.Line, flags, depth);
+            if (control.State.Cycle == NcMeaning.PeckCycle)
+            {
+                ToHeight(MotionKind.Rapid, flags, top);
+            }
+
+            ToHeight(MotionKind.Rapid, flags, BlockValues.Sum(depth, PeckClearanceMm));
+        }
+    }
+
+    private void ToHeight(MotionKind kind, MotionFlags flags, double height)
+    {
+        var plane = control.State.Plane;
+        if (values.ListsIdleMoves || plane.Height(control.State.Position) != height)
+        {
+            writer.Append(kind, flags, plane.Lift(plane.Project(control.State.Position), height), control.State.Unknown);
+        }
+    }
+}

@@ -1,0 +1,72 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>What the control remembers from block to block, and how codes switch it.</summary>
+/// <param name="dialect">The control.</param>
+internal sealed class ControlState(NcDialect dialect)
+{
+    public const double MmPerInch = 25.4;
+
+    /// <summary>Modes and the place of the tool: all that plain cuts hang on, so a run can be compared with another one by it.</summary>
+    public ModalState State = ModalState.Initial with { RetractsToR = dialect.Syntax == NcSyntax.LinuxCnc };
+
+    /// <summary>The millimeters of a length that is stated as 1.</summary>
+    public double Unit => State.Inch ? MmPerInch : 1;
+
+    /// <summary>Decimals of the least increment.</summary>
+    public int LeastDecimals => State.Inch ? dialect.InchDecimals : dialect.MetricDecimals;
+
+    public void Units(bool inch, bool feedsToo)
+    {
+        State.Inch = inch;
+        State.InchFeed = feedsToo ? inch : State.InchFeed;
+    }
+
+    public void Mode(MotionKind kind)
+    {
+        State.Mode = kind;
+        State.Form = NcMeaning.Unknown;
+        State.Cycle = NcMeaning.Unknown;
+        State.Unsure &= ~Unsure.Mode;
+    }
+
+    public void Plane(CoordinatePlane plane)
+    {
+        State.Plane = plane;
+        State.Unsure &= ~Unsure.Plane;
+    }
+
+    public void Distance(bool incremental)
+    {
+        State.Incremental = incremental;
+        State.Unsure &= ~Unsure.Distance;
+    }
+
+    public void Compensate(MotionFlags side)
+    {
+        State.CompensationSwitched |= State.Compensation != side;
+        State.Compensation = side;
+        State.Unsure &= ~Unsure.Compensation;
+    }
+
+    /// <summary>The first motion in the plane behind G41, G42 or G40 is the entry or the exit.</summary>
+    public MotionFlags SwitchCompensation(bool movesInPlane)
+    {
+        if (!State.CompensationSwitched || !movesInPlane)
+        {
+            return MotionFlags.None;
+        }
+
+        State.CompensationSwitched = false;
+        return MotionFlags.CompensationSwitches;
+    }
+
+    /// <summary>Nothing is certain until it is stated again.</summary>
+    public void Forget()
+    {
+        State.Unsure = Unsure.All;
+        State.Unknown = AxisSet.All;
+        State.Cycle = NcMeaning.Unknown;
+    }
+}

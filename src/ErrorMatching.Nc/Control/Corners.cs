@@ -1,0 +1,115 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Corner words: a rounding or a chamfer between the motion that has the word and the next one in the plane.</summary>
+internal sealed class Corners(ControlState control, BlockValues values, CoordinateLayers layers, RunResult result, MotionWriter writer)
+{
+    private (byte Letter, double Value) _pending;
+
+    /// <summary>True if a corner waits for the next motion.</summary>
+    public bool IsPending => _pending.Letter != 0;
+
+    /// <summary>Keeps the corner that the block asks for behind its motion.</summary>
+    public void Keep(MotionKind kind)
+    {
+        var letter = values.Words.Corner;
+        var inPlane = kind is MotionKind.Line or MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise;
+        _pending = !inPlane ? default : letter is (byte)'R' or (byte)'C' or (byte)'F' ? (letter, values.CornerLength()) : control.State.ModalRounding != 0 ? ((byte)'R', control.State.ModalRounding) : default;
+    }
+
+    /// <summary>Cuts it. Called with the motion that follows, before it is appended: its start moves to the end of the corner. The center is one of the work.</summary>
+    public void Cut(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd, Point2? center)
+    {
+        var (letter, value) = _pending;
+        var plane = control.State.Plane;
+        if (letter == 0)
+        {
+            return;
+        }
+
+        if (values.Dialect.Syntax == NcSyntax.Siemens && kind is MotionKind.Line or MotionKind.Rapid && plane.Project(end) == plane.Project(control.State.Position))
+        {
+            // Siemens inserts nothing where the next motion leaves the plane.
+            _pending = default;
+            return;
+        }
+
+        var before = result.Motions[result.Motions.Length - 1];
+        var behind = new NcMotion(result.Block, kind, plane, flags, layers.Work(control.State.Position, AxisSet.None).Place, layers.Work(end, AxisSet.None).Place, center ?? default, 0, 0, control.State.Frame, control.State.Unknown, unknownEnd);
+        var isPlain = behind is { IsCut: true, MovesInPlane: true, IsKnownInPlane: true } && before is { MovesInPlane: true, IsKnownInPlane: true } && !before.Has(MotionFlags.BadArc) && !flags.HasFlag(MotionFlags.BadArc);
+        var isLevel = before.Plane == plane && before.Frame == behind.Frame && plane.Height(behind.End) == plane.Height(behind.Start) && (layers.Transforms.Frame?.OnCircles(plane).StayCircles ?? true);
+        value *= (control.State.Inch ? ControlState.MmPerInch : 1) * (layers.Transforms.Frame?.FactorIn(plane) ?? 1);
+        if (!isPlain || !isLevel || !(value > 0) || Between(before, behind, letter, value) is not { } corner)
+        {
+            Lose();
+            return;
+        }
+
+        var (block, height) = (result.Block, plane.Height(behind.Start));
+        result.Block = before.Block;
+        result.Motions.MoveLastEnd(plane.Lift(corner.Start, height));
+        control.State.Position = layers.Programmed(plane.Lift(corner.Start, height));
+        writer.Append(corner.Kind, MotionFlags.CornerWord, layers.Programmed(plane.Lift(corner.End, height)), AxisSet.None, corner.Center);
+        result.Block = block;
+    }
+
+    /// <summary>Lets it go without a word: the tool leaves the plane first.</summary>
+    public void Drop() => _pending = default;
+
+    /// <summary>It is asked for and cannot be followed: where the tool leaves the element before is not known.</summary>
+    public void Lose()
+    {
+        if (IsPending)
+        {
+            result.Problem("corner-word", "The corner word of the block before cannot be followed here: it needs two cuts in one plane that are long enough for it.", MotionFlags.None);
+            control.State.Unknown |= control.State.Plane.Axes();
+            _pending = default;
+        }
+    }
+
+    private static (MotionKind Kind, Point2 Start, Point2 End, Point2 Center)? Between(in NcMotion before, in NcMotion behind, byte letter, double value)
+    {
+        var (a, b) = (before.TangentAt(1), behind.TangentAt(0));
+        var turn = a.Cross(b);
+        if (Math.Abs(turn) < 1e-9)
+        {
+            return null;
+        }
+
+        var vertex = before.PlaneEnd;
+        if (letter != 'R')
+        {
+            // A chamfer by its legs, or by its width.
+            var leg = letter == 'C' ? value : value / (2 * Math.Cos(Math.Atan2(Math.Abs(turn), a.Dot(b)) / 2));
+            return before.IsArc || behind.IsArc || leg >= before.PlaneLength || leg >= behind.PlaneLength ? null : (MotionKind.Line, vertex - (a * leg), vertex + (b * leg), default);
+        }
+
+        // The center lies one radius inside both.
+        var left = turn > 0 ? value : -value;
+        if (Inside(before, left) is not { } first || Inside(behind, left) is not { } second || first.Meet(second, vertex) is not { } center)
+        {
+            return null;
+        }
+
+        var (from, to) = (FootOf(before, center), FootOf(behind, center));
+        var fits = IsOn(before, from) && IsOn(behind, to);
+        return fits ? (turn > 0 ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise, from, to, center) : null;
+    }
+
+    private static Carrier? Inside(in NcMotion motion, double left)
+    {
+        if (!motion.IsArc)
+        {
+            return new(motion.Segment.Line.Offset(left), null);
+        }
+
+        var circle = motion.Arc.Circle;
+        var radius = circle.Radius - (motion.Kind == MotionKind.ArcCounterClockwise ? left : -left);
+        return radius > 0 ? new(null, new(circle.Center, radius)) : null;
+    }
+
+    private static Point2 FootOf(in NcMotion motion, Point2 center) => motion.IsArc ? motion.Arc.Circle.Foot(center) : motion.Segment.Line.Foot(center);
+
+    private static bool IsOn(in NcMotion motion, Point2 place) => motion.PlaneAt(motion.IsArc ? motion.Arc.NearestFraction(place) : motion.Segment.NearestFraction(place)).DistanceTo(place) < 1e-6;
+}

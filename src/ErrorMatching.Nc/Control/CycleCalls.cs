@@ -1,0 +1,151 @@
+using System.Globalization;
+using System.Text;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Machining cycles with their arguments in parentheses: return plane, reference plane, safety distance, depth, depth below the reference
+/// plane. Drilling, boring, tapping and
+/// patterns of holes are followed; of all others only the return plane is known. The motions are those of the Siemens cycles guide
+/// (docs/dialects.md says what of them is assumed).
+/// </summary>
+internal sealed class CycleCalls(
+    ControlState control,
+    ProgramRun run,
+    RunResult result,
+    MotionWriter writer,
+    Corners corners,
+    HoleCycles holes,
+    HolePatterns patterns)
+{
+    // What is called behind every motion, and what the block calls.
+    private CycleCall? _modal;
+    private CycleCall? _once;
+    private bool _nextIsModal;
+
+    /// <summary>True if no call waits for a motion or a block.</summary>
+    public bool AreNone => _once is null && _modal is null && !_nextIsModal;
+
+    /// <summary>True if the block says that the call behind it runs behind every motion (MCALL).</summary>
+    public bool NextIsModal => _nextIsModal;
+
+    /// <summary>MCALL: ends the call behind every motion; the next call of the block takes its place.</summary>
+    public void BeginModal() => (_modal, _nextIsModal) = (null, true);
+
+    /// <summary>Takes a call with its arguments.</summary>
+    public void Call(NcToken token)
+    {
+        var name = run.NameOf(token);
+        var number = name.Length > 5 && Ascii.EqualsIgnoreCase(name[..5], "CYCLE"u8)
+            && int.TryParse(name[5..], NumberStyles.None, CultureInfo.InvariantCulture, out var n) ? n : 0;
+        var call = new CycleCall(Encoding.ASCII.GetString(name).ToUpperInvariant(), number, ArgumentsOf(token));
+        if (_nextIsModal)
+        {
+            (_modal, _nextIsModal) = (call, false);
+        }
+        else
+        {
+            _once = call;
+        }
+    }
+
+    /// <summary>Runs behind the block's own motion the cycle that it calls, or the one that is called behind every motion.</summary>
+    public void RunBehind(bool moved)
+    {
+        if ((_once ?? (moved ? _modal : null)) is { } call)
+        {
+            _once = null;
+            Run(call);
+        }
+
+        _nextIsModal = false;
+    }
+
+    private void Run(CycleCall call)
+    {
+        // It leaves the plane first, so that no corner is rounded.
+        corners.Drop();
+        if (patterns.PlacesOf(call) is { } places)
+        {
+            RunPattern(places, call.Number != 801);
+            return;
+        }
+
+        if (holes.HoleOf(call) is { } hole && holes.StrokesOf(call, hole) is { } strokes)
+        {
+            holes.Run(call, hole, strokes);
+            return;
+        }
+
+        // Drilling cycles end over their hole at the return plane; of patterns, pockets and the like not even that is known.
+        result.Note("cycle-not-followed", $"{call.Name} is not followed: what it does is the control's affair.");
+        var plane = control.State.Plane;
+        var toolAxis = AxisSet.All & ~plane.Axes();
+        var isDrilling = call.Number is (>= 81 and <= 89) or 840;
+        var height = isDrilling && call[0] * control.Unit is { } known && !double.IsNaN(known) ? known : (double?)null;
+        var unknown = isDrilling ? height is null ? control.State.Unknown | toolAxis : control.State.Unknown & ~toolAxis : AxisSet.All;
+        result.DependOnPlace();
+        writer.Append(MotionKind.Cycle, MotionFlags.Cycle,
+            plane.Lift(plane.Project(control.State.Position), height ?? plane.Height(control.State.Position)), unknown);
+    }
+
+    private void RunPattern(List<Point2> places, bool hasOrder)
+    {
+        var plane = control.State.Plane;
+        result.DependOnPlace();
+        if (!hasOrder)
+        {
+            result.Note("cycle-not-followed", "The places of the grid are known; in which order it goes there is the control's affair.");
+        }
+
+        foreach (var place in places)
+        {
+            writer.Append(hasOrder ? MotionKind.Rapid : MotionKind.Cycle, MotionFlags.Cycle,
+                plane.Lift(place, plane.Height(control.State.Position)), control.State.Unknown & ~plane.Axes());
+            if (_modal is { } call)
+            {
+                Run(call);
+            }
+        }
+
+        // At which end it stops could differ from version to version of the cycle.
+        control.State.Unknown |= places.Count > 1 ? plane.Axes() : AxisSet.None;
+    }
+
+    // One value a comma, null where nothing stands; NaN where only the machine knows it.
+    private List<double?> ArgumentsOf(NcToken call)
+    {
+        var bytes = run.BytesOf(call);
+        var values = new List<double?>();
+        var at = bytes.IndexOf((byte)'(') + 1;
+        if (at == 0)
+        {
+            return values;
+        }
+
+        for (var (from, depth) = (at, 0); at < bytes.Length; at++)
+        {
+            if (bytes[at] == '"')
+            {
+                at = SyntaxBytes.BehindString(bytes, at, bytes.Length) - 1;
+            }
+            else if (bytes[at] is (byte)'(' or (byte)'[')
+            {
+                depth++;
+            }
+            else if (bytes[at] is (byte)')' or (byte)']' && depth > 0)
+            {
+                depth--;
+            }
+            else if (bytes[at] is (byte)',' or (byte)')' && depth == 0)
+            {
+                values.Add(bytes[from..at].Trim(" \t"u8) is { Length: > 0 } text ? text[0] == '"' ? double.NaN
+                    : run.Compute(call.Start + from, at - from) : null);
+                from = at + 1;
+            }
+        }
+
+        return values;
+    }
+}

@@ -1,0 +1,201 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Siemens CYCLE81 to CYCLE89 and CYCLE840 as motions: rapid to the safety distance over the reference plane, to depth at feed (CYCLE83 in
+/// strokes), out as each cycle does, rapid to
+/// the return plane.
+/// </summary>
+internal sealed class HoleCycles(ControlState control, MotionWriter writer, CycleSteps steps)
+{
+    /// <summary>
+    /// The heights that a call states. Null where it is not followed: heights that nobody stated, or arguments that change what the others
+    /// mean.
+    /// </summary>
+    public CalledHole? HoleOf(CycleCall call)
+    {
+        if (IsFollowed(call) && call[0] * control.Unit is { } top && call[1] * control.Unit is { } reference
+            && call.DepthOf(3) * control.Unit is { } depth)
+        {
+            var safety = Math.Abs(call[2] ?? 0) * control.Unit;
+            return double.IsFinite(top + reference + depth + safety)
+                ? new(top, reference, BlockValues.Sum(reference, depth < reference ? safety : -safety), depth) : null;
+        }
+
+        return null;
+    }
+
+    /// <summary>Depths from the reference plane at which the strokes end; null where nothing published says what the cycle does.</summary>
+    /// <remarks>
+    /// CYCLE83: first depth FDEP or FDPR, then each stroke shorter by DAM until it is DAM; strokes of DAM while more than twice DAM
+    /// remains; the rest in two halves. Without DAM all
+    /// strokes are as long as the first, the last one ends at the depth (assumed). VARI=0 lifts at feed to break the chip, VARI=1 leaves
+    /// the hole. Other cycles have one stroke.
+    /// </remarks>
+    public List<double>? StrokesOf(CycleCall call, CalledHole hole)
+    {
+        var total = Math.Abs(hole.Depth - hole.Reference);
+        if (call.Number != 83)
+        {
+            return ++steps.Count > CycleSteps.Most ? null : [total];
+        }
+
+        var first = call.DepthOf(5) * control.Unit is { } depth ? (hole.Reference - depth) * (hole.Depth < hole.Reference ? 1 : -1)
+            : double.NaN;
+        var less = (call[7] ?? 0) * control.Unit;
+        if (!(first > 0) || !(less >= 0) || (first < less && first < total))
+        {
+            return null;
+        }
+
+        var (strokes, at, stroke) = (new List<double>(), 0.0, first);
+        while (steps.Count++ < CycleSteps.Most)
+        {
+            at = BlockValues.Sum(at, stroke);
+            if (at >= total || stroke == 0)
+            {
+                // A stroke that the rules would make longer than what remains is none of theirs, but for the first one and where all are
+                // alike.
+                return at == total || strokes.Count == 0 || less == 0 ? [.. strokes, total] : null;
+            }
+
+            strokes.Add(at);
+            stroke = less == 0 ? stroke : Math.Max(BlockValues.Sum(stroke, -less), less);
+            if (less > 0 && stroke == less && BlockValues.Sum(total, -at) <= BlockValues.Sum(less, less))
+            {
+                // Halves are always longer than half of the degression, says the rule; of a shorter rest it says nothing.
+                return BlockValues.Sum(total, -at) > less ? [.. strokes, at + ((total - at) / 2), total] : null;
+            }
+        }
+
+        return null;
+    }
+
+    /// <summary>Runs the call over the place where the tool is.</summary>
+    public void Run(CycleCall call, CalledHole hole, IReadOnlyList<double> strokes)
+    {
+        var feed = control.State.Feed;
+        ToKnownHeight(MotionKind.Rapid, hole.Start);
+        if (call.Number == 83)
+        {
+            DrillDeep(call, hole, strokes);
+        }
+        else
+        {
+            control.State.Feed = FeedOr(call.Number == 85 ? call[6] : null, feed);
+            ToKnownHeight(MotionKind.Line, hole.Depth);
+        }
+
+        if (call.Number is 84 or 840 or 85 or 89)
+        {
+            control.State.Feed = FeedOr(call.Number == 85 ? call[7] : null, feed);
+            ToKnownHeight(MotionKind.Line, hole.Start);
+        }
+
+        control.State.Feed = feed;
+        if (call.Number == 86)
+        {
+            LiftOff(call, hole);
+        }
+
+        ToKnownHeight(MotionKind.Rapid, hole.Return);
+    }
+
+    // Which arguments say no more than depth, feed, waits and spindle. Those behind are of later versions: geometry mode (of what the depth
+    // is), display mode (the plane), alternative mode (how arguments are read).
+    private bool IsFollowed(CycleCall call) => call.Number switch
+    {
+        81 or 82 => HasUsualModes(call, 6),
+        83 => IsToolAxis(call[12]) && call[11] is null or 0 or 1 && call.IsStated(10, 14, 16) && call.IsAbsent(17),
+        84 => IsToolAxis(call[12]) && call.IsAbsent(13),
+        840 => IsToolAxis(call[11]) && call.IsAbsent(12),
+        85 => call.IsStated(6, 7) && HasUsualModes(call, 8),
+        86 => HasUsualModes(call, 11),
+        87 => call.IsAbsent(6),
+        88 => call.IsAbsent(7),
+        89 => HasUsualModes(call, 6),
+        _ => false,
+    };
+
+    // The third axis is the tool's, in whichever plane.
+    private static bool IsToolAxis(double? axis) => axis is null or 0 or 3;
+
+    // The alternative mode says which of both depths counts (ones: 1 below the reference plane, 2 the place) and what waits are counted in
+    // (tens).
+    private bool HasUsualModes(CycleCall call, int geometry)
+    {
+        var plane = control.State.Plane switch { CoordinatePlane.ZX => 2, CoordinatePlane.YZ => 3, _ => 1 };
+        var alternative = call[geometry + 2] ?? 0;
+        var counts = (alternative % 10) switch { 0 => true, 1 => call[4] is not null, 2 => call[3] is not null, _ => false };
+        return counts && alternative is >= 0 and < 30 && call[geometry] is null or 0
+            && (call[geometry + 1] is null or 0 || call[geometry + 1] == plane) && call.IsAbsent(geometry + 3);
+    }
+
+    private void DrillDeep(CycleCall call, CalledHole hole, IReadOnlyList<double> strokes)
+    {
+        var (down, feed, removes) = (hole.Depth < hole.Reference ? -1 : 1, control.State.Feed, call[11] == 1);
+        var lift = LengthOr(call[14], 1);
+
+        // How far above the last depth a rapid ends: stated, or by the depth of the hole.
+        var total = Math.Abs(hole.Depth - hole.Reference);
+        var ahead = LengthOr(call[16], total <= 30 ? 0.6 : Math.Min(total / 50, 7));
+        control.State.Feed = feed * (call[10] is > 0 and var factor ? factor : 1);
+        for (var i = 0; i < strokes.Count; i++)
+        {
+            var depth = BlockValues.Sum(hole.Reference, down * strokes[i]);
+            ToKnownHeight(MotionKind.Line, i == strokes.Count - 1 ? hole.Depth : depth);
+            control.State.Feed = feed;
+            if (i == strokes.Count - 1)
+            {
+                break;
+            }
+
+            if (removes)
+            {
+                ToKnownHeight(MotionKind.Rapid, hole.Start);
+                ToKnownHeight(MotionKind.Rapid, BlockValues.Sum(depth, -down * ahead));
+            }
+            else
+            {
+                ToKnownHeight(MotionKind.Line, BlockValues.Sum(depth, -down * lift));
+            }
+        }
+    }
+
+    private void ToKnownHeight(MotionKind kind, double height)
+    {
+        var plane = control.State.Plane;
+        var toolAxis = AxisSet.All & ~plane.Axes();
+        if (plane.Height(control.State.Position) != height || (control.State.Unknown & toolAxis) != AxisSet.None)
+        {
+            writer.Append(kind, MotionFlags.Cycle, plane.Lift(plane.Project(control.State.Position), height),
+                control.State.Unknown & ~toolAxis);
+        }
+    }
+
+    private double LengthOr(double? stated, double length) => stated is null or 0 ? length : Math.Abs(stated.Value) * control.Unit;
+
+    // A feed that only the machine knows is none that can be shown.
+    private double FeedOr(double? stated, double feed) => stated is { } f && f > 0
+        ? f * (control.State.InchFeed ? ControlState.MmPerInch : 1) : feed;
+
+    // CYCLE86: along up to three axes off the wall, up to the start, then back over the hole on the way to the return plane.
+    private void LiftOff(CycleCall call, CalledHole hole)
+    {
+        var lift = new Vector2(call[7] ?? 0, call[8] ?? 0) * control.Unit;
+        var up = (call[9] ?? 0) * control.Unit;
+        if (lift == Vector2.Zero && up == 0)
+        {
+            return;
+        }
+
+        var plane = control.State.Plane;
+        var (over, unknown) = (plane.Project(control.State.Position), control.State.Unknown);
+        var isUnknown = !double.IsFinite(lift.X + lift.Y + up);
+        var (away, height) = isUnknown ? (over, hole.Depth) : (over + lift, BlockValues.Sum(hole.Depth, up));
+        writer.Append(MotionKind.Rapid, MotionFlags.Cycle, plane.Lift(away, height), isUnknown ? AxisSet.All : unknown);
+        writer.Append(MotionKind.Rapid, MotionFlags.Cycle, plane.Lift(away, hole.Start), isUnknown ? plane.Axes() : unknown);
+        writer.Append(MotionKind.Rapid, MotionFlags.Cycle, plane.Lift(over, hole.Return), unknown);
+    }
+}

@@ -1,0 +1,55 @@
+using System.Numerics;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Counts coordinates without a point, which count millimeters on one machine and least increments on another of the same make.
+/// </summary>
+/// <param name="program">The program.</param>
+/// <param name="values">The words of its blocks.</param>
+internal sealed class IntegerWords(NcProgram program, BlockValues values)
+{
+    private const string Otherwise = "A machine that is set otherwise needs a dialect that says so.";
+
+    private int _first;
+
+    /// <summary>True if they are worth counting on this control.</summary>
+    public bool Matter { get; } = values.Dialect.NotesNumbersWithoutPoint;
+
+    public long Count { get; private set; }
+
+    /// <summary>Counts those of a block. Zero is zero in any unit; times, counts and codes have no unit that a point changes.</summary>
+    public void CountIn(int block)
+    {
+        var words = values.Words;
+        for (var letters = words.Integers & words.Present & values.LengthLetters; letters != 0; letters &= letters - 1)
+        {
+            if (words.Value((byte)('A' + BitOperations.TrailingZeroCount(letters))) != 0)
+            {
+                _first = Count == 0 ? block : _first;
+                Count++;
+            }
+        }
+    }
+
+    /// <summary>Counts those of blocks that another run has executed, the first of which need not be named.</summary>
+    public void Add(long count) => Count += count;
+
+    /// <summary>Goes on where another run has come to.</summary>
+    public void Join(IntegerWords ahead) => (_first, Count) = (Count > 0 ? _first : ahead._first, Count + ahead.Count);
+
+    /// <summary>What has to be said of them.</summary>
+    public IEnumerable<NcNote> Notes()
+    {
+        if (Count > 0)
+        {
+            var dialect = values.Dialect;
+            var counts = dialect.IntegersAreIncrements;
+            var unit = counts ? "least increments" : "millimeters or inches";
+            var hundred = counts ? 100 / Math.Pow(10, dialect.MetricDecimals) : 100;
+            var reading = FormattableString.Invariant($"Dialect {dialect.Name} reads them in {unit}: X100 is {hundred} mm.");
+            yield return new("number-without-point", _first, Count, FormattableString.Invariant(
+                $"{Count} coordinates are written without a point, the first in {program.NameOf(program[_first])}. {reading} {Otherwise}"));
+        }
+    }
+}

@@ -1,0 +1,112 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Modes that a program saves and restores (LinuxCNC M70 to M73), each call level for itself. As rs274 does it: what differs is stated
+/// again. The motion mode, the shift of G92 and the value of a
+/// tool length are not among them; a length that was in force comes back from the table.
+/// </summary>
+internal sealed class ModeMemory(
+    ControlState control,
+    BlockValues values,
+    ProgramRun run,
+    CoordinateLayers layers,
+    RunResult result,
+    OffsetCodes offsets,
+    ToolLengthCodes lengths,
+    TransformCodes transforms)
+{
+    private readonly Dictionary<int, SavedModes> _saved = [];
+
+    /// <summary>The function of the block that saves or restores modes; harmless where it has none.</summary>
+    public FunctionRole RoleOfBlock()
+    {
+        foreach (var function in values.Words.Functions)
+        {
+            var role = values.Dialect.FunctionOf(function);
+            if (role is FunctionRole.SaveModes or FunctionRole.SaveModesOfCall or FunctionRole.RestoreModes)
+            {
+                return role;
+            }
+        }
+
+        return FunctionRole.Harmless;
+    }
+
+    /// <summary>The modes in force.</summary>
+    public SavedModes Now(bool atReturn) =>
+        new(control.State, layers.Offsets.Chosen, layers.Offsets.IsUnsure, lengths.IsActive, layers.Transforms.OpaqueFamilies, atReturn);
+
+    /// <summary>Saves modes. Only feed and its mode are acted on before that; the other codes of the block come behind.</summary>
+    public void Save(SavedModes before)
+    {
+        var state = before.State;
+        (state.Feed, state.InverseTime) = (control.State.Feed, control.State.InverseTime);
+
+        // Measured with rs274: M70 behind M73 changes what is restored at the end, not that it is.
+        var atReturn = before.AtReturn || (_saved.TryGetValue(run.CallDepth, out var saved) && saved.AtReturn);
+        _saved[run.CallDepth] = before with { State = state, AtReturn = atReturn };
+    }
+
+    /// <summary>Drops what is saved at this level.</summary>
+    public void Drop() => _saved.Remove(run.CallDepth);
+
+    /// <summary>Restores what is saved at this level.</summary>
+    public MotionFlags Restore()
+    {
+        if (!_saved.TryGetValue(run.CallDepth, out var saved))
+        {
+            layers.Forget();
+            return result.Problem(
+                "no-saved-modes",
+                "No modes are saved at this level of calls that could be restored: the control stops here.",
+                MotionFlags.UnknownWord);
+        }
+
+        Take(saved);
+        if (values.Words.Functions.Length == 1 && values.Words.Codes.Length == 0
+            && ((values.Words.Present | values.Words.Computed) & ~BlockWords.Bit('N')) == 0)
+        {
+            return MotionFlags.None;
+        }
+
+        // Measured with rs274: where a mode is restored, the rest of the block is lost.
+        layers.Forget();
+        return result.Problem(
+            "words-beside-restore",
+            "Words stand in the block that restores modes; the control can lose them. Write them in a block of their own.",
+            MotionFlags.UnknownWord);
+    }
+
+    /// <summary>A pass of a call ends.</summary>
+    public void Return(int depth)
+    {
+        if (_saved.Remove(depth, out var saved) && saved.AtReturn)
+        {
+            Take(saved);
+        }
+    }
+
+    private void Take(SavedModes saved)
+    {
+        // Whether a length or an offset is restored is not known where something ran unseen.
+        var isSure = control.State.Unsure == Unsure.None && saved.State.Unsure == Unsure.None && !layers.Offsets.IsUnsure
+            && !saved.IsWorkOffsetUnsure;
+        var modes = saved.State;
+        (control.State.Inch, control.State.InchFeed, control.State.Feed, control.State.InverseTime) =
+            (modes.Inch, modes.InchFeed, modes.Feed, modes.InverseTime);
+        (control.State.AbsoluteCenters, control.State.RetractsToR) = (modes.AbsoluteCenters, modes.RetractsToR);
+        control.Plane(modes.Plane);
+        control.Distance(modes.Incremental);
+        control.Compensate(modes.Compensation);
+        if (lengths.IsActive != saved.HasLength)
+        {
+            lengths.Restore(saved.HasLength);
+        }
+
+        transforms.RestoreOpaque(saved.OpaqueFamilies);
+        offsets.Choose(saved.WorkOffset, isKnown: true);
+        layers.Offsets.IsUnsure |= saved.IsWorkOffsetUnsure;
+        control.State.Unsure |= modes.Unsure & ~Unsure.Mode;
+        control.State.Unknown = isSure ? control.State.Unknown : AxisSet.All;
+    }
+}

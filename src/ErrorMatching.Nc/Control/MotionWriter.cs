@@ -1,0 +1,36 @@
+using System.Runtime.CompilerServices;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Moves the tool: adds motions in work coordinates, each with the modes in force.</summary>
+internal sealed class MotionWriter(ControlState control, CoordinateLayers layers, RunResult result)
+{
+    /// <summary>Moves the tool to a programmed place.</summary>
+    public void Append(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd, Point2 center = default, int turns = 0)
+    {
+        ref var state = ref control.State;
+        var start = layers.Tool();
+        var to = layers.Work(end, unknownEnd);
+        result.Motions.Add(new(
+            result.Block, kind, state.Plane, flags | ModeFlags(), start.Place, to.Place, center, turns,
+            state.Feed, state.Frame, start.Unknown, to.Unknown));
+        state.Position = end;
+        state.Unknown = unknownEnd;
+    }
+
+    /// <summary>Moves it straight on, where no layer lies between what is programmed and the work, and no corner is rounded.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void AppendStraight(Point3 end, AxisSet unknownEnd)
+    {
+        ref var state = ref control.State;
+        result.Motions.AddStraight(result.Block, state, state.Flags, end, unknownEnd);
+        state.Position = end;
+        state.Unknown = unknownEnd;
+    }
+
+    private MotionFlags ModeFlags() =>
+        control.State.Flags
+        | (layers.Transforms.AreMoreThanShift ? MotionFlags.Transformed : MotionFlags.None)
+        | (control.State.ModalRounding != 0 ? MotionFlags.CornerWord : MotionFlags.None);
+}

@@ -1,0 +1,22 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>The shift of the origin on top of the work offset (G92, G52).</summary>
+internal sealed class OriginShift
+{
+    public Vector3 Vector { get; set; }
+
+    /// <summary>Axes in which it is not known.</summary>
+    public AxisSet Unknown { get; set; }
+
+    /// <summary>The part of it that is G52's.</summary>
+    public (Vector3 Vector, AxisSet Unknown) Local { get; set; }
+
+    /// <summary>What G92.3 brings back: before the program has set a shift itself, only the machine knows it.</summary>
+    public (Vector3 Vector, AxisSet Unknown) Kept { get; private set; } = (Vector3.Zero, AxisSet.All);
+
+    public void Keep() => Kept = (Vector, Unknown);
+
+    public void Forget() => (Unknown, Kept, Local) = (AxisSet.All, (Vector3.Zero, AxisSet.All), (Vector3.Zero, AxisSet.All));
+}

@@ -1,0 +1,98 @@
+using System.Text;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>
+/// Where a run is: the file and the block, and the <see cref="NcFlow"/> that says where it goes on, once a block asks for it.
+/// </summary>
+internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlState control, Func<string, NcProgram?>? library,
+    CancellationToken cancellation)
+{
+    /// <summary>
+    /// How many blocks may run before a program counts as one that never ends: some tenths of a second's work, and more for a long file.
+    /// </summary>
+    private const long LeastSteps = 500_000;
+
+    private const long StepsPerBlock = 10;
+    private const int LongestShown = 60;
+
+    private NcFlow? _flow;
+
+    public NcProgram Program { get; } = program;
+
+    public NcDialect Dialect => dialect;
+
+    public Func<string, NcProgram?>? Library => library;
+
+    public CancellationToken Cancellation => cancellation;
+
+    /// <summary>The file that is being read: the program itself, or one that it calls.</summary>
+    public NcProgram Text { get; private set; } = program;
+
+    /// <summary>The block of it that runs, or runs next.</summary>
+    public int At { get; set; }
+
+    public bool HasEnded { get; set; }
+
+    /// <summary>Called when a pass of a call ends, with the depth of that call.</summary>
+    public Action<int> Returned { get; set; } = _ => { };
+
+    public bool IsInProgram => ReferenceEquals(Text, Program);
+
+    /// <summary>True once a block has asked for the flow.</summary>
+    public bool HasFlow => _flow is not null;
+
+    public bool HasModalCall => _flow is { HasModalCall: true };
+
+    public int CallDepth => _flow?.Depth ?? 0;
+
+    public NcFlow Flow => _flow ??= new(Program, dialect, new()
+    {
+        Library = name => library?.Invoke(name)?.In(dialect.Syntax),
+        Returned = depth => Returned(depth),
+        Steps = LeastSteps + (StepsPerBlock * Program.BlockCount),
+        Cancellation = cancellation,
+    });
+
+    public IReadOnlyList<NcNote> FlowNotes => _flow?.Notes ?? [];
+
+    public NcRefusal? Refusal => _flow?.Refusal;
+
+    /// <summary>Goes where the flow has said.</summary>
+    public void Follow(FlowAction action)
+    {
+        HasEnded |= action == FlowAction.Stop;
+        (Text, At) = (Flow.Program, Flow.Next);
+    }
+
+    /// <summary>What variables of the machine hold is not known any more.</summary>
+    public void ForgetMachine() => _flow?.Variables.ForgetMachine();
+
+    /// <summary>Computes a value: NaN where only the machine knows it, null where it is a variable that was never set.</summary>
+    public double? Compute(int start, int length) =>
+        !Flow.TryValue(At, start, length, control.LeastDecimals, out var value) || value.Kind is NcValueKind.Unknown or NcValueKind.Text
+            ? double.NaN
+        : value.IsVacant ? null
+        : value.Number;
+
+    public bool IsVariable(ReadOnlySpan<byte> name) => Flow.Variables.Knows(Encoding.ASCII.GetString(name).ToUpperInvariant());
+
+    public ReadOnlySpan<byte> BytesOf(NcToken token) => Text.Bytes.Span.Slice(token.Start, token.Length);
+
+    /// <summary>The name that a statement begins with.</summary>
+    public ReadOnlySpan<byte> NameOf(NcToken statement)
+    {
+        var bytes = BytesOf(statement);
+        var length = 0;
+        while (length < bytes.Length && SyntaxBytes.IsNamePart(bytes[length]))
+        {
+            length++;
+        }
+
+        return bytes[..length];
+    }
+
+    /// <summary>A word as written, or the beginning of one that is longer than anybody wants to read.</summary>
+    public string TextOf(NcToken token) => token.Length <= LongestShown ? NcText.Decode(BytesOf(token))
+        : NcText.Decode(BytesOf(token)[..LongestShown]) + "...";
+}

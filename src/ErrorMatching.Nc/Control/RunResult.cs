@@ -1,0 +1,64 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>What a run has yielded so far: motions, and what has to be said of them.</summary>
+/// <param name="dialect">The control.</param>
+/// <param name="motions">Where motions are kept.</param>
+internal sealed class RunResult(NcDialect dialect, NcMotions motions)
+{
+    private readonly List<NcProblem> _problems = [];
+    private readonly HashSet<NcProblem> _said = [];
+    private readonly List<NcNote> _notes = [];
+    private readonly List<(int Block, int Joint)> _placeDependents = [];
+    private readonly List<int> _toolChanges = [];
+
+    public NcMotions Motions { get; } = motions;
+
+    /// <summary>
+    /// The block that motions belong to: the one being executed, or the one in this file that called a program of another file.
+    /// </summary>
+    public int Block { get; set; }
+
+    public IReadOnlyList<NcProblem> Problems => _problems;
+
+    public IReadOnlyList<NcNote> Notes => _notes;
+
+    /// <summary>Blocks that depend on where the tool is, each with the joint at which it is there.</summary>
+    public IReadOnlyList<(int Block, int Joint)> PlaceDependents => _placeDependents;
+
+    /// <summary>The joints at which a tool is changed.</summary>
+    public IReadOnlyList<int> ToolChanges => _toolChanges;
+
+    /// <summary>Says what is wrong with the block: once, however often it runs.</summary>
+    /// <returns>The flag.</returns>
+    public MotionFlags Problem(string code, string message, MotionFlags flag)
+    {
+        var problem = new NcProblem(code, Block, message);
+        if (_said.Add(problem))
+        {
+            _problems.Add(problem);
+        }
+
+        return flag;
+    }
+
+    public MotionFlags UnknownWord(string what) =>
+        Problem("unknown-word", $"\"{what}\" is not known to the dialect {dialect.Name}.", MotionFlags.UnknownWord);
+
+    /// <summary>Says what the control does that is not followed: kept where it is first met, and counted from there on.</summary>
+    public void Note(string code, string message)
+    {
+        var known = _notes.FindIndex(n => n.Code == code);
+        if (known < 0)
+        {
+            _notes.Add(new(code, Block, 1, message));
+        }
+        else
+        {
+            _notes[known] = _notes[known] with { Count = _notes[known].Count + 1 };
+        }
+    }
+
+    public void DependOnPlace() => _placeDependents.Add((Block, Motions.Length));
+
+    public void ChangeTool() => _toolChanges.Add(Motions.Length);
+}

@@ -1,0 +1,49 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Codes that shift the origin on top of the work offset (G92, G52).</summary>
+internal sealed class ShiftCodes(BlockValues values, CoordinateLayers layers)
+{
+    /// <summary>G92: the place where the tool stands gets the given coordinates.</summary>
+    public void SetPosition()
+    {
+        var given = values.GivenAxes();
+        if (given == AxisSet.None)
+        {
+            return;
+        }
+
+        var (place, unknown) = layers.Tool();
+        var target = values.Given(place, incremental: false);
+        layers.Shift.Vector += given.PartOf(place - target);
+        layers.Shift.Unknown |= unknown & given;
+        layers.Shift.Local = (layers.Shift.Local.Vector - given.PartOf(layers.Shift.Local.Vector), layers.Shift.Local.Unknown & ~given);
+        layers.SetTool(target, (unknown & ~given) | values.UnknownWords());
+        layers.NextFrame();
+    }
+
+    /// <summary>G52. LinuxCNC has one shift for G52 and G92; elsewhere that of G52 lies on top and is kept apart.</summary>
+    public void ShiftLocally()
+    {
+        var given = values.GivenAxes();
+        var isOnly = values.Dialect.Syntax == NcSyntax.LinuxCnc;
+        var (was, wasUnknown) = isOnly ? (layers.Shift.Vector, layers.Shift.Unknown) : layers.Shift.Local;
+        var by = given.PartOf(was - (values.Given(default(Point3) + was, incremental: false) - default(Point3)));
+        var nowUnknown = (wasUnknown & ~given) | values.UnknownWords();
+        layers.Shift.Vector -= by;
+        layers.Shift.Unknown = isOnly ? nowUnknown : layers.Shift.Unknown | values.UnknownWords();
+        layers.Shift.Local = isOnly ? layers.Shift.Local : (was - by, nowUnknown);
+        layers.MoveWork(by, (wasUnknown & given) | values.UnknownWords());
+        layers.NextFrame();
+    }
+
+    /// <summary>Changes the shift as a whole.</summary>
+    public void Change(Vector3 to, AxisSet unknown)
+    {
+        var (by, unknownBy) = (layers.Shift.Vector - to, layers.Shift.Unknown | unknown);
+        (layers.Shift.Vector, layers.Shift.Unknown) = (to, unknown);
+        layers.MoveWork(by, unknownBy);
+        layers.NextFrame();
+    }
+}

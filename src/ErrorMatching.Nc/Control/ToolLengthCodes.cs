@@ -1,0 +1,63 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Codes that state a tool length, take it from the table, and end it (G43.1, G43, G49).</summary>
+internal sealed class ToolLengthCodes(ControlState control, BlockValues values, CoordinateLayers layers)
+{
+    /// <summary>True if a length is in force, stated or from the table.</summary>
+    public bool IsActive => control.State.LengthOffset || layers.Length.Axes != AxisSet.None;
+
+    private AxisSet Unknown => layers.Length.UnknownIn(control.State);
+
+    /// <summary>G43.1: the tip is elsewhere from here on, by what the block says. What came from the table before is not known.</summary>
+    public void Set()
+    {
+        var given = values.GivenAxes();
+        var length = values.Given(default(Point3) + layers.Length.Vector, incremental: false) - default(Point3);
+        Change(length, (Unknown & (given | layers.Length.Axes)) | values.UnknownWords());
+        control.State.LengthOffset &= (given & AxisSet.Z) == AxisSet.None;
+    }
+
+    /// <summary>G43: the program counts on the tip, whatever the table says.</summary>
+    public void TakeFromTable()
+    {
+        Change(Vector3.Zero, layers.Length.Axes);
+        control.State.LengthOffset = true;
+    }
+
+    /// <summary>G49.</summary>
+    public void End()
+    {
+        Change(Vector3.Zero, Unknown & layers.Length.Axes);
+        control.State.LengthOffset = false;
+    }
+
+    /// <summary>Takes up or ends a length as it was.</summary>
+    public void Restore(bool on)
+    {
+        if (on)
+        {
+            TakeFromTable();
+        }
+        else
+        {
+            End();
+        }
+    }
+
+    private void Change(Vector3 to, AxisSet unknown)
+    {
+        if (to == layers.Length.Vector && unknown == AxisSet.None)
+        {
+            return;
+        }
+
+        var by = layers.Length.Vector - to;
+        layers.Length.Change(to, control.State.Inch);
+        var degrees = layers.Offsets.Origin.Degrees;
+        layers.MoveWork(WorkOrigin.Turned(by, -(degrees ?? 0)), degrees is null && (by.X != 0 || by.Y != 0)
+            ? unknown | AxisSet.X | AxisSet.Y : degrees == 0 ? unknown : WorkOrigin.Mixed(unknown));
+        layers.NextFrame();
+    }
+}

@@ -1,0 +1,216 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>Which block runs next: jumps, calls and returns, with their limits.</summary>
+internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport report, FlowMemory memory, ProgramParameters parameters,
+    FlowSettings settings)
+{
+    private const int SearchedPerStep = 8;
+
+    private readonly Dictionary<(FlowIndex, int), long> _jumps = [];
+    private long _changes;
+    private int _resumed;
+
+    /// <summary>The block to be executed next.</summary>
+    public int Next { get; set; }
+
+    /// <summary>How many blocks were executed, counted where the program does not run straight through.</summary>
+    public long Steps { get; private set; }
+
+    public bool HasEnded { get; private set; }
+
+    /// <summary>The block at which the program begins, or goes on since it last jumped.</summary>
+    public int Begun => _resumed;
+
+    /// <summary>Begins at a block: 0, unless an archive begins with a subprogram.</summary>
+    public void Begin(int block) => _resumed = block;
+
+    /// <summary>Something has changed beside variables that a loop can depend on.</summary>
+    public void Change() => _changes++;
+
+    /// <summary>
+    /// Goes on at a block of the present program. A jump back that finds the program knowing just what it knew the last time will never
+    /// end.
+    /// </summary>
+    public FlowAction Jump(int from, int target)
+    {
+        if (target <= from)
+        {
+            var key = (calls.Unit.Index, from);
+            var version = memory.Variables.Version + _changes;
+            if (_jumps.TryGetValue(key, out var before) && before == version)
+            {
+                return report.Refuse(NcRefusalCodes.EndlessLoop, from, "the loop never ends: nothing that it depends on changes.");
+            }
+
+            _jumps[key] = version;
+        }
+
+        while (calls.Frame.Regions.TryPeek(out var region) && (target < region.First || target > region.Last))
+        {
+            calls.Frame.Regions.Pop();
+            _changes++;
+        }
+
+        return GoTo(from, target);
+    }
+
+    /// <summary>Goes on at a block of the present program that no loop leads to.</summary>
+    public FlowAction GoTo(int from, int target)
+    {
+        Steps += Math.Max(0, from - _resumed) + 1;
+        return Resume(from, target);
+    }
+
+    private FlowAction Resume(int from, int target)
+    {
+        (_resumed, Next) = (target, target);
+        if (Steps + (calls.Unit.Index.Searched / SearchedPerStep) > settings.Steps)
+        {
+            return report.Refuse(NcRefusalCodes.EndlessLoop, from,
+                FormattableString.Invariant(
+                    $"{settings.Steps} blocks were executed and the program has not ended; the loop here is taken never to end."));
+        }
+
+        return settings.Cancellation.IsCancellationRequested
+            ? report.Refuse(NcRefusalCodes.EndlessLoop, from,
+                "the time for executing the program is used up; the loop here is taken never to end.")
+            : FlowAction.Continue;
+    }
+
+    /// <summary>Calls.</summary>
+    public FlowAction Enter(FlowFrame frame)
+    {
+        if (calls.Frames.Count > settings.Depth)
+        {
+            return report.Refuse(NcRefusalCodes.CallTooDeep, frame.Caller,
+                FormattableString.Invariant($"programs call one another more than {settings.Depth} deep."));
+        }
+
+        var action = GoTo(frame.Caller, frame.First);
+        if (action == FlowAction.Continue)
+        {
+            frame.ModalCalls = frame.IsModalMacro ? frame.ModalCalls : calls.Frame.ModalCalls;
+            calls.Frames.Push(frame);
+            _changes++;
+            return BeginPass(frame);
+        }
+
+        return action;
+    }
+
+    private FlowAction BeginPass(FlowFrame frame)
+    {
+        if (frame.Arguments is null)
+        {
+            return FlowAction.Continue;
+        }
+
+        memory.Variables.Enter();
+        foreach (var (place, value) in frame.Arguments)
+        {
+            if (memory.Variables.Write(place, value) is { } error)
+            {
+                return report.Refuse(NcRefusalCodes.BadExpression, frame.First, error + ".");
+            }
+        }
+
+        return frame.Parameters is null ? FlowAction.Continue : parameters.Bind(frame.Unit, frame.Parameters, frame.Results);
+    }
+
+    /// <summary>Ends a pass of the present call: the next pass, or behind the caller, or at a block of the calling program.</summary>
+    public FlowAction Return(int from, long number = -1)
+    {
+        var frame = calls.Frame;
+        var results = frame.Results.Select(r => (r.Outside, Value: memory.Variables.Read(r.Inside, out _))).ToArray();
+        if (frame.Arguments is not null)
+        {
+            memory.Variables.Leave();
+        }
+
+        foreach (var (outside, value) in results)
+        {
+            memory.Variables.Write(outside, value);
+        }
+
+        settings.Returned(calls.Frames.Count - 1);
+        _changes++;
+        frame.Regions.Clear();
+        frame.Counters.Clear();
+        if (frame.Passes > 1 && number < 0)
+        {
+            frame.Passes--;
+            var again = GoTo(from, frame.First);
+            return again == FlowAction.Continue ? BeginPass(frame) : again;
+        }
+
+        var target = frame.Caller + 1;
+        Steps += Math.Max(0, from - _resumed) + 1;
+        calls.Frames.Pop();
+        calls.Frame.ModalCalls = frame.IsModalMacro ? calls.Frame.ModalCalls : frame.ModalCalls;
+        if (number >= 0)
+        {
+            target = calls.Unit.Index.FindNumber(calls.Unit, frame.Caller, number);
+            if (target < 0)
+            {
+                return report.Refuse(NcRefusalCodes.MissingLabel, frame.Caller,
+                    FormattableString.Invariant($"the called program returns to block N{number}, which does not exist here."));
+            }
+        }
+
+        var action = Resume(frame.Caller, target);
+        return action == FlowAction.Continue && target == frame.Caller + 1 ? BehindRegion(frame.Caller) : action;
+    }
+
+    /// <summary>A section that a REPEAT statement executes ends behind this block: once more, or on behind the statement.</summary>
+    public FlowAction BehindRegion(int block)
+    {
+        if (calls.Frames.Count > 0 && calls.Frame.Regions.TryPeek(out var region) && region.Last == block)
+        {
+            _changes++;
+            if (--region.Passes > 0)
+            {
+                return GoTo(block, region.First);
+            }
+
+            calls.Frame.Regions.Pop();
+            return region.Owner == block ? FlowAction.Continue : GoTo(block, region.Owner + 1);
+        }
+
+        return FlowAction.Continue;
+    }
+
+    public FlowAction JumpToNumber(int block, long number)
+    {
+        var target = number < 0 ? -1 : calls.Unit.Index.FindNumber(calls.Unit, block, number);
+        return target < 0
+            ? report.Refuse(NcRefusalCodes.MissingLabel, block,
+                FormattableString.Invariant($"the jump goes to block N{number}, which does not exist in this program."))
+            : Jump(block, target);
+    }
+
+    /// <summary>Goes on where a file's last block before this one has been executed: in the calling program, or nowhere.</summary>
+    public FlowAction AtEnd(int block)
+    {
+        if (calls.Frames.Count <= 1)
+        {
+            return Ended();
+        }
+
+        if (syntax == NcSyntax.Iso)
+        {
+            report.Note("no-return", Math.Min(block, calls.Program.BlockCount) - 1,
+                "The subprogram ends without M99; it is taken to return here.");
+        }
+
+        return Return(block - 1);
+    }
+
+    /// <summary>Returns, or ends where nobody called.</summary>
+    public FlowAction ReturnOrEnd(int block) => calls.Frames.Count > 1 ? Return(block) : Ended();
+
+    public FlowAction Ended()
+    {
+        HasEnded = true;
+        return FlowAction.Stop;
+    }
+}

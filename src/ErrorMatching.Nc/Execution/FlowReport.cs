@@ -1,0 +1,53 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>Why a running program cannot go on, and what is worth knowing of how it ran.</summary>
+internal sealed class FlowReport(CallStack calls)
+{
+    private readonly List<NcNote> _notes = [];
+
+    /// <summary>Why the program cannot go on; null where it can.</summary>
+    public NcRefusal? Refusal { get; private set; }
+
+    public IReadOnlyList<NcNote> Notes => _notes;
+
+    /// <summary>Ends the run at a block for a reason.</summary>
+    public FlowAction Refuse(string code, int block, string message)
+    {
+        var (program, called) = (calls.Main, calls.Program);
+        var main = calls.InProgram(block);
+        if (ReferenceEquals(called, program))
+        {
+            Refusal ??= program.BlockCount == 0 ? new(code, "", 0, message)
+                : NcRefusal.At(program, Math.Clamp(main, 0, program.BlockCount - 1), code, message);
+        }
+        else
+        {
+            // The file that the setter named has the block that calls; the message says where in the other one.
+            var name = calls.Unit.Name.Length > 0 ? calls.Unit.Name : "the called program";
+            var where = called.BlockCount == 0 ? "" : $", {called.NameOf(called[Math.Clamp(block, 0, called.BlockCount - 1)])}";
+            Refusal ??= NcRefusal.At(program, main, code, $"in {name}{where}: {message}");
+        }
+
+        return FlowAction.Stop;
+    }
+
+    public FlowAction Missing(int block, string name) =>
+        Refuse(NcRefusalCodes.MissingProgram, block,
+            $"the program {name} is called, and neither this file nor the folder of the program has it.");
+
+    /// <summary>Refuses a call that cannot be executed, or a block with two words that steer.</summary>
+    public FlowAction RefuseCall(int block, string word) => Refuse(
+        NcRefusalCodes.MissingProgram,
+        block,
+        $"{word} calls a program in a way that is not followed, or one that is looked for elsewhere: what it does is not known. "
+            + "Put its blocks in the place of the call.");
+
+    public void Note(string code, int block, string message)
+    {
+        block = calls.InProgram(block);
+        if (!_notes.Exists(n => n.Code == code && n.Block == block))
+        {
+            _notes.Add(new(code, block, 1, message));
+        }
+    }
+}

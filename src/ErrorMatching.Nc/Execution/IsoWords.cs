@@ -1,0 +1,159 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>Blocks of ISO controls and LinuxCNC: assignments, and the words that matter to calls.</summary>
+internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport report, FlowMemory memory, FlowCourse course)
+{
+    /// <summary>The variable that raises an alarm.</summary>
+    public const int AlarmVariable = 3000;
+
+    private readonly List<(byte Letter, NcValue Value)> _words = [];
+    private readonly List<(VariablePlace Place, NcValue Value)> _pending = [];
+    private int _scanned = -1;
+
+    /// <summary>The words of the block with their values, in their order; letter 0 is a word of several letters.</summary>
+    public IReadOnlyList<(byte Letter, NcValue Value)> Collected => _words;
+
+    /// <summary>A block begins.</summary>
+    public void Begin()
+    {
+        _pending.Clear();
+        _scanned = -1;
+    }
+
+    /// <summary>A block ends: its words are not those of the next time that it runs.</summary>
+    public void End() => _scanned = -1;
+
+    /// <summary>Makes what LinuxCNC assigns behind the words of a block; false where the refusal says what is wrong.</summary>
+    public bool TryFinish(int block, ReadOnlySpan<byte> text)
+    {
+        if (_scanned != block && Assign(block, text, BlockHead.Read(text, syntax).At) == FlowAction.Stop)
+        {
+            return false;
+        }
+
+        foreach (var (place, value) in _pending)
+        {
+            if (memory.Assigned(block, place, value, 0) == FlowAction.Stop)
+            {
+                return false;
+            }
+        }
+
+        _pending.Clear();
+        return true;
+    }
+
+    /// <summary>Makes the assignments of a block (LinuxCNC: keeps them until its words have been read) and collects its words with their values.</summary>
+    public FlowAction Assign(int block, ReadOnlySpan<byte> text, int at)
+    {
+        _words.Clear();
+        _scanned = block;
+        var reader = memory.ReaderAt(text, at);
+        for (reader.SkipSpaces(); reader.Error is null && reader.At < text.Length; reader.SkipSpaces())
+        {
+            var c = text[reader.At];
+            if (c == ';')
+            {
+                break;
+            }
+
+            if (c == '(')
+            {
+                var length = text[reader.At..].IndexOf((byte)')');
+                reader.At = length < 0 ? text.Length : reader.At + length + 1;
+            }
+            else if (c == '#')
+            {
+                if (AssignOne(block, ref reader) == FlowAction.Stop)
+                {
+                    return FlowAction.Stop;
+                }
+            }
+            else if (SyntaxBytes.IsLetter(c) || (c is (byte)'@' or (byte)'^' && syntax == NcSyntax.LinuxCnc))
+            {
+                ReadWord(text, ref reader);
+            }
+            else
+            {
+                reader.At++;
+            }
+        }
+
+        return !memory.Check(ref reader, block) ? FlowAction.Stop : _words.Count > 0 || _pending.Count > 0 ? FlowAction.Words : FlowAction.Continue;
+    }
+
+    private FlowAction AssignOne(int block, ref ExpressionReader reader)
+    {
+        var column = reader.At;
+        var place = reader.Place();
+        if (!reader.Take((byte)'='))
+        {
+            reader.Fail("\"=\" is expected here");
+        }
+
+        var value = reader.Expression();
+        if (!memory.Check(ref reader, block))
+        {
+            return FlowAction.Stop;
+        }
+
+        if (syntax == NcSyntax.LinuxCnc)
+        {
+            _pending.Add((place, value));
+            return FlowAction.Continue;
+        }
+
+        if (place is { Kind: VariableKind.Numbered, Number: AlarmVariable } && !value.IsVacant && value.Number != 0)
+        {
+            if (IsLock(block))
+            {
+                const string locked = "The program raises an alarm here (#3000) before it moves, until this block is taken out. What is shown is what it does then.";
+                report.Note("program-alarm", block, locked);
+                return FlowAction.Continue;
+            }
+
+            report.Note("program-alarm", block, "The program raises an alarm here (#3000) and ends.");
+            return course.Ended();
+        }
+
+        memory.HasComputed = true;
+        return memory.Assigned(block, place, value, column);
+    }
+
+    // A guard has something before it that decides. An alarm that nothing leads to, not even a motion, is a lock: somebody takes it out once the program is complete.
+    private bool IsLock(int block)
+    {
+        var isLock = calls.Depth == 0 && course.Steps == 0 && !memory.HasComputed;
+        for (var i = 0; isLock && i < block; i++)
+        {
+            foreach (var token in calls.Program.Tokens(calls.Program[i]))
+            {
+                isLock &= token.Kind != NcTokenKind.Word || token.Letter is not ((>= (byte)'U' and <= (byte)'Z') or (>= (byte)'A' and <= (byte)'C'));
+            }
+        }
+
+        return isLock;
+    }
+
+    private void ReadWord(ReadOnlySpan<byte> text, ref ExpressionReader reader)
+    {
+        var letter = (byte)(text[reader.At++] & ~0x20);
+        reader.SkipSpaces();
+        var name = BlockHead.NameLength(text, reader.At);
+        var next = reader.At < text.Length ? text[reader.At] : (byte)0;
+        if (name == 0 && next is (byte)'#' or (byte)'[' or (byte)'-' or (byte)'+' or (byte)'.' or (>= (byte)'0' and <= (byte)'9'))
+        {
+            _words.Add((letter, reader.Operand()));
+        }
+        else if (name > 1 && syntax == NcSyntax.LinuxCnc)
+        {
+            _words.Add((letter, reader.Operand()));
+        }
+        else
+        {
+            // A word of several letters that is no statement of flow: the interpreter says what it thinks of it.
+            _words.Add((0, NcValue.Vacant));
+            reader.At = name > 0 ? text.Length : reader.At;
+        }
+    }
+}

@@ -1,0 +1,134 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>The bytes of a block up to its end, and what all spellings have in common.</summary>
+/// <param name="bytes">The program's bytes.</param>
+/// <param name="end">Behind the block's last one.</param>
+/// <param name="syntax">How the block is spelled.</param>
+internal readonly ref struct BlockScanner(ReadOnlySpan<byte> bytes, int end, NcSyntax syntax)
+{
+    public readonly ReadOnlySpan<byte> Bytes = bytes;
+    public readonly int End = end;
+    public readonly NcSyntax Syntax = syntax;
+
+    public int SkipSpaces(int at) => SyntaxBytes.SkipSpaces(Bytes, at, End);
+
+    /// <summary>Sign, digits, point, digits. More digits than are exact make the word invalid rather than wrong.</summary>
+    public bool ReadNumber(int at, out int next, out NcNumber number)
+    {
+        next = at;
+        number = default;
+        if (at >= End)
+        {
+            return false;
+        }
+
+        var negative = Bytes[at] == '-';
+        if (negative || Bytes[at] == '+')
+        {
+            at = Inside(at + 1);
+        }
+
+        long digits = 0;
+        var (whole, significant, decimals) = (0, 0, 0);
+        var behind = at;
+        for (; at < End && SyntaxBytes.IsDigit(Bytes[at]) && significant <= NcNumber.MaxDigits; at = Inside(behind))
+        {
+            digits = (digits * 10) + (Bytes[at] - '0');
+            significant += digits == 0 ? 0 : 1;
+            whole++;
+            behind = at + 1;
+        }
+
+        if (at < End && Bytes[at] == '.')
+        {
+            behind = at + 1;
+            for (at = Inside(behind);
+                at < End && SyntaxBytes.IsDigit(Bytes[at]) && significant <= NcNumber.MaxDigits && decimals <= NcNumber.MaxDigits;
+                at = Inside(behind))
+            {
+                digits = (digits * 10) + (Bytes[at] - '0');
+                significant += digits == 0 ? 0 : 1;
+                decimals++;
+                behind = at + 1;
+            }
+        }
+
+        if (whole + decimals == 0 || significant > NcNumber.MaxDigits || decimals > NcNumber.MaxDigits)
+        {
+            return false;
+        }
+
+        next = behind;
+        number = new(negative ? -digits : digits, decimals);
+        return true;
+    }
+
+    public int NameEnd(int at)
+    {
+        while (at < End && SyntaxBytes.IsNamePart(Bytes[at]))
+        {
+            at++;
+        }
+
+        return at;
+    }
+
+    /// <summary>True at a sign that assigns.</summary>
+    public bool IsEquals(int at) => at < End && Bytes[at] == '=' && !(at + 1 < End && Bytes[at + 1] == '=');
+
+    /// <summary>The parenthesis that closes one; -1 where none does.</summary>
+    public int PartnerOf(int open)
+    {
+        var depth = 0;
+        for (var at = open; at < End; at++)
+        {
+            depth += Bytes[at] == '(' ? 1 : Bytes[at] == ')' ? -1 : 0;
+            if (depth == 0)
+            {
+                return at;
+            }
+        }
+
+        return -1;
+    }
+
+    /// <summary>Behind a value that begins with an equals sign.</summary>
+    public int BehindEquals(int at)
+    {
+        var depth = 0;
+        for (; at < End; at++)
+        {
+            depth += Bytes[at] is (byte)'(' or (byte)'[' ? 1 : Bytes[at] is (byte)')' or (byte)']' ? -1 : 0;
+            if (depth <= 0 && Bytes[at] is (byte)' ' or (byte)'\t' or (byte)';')
+            {
+                break;
+            }
+        }
+
+        return at;
+    }
+
+    public int ToCommentOrEnd(int at)
+    {
+        var length = Bytes[at..End].IndexOfAny((byte)'(', (byte)';');
+        return length < 0 ? End : at + length;
+    }
+
+    /// <summary>Named variables and O words: #&lt;depth&gt;, o&lt;pocket&gt;.</summary>
+    public int BehindName(int at)
+    {
+        var close = Bytes[at..End].IndexOf((byte)'>');
+        return close < 0 ? End : at + close + 1;
+    }
+
+    /// <summary>A token without a value.</summary>
+    public static NcToken Plain(NcTokenKind kind, int at, int next, byte letter = 0) =>
+        new(kind, letter, at, next - at, at, next - at, default, WordDistance.Modal);
+
+    /// <summary>A token that ends with its value.</summary>
+    public static NcToken Valued(NcTokenKind kind, byte letter, int at, int value, int next, NcNumber number = default) =>
+        new(kind, letter, at, next - at, value, next - value, number, WordDistance.Modal);
+
+    // LinuxCNC reads spaces inside numbers as if they were not there.
+    private int Inside(int at) => Syntax == NcSyntax.LinuxCnc ? SkipSpaces(at) : at;
+}
