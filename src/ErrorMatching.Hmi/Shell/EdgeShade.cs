@@ -4,7 +4,8 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The shade at the edge of what is scrolled, beyond which there is more: a row that the edge cuts through goes on below it, and nobody takes it for the last.</summary>
+/// <summary>The shade at the edge of a scrolled area with more content beyond it: it shows that a row at the edge is not the last
+/// one.</summary>
 public sealed class EdgeShade : Control
 {
     /// <summary>Identifies <see cref="Offset"/>.</summary>
@@ -31,45 +32,44 @@ public sealed class EdgeShade : Control
         AffectsRender<EdgeShade>(AboveProperty, BelowProperty);
     }
 
-    /// <summary>How far it is scrolled.</summary>
     public Vector Offset
     {
         get => GetValue(OffsetProperty);
         set => SetValue(OffsetProperty, value);
     }
 
-    /// <summary>How large all of it is.</summary>
+    /// <summary>Size of the content.</summary>
     public Size Extent
     {
         get => GetValue(ExtentProperty);
         set => SetValue(ExtentProperty, value);
     }
 
-    /// <summary>How large a part of it is seen.</summary>
+    /// <summary>Size of the visible part.</summary>
     public Size Viewport
     {
         get => GetValue(ViewportProperty);
         set => SetValue(ViewportProperty, value);
     }
 
-    /// <summary>The shade at the upper edge.</summary>
+    /// <summary>Brush at the upper edge.</summary>
     public IBrush? Above
     {
         get => GetValue(AboveProperty);
         set => SetValue(AboveProperty, value);
     }
 
-    /// <summary>The shade at the lower edge.</summary>
+    /// <summary>Brush at the lower edge.</summary>
     public IBrush? Below
     {
         get => GetValue(BelowProperty);
         set => SetValue(BelowProperty, value);
     }
 
-    /// <summary>True if there is more above.</summary>
+    /// <summary>True if there is more content above.</summary>
     public bool IsMoreAbove { get; private set; }
 
-    /// <summary>True if there is more below.</summary>
+    /// <summary>True if there is more content below.</summary>
     public bool IsMoreBelow { get; private set; }
 
     /// <inheritdoc/>
