@@ -63,7 +63,7 @@ public sealed class ColorLegend : Control, IDrawnWords
             context.FillRectangle(MapColors.Scale[i], new Rect(left + (width * i / DivergingColors.Count), 0, (width / DivergingColors.Count) + DrawnSizes.Overlap, DrawnSizes.ColorBar));
         }
 
-        // The color for zero is the same as the paper's.
+        // The color for zero is the background's, so the bar needs a frame.
         using (context.PushOpacity(DrawnSizes.FrameOpacity))
         {
             context.DrawRectangle(null, new Pen(Ink), new Rect(left, DrawnSizes.HalfThin, width, DrawnSizes.ColorBar - DrawnSizes.HalfThin));

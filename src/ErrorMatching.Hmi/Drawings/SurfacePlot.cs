@@ -117,7 +117,7 @@ public sealed class SurfacePlot : PlotArea
                 context.DrawGeometry(brush, new Pen(brush, DrawnSizes.Hairline / view.ScaleX), geometry);
             }
 
-            // The color for zero is the same as the paper's.
+            // The color for zero is the background's, so the surface needs an outline.
             context.DrawGeometry(null, new Pen(Rule, DrawnSizes.Thin / view.ScaleX), _border ??= BorderOf(drawing.Cells));
         }
 

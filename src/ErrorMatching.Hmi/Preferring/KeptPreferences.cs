@@ -104,7 +104,7 @@ public sealed class KeptPreferences : Observable, IDisposable
             var read = await Task.Run(() => files.Read(user));
             if (read is not null && _user == user)
             {
-                // The change did not come from the user: nothing needs to be stored.
+                // With no user set, the values just read are not stored again.
                 _user = null;
                 (Texts.Current.Language, IsDark, TouchSize, Folders) = (read.Language, read.IsDark, read.TouchSize, read.Folders);
                 _user = user;

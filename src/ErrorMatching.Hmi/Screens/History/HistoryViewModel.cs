@@ -247,7 +247,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         }
     }
 
-    // The search uses the fields at its end, because a scanner does not wait for the previous search.
+    // Searches again if the fields have changed during the search, because a scanner does not wait for it.
     private async Task SearchAsync()
     {
         var query = Query();
