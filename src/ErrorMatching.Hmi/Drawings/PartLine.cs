@@ -3,6 +3,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A feature in the drawing of a part.</summary>
+/// <param name="Name">Its name.</param>
 /// <param name="Points">Its points: labels, and positions in mm or schematic.</param>
 /// <param name="Outline">The line through them. A triangle's line passes through its apex, which is not measured.</param>
 public sealed record PartLine(string Name, IReadOnlyList<(string Label, Point2 At)> Points, IReadOnlyList<Point2> Outline)

@@ -8,19 +8,14 @@ namespace ErrorMatching.Hmi;
 /// one.</summary>
 public sealed class EdgeShade : Control
 {
-    /// <summary>Identifies <see cref="Offset"/>.</summary>
     public static readonly StyledProperty<Vector> OffsetProperty = AvaloniaProperty.Register<EdgeShade, Vector>(nameof(Offset));
 
-    /// <summary>Identifies <see cref="Extent"/>.</summary>
     public static readonly StyledProperty<Size> ExtentProperty = AvaloniaProperty.Register<EdgeShade, Size>(nameof(Extent));
 
-    /// <summary>Identifies <see cref="Viewport"/>.</summary>
     public static readonly StyledProperty<Size> ViewportProperty = AvaloniaProperty.Register<EdgeShade, Size>(nameof(Viewport));
 
-    /// <summary>Identifies <see cref="Above"/>.</summary>
     public static readonly StyledProperty<IBrush?> AboveProperty = AvaloniaProperty.Register<EdgeShade, IBrush?>(nameof(Above));
 
-    /// <summary>Identifies <see cref="Below"/>.</summary>
     public static readonly StyledProperty<IBrush?> BelowProperty = AvaloniaProperty.Register<EdgeShade, IBrush?>(nameof(Below));
 
     // Less than this is rounding.

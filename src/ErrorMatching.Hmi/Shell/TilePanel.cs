@@ -7,12 +7,11 @@ namespace ErrorMatching.Hmi;
 /// height.</summary>
 public sealed class TilePanel : Panel
 {
-    /// <summary>Identifies <see cref="LeastWidth"/>.</summary>
     public static readonly StyledProperty<double> LeastWidthProperty = AvaloniaProperty.Register<TilePanel, double>(nameof(LeastWidth), 1);
 
-    /// <summary>A single tile is not stretched to the whole width.</summary>
     public static readonly StyledProperty<double> SpacingProperty = AvaloniaProperty.Register<TilePanel, double>(nameof(Spacing));
 
+    // A single tile is not stretched to the whole width.
     private const int FewestColumns = 2;
 
     static TilePanel() => AffectsMeasure<TilePanel>(LeastWidthProperty, SpacingProperty);
