@@ -35,8 +35,7 @@ public sealed class DemoCell : IAsyncDisposable
     /// <summary>The folder that acts as the machine.</summary>
     public string MachineFolder => Settings.Machines[0].Transport.LocalFolder!;
 
-    /// <summary>The folder of files to set up a job from: drawing, program and a measured part, and nothing that could be
-    /// mistaken for one of them.</summary>
+    /// <summary>The folder of files to set up a job from: drawing, program and a measured part, and no similar files.</summary>
     public string SamplesFolder => SamplesIn(_samples);
 
     /// <summary>Creates the cell in a folder, with its users. It does not run yet.</summary>

@@ -45,8 +45,7 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
         {
             cell.Deliver(serial, SpreadOf(serial));
 
-            // A user who has just saved the job wants to see its effect: corrections made before do not count, and the next part
-            // comes at once.
+            // A user who has just saved the job wants to see its effect: earlier corrections do not count, and the next part comes at once.
             var ((_, outdated), delivered) = (Waiting(store, jobs), clock.GetTimestamp());
             while (true)
             {
@@ -94,8 +93,7 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
         }
     }
 
-    // The gauge that measured the part measures its counterpart, once, as the sent program cuts it, so that the user sees the
-    // effect of the job.
+    // The part's gauge measures its counterpart, once, as the sent program cuts it, so that the user sees the effect of the job.
     private void Measure(CellStore store, Correction cut)
     {
         if (cut is { Piece: "part", Serial: { } serial, ReportSha256: { } report } && int.TryParse(serial, NumberStyles.None, CultureInfo.InvariantCulture, out var number)

@@ -17,8 +17,7 @@ internal sealed class DisplacedOutline
     /// <summary>Takes a boundary of two or more points and its key points in the order of cutting.</summary>
     public DisplacedOutline(IReadOnlyList<Point2> outline, IReadOnlyList<(Point2 At, Vector2 Normal)> points)
     {
-        // Adds a corner at the foot of each key point, so that the boundary gets the exact displacement there, however long the
-        // straight is.
+        // Adds a corner at the foot of each key point, so that even a long straight gets the exact displacement there.
         _outline = [.. outline];
         foreach (var (at, _) in points)
         {
@@ -88,7 +87,7 @@ internal sealed class DisplacedOutline
         return nearest;
     }
 
-    // To the left of the direction of travel, averaged over the segments that meet there.
+    // To the left of the direction of travel, perpendicular to the chord between the neighboring corners.
     private Vector2 NormalAt(int i)
     {
         var way = _outline[Math.Min(i + 1, _outline.Count - 1)] - _outline[Math.Max(i - 1, 0)];

@@ -2,8 +2,7 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A control that draws text itself instead of using a text control. It reports the text, so that characters missing
-/// from every font can be found.</summary>
+/// <summary>A control that draws its own text. It reports the text, so that characters missing from every font can be found.</summary>
 internal interface IDrawnWords
 {
     /// <summary>The text last drawn, and the text shown on selection, each with its typeface.</summary>

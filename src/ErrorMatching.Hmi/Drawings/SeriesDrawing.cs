@@ -5,8 +5,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Values">The text shown for each place on tapping, with units.</param>
 /// <param name="Lines">The lines.</param>
 /// <param name="Bands">The shaded limits.</param>
-/// <param name="IsHollow">For each place, whether its marks are hollow because its values are predicted, not measured. Empty if
-/// none are.</param>
+/// <param name="IsHollow">For each place, whether its marks are hollow: predicted, not measured. Empty if none are.</param>
 /// <param name="Unit">The unit of the values, written at their axis.</param>
 /// <param name="IsMagnitude">True if the values have no sign.</param>
 public sealed record SeriesDrawing(IReadOnlyList<string> Labels, IReadOnlyList<string> Values, IReadOnlyList<SeriesLine> Lines, IReadOnlyList<SeriesBand> Bands, IReadOnlyList<bool> IsHollow, string Unit = "mm", bool IsMagnitude = false)

@@ -62,8 +62,7 @@ public sealed class SurfacePlot : PlotArea
         set => SetValue(MapPaperProperty, value);
     }
 
-    /// <summary>True once it was drawn. Shapes are created on the first drawing, because most maps are on tabs that are never
-    /// opened.</summary>
+    /// <summary>True once it was drawn. Shapes are created on demand, because most maps are on tabs that are never opened.</summary>
     internal bool HasShapes => _shapes is not null;
 
     /// <summary>True if every point shows its number, here and in the twin.</summary>
@@ -125,8 +124,7 @@ public sealed class SurfacePlot : PlotArea
         Dots(context, view, drawing);
     }
 
-    /// <summary>Radius of a point's dot, in screen units: small if the points are close together, so that the dots do not hide a
-    /// small map.</summary>
+    /// <summary>Radius of a point's dot, in screen units: small if the points are close together, so as not to hide a small map.</summary>
     internal double DotRadius(PlotView view) => Math.Clamp(DotShare * _nearest * view.ScaleX, DrawnSizes.LeastDot, DrawnSizes.Dot);
 
     private static Point To(PlotView view, Point2 place)

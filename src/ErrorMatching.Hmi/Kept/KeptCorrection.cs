@@ -20,8 +20,8 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
 
     public KeptSurface? Surface { get; init; }
 
-    /// <summary>The correction whose program was in the slot before this one; null if the slot was empty, or if its program came
-    /// from no correction.</summary>
+    /// <summary>The correction whose program was in the slot before this one; null if there was no program, or none from a
+    /// correction.</summary>
     public Correction? Before { get; init; }
 
     /// <summary>True if its program was generated and calls no tool. The report says so; with an old report, a comment in the

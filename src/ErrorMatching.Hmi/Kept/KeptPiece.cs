@@ -3,8 +3,8 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>How well one piece fits its counterpart, without and with compensation: measured on the counterpart cut for it, or
-/// predicted until there is one.</summary>
+/// <summary>Fit of a piece and its counterpart, without and with compensation: measured on the counterpart cut for it, or
+/// predicted until then.</summary>
 /// <param name="Correction">The correction that produced the counterpart's program.</param>
 /// <param name="Counterpart">The measurement of the counterpart cut with it; null while the result is predicted.</param>
 /// <param name="JobName">Name of the job.</param>
@@ -63,8 +63,8 @@ public sealed record KeptPiece(Correction Correction, Correction? Counterpart, s
     /// <summary>The limits of the mating error at a key point.</summary>
     public ToleranceBand? BandOf(string point) => BoundaryOf(point)?.ErrorBand;
 
-    /// <summary>The prediction in the report of a match: the deviation that was the basis of the decision, and what is predicted
-    /// to remain.</summary>
+    /// <summary>The prediction in a match report: the deviation that was the basis of the decision, and what is predicted to
+    /// remain.</summary>
     public static KeptPiece Predicted(Correction correction, KeptReport report)
     {
         ArgumentNullException.ThrowIfNull(report);

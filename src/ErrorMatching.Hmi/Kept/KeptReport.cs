@@ -11,8 +11,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Blocks">The blocks that differ.</param>
 /// <param name="ChangedBlocks">Number of blocks that differ.</param>
 /// <param name="Proof">What was proved about the program.</param>
-/// <param name="FollowsWhole">True if the counterpart follows the whole deviation, false if it follows only the part beyond the
-/// limit.</param>
+/// <param name="FollowsWhole">True if the counterpart follows the whole deviation, false for only the part beyond the limit.</param>
 /// <param name="Warnings">What the user should know before using the program.</param>
 public sealed record KeptReport(
     string JobName,

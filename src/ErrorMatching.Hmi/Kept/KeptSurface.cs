@@ -15,8 +15,7 @@ public sealed record KeptSurface
     /// <summary>True if it was measured after finishing, false after semi-finishing.</summary>
     public required bool IsFinished { get; init; }
 
-    /// <summary>True if each place is moved by its own error, false if all are moved by the mean error, as with a modified tool
-    /// radius.</summary>
+    /// <summary>True if each place is moved by its own error, false if all by the mean error, as with a modified tool radius.</summary>
     public required bool IsMirror { get; init; }
 
     /// <summary>The share of the error that is compensated.</summary>

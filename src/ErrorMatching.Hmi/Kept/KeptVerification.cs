@@ -4,8 +4,8 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The stored report of a verification (<c>errormatch/verify/1</c>): the same numbers as the console's <c>verify
-/// --json</c>, read and not recomputed.</summary>
+/// <summary>The stored verification report (<c>errormatch/verify/1</c>): the same numbers as the console's <c>verify --json</c>,
+/// read and not recomputed.</summary>
 /// <param name="JobName">Name of the job.</param>
 /// <param name="WorkOrder">The job's work order; null if there is none.</param>
 /// <param name="Result">How well both counterparts fit the part.</param>

@@ -1,8 +1,7 @@
 namespace ErrorMatching.Hmi;
 
 /// <summary>A line of two programs side by side.</summary>
-/// <param name="Index">Its index in the list, from 0. A rewritten program loses no line, so this is also its index in the new
-/// program.</param>
+/// <param name="Index">Its index in the list, from 0. Rewriting removes no line, so this is also its index in the new program.</param>
 /// <param name="Block">Its index in the original, from 0; null if the line is inserted.</param>
 /// <param name="Original">The original text; empty if the line is inserted.</param>
 /// <param name="Modified">The new text.</param>

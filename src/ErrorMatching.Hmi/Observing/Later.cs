@@ -8,8 +8,7 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Adds rows after the rest of a screen is drawn, and those of a list box in batches that fit its room. No batch delays
-/// a tap for long.</summary>
+/// <summary>Adds rows after the rest of a screen is drawn, those of a list box in batches, so that none delays a tap for long.</summary>
 public static class Later
 {
     // The rest of the screen comes first: the room for a list depends on it.

@@ -32,7 +32,7 @@ public abstract partial class PlotArea : Control, IDrawnWords
 
     public static readonly DirectProperty<PlotArea, string?> ValuesProperty = AvaloniaProperty.RegisterDirect<PlotArea, string?>(nameof(Values), p => p.Values);
 
-    // Zoom out to a quarter of the fitted size at most. Zoom in far enough to see a micrometer of a meter.
+    // Zoom out to a quarter of the fitted size at most. Zoom in no further than needed to see a micrometer of a meter.
     private const double LeastShare = 0.25, MostFactor = 1000;
 
     private static readonly Typeface Plain = new(FontFamily.Default), Strong = new(FontFamily.Default, FontStyle.Normal, FontWeight.SemiBold);

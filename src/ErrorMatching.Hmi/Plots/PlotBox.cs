@@ -46,8 +46,8 @@ public readonly record struct PlotBox(double Left, double Low, double Right, dou
         return line.Count == 1 && Contains(line[0]);
     }
 
-    /// <summary>The part of a straight segment inside it (Y.-D. Liang and B. A. Barsky, ACM Transactions on Graphics 3, 1984, 1);
-    /// null if there is none.</summary>
+    /// <summary>The part of a segment inside it (Y.-D. Liang and B. A. Barsky, ACM Transactions on Graphics 3, 1984, 1); null if
+    /// none.</summary>
     public (Point2 From, Point2 To)? PartOf(Point2 a, Point2 b)
     {
         var (from, to, way) = (0.0, 1.0, b - a);

@@ -3,8 +3,7 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Places labels next to their points: never over another label, and over dots and lines only if there is no other
-/// position.</summary>
+/// <summary>Places labels next to their points: never over another label, over dots and lines only if necessary.</summary>
 /// <remarks>A label that could be mistaken for another dot's is moved away and gets a leader line. A label without room is left
 /// out; it appears when the user zooms in.</remarks>
 internal sealed class PlotLabels

@@ -11,8 +11,7 @@ public sealed class MovePicture
 {
     private const int Leaf = 16, Branch = 8, MostChords = 4096;
 
-    // Largest distance of the chords from an arc, in pixels. How much nearer than a cut a rapid must be to be selected, as a
-    // share of the reach.
+    // Largest distance of chords from an arc, in pixels. Share of the reach that a rapid must be nearer than a cut to be selected.
     private const double ChordError = 0.25, RapidPenalty = 0.25;
 
     private readonly NcMotions _motions;

@@ -4,8 +4,7 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Hmi;
 
 /// <summary>An opened program: its text, read line by line when shown, and its path. Immutable.</summary>
-/// <remarks>Opening interprets the program; do it off the UI thread. A program of a million blocks needs its bytes and about 60
-/// bytes per block.</remarks>
+/// <remarks>Opening interprets the program; do it off the UI thread. It needs the program's bytes and about 60 bytes per block.</remarks>
 public sealed class OpenedProgram
 {
     /// <summary>Maximum number of characters shown of a line; a line can be as long as a file.</summary>
@@ -29,8 +28,7 @@ public sealed class OpenedProgram
     /// <summary>Upper limit of the characters shown of the longest line: a byte is at most one character.</summary>
     public int LongestLine { get; }
 
-    /// <summary>Why the program could not be interpreted to its end, or what in it is not understood; null if there is no
-    /// problem.</summary>
+    /// <summary>Why the program could not be interpreted to its end, or what in it is not understood; null if nothing.</summary>
     public string? Problem => Path.Refusal is { } refusal
         ? CodeText.Of(refusal.Code, refusal.Message)
         : Path.Problems.Count > 0 ? Texts.Current.With("Program.Problems", Shown.Count(Path.Problems.Count), Shown.Id(Path.Problems[0].Block + 1)) : null;

@@ -335,8 +335,7 @@ public sealed partial class PathPlot : PlotArea
         {
             (_wanted, _painting) = (null, frame);
 
-            // This starts while a frame is drawn, when no redraw may be requested. So the continuation is always posted, even if
-            // the painting ends at once.
+            // Starts while a frame is drawn, when no redraw may be requested; so the continuation is always posted.
             await Task.Run(() => frame.Paint(_layer.Canvas)).ConfigureAwait(ConfigureAwaitOptions.ForceYielding | ConfigureAwaitOptions.ContinueOnCapturedContext);
             _painting = null;
             if (!_isSeen)

@@ -86,8 +86,7 @@ public sealed class ProgramPicture : Observable
         }
     }
 
-    /// <summary>The last request to show the blocks of a feature; null if there was none. Each request is reported, even an equal
-    /// one.</summary>
+    /// <summary>The last request to show the blocks of a feature; null if there was none. Equal requests are reported, too.</summary>
     public FeatureLook? Look { get; private set; }
 
     /// <summary>True if the user may not pick blocks.</summary>
@@ -129,8 +128,7 @@ public sealed class ProgramPicture : Observable
     public string Chosen => Selection is not { } range ? Look is { } look && look.Feature == Feature ? Texts.Current.With(_isWhole ? "Program.Looked" : look.IsAtEnd ? "Program.LookedEnd" : "Program.LookedBegin", look.Feature, NameOf(look.Blocks)) : Texts.Current["Program.NothingChosen"]
         : IsPicking && !_isMoving ? Texts.Current.With("Program.MovesNothing", NameOf(range)) : NameOf(range);
 
-    /// <summary>The whole text of the selected block, or of the one selected last; empty if none is. In the list it may be cut
-    /// off.</summary>
+    /// <summary>The whole text of the block selected last, which may be cut off in the list; empty if none is selected.</summary>
     public string ChosenLine => Selection is null ? "" : Program.LineAt(Cursor);
 
     /// <summary>The label of <see cref="Take"/>.</summary>

@@ -4,8 +4,7 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The shade at the edge of a scrolled area with more content beyond it: it shows that a row at the edge is not the last
-/// one.</summary>
+/// <summary>The shade at the edge of a scrolled area: it shows that there is more content beyond the last visible row.</summary>
 public sealed class EdgeShade : Control
 {
     public static readonly StyledProperty<Vector> OffsetProperty = AvaloniaProperty.Register<EdgeShade, Vector>(nameof(Offset));

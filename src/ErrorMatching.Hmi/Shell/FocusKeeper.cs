@@ -6,8 +6,7 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Keeps the keyboard focus in place while a dialog is in front, and when the focused row is recreated with other
-/// content.</summary>
+/// <summary>Keeps the keyboard focus in place while a dialog is in front, and when the focused row is recreated.</summary>
 internal sealed class FocusKeeper
 {
     private readonly MainWindow _window;

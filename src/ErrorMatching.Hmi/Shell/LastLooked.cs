@@ -4,8 +4,7 @@ namespace ErrorMatching.Hmi;
 /// choices.</summary>
 internal sealed class LastLooked
 {
-    /// <summary>The correction chosen in the on-line compensation; null if there is none. Choosing it also sets
-    /// <see cref="Piece"/>.</summary>
+    /// <summary>The correction chosen in the on-line compensation; null if there is none. Sets <see cref="Piece"/>, too.</summary>
     public long? Correction
     {
         get;
@@ -19,8 +18,8 @@ internal sealed class LastLooked
     /// <summary>The mating chosen in the verification; null if there is none.</summary>
     public string? Mating { get; set; }
 
-    /// <summary>The piece chosen in the verification, by the number of its correction or of its measured counterpart; null if
-    /// there is none.</summary>
+    /// <summary>The piece chosen in the verification, by the number of its correction or measured counterpart; null if there is
+    /// none.</summary>
     public long? Piece { get; set; }
 
     /// <summary>The chosen free-form job; null if there is none.</summary>

@@ -1,7 +1,6 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>A second in which no decision is accepted, because the content has just changed under a finger that was already
-/// moving.</summary>
+/// <summary>A second without decisions, because the content has just changed under a finger that was already moving.</summary>
 internal sealed class Pause : IDisposable
 {
     /// <summary>Its duration.</summary>

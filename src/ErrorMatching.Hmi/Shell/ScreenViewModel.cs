@@ -57,8 +57,7 @@ public abstract class ScreenViewModel : Observable, IDisposable
     /// <summary>Called when the language has changed.</summary>
     protected virtual void Translate() => Follow();
 
-    /// <summary>Runs work off the UI thread; the store and password hashing are slow. Failures are shown as
-    /// <see cref="Message"/>.</summary>
+    /// <summary>Runs work off the UI thread; the store and password hashing are slow. Failures set <see cref="Message"/>.</summary>
     /// <returns>True if it succeeded.</returns>
     protected async Task<bool> TryAsync(Action work)
     {

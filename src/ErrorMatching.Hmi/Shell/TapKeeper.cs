@@ -8,8 +8,7 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Completes a tap on a tile or row that is recreated or moved while the finger is down: the user meant what was
-/// pressed.</summary>
+/// <summary>Completes a tap on a tile or row that is recreated or moved while the finger is down: the press counts.</summary>
 internal sealed class TapKeeper
 {
     // A longer movement is a drag, not a tap on what it began at.

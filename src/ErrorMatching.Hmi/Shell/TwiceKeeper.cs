@@ -7,8 +7,8 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Prevents the second of two quick taps from hitting what the first one brought up: the screen behind a closed dialog,
-/// or another screen.</summary>
+/// <summary>Prevents the second of two quick taps from hitting what the first one brought up: what was behind a dialog, or
+/// another screen.</summary>
 internal sealed class TwiceKeeper
 {
     // Within this time no one has seen the result of a tap yet. A gloved finger returns within this distance.

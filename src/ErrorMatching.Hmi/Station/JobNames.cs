@@ -9,8 +9,8 @@ public sealed class JobNames
 {
     private readonly ConcurrentDictionary<string, string> _names = new(StringComparer.Ordinal);
 
-    /// <summary>The name of a correction's job. The name in the cell's configuration while the file is not stored yet; null
-    /// before the piece is recognized.</summary>
+    /// <summary>The name of a correction's job; the configured name while the file is not stored yet; null before the piece is
+    /// recognized.</summary>
     public string? Of(Correction correction)
     {
         ArgumentNullException.ThrowIfNull(correction);

@@ -1,7 +1,6 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>The counterparts of one workpiece that are outside their limits, as one entry: many of them do not crowd out other
-/// waiting items.</summary>
+/// <summary>The counterparts of one workpiece that are outside their limits, as one entry, so that they do not crowd out others.</summary>
 /// <param name="Newest">The one measured last.</param>
 /// <param name="More">Number of the others.</param>
 public sealed record OutsidePieces(KeptPiece Newest, int More)

@@ -2,8 +2,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Checks a cell: immediately when the store has changed, and every two seconds for its sign of life. Without one, it
-/// checks more often, so that a restarted cell is soon shown as running.</summary>
+/// <summary>Checks a cell: four times a second for changes of the store, and every two seconds for its sign of life. While there
+/// is none, every half second, so that a restarted cell is soon shown as running.</summary>
 internal sealed class StationWatch(Station station)
 {
     private const int LooksBetween = 8, LooksBetweenIfStill = 2;

@@ -22,8 +22,7 @@ public static class RecordedText
         return Sentences(recorded) ?? Whole(recorded) ?? recorded;
     }
 
-    /// <summary>The basis of a correction's step. A reason without a known form is shown by its code, if the station knows the
-    /// code.</summary>
+    /// <summary>The basis of a correction's step. A reason without a known form is shown by its code, if that is known.</summary>
     /// <param name="basis">The recorded basis.</param>
     /// <param name="correction">The current correction; null if it is not available.</param>
     public static string Of(string basis, Correction? correction)

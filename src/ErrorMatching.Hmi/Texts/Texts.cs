@@ -4,8 +4,7 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>All texts of the station in the chosen language. They are in the files next to this one, with the same keys in each
-/// language.</summary>
+/// <summary>All texts of the station in the chosen language, from the files next to this one; each language has the same keys.</summary>
 public sealed partial class Texts : Observable
 {
     private static readonly Dictionary<Language, IReadOnlyDictionary<string, string>> All = Enum.GetValues<Language>().ToDictionary(l => l, l => (IReadOnlyDictionary<string, string>)Read(l));

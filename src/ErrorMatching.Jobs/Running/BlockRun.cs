@@ -5,7 +5,7 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Finds the blocks that seem to cut a mating job's features, by its key points (<see cref="BoundarySearch"/>), for
+/// <summary>Finds the blocks that seem to cut a job's features, by key points (<see cref="BoundarySearch"/>):
 /// <c>errormatch job blocks</c>.</summary>
 public static class BlockRun
 {

@@ -6,8 +6,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Runs a mating job with measurements, as files or as bytes, and makes the program and its report, for <c>errormatch
-/// match</c> and other callers.</summary>
+/// <summary>Runs a mating job with measurements, files or bytes, to a program and its report, for <c>errormatch match</c> and
+/// others.</summary>
 public static class MatingRun
 {
     /// <summary>Runs a job.</summary>

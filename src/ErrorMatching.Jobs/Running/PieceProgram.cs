@@ -4,8 +4,8 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Jobs;
 
 /// <summary>Checks the program that cut the measured piece. If it already followed a measurement, the piece only has the errors
-/// that the correction left. A program that compensates these from the nominal surface would be nearly nominal and lose that
-/// correction.</summary>
+/// that the correction left. A program that compensates these from the nominal surface would be nearly nominal and lose
+/// it.</summary>
 /// <param name="files">The job's files.</param>
 /// <param name="request">The other inputs.</param>
 /// <param name="syntax">The syntax of cutting programs.</param>
@@ -57,8 +57,7 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
             : null;
     }
 
-    // A piece without stock was cut by a finishing program, and the last one is where this run will write. The same measurement
-    // again does not mean a new piece.
+    // A finishing program cut a piece without stock; the last one is where this run will write. A repeated measurement is not a new piece.
     private ErrorItem? Beside(string made, string baseSha256)
     {
         if (files.Job.Stock.Of(files.Job.Measuring.After) > 0 || !File.Exists(made))

@@ -3,8 +3,8 @@ namespace ErrorMatching.Jobs;
 /// <summary>Inputs of a free-form run in addition to the job.</summary>
 public sealed record SurfaceRequest
 {
-    /// <summary>The measured points, in one or more files: tables, or logs of the probing program. Several files are repeated
-    /// measurements of one piece.</summary>
+    /// <summary>The measured points: one or more tables or logs of the probing program. Several files are repeated measurements
+    /// of one piece.</summary>
     public required IReadOnlyList<GivenFile> Measured { get; init; }
 
     /// <summary>The program that cut the measured piece, instead of the one that the job names; null for the job's.</summary>

@@ -8,8 +8,8 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Runs a free-form job with measured points, as files or as bytes, and makes the finishing program, for <c>errormatch
-/// surface compensate</c>, <c>surface displace</c> and other callers.</summary>
+/// <summary>Runs a free-form job with measured points, files or bytes, to a finishing program, for
+/// <c>errormatch surface compensate</c>, <c>surface displace</c> and other callers.</summary>
 public static class SurfaceRun
 {
     private const string FollowsTheError = "The job's fit.of is points, but an existing program follows the error place by place, not a surface through the compensation points: the error was fitted by the best method instead.";

@@ -134,8 +134,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _ => Texts.Current["Compensation.Done"],
     };
 
-    /// <summary>Why the user's last action failed; null if there is no message. It stays until another correction is selected,
-    /// whatever is loaded meanwhile.</summary>
+    /// <summary>Why the user's last action failed; null if there is no message. It stays until another correction is selected.</summary>
     public string? Undone
     {
         get => _undone;

@@ -64,8 +64,7 @@ public sealed class CorrectionDetail
         ? Texts.Current.With("Head.LargestAt", Shown.Mm(Kept.Correction.LargestMm), place)
         : Texts.Current.With("Head.Largest", Shown.Mm(Kept.Correction.LargestMm));
 
-    /// <summary>The largest error predicted to remain, and the points that will be outside their limits; null if nothing is
-    /// predicted.</summary>
+    /// <summary>The largest error predicted to remain, and the points that will be outside their limits; null without prediction.</summary>
     public string? LeftOver
     {
         get

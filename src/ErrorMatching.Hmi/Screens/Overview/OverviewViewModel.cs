@@ -26,8 +26,7 @@ public sealed class OverviewViewModel : ScreenViewModel
     /// <summary>Corrections that wait for a person, have failed, or are on their way, worst first.</summary>
     public RowList<WaitingTile> Waiting { get; } = [];
 
-    /// <summary>How many approvals and measured pieces wait for a person; empty if none do, or if <see cref="Summary"/> has the
-    /// numbers.</summary>
+    /// <summary>How many approvals and measured pieces wait; empty if none do, or if <see cref="Summary"/> has the numbers.</summary>
     public string Counts { get; private set; } = "";
 
     /// <summary>The state of the cell, in a sentence.</summary>

@@ -4,8 +4,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Feature">Its feature or comparison.</param>
 /// <param name="Quantity">The compared quantity, with the points of a comparison.</param>
 /// <param name="Wanted">The part's value; a dash for deviations, which are relative to the part.</param>
-/// <param name="Before">The value of the counterpart without compensation. A deviation is that of the worst point, with its sign:
-/// counterpart - part.</param>
+/// <param name="Before">The value of the counterpart without compensation. A deviation is the worst point's, counterpart - part.</param>
 /// <param name="After">The value of the counterpart with compensation, likewise.</param>
 /// <param name="Improvement">Reduction of the error in percent of the error before, or a text that it has grown and by how much.</param>
 /// <param name="Unit">mm or degrees.</param>

@@ -65,8 +65,8 @@ public sealed class PieceDetail : Observable
     /// <summary>Opens those warnings.</summary>
     public Command? ReadWarnings { get; init; }
 
-    /// <summary>Points where the prediction was off by more than twice the standard uncertainty, which measuring does not
-    /// explain; null if there is nothing to compare.</summary>
+    /// <summary>Points where the prediction was off by more than measuring explains (twice the standard uncertainty); null if
+    /// nothing can be compared.</summary>
     public string? Missed => _piece.Misses is not { Count: > 0 } all ? null
         : Significant is { Count: > 0 } missed && missed.MaxBy(m => Math.Abs(m.Mm)) is var worst
             ? Texts.Current.With("Verdict.Missed", missed.Count, Listed(missed.Take(MostMissed).Select(m => m.Point)) + (missed.Count > MostMissed ? " …" : ""), Shown.Mm(Math.Abs(worst.Mm)), worst.Point)

@@ -1,7 +1,6 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Verification: whether the compensation worked as predicted, by point, as an assembly, by feature, and from piece to
-/// piece.</summary>
+/// <summary>Verification: whether the compensation worked as predicted, by point, assembly and feature, and from piece to piece.</summary>
 public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
 {
     private readonly KeptPieces _kept = new();
