@@ -5,16 +5,15 @@ using Avalonia.Markup.Xaml;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The operator station as an application.</summary>
 public sealed partial class App : Application
 {
-    /// <summary>Opens the station, on the screen's thread; null where somebody else makes the windows.</summary>
+    /// <summary>Opens the station on the UI thread; null if the caller creates the windows.</summary>
     public Func<Station>? Open { get; init; }
 
-    /// <summary>How it begins.</summary>
+    /// <summary>Its initial appearance.</summary>
     public StationLook Look { get; init; } = new(Language.English, IsDark: false, IsFullScreen: false);
 
-    /// <summary>Is told how long the screen's thread was busy at one stretch, wherever that was too long; null if nobody wants to know.</summary>
+    /// <summary>Called with the duration if the UI thread was blocked for too long; null if this is not needed.</summary>
     public Action<TimeSpan>? Busy { get; init; }
 
     /// <inheritdoc/>
@@ -30,7 +29,7 @@ public sealed partial class App : Application
     {
         if (ApplicationLifetime is IClassicDesktopStyleApplicationLifetime desktop && Open is not null)
         {
-            // The window is made while whoever opens the station may still be busy making its cell.
+            // The window is created while opening the station may still be busy creating its cell.
             Texts.Current.Language = Look.Language;
             var window = new MainWindow { WindowState = Look.IsFullScreen ? WindowState.FullScreen : WindowState.Normal };
             var station = Open();
@@ -40,7 +39,7 @@ public sealed partial class App : Application
             var end = new CancellationTokenSource();
             if (Busy is not null)
             {
-                // What it takes to make the window is no news.
+                // The time to create the window is expected and not reported.
                 window.Opened += (_, _) => _ = new ScreenWatch(SynchronizationContext.Current!, TimeProvider.System, Busy).RunAsync(end.Token).Watched();
             }
 

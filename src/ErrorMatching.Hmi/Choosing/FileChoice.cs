@@ -1,14 +1,15 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>What somebody is asked to choose: <c>await shell.ChooseAsync(new(FileChoiceKind.Open, "System.Program", [".nc"]))</c>.</summary>
-/// <param name="Kind">What is chosen.</param>
-/// <param name="TitleKey">Key of the text that says what for.</param>
-/// <param name="Extensions">The endings that are shown, each with its dot, such as <c>.nc</c>; none for all files. The first one is given to a file to be written whose name has none.</param>
+/// <summary>A request to choose a file: <c>await shell.ChooseAsync(new(FileChoiceKind.Open, "System.Program", [".nc"]))</c>.</summary>
+/// <param name="Kind">What to choose.</param>
+/// <param name="TitleKey">Key of the text that tells the purpose.</param>
+/// <param name="Extensions">The extensions to show, each with its dot, such as <c>.nc</c>; empty for all files. A new file
+/// without an extension gets the first one.</param>
 public sealed record FileChoice(FileChoiceKind Kind, string TitleKey, IReadOnlyList<string> Extensions)
 {
-    /// <summary>The folder or file to begin at; null for where something was chosen last.</summary>
+    /// <summary>The folder or file to start at; null for the last folder used.</summary>
     public string? Start { get; init; }
 
-    /// <summary>Which file of the samples is meant, by its name: it stands in the field where the samples are shown first; null if there is none.</summary>
+    /// <summary>Name of the sample file that fits. It is filled in if the samples' folder is shown first; null if there is none.</summary>
     public string? Sample { get; init; }
 }

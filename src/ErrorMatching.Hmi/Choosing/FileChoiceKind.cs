@@ -1,14 +1,14 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>What is chosen.</summary>
+/// <summary>What to choose.</summary>
 public enum FileChoiceKind
 {
-    /// <summary>A file that is there, to be read.</summary>
+    /// <summary>An existing file to read.</summary>
     Open,
 
-    /// <summary>A file to be written. One that is there is replaced only after a second tap.</summary>
+    /// <summary>A file to write. An existing one is replaced only after a second tap.</summary>
     Save,
 
-    /// <summary>A folder to write to. It need not be there yet.</summary>
+    /// <summary>A folder to write to. It need not exist yet.</summary>
     Folder,
 }

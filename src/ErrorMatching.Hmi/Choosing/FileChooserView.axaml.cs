@@ -6,15 +6,14 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where a file or folder is chosen.</summary>
+/// <summary>The file chooser dialog.</summary>
 public sealed partial class FileChooserView : UserControl
 {
-    /// <summary>The view.</summary>
     public FileChooserView()
     {
         InitializeComponent();
 
-        // Before the lists themselves: they take Enter for choosing a row.
+        // Before the lists themselves, which use Enter to select a row.
         PlaceList.AddHandler(KeyDownEvent, OnPlaceKey, RoutingStrategies.Tunnel);
         Entries.AddHandler(KeyDownEvent, OnRowKey, RoutingStrategies.Tunnel);
     }
@@ -51,7 +50,7 @@ public sealed partial class FileChooserView : UserControl
         }
     }
 
-    // Behind a folder that was tapped twice out of habit another row lies under the finger, which was not meant.
+    // After a habitual double tap on a folder, another row is under the finger; it was not meant.
     private void OnRowDoubleTapped(object? sender, TappedEventArgs e)
     {
         if (Of<FolderEntry>(e) is { IsFolder: false })
@@ -90,7 +89,7 @@ public sealed partial class FileChooserView : UserControl
         }
     }
 
-    // Whoever goes by keyboard goes on at the file in the field, else at the first row: only what is in the field looks chosen.
+    // Keyboard users continue at the file in the field, else at the first row. Only the file in the field looks selected.
     private async void FocusFirst(FileChooserViewModel chooser, string? before)
     {
         await chooser.Loading;
@@ -101,7 +100,7 @@ public sealed partial class FileChooserView : UserControl
             Dispatcher.UIThread.Post(
                 () =>
                 {
-                    // A busy machine may not have laid the rows out yet: without it there are none.
+                    // A busy machine may not have laid the rows out yet; before that, they do not exist.
                     Entries.UpdateLayout();
                     (Entries.ContainerFromIndex(Math.Max(0, row)) ?? Entries).Focus(NavigationMethod.Directional);
                 },

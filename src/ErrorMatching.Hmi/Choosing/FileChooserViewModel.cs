@@ -2,7 +2,7 @@ using System.Security;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>File chooser: somebody finds a file or folder by tapping, or types its path, inside the station's own window.</summary>
+/// <summary>File chooser inside the station's own window: the user taps a file or folder, or types its path.</summary>
 [System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "Each look disposes what it made when it ends.")]
 public sealed class FileChooserViewModel : Observable
 {
@@ -17,12 +17,12 @@ public sealed class FileChooserViewModel : Observable
     private bool _isAll;
 
     /// <summary>Opens it at a folder.</summary>
-    /// <param name="choice">What is to be chosen.</param>
-    /// <param name="folder">The folder, or a file in it; where it is not there, the next one above it that is.</param>
+    /// <param name="choice">What to choose.</param>
+    /// <param name="folder">The folder, or a file in it; if it does not exist, the nearest existing parent.</param>
     /// <param name="cellFolder">The folder of the cell's configuration.</param>
-    /// <param name="samplesFolder">The folder of the samples; null where there is none.</param>
-    /// <param name="recent">Folders in which something was chosen, the latest first.</param>
-    /// <param name="clock">For the zone of times.</param>
+    /// <param name="samplesFolder">The folder of the samples; null if there is none.</param>
+    /// <param name="recent">Recently used folders, latest first.</param>
+    /// <param name="clock">Gives the time zone.</param>
     public FileChooserViewModel(FileChoice choice, string folder, string cellFolder, string? samplesFolder, IReadOnlyList<string> recent, TimeProvider clock)
     {
         (_choice, _clock) = (choice ?? throw new ArgumentNullException(nameof(choice)), clock);
@@ -38,26 +38,26 @@ public sealed class FileChooserViewModel : Observable
         Loading = BeginAsync(folder, cellFolder, samplesFolder, recent).Watched();
     }
 
-    /// <summary>Said once: with the full path that was chosen, or null if it was left.</summary>
+    /// <summary>Raised once: with the full path of the choice, or null if canceled.</summary>
     public event Action<string?>? Done;
 
-    /// <summary>What for.</summary>
+    /// <summary>The purpose.</summary>
     public string Title => Texts.Current[_choice.TitleKey];
 
-    /// <summary>Folders to begin at.</summary>
+    /// <summary>Folders to start at.</summary>
     public IReadOnlyList<Place> Places
     {
         get => _places;
         private set => Set(ref _places, value);
     }
 
-    /// <summary>What is in the folder.</summary>
+    /// <summary>The contents of the folder.</summary>
     public RowList<FolderEntry> Rows { get; } = [];
 
-    /// <summary>The folder that is shown; empty before the first one is.</summary>
+    /// <summary>The current folder; empty before the first one is shown.</summary>
     public string Folder => _listing?.Folder ?? "";
 
-    /// <summary>The path in the field, which is what is chosen: by tapping a file, or typed.</summary>
+    /// <summary>The path in the field, which is the choice: a tapped file or typed text.</summary>
     public string Typed
     {
         get => _path;
@@ -72,44 +72,45 @@ public sealed class FileChooserViewModel : Observable
         }
     }
 
-    /// <summary>The row of the file in the field; null if it is not among what is shown.</summary>
+    /// <summary>The row of the file in the field; null if it is not listed.</summary>
     public FolderEntry? Chosen => Rows.FirstOrDefault(r => !r.IsFolder && r.Path == Typed);
 
-    /// <summary>What is shown and what is not, in words.</summary>
+    /// <summary>What is listed and what is not, in words.</summary>
     public string Summary => _listing is not { } l ? "" : Sentence.Joined(Sentences(l));
 
-    /// <summary>Why it does not work; null if it does.</summary>
+    /// <summary>The error message; null if there is none.</summary>
     public string? Message
     {
         get => _message;
         private set => Set(ref _message, value);
     }
 
-    /// <summary>True if files are shown by their endings.</summary>
+    /// <summary>True if files are filtered by extension.</summary>
     public bool IsFiltered => _choice.Kind != FileChoiceKind.Folder && _choice.Extensions.Count > 0;
 
     /// <summary>What a tap on the filter does, in words.</summary>
     public string Filter => _isAll ? Texts.Current.With("Chooser.Only", string.Join(", ", _choice.Extensions)) : Texts.Current["Chooser.All"];
 
-    /// <summary>What choosing does, in words.</summary>
+    /// <summary>What the confirm button does, in words.</summary>
     public string ConfirmLabel => Texts.Current[_replaced is not null ? "Chooser.Replace" : "Chooser." + _choice.Kind];
 
-    /// <summary>To the folder above.</summary>
+    /// <summary>Opens the parent folder.</summary>
     public Command Up { get; }
 
-    /// <summary>Chooses nothing.</summary>
+    /// <summary>Cancels.</summary>
     public Command Leave { get; }
 
-    /// <summary>All files, or those of the endings alone.</summary>
+    /// <summary>Switches between all files and those with the extensions.</summary>
     public Command ShowAll { get; }
 
-    /// <summary>Takes what the field says: goes into a folder, chooses a file.</summary>
+    /// <summary>Accepts the field: opens a folder or chooses a file.</summary>
     public LongCommand Confirm { get; }
 
-    /// <summary>Done when the folder that was gone to is shown.</summary>
+    /// <summary>Completes when the requested folder is shown.</summary>
     internal Task Loading { get; private set; }
 
-    /// <summary>A tap on a row: goes into a folder, puts a file into the field, and one that is there already is opened. What is to be written takes the button.</summary>
+    /// <summary>Handles a tap on a row: opens a folder, or puts a file into the field. A file that is already in the field is
+    /// chosen; to write one needs the button.</summary>
     public void Take(FolderEntry entry)
     {
         ArgumentNullException.ThrowIfNull(entry);
@@ -127,10 +128,10 @@ public sealed class FileChooserViewModel : Observable
         }
     }
 
-    /// <summary>Shows a folder; one that cannot be shown is told, and the one before stays.</summary>
+    /// <summary>Shows a folder. If it cannot be shown, a message tells why and the previous one stays.</summary>
     public void Enter(string folder) => Loading = EnterAsync(folder).Watched();
 
-    /// <summary>Says everything in another language.</summary>
+    /// <summary>Updates all texts after a change of language.</summary>
     internal void Translate()
     {
         Message = null;
@@ -150,7 +151,7 @@ public sealed class FileChooserViewModel : Observable
         }
     }
 
-    // What is proposed need not be there yet: a folder to write to, the name of a new file.
+    // A proposed path need not exist yet: a folder to write to, or the name of a new file.
     private static (string Folder, string? Name) Begin(string path)
     {
         var full = Path.GetFullPath(path);
@@ -188,7 +189,7 @@ public sealed class FileChooserViewModel : Observable
         }
         catch (OperationCanceledException) when (looking.IsCancellationRequested)
         {
-            // Another folder was gone to meanwhile.
+            // Another folder was opened meanwhile.
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or SecurityException)
         {
@@ -200,7 +201,7 @@ public sealed class FileChooserViewModel : Observable
         }
     }
 
-    // The folder that is shown is no file: there is nothing chosen yet.
+    // The current folder is not a file: nothing is chosen yet.
     private bool CanConfirm() => Typed.Trim() is { Length: > 0 } typed && (_choice.Kind == FileChoiceKind.Folder || typed.TrimEnd(Path.DirectorySeparatorChar) != Folder.TrimEnd(Path.DirectorySeparatorChar));
 
     private async Task ConfirmAsync()
@@ -255,7 +256,7 @@ public sealed class FileChooserViewModel : Observable
         Message = Texts.Current.With("Chooser.Exists", FolderEntry.Visible(Path.GetFileName(path)));
     }
 
-    // To replace a file takes a second tap, on a button that says so.
+    // Replacing a file needs a second tap, on a button that says so.
     private void Ask(string? replaced)
     {
         _replaced = replaced;

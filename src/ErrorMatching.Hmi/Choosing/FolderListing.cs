@@ -2,27 +2,27 @@ using System.Globalization;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What is in a folder: folders first, then files, each by name.</summary>
+/// <summary>The contents of a folder: folders first, then files, each sorted by name.</summary>
 /// <param name="Folder">Its full path.</param>
-/// <param name="Entries">What is shown of it.</param>
-/// <param name="Hidden">How many hidden folders and files are not shown.</param>
-/// <param name="Others">How many files are not shown because they end otherwise.</param>
-/// <param name="IsWhole">False if there is more than was looked at.</param>
+/// <param name="Entries">The listed entries.</param>
+/// <param name="Hidden">Number of hidden folders and files, which are not listed.</param>
+/// <param name="Others">Number of files not listed because of their extension.</param>
+/// <param name="IsWhole">False if there is more than was read.</param>
 internal sealed record FolderListing(string Folder, IReadOnlyList<FolderEntry> Entries, int Hidden, int Others, bool IsWhole)
 {
-    /// <summary>No folder that people look through is larger; one that is, is told.</summary>
+    /// <summary>Larger than any folder that people browse; if a folder has more entries, the user is told.</summary>
     public const int Most = 10_000;
 
     private const double BytesOfKilobyte = 1000;
 
-    /// <summary>Looks into a folder. To be called beside the screen: shares take their time.</summary>
+    /// <summary>Lists a folder. Call it off the UI thread: network shares are slow.</summary>
     /// <param name="folder">The folder.</param>
-    /// <param name="extensions">The endings of files that are shown, each with its dot; none for all files; null for folders alone.</param>
-    /// <param name="clock">For the zone of times.</param>
-    /// <param name="cancellation">Ends it.</param>
-    /// <exception cref="IOException">It is not there or cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be read.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    /// <param name="extensions">The extensions to list, each with its dot; empty for all files; null for folders only.</param>
+    /// <param name="clock">Gives the time zone.</param>
+    /// <param name="cancellation">Cancels the listing.</param>
+    /// <exception cref="IOException">It does not exist or cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access is denied.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static FolderListing Read(string folder, IReadOnlyList<string>? extensions, TimeProvider clock, CancellationToken cancellation)
     {
         var (folders, files) = (new List<FolderEntry>(), new List<FolderEntry>());
@@ -73,7 +73,7 @@ internal sealed record FolderListing(string Folder, IReadOnlyList<FolderEntry> E
         }
         catch (IOException)
         {
-            // A link to nothing, or gone at this moment: whoever taps on it is told.
+            // A broken link, or just deleted: tapping it shows a message.
             return "";
         }
     }

@@ -1,15 +1,15 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where files usually are: the samples, the cell, where something was chosen lately, the user's own folder, disks and sticks.</summary>
+/// <summary>Where files usually are: the samples, the cell, recently used folders, the user's own folder, disks and USB sticks.</summary>
 internal static class Places
 {
-    // Below these disks and sticks are mounted, in a folder of whoever plugged them in where the desktop does it. What is mounted deeper is no disk of a person.
+    // Disks and USB sticks are mounted below these; desktops mount them in a folder of the user. Deeper mounts are not a user's disks.
     private static readonly (string Root, int Levels)[] Mounts = [("/media", 2), ("/run/media", 2), ("/mnt", 1)];
 
-    /// <summary>The places of this computer. To be called beside the screen.</summary>
+    /// <summary>The places of this computer. Call it off the UI thread.</summary>
     /// <param name="cellFolder">The folder of the cell's configuration.</param>
-    /// <param name="samplesFolder">The folder of the samples; null where there is none.</param>
-    /// <param name="recent">Folders in which something was chosen, the latest first.</param>
+    /// <param name="samplesFolder">The folder of the samples; null if there is none.</param>
+    /// <param name="recent">Recently used folders, latest first.</param>
     public static IReadOnlyList<Place> Of(string cellFolder, string? samplesFolder, IEnumerable<string> recent)
     {
         var home = Environment.GetFolderPath(Environment.SpecialFolder.UserProfile);
@@ -24,12 +24,12 @@ internal static class Places
         return [.. all.DistinctBy(p => p.Path, StringComparer.Ordinal).Select((p, i) => new Place(i, p.NameKey, p.Path, p.Icon))];
     }
 
-    /// <summary>Of what is mounted on Linux, what a person takes for a disk.</summary>
-    /// <param name="mounted">Where something is mounted.</param>
+    /// <summary>Selects the mount points on Linux that a user would call a disk.</summary>
+    /// <param name="mounted">The mount points.</param>
     internal static IEnumerable<string> DisksAmong(IEnumerable<string> mounted) =>
         mounted.Where(d => d == "/" || Mounts.Any(m => d.StartsWith(m.Root + "/", StringComparison.Ordinal) && d.AsSpan(m.Root.Length).Count('/') <= m.Levels));
 
-    // Of what is mounted on Linux most is the system's own. Nothing is asked of a disk itself: one that is gone would let the question wait.
+    // On Linux, most mount points belong to the system. The disks themselves are not accessed: a disconnected one could block.
     private static IEnumerable<string> Disks() => OperatingSystem.IsWindows()
         ? Environment.GetLogicalDrives()
         : DisksAmong(Environment.GetLogicalDrives());

@@ -4,22 +4,22 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A cell that anybody can play with: the samples in a folder of its own, running in this process, with users whose password is known.</summary>
+/// <summary>A cell to try out: the samples in their own folder, running in this process, with users whose password is public.</summary>
 public sealed class DemoCell : IAsyncDisposable
 {
-    /// <summary>Everybody's password.</summary>
+    /// <summary>The password of all users.</summary>
     public const string Password = "demonstration";
 
-    /// <summary>May look, release and reject.</summary>
+    /// <summary>May view, release and reject.</summary>
     public const string Operator = "otto";
 
-    /// <summary>May approve and revert as well.</summary>
+    /// <summary>May also approve and revert.</summary>
     public const string Setter = "anna";
 
     /// <summary>May do everything.</summary>
     public const string Administrator = "ada";
 
-    /// <summary>The samples' files by their names: coordinates as designed, the counterpart's program, a measured part.</summary>
+    /// <summary>Names of the sample files: nominal coordinates, the counterpart's program, a measured part.</summary>
     internal const string DrawingFile = "drawing.csv", ProgramFile = "counterpart.nc", PartFile = "part.csv";
 
     private readonly TimeProvider _clock;
@@ -29,16 +29,16 @@ public sealed class DemoCell : IAsyncDisposable
 
     private DemoCell(CellSettings settings, TimeProvider clock, string samples) => (Settings, _clock, _samples) = (settings, clock, samples);
 
-    /// <summary>The configuration: a person approves.</summary>
+    /// <summary>The configuration; a person must approve.</summary>
     public CellSettings Settings { get; }
 
-    /// <summary>The folder that stands for the machine.</summary>
+    /// <summary>The folder that acts as the machine.</summary>
     public string MachineFolder => Settings.Machines[0].Transport.LocalFolder!;
 
-    /// <summary>The folder of what its job is set up with: drawing, program and a measured part, and nothing that could be taken for one of them.</summary>
+    /// <summary>The folder of files to set up a job from: drawing, program and a measured part, and no similar files.</summary>
     public string SamplesFolder => SamplesIn(_samples);
 
-    /// <summary>Puts the cell into a folder and makes its users. It does not run yet.</summary>
+    /// <summary>Creates the cell in a folder, with its users. It does not run yet.</summary>
     /// <param name="folder">An empty folder.</param>
     /// <param name="clock">The clock.</param>
     public static DemoCell Make(string folder, TimeProvider clock)
@@ -62,10 +62,11 @@ public sealed class DemoCell : IAsyncDisposable
         return At(folder, clock);
     }
 
-    /// <summary>The key points of the drawing in the order of cutting, to set a job up from: without the apex, which the drawing has and nobody measures.</summary>
+    /// <summary>The key points of the drawing in the order of cutting, to set up a job from. The apex is left out: it is on the
+    /// drawing, but it is not measured.</summary>
     internal static string Drawing(string theoretical) => string.Concat(File.ReadLines(theoretical).Where(l => !l.StartsWith("3,", StringComparison.Ordinal)).Select(l => l + "\n"));
 
-    /// <summary>The cell that was put into a folder before.</summary>
+    /// <summary>Opens the cell created in a folder earlier.</summary>
     internal static DemoCell At(string folder, TimeProvider clock) =>
         new(CellSettingsReader.Read(Path.Combine(folder, "cell", "cell.json")), clock, folder);
 
@@ -77,14 +78,14 @@ public sealed class DemoCell : IAsyncDisposable
         await new CellRunner(Settings, store, m => MachineFolders.Open(m, () => null), _clock, log).RunAsync(_stop.Token);
     });
 
-    /// <summary>Drops a measured part into the gauge's folder, whole.</summary>
+    /// <summary>Drops a complete file of a measured part into the gauge's folder.</summary>
     /// <param name="serial">Its serial number.</param>
-    /// <param name="spread">How far its points lie from those of the sample at most, in mm; 0 is the sample's part.</param>
+    /// <param name="spread">Largest distance of its points from the sample's, in mm; 0 gives the sample's part.</param>
     public void Deliver(int serial, double spread) => Drop(0, "part", serial, DemoPart.Near(Sample("complex-mating", "part.csv"), serial, spread));
 
-    /// <summary>Drops a measured counterpart that is about as far from a part as the sample's is from the sample's part, whatever was cut.</summary>
+    /// <summary>Drops a measured counterpart that deviates from its part about as much as the sample's does, whatever was cut.</summary>
     /// <param name="serial">Serial number of the part.</param>
-    /// <param name="spread">As it was delivered with.</param>
+    /// <param name="spread">The spread that the part was delivered with.</param>
     public void DeliverCounterpart(int serial, double spread)
     {
         var part = Sample("complex-mating", "part.csv");
@@ -93,19 +94,19 @@ public sealed class DemoCell : IAsyncDisposable
         Drop(0, "counterpart", serial, DemoPart.Near(fits, ~serial, spread / 4));
     }
 
-    /// <summary>Drops the measured counterpart that a program cut.</summary>
+    /// <summary>Drops the measurement of a counterpart cut by a program.</summary>
     /// <param name="serial">Serial number of the part.</param>
-    /// <param name="spread">How far its points lie from where the program leads at most, in mm.</param>
-    /// <param name="cut">Where the program leaves the key points, by label, mm.</param>
+    /// <param name="spread">Largest distance of its points from the program's, in mm.</param>
+    /// <param name="cut">The key points as cut by the program, by label, mm.</param>
     public void DeliverCounterpart(int serial, double spread, IReadOnlyDictionary<string, Point2> cut) =>
         Drop(0, "counterpart", serial, DemoPart.Near(DemoPart.At(Sample("complex-mating", "counterpart-after.csv"), cut), ~serial, spread));
 
-    /// <summary>Drops a measured surface into its gauge's folder, whole.</summary>
+    /// <summary>Drops a complete file of a measured surface into its gauge's folder.</summary>
     /// <param name="serial">Its serial number.</param>
-    /// <param name="spread">How far its points lie from those of the sample at most, in mm; 0 is the sample's surface.</param>
+    /// <param name="spread">Largest distance of its points from the sample's, in mm; 0 gives the sample's surface.</param>
     public void DeliverSurface(int serial, double spread) => Drop(1, "surface", serial, DemoPart.Near(Sample("surface-one", "measured.csv"), serial, spread));
 
-    /// <summary>Says what a machine says when the piece is cut.</summary>
+    /// <summary>Reports that a machine has cut its piece, as the machine would.</summary>
     /// <param name="machine">Its name; null for the first one.</param>
     public void FinishPiece(string? machine = null)
     {
@@ -133,7 +134,7 @@ public sealed class DemoCell : IAsyncDisposable
 
     private static string SamplesIn(string folder) => Path.Combine(folder, "samples");
 
-    // Beside the job's own files theoretical.csv would stand next to drawing.csv, and nobody could tell which one is meant.
+    // Next to the job's own files, theoretical.csv and drawing.csv would be side by side, and users could not tell which one to use.
     private static void CopySetup(string from, string to)
     {
         Directory.CreateDirectory(to);

@@ -3,14 +3,14 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A gauge that delivers by itself and a machine that cuts by itself, so that there is something to see and to decide.</summary>
+/// <summary>Simulates a gauge that delivers files and a machine that cuts, so that there is something to see and to decide.</summary>
 /// <param name="cell">The cell.</param>
 /// <param name="clock">The clock.</param>
 public sealed class DemoDay(DemoCell cell, TimeProvider clock)
 {
     internal const double SpreadMm = 0.003, SurfaceSpreadMm = 0.0005;
 
-    // A machine repeats better than parts are alike.
+    // A machine repeats better than parts resemble each other.
     internal const double CutSpreadMm = SpreadMm / 4;
     private const int MostWaiting = 3;
     private static readonly TimeSpan First = TimeSpan.FromSeconds(3);
@@ -18,12 +18,12 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
     private static readonly TimeSpan BetweenParts = TimeSpan.FromSeconds(40);
     private static readonly TimeSpan FirstSurface = TimeSpan.FromSeconds(8);
     private static readonly TimeSpan BetweenSurfaces = TimeSpan.FromMinutes(2);
-    // Long enough to look at what is at the machine, and short enough to wait for.
+    // Long enough to look at the program at the machine, short enough to wait for.
     private static readonly TimeSpan Cutting = TimeSpan.FromSeconds(60);
 
     private readonly HashSet<int> _measured = [];
 
-    /// <summary>Goes on until told to end.</summary>
+    /// <summary>Runs until canceled.</summary>
     public async Task RunAsync(CancellationToken end)
     {
         try
@@ -33,7 +33,7 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
         }
         catch (OperationCanceledException) when (end.IsCancellationRequested)
         {
-            // The day is over.
+            // The demonstration ends.
         }
     }
 
@@ -45,7 +45,7 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
         {
             cell.Deliver(serial, SpreadOf(serial));
 
-            // Who has set up and saved the job wants to see what comes of it: those that were made before do not count, and the first one afterwards comes at once.
+            // A user who has just saved the job wants to see its effect: earlier corrections do not count, and the next part comes at once.
             var ((_, outdated), delivered) = (Waiting(store, jobs), clock.GetTimestamp());
             while (true)
             {
@@ -85,7 +85,7 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
                 cell.FinishPiece(held.Machine);
             }
 
-            // Somebody at the screen said that it is cut.
+            // A user has already reported it as cut.
             foreach (var cut in store.InState(CorrectionState.Released))
             {
                 Measure(store, cut);
@@ -93,7 +93,7 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
         }
     }
 
-    // Whoever measured the part measures the counterpart that was cut for it, once: what the program that was sent cuts, so that whoever set the job up sees what comes of it.
+    // The part's gauge measures its counterpart, once, as the sent program cuts it, so that the user sees the effect of the job.
     private void Measure(CellStore store, Correction cut)
     {
         if (cut is { Piece: "part", Serial: { } serial, ReportSha256: { } report } && int.TryParse(serial, NumberStyles.None, CultureInfo.InvariantCulture, out var number)
@@ -103,7 +103,7 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
         }
     }
 
-    // Made with the job as it is now, and as it was.
+    // Computed with the current job, and with an earlier version of it.
     private static (int Current, int Outdated) Waiting(CellStore store, ChangedJobs jobs)
     {
         var waiting = store.InState(CorrectionState.Proposed).Where(c => c.Piece == "part").ToArray();

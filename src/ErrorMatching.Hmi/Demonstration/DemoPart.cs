@@ -4,13 +4,13 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Measured parts that are a little different from another one: what a gauge finds in the course of a day.</summary>
+/// <summary>Makes measured parts that differ a little from a given one, as a gauge finds them during a day.</summary>
 internal static class DemoPart
 {
-    /// <summary>A measurement like another one.</summary>
+    /// <summary>Makes a measurement similar to another one.</summary>
     /// <param name="part">The other one, as CSV with a label and coordinates.</param>
-    /// <param name="serial">Decides how it is different: the same number gives the same part.</param>
-    /// <param name="spread">How far a coordinate is away at most, in mm.</param>
+    /// <param name="serial">The seed: the same number gives the same part.</param>
+    /// <param name="spread">Largest change of a coordinate, in mm.</param>
     public static string Near(string part, int serial, double spread)
     {
         var seed = (uint)serial;
@@ -24,7 +24,7 @@ internal static class DemoPart
         }
     }
 
-    /// <summary>The counterpart of a part, as far from it as another counterpart is from its own.</summary>
+    /// <summary>Makes the counterpart of a part, with the deviations of another counterpart from its own part.</summary>
     /// <param name="part">The part.</param>
     /// <param name="like">The other counterpart.</param>
     /// <param name="of">The part that the other counterpart belongs to, with the same labels in the same order.</param>
@@ -34,9 +34,9 @@ internal static class DemoPart
         return Each(like, (row, column, value) => value + Number(parts[row][column]) - Number(others[row][column]));
     }
 
-    /// <summary>A measurement whose points lie elsewhere.</summary>
+    /// <summary>Makes a measurement with other positions.</summary>
     /// <param name="like">The measurement.</param>
-    /// <param name="places">Where its points lie, by label, mm; a point that is not there stays.</param>
+    /// <param name="places">Its new positions, by label, mm; points not listed stay.</param>
     public static string At(string like, IReadOnlyDictionary<string, Point2> places)
     {
         var rows = Rows(like);

@@ -2,7 +2,7 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The demonstration: a cell in a folder that is removed behind it, and its day.</summary>
+/// <summary>The demonstration: a cell in a temporary folder that is deleted at the end, and its simulated day.</summary>
 public sealed class Demonstration : IDisposable
 {
     private readonly string _folder;
@@ -18,13 +18,11 @@ public sealed class Demonstration : IDisposable
         _day = new DemoDay(_cell, clock).RunAsync(_end.Token);
     }
 
-    /// <summary>The cell's configuration.</summary>
     public CellSettings Settings => _cell.Settings;
 
-    /// <summary>The folder of what its job is set up with.</summary>
+    /// <summary>The folder of files to set up its job from.</summary>
     public string SamplesFolder => _cell.SamplesFolder;
 
-    /// <summary>Starts it.</summary>
     public static Demonstration Start(TimeProvider clock) => new(Directory.CreateTempSubdirectory("errormatch-station-").FullName, clock);
 
     /// <inheritdoc/>
@@ -33,7 +31,7 @@ public sealed class Demonstration : IDisposable
         _end.Cancel();
         _day.GetAwaiter().GetResult();
 
-        // Away from the screen's thread, which stands still here: what the cell awaits must not wait for it.
+        // Off the UI thread, which is blocked here: a continuation of the cell must not wait for it.
         Task.Run(async () => await _cell.DisposeAsync()).GetAwaiter().GetResult();
         _end.Dispose();
         Directory.Delete(_folder, recursive: true);

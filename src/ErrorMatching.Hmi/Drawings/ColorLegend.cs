@@ -7,16 +7,13 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What the colors of a map mean: a bar from the lowest value to the highest, zero in its middle, with signs and unit.</summary>
+/// <summary>Color scale of a map: a bar from the lowest value to the highest with zero in the middle, with signs and unit.</summary>
 public sealed class ColorLegend : Control, IDrawnWords
 {
-    /// <summary>The absolute value of the last colors, in mm.</summary>
     public static readonly StyledProperty<double> LimitMmProperty = AvaloniaProperty.Register<ColorLegend, double>(nameof(LimitMm));
 
-    /// <summary>The numbers.</summary>
     public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<ColorLegend, IBrush?>(nameof(Ink));
 
-    /// <summary>Size of the numbers.</summary>
     public static readonly StyledProperty<double> LabelSizeProperty = AvaloniaProperty.Register<ColorLegend, double>(nameof(LabelSize), 1);
 
     private static readonly double[] Ticks = [-1, -0.5, 0, 0.5, 1];
@@ -34,14 +31,13 @@ public sealed class ColorLegend : Control, IDrawnWords
         set => SetValue(LimitMmProperty, value);
     }
 
-    /// <summary>The numbers.</summary>
+    /// <summary>Color of the numbers.</summary>
     public IBrush? Ink
     {
         get => GetValue(InkProperty);
         set => SetValue(InkProperty, value);
     }
 
-    /// <summary>Size of the numbers.</summary>
     public double LabelSize
     {
         get => GetValue(LabelSizeProperty);
@@ -67,7 +63,7 @@ public sealed class ColorLegend : Control, IDrawnWords
             context.FillRectangle(MapColors.Scale[i], new Rect(left + (width * i / DivergingColors.Count), 0, (width / DivergingColors.Count) + DrawnSizes.Overlap, DrawnSizes.ColorBar));
         }
 
-        // The color of zero is that of paper.
+        // The color for zero is the background's, so the bar needs a frame.
         using (context.PushOpacity(DrawnSizes.FrameOpacity))
         {
             context.DrawRectangle(null, new Pen(Ink), new Rect(left, DrawnSizes.HalfThin, width, DrawnSizes.ColorBar - DrawnSizes.HalfThin));

@@ -2,7 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The boundary of a feature, moved along its normals by what is known at its key points, and evenly between them along the boundary.</summary>
+/// <summary>The boundary of a feature, displaced along its normals by the amounts at its key points and interpolated linearly
+/// along the boundary between them.</summary>
 internal sealed class DisplacedOutline
 {
     // Corners closer than this are one, mm.
@@ -13,10 +14,10 @@ internal sealed class DisplacedOutline
     private readonly double[] _feet;
     private readonly double _side;
 
-    /// <summary>A boundary of two points or more, and its key points in the order of cutting.</summary>
+    /// <summary>Takes a boundary of two or more points and its key points in the order of cutting.</summary>
     public DisplacedOutline(IReadOnlyList<Point2> outline, IReadOnlyList<(Point2 At, Vector2 Normal)> points)
     {
-        // With a corner at the foot of each key point: there it is moved by what is known, however long the straight is.
+        // Adds a corner at the foot of each key point, so that even a long straight gets the exact displacement there.
         _outline = [.. outline];
         foreach (var (at, _) in points)
         {
@@ -37,8 +38,8 @@ internal sealed class DisplacedOutline
         _side = points.Count > 0 && NormalAt(Nearest(FootOf(points[0].At).Foot)).Dot(points[0].Normal) < 0 ? -1 : 1;
     }
 
-    /// <summary>The boundary, moved.</summary>
-    /// <param name="amounts">How far at each key point along its normal, mm.</param>
+    /// <summary>The displaced boundary.</summary>
+    /// <param name="amounts">Displacement at each key point along its normal, mm.</param>
     public IReadOnlyList<Point2> By(double[] amounts) => [.. _outline.Select((p, i) => p + (_side * Between(_at[i], amounts) * NormalAt(i)))];
 
     private double Between(double at, double[] amounts)
@@ -58,7 +59,7 @@ internal sealed class DisplacedOutline
         return to > from ? amounts[next - 1] + ((amounts[next] - amounts[next - 1]) * (at - from) / (to - from)) : amounts[next];
     }
 
-    // The nearest place of all pieces, and the piece that it lies on.
+    // The nearest place on all segments, and the segment that it is on.
     private (int Segment, Point2 Foot) FootOf(Point2 place)
     {
         var (found, nearest) = (0, _outline[0]);
@@ -86,7 +87,7 @@ internal sealed class DisplacedOutline
         return nearest;
     }
 
-    // To the left of the way, between the pieces that meet there.
+    // To the left of the direction of travel, perpendicular to the chord between the neighboring corners.
     private Vector2 NormalAt(int i)
     {
         var way = _outline[Math.Min(i + 1, _outline.Count - 1)] - _outline[Math.Max(i - 1, 0)];

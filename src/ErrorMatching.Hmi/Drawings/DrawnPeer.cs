@@ -5,10 +5,10 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What a screen reader knows of a control that draws itself: what kind of thing it is, and what it says now.</summary>
+/// <summary>Describes a control that draws itself to a screen reader: its type and its current value.</summary>
 /// <param name="owner">The control; its name is the view's.</param>
-/// <param name="type">What kind of thing it is.</param>
-/// <param name="said">What it says now: the values under the finger, the block that is lit; null for nothing.</param>
+/// <param name="type">Its type.</param>
+/// <param name="said">Its current value: the values under the finger, or the selected block; null if there is none.</param>
 internal sealed class DrawnPeer(Control owner, AutomationControlType type, Func<string?> said) : ControlAutomationPeer(owner), IValueProvider
 {
     /// <inheritdoc/>
@@ -17,7 +17,7 @@ internal sealed class DrawnPeer(Control owner, AutomationControlType type, Func<
     /// <inheritdoc/>
     public string? Value => said();
 
-    /// <summary>Says that <paramref name="owner"/> says something else now. Costs nothing while nobody listens.</summary>
+    /// <summary>Reports a new value of <paramref name="owner"/>. Costs nothing if no screen reader listens.</summary>
     public static void Tell(Control owner, string? was, string? now)
     {
         if (was != now)

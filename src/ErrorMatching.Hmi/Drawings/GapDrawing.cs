@@ -4,25 +4,27 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The two boundaries of a mating as lines, deviations exaggerated: the measured part, and the counterpart that a program cuts. In the part's frame, or turned where it stands upright: what is long lies.</summary>
-/// <param name="Part">The part's boundary, a line a feature, mm.</param>
-/// <param name="Counterpart">The counterpart's boundary, a line a feature, mm.</param>
-/// <param name="Points">The key points on the part's boundary, mm, with their labels, the places opposite on the counterpart's, the gap and the part's deviation there, and whether the mating error leaves its limits.</param>
-/// <param name="Extent">How much there is of it, without compensation and with it: the two are seen at one scale.</param>
-/// <param name="Factor">How many times deviations are drawn larger than they are.</param>
-/// <param name="LargestMm">The largest gap or overlap at a key point, without sign.</param>
-/// <param name="IsLong">True if it is much longer than high.</param>
+/// <summary>The two boundaries of a mating as lines, with exaggerated deviations: the measured part, and the counterpart that a
+/// program cuts. In the part's frame, or turned by 90 degrees if the part is tall, so that its long side is horizontal.</summary>
+/// <param name="Part">The part's boundary, one line per feature, mm.</param>
+/// <param name="Counterpart">The counterpart's boundary, one line per feature, mm.</param>
+/// <param name="Points">The key points on the part's boundary, mm: label, position, opposite position on the counterpart, gap,
+/// deviation of the part, and whether the mating error is outside its limits.</param>
+/// <param name="Extent">Extent of both drawings, without and with compensation, so that they share one scale.</param>
+/// <param name="Factor">Factor by which deviations are enlarged.</param>
+/// <param name="LargestMm">The largest absolute gap or overlap at a key point.</param>
+/// <param name="IsLong">True if one side is much longer than the other.</param>
 /// <param name="IsTurned">True if it is turned clockwise by 90 degrees.</param>
 public sealed record GapDrawing(
     IReadOnlyList<IReadOnlyList<Point2>> Part, IReadOnlyList<IReadOnlyList<Point2>> Counterpart, IReadOnlyList<(string Label, Point2 At, Point2 Opposite, double GapMm, double PartMm, bool IsOutside)> Points, PlotBox Extent, double Factor, double LargestMm, bool IsLong, bool IsTurned)
 {
-    // The largest deviation takes this much of the drawing.
+    // Share of the drawing that the largest deviation takes.
     private const double Share = 0.08;
 
-    // What is so many times as long as wide is long.
+    // A part is long if its sides differ by this factor.
     private const double LongFactor = 1.5;
 
-    /// <summary>How it is drawn, in words: how much deviations are exaggerated, and whether it is turned.</summary>
+    /// <summary>Note below the drawing: the exaggeration, and whether it is turned.</summary>
     public string Note
     {
         get
@@ -35,10 +37,10 @@ public sealed record GapDrawing(
     /// <summary>The assembly without compensation.</summary>
     public static GapDrawing Before(KeptPiece piece) => Of(piece, p => p.BeforeError);
 
-    /// <summary>The assembly with it.</summary>
+    /// <summary>The assembly with compensation.</summary>
     public static GapDrawing After(KeptPiece piece) => Of(piece, p => p.AfterError);
 
-    // A mating error is counterpart - part along the normal: the gap is the other way round, what the part lies further out than the counterpart.
+    // A mating error is counterpart - part along the normal. The gap has the opposite sign: part - counterpart.
     private static GapDrawing Of(KeptPiece piece, Func<VerifiedPoint, MatingError> error)
     {
         var factor = FactorOf(piece);
@@ -80,7 +82,7 @@ public sealed record GapDrawing(
         var byLabel = piece.Result.Points.ToDictionary(p => p.Label, StringComparer.Ordinal);
         var largest = piece.Boundaries.SelectMany(b => b.Points).Select(p => Math.Max(Math.Abs((byLabel[p.Label].Part - p.Theoretical).Dot(byLabel[p.Label].Normal)), Math.Abs(byLabel[p.Label].BeforeError.NormalMm))).DefaultIfEmpty().Max();
 
-        // A round number, so that the factor can be stated.
+        // A round number, so that the factor can be shown.
         return largest == 0 || places.IsEmpty ? 1 : Math.Max(1, RoundNumber.AtMost(Share * Math.Max(places.Right - places.Left, places.High - places.Low) / largest));
     }
 }

@@ -4,47 +4,42 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Draws the two boundaries of a mating, the same scale in both directions; under the finger the gap at a key point.</summary>
+/// <summary>Draws the two boundaries of a mating, true to scale. Tapping a key point shows its gap.</summary>
 public sealed class GapPlot : PlotArea
 {
-    /// <summary>What is drawn.</summary>
     public static readonly StyledProperty<GapDrawing?> DrawingProperty = AvaloniaProperty.Register<GapPlot, GapDrawing?>(nameof(Drawing));
 
-    /// <summary>The part's line.</summary>
     public static readonly StyledProperty<IBrush?> PartBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(PartBrush));
 
-    /// <summary>The counterpart's line.</summary>
     public static readonly StyledProperty<IBrush?> CounterpartBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(CounterpartBrush));
 
-    /// <summary>What lies between the two lines.</summary>
     public static readonly StyledProperty<IBrush?> GapBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(GapBrush));
 
     private PlotBox _extent = PlotBox.Empty;
 
     static GapPlot() => AffectsRender<GapPlot>(PartBrushProperty, CounterpartBrushProperty, GapBrushProperty);
 
-    /// <summary>What is drawn.</summary>
     public GapDrawing? Drawing
     {
         get => GetValue(DrawingProperty);
         set => SetValue(DrawingProperty, value);
     }
 
-    /// <summary>The part's line.</summary>
+    /// <summary>Color of the part's line.</summary>
     public IBrush? PartBrush
     {
         get => GetValue(PartBrushProperty);
         set => SetValue(PartBrushProperty, value);
     }
 
-    /// <summary>The counterpart's line.</summary>
+    /// <summary>Color of the counterpart's line.</summary>
     public IBrush? CounterpartBrush
     {
         get => GetValue(CounterpartBrushProperty);
         set => SetValue(CounterpartBrushProperty, value);
     }
 
-    /// <summary>What lies between the two lines.</summary>
+    /// <summary>Color of the area between the two lines.</summary>
     public IBrush? GapBrush
     {
         get => GetValue(GapBrushProperty);
@@ -83,7 +78,7 @@ public sealed class GapPlot : PlotArea
             context.DrawGeometry(GapBrush, null, Area(part.Concat(counterpart.Reverse()), view));
         }
 
-        // A point on a corner lies beside both lines, and what is free there is the most of all at times: it is seen at the point itself.
+        // A point on a corner is off both lines, and the clearance there may be the largest: the point itself shows it.
         foreach (var (_, at, opposite, _, _, _) in Drawing.Points)
         {
             var (from, to) = (view.At(at), view.At(opposite));
@@ -103,7 +98,7 @@ public sealed class GapPlot : PlotArea
 
         var labels = new PlotLabels(Drawing.Part.Concat(Drawing.Counterpart).Select(l => (IReadOnlyList<Point>)[.. l.Select(p => view.At(p))]), [.. Drawing.Points.Select(p => view.At(p.At))], DrawnSizes.Dot, Free);
 
-        // Where there is not room for all, those are named that ask for it.
+        // Without room for all labels, points outside their limits come first.
         foreach (var (name, at, _, _, _, _) in Drawing.Points.OrderByDescending(p => p.IsOutside))
         {
             var text = Label(name);
@@ -113,7 +108,7 @@ public sealed class GapPlot : PlotArea
             }
         }
 
-        // Over the ground of words beside them.
+        // Drawn last, so that no label's background covers them.
         foreach (var (_, at, _, _, _, _) in Drawing.Points)
         {
             context.DrawEllipse(PartBrush, null, view.At(at), DrawnSizes.Dot, DrawnSizes.Dot);

@@ -2,9 +2,9 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A control that draws words itself, where no control for text does: whoever looks for characters that no font has asks it.</summary>
+/// <summary>A control that draws its own text. It reports the text, so that characters missing from every font can be found.</summary>
 internal interface IDrawnWords
 {
-    /// <summary>What it wrote last or writes when it is asked for values, with the typeface of each.</summary>
+    /// <summary>The text last drawn, and the text shown on selection, each with its typeface.</summary>
     IEnumerable<(string Words, Typeface Typeface)> DrawnWords { get; }
 }

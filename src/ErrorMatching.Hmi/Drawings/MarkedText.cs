@@ -6,41 +6,36 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A line of a program with the changed words marked: by a ground and by weight, not by the color alone.</summary>
+/// <summary>A line of a program with the changed words marked by a background and by weight, not by color alone.</summary>
 public sealed class MarkedText : TextBlock
 {
-    /// <summary>The line.</summary>
     public static readonly StyledProperty<string?> LineProperty = AvaloniaProperty.Register<MarkedText, string?>(nameof(Line));
 
-    /// <summary>What is marked: start and length.</summary>
     public static readonly StyledProperty<IReadOnlyList<(int Start, int Length)>?> SpansProperty =
         AvaloniaProperty.Register<MarkedText, IReadOnlyList<(int Start, int Length)>?>(nameof(Spans));
 
-    /// <summary>The ground of what is marked.</summary>
     public static readonly StyledProperty<IBrush?> MarkProperty = AvaloniaProperty.Register<MarkedText, IBrush?>(nameof(Mark));
 
-    /// <summary>The line.</summary>
     public string? Line
     {
         get => GetValue(LineProperty);
         set => SetValue(LineProperty, value);
     }
 
-    /// <summary>What is marked: start and length.</summary>
+    /// <summary>The marked spans: start and length.</summary>
     public IReadOnlyList<(int Start, int Length)>? Spans
     {
         get => GetValue(SpansProperty);
         set => SetValue(SpansProperty, value);
     }
 
-    /// <summary>The ground of what is marked.</summary>
+    /// <summary>Background of the marked spans.</summary>
     public IBrush? Mark
     {
         get => GetValue(MarkProperty);
         set => SetValue(MarkProperty, value);
     }
 
-    /// <summary>The words that are marked.</summary>
     internal IReadOnlyList<string> Marked => Line is { } line && Spans is { } spans ? [.. spans.Where(s => s.Start + s.Length <= line.Length).Select(s => line.Substring(s.Start, s.Length))] : [];
 
     /// <inheritdoc/>

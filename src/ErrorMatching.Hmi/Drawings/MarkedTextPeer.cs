@@ -2,7 +2,7 @@ using Avalonia.Automation.Peers;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What a screen reader knows of a line with marks: the whole line, and which words of it are marked.</summary>
+/// <summary>Describes a line with marks to a screen reader: the whole line, and the marked words.</summary>
 /// <param name="owner">The line.</param>
 internal sealed class MarkedTextPeer(MarkedText owner) : TextBlockAutomationPeer(owner)
 {

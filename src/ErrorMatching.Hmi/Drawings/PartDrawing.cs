@@ -5,16 +5,17 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A part as far as its draft says: points with coordinates where they are, and while none has any, features one after another by kind and number of points.</summary>
-/// <param name="Lines">Its features in the order of cutting.</param>
-/// <param name="IsSchematic">True if places mean nothing.</param>
-/// <param name="Known">How many points have coordinates.</param>
-/// <param name="Total">How many points there are.</param>
+/// <summary>The features of a draft. Points are drawn at their coordinates; as long as none has any, features are drawn
+/// schematically, one after another, by kind and number of points.</summary>
+/// <param name="Lines">The features in the order of cutting.</param>
+/// <param name="IsSchematic">True if positions are schematic.</param>
+/// <param name="Known">Number of points with coordinates.</param>
+/// <param name="Total">Number of points.</param>
 public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic, int Known, int Total)
 {
     private const double Step = 10, Depth = 12;
 
-    // So many pieces between two points of a curve look round.
+    // With this many segments between two points, a curve looks smooth.
     private const int Pieces = 8;
 
     /// <summary>The drawing of a draft.</summary>
@@ -26,7 +27,7 @@ public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic
         return count > 0 ? new(known, false, count, total) : new(Schematic(draft), true, 0, total);
     }
 
-    // A point that has no place is left out.
+    // Points without a position are left out.
     private static PartLine Line(string name, IReadOnlyList<(string Label, Point2? At)[]> flanks)
     {
         Point2[][] places = [.. flanks.Select(k => k.Select(p => p.At).OfType<Point2>().ToArray())];
@@ -35,7 +36,7 @@ public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic
             : [.. places.SelectMany(p => p)]);
     }
 
-    // Null where the flanks have no apex between them: parallel ones, and points that do not lead there.
+    // Null if the flanks have no apex between them, because they are parallel or do not lead there.
     private static Point2? ApexOf(Point2[] first, Point2[] second)
     {
         if (first.Length < 2 || second.Length < 2)
@@ -70,7 +71,7 @@ public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic
             var (first, from) = (feature.Flanks[0].Count, x);
             var line = Line(feature.Name, [.. feature.Flanks.Select((k, flank) => k.Select((p, i) => (p.Label, (Point2?)At((flank == 0 ? 0 : first) + i))).ToArray())]);
 
-            // A curve is one, also of three points, which would be two sides of a triangle.
+            // Three points of a curve also form a curve; with straight lines they would be two sides of a triangle.
             lines.Add(feature.Kind == FeatureKind.Curve && first > 1 ? line with { Outline = [.. Enumerable.Range(0, ((first - 1) * Pieces) + 1).Select(i => At((double)i / Pieces))] } : line);
             x += Step * (feature.Points.Count() + 0.5);
 

@@ -7,10 +7,8 @@ namespace ErrorMatching.Hmi;
 /// <summary>Draws a part's features with their points and names.</summary>
 public sealed class PartPlot : PlotArea
 {
-    /// <summary>What is drawn.</summary>
     public static readonly StyledProperty<PartDrawing?> DrawingProperty = AvaloniaProperty.Register<PartPlot, PartDrawing?>(nameof(Drawing));
 
-    /// <summary>Lines and points.</summary>
     public static readonly StyledProperty<IBrush?> PartBrushProperty = AvaloniaProperty.Register<PartPlot, IBrush?>(nameof(PartBrush));
 
     private const double QuarterShare = 0.25;
@@ -21,21 +19,20 @@ public sealed class PartPlot : PlotArea
 
     static PartPlot() => AffectsRender<PartPlot>(PartBrushProperty);
 
-    /// <summary>What is drawn.</summary>
     public PartDrawing? Drawing
     {
         get => GetValue(DrawingProperty);
         set => SetValue(DrawingProperty, value);
     }
 
-    /// <summary>Lines and points.</summary>
+    /// <summary>Color of lines and points.</summary>
     public IBrush? PartBrush
     {
         get => GetValue(PartBrushProperty);
         set => SetValue(PartBrushProperty, value);
     }
 
-    /// <summary>What found no room when it was drawn last.</summary>
+    /// <summary>Labels that found no room in the last drawing.</summary>
     internal IReadOnlyList<string> LeftOut => _leftOut;
 
     /// <inheritdoc/>
@@ -78,13 +75,13 @@ public sealed class PartPlot : PlotArea
             Write(context, labels, label, isName: false, view.At(at));
         }
 
-        // Names last: a label belongs to its dot, and a name can stand anywhere along its feature: in its middle, or else where there is room.
+        // Names last: a label belongs next to its dot, but a name fits anywhere along its feature. The middle is tried first.
         foreach (var line in Drawing.Lines.Where(l => l.Outline.Count > 0))
         {
             Write(context, labels, line.Name, isName: true, [.. NameShares.Select(s => view.At(line.At(s)))]);
         }
 
-        // Over the ground of words beside them.
+        // Drawn last, so that no label's background covers them.
         foreach (var (_, at) in _points)
         {
             context.DrawEllipse(PartBrush, null, view.At(at), DrawnSizes.Dot, DrawnSizes.Dot);

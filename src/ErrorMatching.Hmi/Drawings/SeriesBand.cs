@@ -1,6 +1,6 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Limits over a run of a series' places.</summary>
+/// <summary>Limits over a range of places in a series.</summary>
 /// <param name="First">The first place, from 0.</param>
 /// <param name="Last">The last place.</param>
 /// <param name="Low">The lower limit.</param>

@@ -1,19 +1,19 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Values over the places of a series, such as errors over key points or figures over pieces.</summary>
-/// <param name="Labels">What each place is called.</param>
-/// <param name="Values">What is told under the finger at each place, with units.</param>
+/// <summary>Values over a series of places, such as errors over key points or results over pieces.</summary>
+/// <param name="Labels">The label of each place.</param>
+/// <param name="Values">The text shown for each place on tapping, with units.</param>
 /// <param name="Lines">The lines.</param>
-/// <param name="Bands">Limits that are shaded.</param>
-/// <param name="IsHollow">For each place whether its marks are hollow: predicted and not measured. Empty if none is.</param>
+/// <param name="Bands">The shaded limits.</param>
+/// <param name="IsHollow">For each place, whether its marks are hollow: predicted, not measured. Empty if none are.</param>
 /// <param name="Unit">The unit of the values, written at their axis.</param>
-/// <param name="IsMagnitude">True if they have no sign.</param>
+/// <param name="IsMagnitude">True if the values have no sign.</param>
 public sealed record SeriesDrawing(IReadOnlyList<string> Labels, IReadOnlyList<string> Values, IReadOnlyList<SeriesLine> Lines, IReadOnlyList<SeriesBand> Bands, IReadOnlyList<bool> IsHollow, string Unit = "mm", bool IsMagnitude = false)
 {
-    /// <summary>Places that no line leads to from the place before, such as the first of a feature.</summary>
+    /// <summary>Places not joined to the previous place, such as the first of a feature.</summary>
     public IReadOnlySet<int> Beginnings { get; init; } = new HashSet<int>();
 
-    /// <summary>Values with compensation that lie outside of the limits at their places.</summary>
+    /// <summary>Values with compensation that are outside the limits at their places.</summary>
     public IEnumerable<(int Place, double Value)> Outside =>
         from line in Lines
         where line.Kind is SeriesKind.After
@@ -22,7 +22,7 @@ public sealed record SeriesDrawing(IReadOnlyList<string> Labels, IReadOnlyList<s
         where line.Values[place] is { } value && (value < band.Low || value > band.High)
         select (place, line.Values[place]!.Value);
 
-    /// <summary>How much there is: half a place on either side, zero, all values and all limits.</summary>
+    /// <summary>The extent: half a place on either side, zero, all values and all limits.</summary>
     public PlotBox Extent
     {
         get

@@ -1,17 +1,17 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>What a line of a plot stands for, which decides how it looks: never by color alone.</summary>
+/// <summary>The meaning of a plot line, which decides how it looks: never by color alone.</summary>
 public enum SeriesKind
 {
     /// <summary>Without compensation: a line with circles.</summary>
     Before,
 
-    /// <summary>With it: a line with diamonds.</summary>
+    /// <summary>With compensation: a line with diamonds.</summary>
     After,
 
     /// <summary>A second figure without compensation: dashes.</summary>
     BeforeMean,
 
-    /// <summary>A second figure with it: dashes.</summary>
+    /// <summary>A second figure with compensation: dashes.</summary>
     AfterMean,
 }

@@ -1,11 +1,11 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>One line of a plot over a series.</summary>
-/// <param name="Kind">What it stands for.</param>
-/// <param name="Name">What the legend calls it.</param>
-/// <param name="Values">A value for each place of the series; null where there is none.</param>
+/// <summary>One line of a series plot.</summary>
+/// <param name="Kind">Its meaning.</param>
+/// <param name="Name">Its name in the legend.</param>
+/// <param name="Values">The value at each place; null if there is none.</param>
 public sealed record SeriesLine(SeriesKind Kind, string Name, IReadOnlyList<double?> Values)
 {
-    /// <summary>Places that this line does not lead to from the place before, beside those of the whole drawing.</summary>
+    /// <summary>Places that this line does not join to the previous place, in addition to those of the whole drawing.</summary>
     public IReadOnlySet<int> Beginnings { get; init; } = new HashSet<int>();
 }

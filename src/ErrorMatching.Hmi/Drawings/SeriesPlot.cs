@@ -6,67 +6,61 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Draws values over the places of a series between rules with numbers, limits shaded; under the finger the values of a place.</summary>
+/// <summary>Draws values over a series of places, with numbered rules and shaded limits. Tapping a place shows its values.</summary>
 public sealed class SeriesPlot : PlotArea
 {
-    /// <summary>What is drawn.</summary>
     public static readonly StyledProperty<SeriesDrawing?> DrawingProperty = AvaloniaProperty.Register<SeriesPlot, SeriesDrawing?>(nameof(Drawing));
 
-    /// <summary>Lines without compensation.</summary>
     public static readonly StyledProperty<IBrush?> BeforeBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(BeforeBrush));
 
-    /// <summary>Lines with it.</summary>
     public static readonly StyledProperty<IBrush?> AfterBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(AfterBrush));
 
-    /// <summary>What lies between limits.</summary>
     public static readonly StyledProperty<IBrush?> BandBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(BandBrush));
 
-    /// <summary>Rings around values with compensation that lie outside of their limits.</summary>
     public static readonly StyledProperty<IBrush?> OutsideBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(OutsideBrush));
 
-    // A mark takes at most half of the way to the next one.
+    // A mark is at most half as wide as the distance to the next one.
     private const double MarkShare = 0.25;
     private PlotBox _extent = PlotBox.Empty;
     private string _longest = "";
 
     static SeriesPlot() => AffectsRender<SeriesPlot>(BeforeBrushProperty, AfterBrushProperty, BandBrushProperty, OutsideBrushProperty);
 
-    /// <summary>What is drawn.</summary>
     public SeriesDrawing? Drawing
     {
         get => GetValue(DrawingProperty);
         set => SetValue(DrawingProperty, value);
     }
 
-    /// <summary>Lines without compensation.</summary>
+    /// <summary>Color of lines without compensation.</summary>
     public IBrush? BeforeBrush
     {
         get => GetValue(BeforeBrushProperty);
         set => SetValue(BeforeBrushProperty, value);
     }
 
-    /// <summary>Lines with it.</summary>
+    /// <summary>Color of lines with compensation.</summary>
     public IBrush? AfterBrush
     {
         get => GetValue(AfterBrushProperty);
         set => SetValue(AfterBrushProperty, value);
     }
 
-    /// <summary>What lies between limits.</summary>
+    /// <summary>Color of the band between limits.</summary>
     public IBrush? BandBrush
     {
         get => GetValue(BandBrushProperty);
         set => SetValue(BandBrushProperty, value);
     }
 
-    /// <summary>Rings around values with compensation that lie outside of their limits.</summary>
+    /// <summary>Color of the rings around values with compensation that are outside their limits.</summary>
     public IBrush? OutsideBrush
     {
         get => GetValue(OutsideBrushProperty);
         set => SetValue(OutsideBrushProperty, value);
     }
 
-    /// <summary>Where lines and marks are drawn, within numbers, names and buttons.</summary>
+    /// <summary>The area of lines and marks, without numbers, names and buttons.</summary>
     public Rect Inside => new Rect(Bounds.Size).Deflate(Frame + new Thickness(0, 0, ButtonsRoom, 0));
 
     /// <inheritdoc/>
@@ -97,7 +91,7 @@ public sealed class SeriesPlot : PlotArea
     /// <inheritdoc/>
     protected override PlotDatum? DatumNear(Point2 screen, double reach)
     {
-        // A place is a whole column: a finger need not hit the line.
+        // A place is a whole column: the user need not hit the line.
         var index = (int)Math.Round(View.ToPlot(screen).X);
         return index >= 0 && index < DatumCount ? DatumAt(index) : null;
     }
@@ -145,7 +139,7 @@ public sealed class SeriesPlot : PlotArea
     /// <inheritdoc/>
     protected override bool IsDrawnIn(PlotBox box) => Drawing!.Lines.Any(l => Pieces(l).Any(p => box.PartOf(p.From, p.To) is not null));
 
-    // Between neighbors that belong to each other.
+    // Segments between joined neighbors.
     private IEnumerable<(Point2 From, Point2 To)> Pieces(SeriesLine line)
     {
         for (var i = 1; i < line.Values.Count; i++)
@@ -190,7 +184,7 @@ public sealed class SeriesPlot : PlotArea
 
     private string Number(double value, string decimals) => value.ToString(Drawing!.IsMagnitude ? $"0.{decimals}" : $"+0.{decimals};−0.{decimals};0", CultureInfo.InvariantCulture);
 
-    // Zero and limits before what is between them: a number that finds no room is left out.
+    // Zero and limits first, then the numbers between them. A number without room is left out.
     private void Numbers(DrawingContext context, PlotView view, Rect inside, IEnumerable<(double Value, string Text)> numbers)
     {
         var unit = Label(Drawing!.Unit);
@@ -206,11 +200,11 @@ public sealed class SeriesPlot : PlotArea
             }
         }
 
-        // Above them, beside the names of the lines.
+        // Above them, next to the names of the lines.
         context.DrawText(unit, new(inside.Left - unit.Width - DrawnSizes.LabelsApart, DrawnSizes.Near));
     }
 
-    // Every one, every second, fifth, tenth and so on, as they have room.
+    // Every label, or every second, fifth, tenth and so on, as room allows.
     private void Places(DrawingContext context, PlotView view, Rect inside)
     {
         var step = (int)RoundNumber.AtLeast(Math.Max(1, (Label(_longest).Width + DrawnSizes.LabelsApart) / view.ScaleX));
@@ -265,7 +259,7 @@ public sealed class SeriesPlot : PlotArea
         }
     }
 
-    // Names in rows above the drawing, as many as fit beside each other.
+    // Names in rows above the drawing, as many in a row as fit.
     private IEnumerable<(SeriesLine Line, FormattedText Name, Point At)> Named(SeriesDrawing drawing)
     {
         var (x, y) = (DrawnSizes.LeftStrip, DrawnSizes.Near);

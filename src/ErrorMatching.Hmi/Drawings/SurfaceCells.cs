@@ -4,8 +4,10 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A surface seen from above as pieces of one color each, and the border around them, in units of the drawing.</summary>
-/// <remarks>A cell of the net that has one color at its corners is one piece. Where colors meet, a cell is cut from side to side where its values, even along each side, change color: these lines go on from cell to cell. A saddle, whose opposite corners are higher than the others, is cut as four triangles around its middle.</remarks>
+/// <summary>A surface seen from above as areas of one color each, and its border, in units of the drawing.</summary>
+/// <remarks>A cell of the net whose corners share one color is one area. If the colors differ, the cell is cut where its values,
+/// interpolated linearly along each side, change color; these lines continue in the next cell. A saddle, whose opposite corners
+/// are higher than the others, is cut as four triangles around its center.</remarks>
 public sealed class SurfaceCells
 {
     private readonly SurfaceNet _net;
@@ -16,7 +18,7 @@ public sealed class SurfaceCells
     /// <summary>Divides a surface.</summary>
     /// <param name="net">The surface.</param>
     /// <param name="valuesMm">A value at each place of the net; null for none.</param>
-    /// <param name="limitMm">The absolute value that has the last color, above zero.</param>
+    /// <param name="limitMm">The absolute value of the last color, above zero.</param>
     public SurfaceCells(SurfaceNet net, IReadOnlyList<double>? valuesMm, double limitMm)
     {
         _net = net ?? throw new ArgumentNullException(nameof(net));
@@ -36,18 +38,19 @@ public sealed class SurfaceCells
         }
     }
 
-    /// <summary>The pieces with the numbers of their colors; -1 where there are no values.</summary>
+    /// <summary>The areas with their color indexes; -1 if there are no values.</summary>
     public IReadOnlyList<(int Color, IReadOnlyList<Point2> Corners)> Pieces => _pieces;
 
-    /// <summary>The border of the surface, piece by piece in no order.</summary>
+    /// <summary>The segments of the surface's border, in no particular order.</summary>
     public IReadOnlyList<(Point2 From, Point2 To)> Border => _border;
 
-    // Colors change at whole numbers of it: what DivergingColors rounds.
+    // Colors change at integers of this step, which DivergingColors rounds.
     private static double StepOf(double mm, double limitMm) => (((mm / limitMm) + 1) / 2 * (DivergingColors.Count - 1)) + 0.5;
 
     private static int ColorOf(double step) => (int)Math.Clamp(Math.Floor(step), 0, DivergingColors.Count - 1);
 
-    // What of a figure lies on one side of the line where its step has a value (I. Sutherland and G. Hodgman, "Reentrant polygon clipping", 1974).
+    // The part of a polygon on one side of the line where the step has a given value (I. Sutherland and G. Hodgman, "Reentrant
+    // polygon clipping", 1974).
     private static List<(Point2 At, double Step)> Cut(IReadOnlyList<(Point2 At, double Step)> figure, double step, int side)
     {
         var kept = new List<(Point2 At, double Step)>();
@@ -106,7 +109,7 @@ public sealed class SurfaceCells
         }
     }
 
-    // Both corners of one diagonal above both of the other: a color may come in at all four sides.
+    // Both corners of one diagonal are above both of the other: a color can enter through all four sides.
     private static bool IsSaddle(double[] steps) => Math.Min(steps[0], steps[2]) > Math.Max(steps[1], steps[3]) || Math.Min(steps[1], steps[3]) > Math.Max(steps[0], steps[2]);
 
     private void Divide((Point2 At, double Step)[] figure)
@@ -124,7 +127,7 @@ public sealed class SurfaceCells
         }
     }
 
-    // Those sides of a cell beyond which there is none.
+    // The sides of a cell without a neighboring cell.
     private void Bound(int cell)
     {
         var (i, j, corners) = (cell / (_net.CountV - 1), cell % (_net.CountV - 1), CornersOf(cell));

@@ -5,25 +5,20 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Draws a surface from above, colors by value or the way of the stylus over it; under the finger the values of a point.</summary>
+/// <summary>Draws a surface from above, with colors by value or with the path of the stylus. Tapping a point shows its values.</summary>
 public sealed class SurfacePlot : PlotArea
 {
-    /// <summary>What is drawn.</summary>
     public static readonly StyledProperty<SurfaceDrawing?> DrawingProperty = AvaloniaProperty.Register<SurfacePlot, SurfaceDrawing?>(nameof(Drawing));
 
-    /// <summary>The surface where it has no values.</summary>
     public static readonly StyledProperty<IBrush?> AreaBrushProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(AreaBrush));
 
-    /// <summary>The way of the stylus.</summary>
     public static readonly StyledProperty<IBrush?> WayBrushProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(WayBrush));
 
-    /// <summary>What is written on a map, whose colors are the same in every theme.</summary>
     public static readonly StyledProperty<IBrush?> MapInkProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(MapInk));
 
-    /// <summary>What lies behind that: the color of zero.</summary>
     public static readonly StyledProperty<IBrush?> MapPaperProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(MapPaper));
 
-    // Of the distance between two points: the surface is to be seen between their dots.
+    // Share of the distance between two points: the surface must stay visible between their dots.
     private const double DotShare = 0.15;
     private PlotBox _extent = PlotBox.Empty;
     private List<(int Color, StreamGeometry Geometry)>? _shapes;
@@ -33,45 +28,44 @@ public sealed class SurfacePlot : PlotArea
 
     static SurfacePlot() => AffectsRender<SurfacePlot>(AreaBrushProperty, WayBrushProperty, MapInkProperty, MapPaperProperty);
 
-    /// <summary>What is drawn.</summary>
     public SurfaceDrawing? Drawing
     {
         get => GetValue(DrawingProperty);
         set => SetValue(DrawingProperty, value);
     }
 
-    /// <summary>The surface where it has no values.</summary>
+    /// <summary>Color of the surface if it has no values.</summary>
     public IBrush? AreaBrush
     {
         get => GetValue(AreaBrushProperty);
         set => SetValue(AreaBrushProperty, value);
     }
 
-    /// <summary>The way of the stylus.</summary>
+    /// <summary>Color of the stylus path.</summary>
     public IBrush? WayBrush
     {
         get => GetValue(WayBrushProperty);
         set => SetValue(WayBrushProperty, value);
     }
 
-    /// <summary>What is written on a map, whose colors are the same in every theme.</summary>
+    /// <summary>Color of text on a map, whose colors are the same in every theme.</summary>
     public IBrush? MapInk
     {
         get => GetValue(MapInkProperty);
         set => SetValue(MapInkProperty, value);
     }
 
-    /// <summary>What lies behind that: the color of zero.</summary>
+    /// <summary>Background of that text: the color of zero.</summary>
     public IBrush? MapPaper
     {
         get => GetValue(MapPaperProperty);
         set => SetValue(MapPaperProperty, value);
     }
 
-    /// <summary>True once it was seen: shapes are made when they are drawn first, for of the maps of a screen most are on sides that nobody looks at.</summary>
+    /// <summary>True once it was drawn. Shapes are created on demand, because most maps are on tabs that are never opened.</summary>
     internal bool HasShapes => _shapes is not null;
 
-    /// <summary>True if each point has its number, here and in the twin.</summary>
+    /// <summary>True if every point shows its number, here and in the twin.</summary>
     internal bool ShowsNumbers => HasRoom && (Twin is not SurfacePlot twin || twin.HasRoom);
 
     private bool HasRoom => Drawing is null || HaveRoom(Labels(), new Rect(Bounds.Size));
@@ -122,7 +116,7 @@ public sealed class SurfacePlot : PlotArea
                 context.DrawGeometry(brush, new Pen(brush, DrawnSizes.Hairline / view.ScaleX), geometry);
             }
 
-            // The color of zero is that of paper.
+            // The color for zero is the background's, so the surface needs an outline.
             context.DrawGeometry(null, new Pen(Rule, DrawnSizes.Thin / view.ScaleX), _border ??= BorderOf(drawing.Cells));
         }
 
@@ -130,7 +124,7 @@ public sealed class SurfacePlot : PlotArea
         Dots(context, view, drawing);
     }
 
-    /// <summary>How large a point's dot is, in units of the screen: small where the points lie close together, so that a small map does not disappear behind them.</summary>
+    /// <summary>Radius of a point's dot, in screen units: small if the points are close together, so as not to hide a small map.</summary>
     internal double DotRadius(PlotView view) => Math.Clamp(DotShare * _nearest * view.ScaleX, DrawnSizes.LeastDot, DrawnSizes.Dot);
 
     private static Point To(PlotView view, Point2 place)
@@ -139,7 +133,7 @@ public sealed class SurfacePlot : PlotArea
         return new(x, y);
     }
 
-    // In the plot's units, one geometry a color: whoever moves the map or goes nearer draws the same again.
+    // In plot units, one geometry per color: panning and zooming draw the same geometries again.
     private static List<(int Color, StreamGeometry Geometry)> ShapesOf(SurfaceCells cells)
     {
         var shapes = new List<(int Color, StreamGeometry Geometry)>();
@@ -206,18 +200,19 @@ public sealed class SurfacePlot : PlotArea
 
     private void Dots(DrawingContext context, PlotView view, SurfaceDrawing drawing)
     {
-        // Colors of the map are the same in both themes, and so is what is written on them.
+        // Map colors are the same in both themes, and so are the colors of the text on them.
         var isMap = drawing.ValuesMm is not null;
         var radius = DotRadius(view);
 
-        // With a ring of paper: in the dark, those on the border would lose their outer half.
+        // A ring in the color of paper: in the dark theme, dots on the border would otherwise lose their outer half.
         var ring = isMap && radius > DrawnSizes.MeanMark ? new Pen(MapPaper, DrawnSizes.Thin) : null;
         foreach (var (_, at, _) in drawing.Points)
         {
             context.DrawEllipse(isMap ? MapInk : WayBrush, ring, To(view, at), radius, radius);
         }
 
-        // All or none, here and in the twin beside it: labels that find no room appear when one goes nearer. A brush that shows through is drawn at once; a group that does takes a picture of its own for each label.
+        // All numbers or none, here and in the twin: if they overlap, they appear on zooming in. The translucency is in the
+        // brush: a group with opacity would need a bitmap for each label.
         if (!ShowsNumbers)
         {
             return;
@@ -226,7 +221,7 @@ public sealed class SurfacePlot : PlotArea
         var veil = (isMap ? MapPaper : Ground) is ISolidColorBrush paper ? new ImmutableSolidColorBrush(paper.Color, isMap ? DrawnSizes.MapVeilOpacity : DrawnSizes.VeilOpacity) : null;
         foreach (var (text, room) in Labels())
         {
-            // What lies behind shows through; on a line it would cross the number.
+            // The background shows through; a line there would cross out the number.
             if (veil is not null)
             {
                 context.FillRectangle(veil, room, (float)DrawnSizes.VeilRound);
@@ -236,7 +231,7 @@ public sealed class SurfacePlot : PlotArea
         }
     }
 
-    // The labels and the room of each, as all is seen now; the texts are made once.
+    // The labels and their rectangles in the current view; the texts are created once.
     private List<(FormattedText Text, Rect Room)> Labels()
     {
         var drawing = Drawing!;

@@ -2,46 +2,48 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Everything that the store keeps of one correction, read once: for looking at it as it was, and as it is.</summary>
+/// <summary>All that the store has about one correction, read once, for display.</summary>
 /// <param name="Correction">The correction.</param>
-/// <param name="Steps">What became of it, step by step.</param>
-/// <param name="Report">The report of the match; null if there is none, or it is of another kind.</param>
-/// <param name="Lines">The original program and the new one, which is its own original where it was made anew; null before it is computed.</param>
+/// <param name="Steps">Its history, step by step.</param>
+/// <param name="Report">The report of the match; null if there is none, or if it is of another kind.</param>
+/// <param name="Lines">The original program and the new one; a newly generated program is its own original. Null before it is
+/// computed.</param>
 public sealed record KeptCorrection(Correction Correction, IReadOnlyList<CorrectionStep> Steps, KeptReport? Report, ProgramLines? Lines)
 {
-    // A program may have been made several times: by pieces that were alike, or that were given again.
+    // Several corrections may have produced the same program, from identical pieces or a piece measured twice.
     private const int Looked = 100;
 
-    // What stands before the first pass of a surface's program, in every dialect (Freeform's templates).
+    // Enough for the part before the first pass of a surface program in every dialect (Freeform's templates).
     private const int Head = 4096;
 
     private static ReadOnlySpan<byte> ToolCallBelongsHere => "put the tool call here"u8;
 
-    /// <summary>The report of a surface; null if there is none.</summary>
     public KeptSurface? Surface { get; init; }
 
-    /// <summary>The correction whose program the slot held before this one; null if it held none, or one that no correction made.</summary>
+    /// <summary>The correction whose program was in the slot before this one; null if there was no program, or none from a
+    /// correction.</summary>
     public Correction? Before { get; init; }
 
-    /// <summary>True if its program was made and calls no tool: its report says so, or in an old one a comment that marks where a call belongs.</summary>
+    /// <summary>True if its program was generated and calls no tool. The report says so; with an old report, a comment in the
+    /// program marks the missing call.</summary>
     public bool LacksToolCall { get; init; }
 
-    /// <summary>What its program does not have and the machine needs, in words; null if nothing.</summary>
+    /// <summary>What the machine needs and its program lacks, in words; null if nothing.</summary>
     public string? Missing => !LacksToolCall ? null : Texts.Current[Surface?.CallsTool is null ? "Head.NoToolCall" : "Head.StopsWithoutTool"];
 
-    /// <summary>True if the slot still holds the program of this correction, so that the one before can be brought back.</summary>
+    /// <summary>True if the slot still has this correction's program, so that the previous one can be restored.</summary>
     public bool IsInSlot { get; init; }
 
-    /// <summary>Where it moves its program most, as a step would record it; null where a step does, since it was not only tried.</summary>
+    /// <summary>Where the program is moved most, in the form of a recorded step, for a trial run; null if a step records it.</summary>
     public string? TriedAt { get; init; }
 
-    /// <summary>What people call the workpiece; null before it is recognized.</summary>
+    /// <summary>The workpiece's name; null before it is recognized.</summary>
     public string? JobName => Report?.JobName ?? Surface?.JobName ?? Correction.Job;
 
     /// <summary>The workpiece, its number, and its serial number or file.</summary>
     public string Subject => JobName is { Length: > 0 } name ? $"{name} · {CorrectionLabel.Of(Correction)}" : CorrectionLabel.Of(Correction);
 
-    /// <summary>Reads it. This takes its time: not to be called on the screen's thread.</summary>
+    /// <summary>Reads it. Slow: do not call it on the UI thread.</summary>
     /// <param name="store">The store.</param>
     /// <param name="correction">The correction.</param>
     /// <exception cref="StoreException">The store cannot be read.</exception>

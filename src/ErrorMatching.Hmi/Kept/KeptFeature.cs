@@ -3,20 +3,19 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A feature in a kept report.</summary>
+/// <summary>A feature in a stored report.</summary>
 /// <param name="Name">Its name.</param>
 /// <param name="Kind">line, triangle or curve.</param>
 /// <param name="Decision">compensated, within-tolerance or not-significant.</param>
 /// <param name="LowerMm">Lower limit of its normal deviation.</param>
 /// <param name="UpperMm">Upper limit of its normal deviation.</param>
-/// <param name="LargestMm">The normal deviation of the largest size, with its sign.</param>
+/// <param name="LargestMm">The normal deviation with the largest absolute value, with its sign.</param>
 /// <param name="UncertaintyMm">Standard uncertainty of a normal deviation.</param>
 /// <param name="Quantities">Its lengths and angles.</param>
 /// <param name="Outline">The boundary that the original program cuts, in the part's frame.</param>
 public sealed record KeptFeature(
     string Name, string Kind, string Decision, double LowerMm, double UpperMm, double LargestMm, double UncertaintyMm, IReadOnlyList<KeptQuantity> Quantities, IReadOnlyList<Point2> Outline)
 {
-    /// <summary>Reads a feature.</summary>
     internal static KeptFeature Read(JsonElement json)
     {
         var tolerance = json.GetProperty("toleranceMm");

@@ -2,13 +2,13 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where a correction moves its program most, as the step that computed it says: at a key point or in a block.</summary>
+/// <summary>Where a correction moves its program most, as recorded by the step that computed it: at a key point or in a block.</summary>
 public static class KeptMove
 {
     private const string Block = "block ", Of = " of ";
 
-    /// <summary>The place in the language of the screen; null where the step names none.</summary>
-    /// <param name="steps">What became of the correction, step by step.</param>
+    /// <summary>The place in the display language; null if no step records one.</summary>
+    /// <param name="steps">The correction's history, step by step.</param>
     public static string? PlaceOf(IReadOnlyList<CorrectionStep> steps)
     {
         ArgumentNullException.ThrowIfNull(steps);
@@ -17,13 +17,13 @@ public static class KeptMove
             return null;
         }
 
-        // Warnings follow it, a sentence each.
+        // Warnings follow, one sentence each.
         var first = basis.IndexOf(". ", StringComparison.Ordinal) is >= 0 and var end ? basis[..(end + 1)] : basis;
         return Recorded.DisplacedAt.Read(first) is [_, var place] ? PlaceOf(place) : null;
     }
 
-    /// <summary>The place in the language of the screen.</summary>
-    /// <param name="at">The place as a step records it.</param>
+    /// <summary>The place in the display language.</summary>
+    /// <param name="at">The place as recorded by a step.</param>
     public static string PlaceOf(string at)
     {
         ArgumentNullException.ThrowIfNull(at);

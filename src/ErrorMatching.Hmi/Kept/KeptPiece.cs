@@ -3,40 +3,43 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>How well one piece fits its counterpart, without and with compensation: as measured on a counterpart that was cut with it, or as predicted until there is one.</summary>
-/// <param name="Correction">The correction that made the counterpart's program.</param>
-/// <param name="Counterpart">The measurement of the counterpart that it cut; null while it is predicted.</param>
+/// <summary>Fit of a piece and its counterpart, without and with compensation: measured on the counterpart cut for it, or
+/// predicted until then.</summary>
+/// <param name="Correction">The correction that produced the counterpart's program.</param>
+/// <param name="Counterpart">The measurement of the counterpart cut with it; null while the result is predicted.</param>
 /// <param name="JobName">Name of the job.</param>
 /// <param name="Result">The mating errors.</param>
 /// <param name="Boundaries">The boundaries of the features.</param>
-/// <param name="IsBeforeMeasured">True if the counterpart before was measured, false if it is taken as designed.</param>
+/// <param name="IsBeforeMeasured">True if the counterpart without compensation was measured, false if its nominal shape is used.</param>
 public sealed record KeptPiece(Correction Correction, Correction? Counterpart, string JobName, VerificationResult Result, IReadOnlyList<VerifiedBoundary> Boundaries, bool IsBeforeMeasured)
 {
-    /// <summary>True if a counterpart was measured that was cut with the compensation.</summary>
+    /// <summary>True if the counterpart cut with the compensation was measured.</summary>
     public bool IsMeasured => Counterpart is not null;
 
-    /// <summary>The number of what was measured last.</summary>
+    /// <summary>The number of the last measurement.</summary>
     public long LastId => Counterpart?.Id ?? Correction.Id;
 
     /// <summary>True if every mating error with compensation is within its limits.</summary>
     public bool IsWithin => Outside.Count == 0;
 
-    /// <summary>The key points whose mating error with compensation is outside of its limits, in the order of cutting.</summary>
+    /// <summary>The key points whose mating error with compensation is outside its limits, in the order of cutting.</summary>
     public IReadOnlyList<string> Outside => Limits.Points;
 
-    /// <summary>Those of <see cref="Outside"/> that are within their limits without compensation: it makes them worse, as beside a corner that follows its neighbors.</summary>
+    /// <summary>The points of <see cref="Outside"/> that are within their limits without compensation: the compensation makes
+    /// them worse, for example next to a corner that follows its neighbors.</summary>
     public IReadOnlyList<string> PushedOut => Limits.DrivenOut;
 
-    /// <summary>True if a mating error is outside of the limits of its key point.</summary>
+    /// <summary>True if a mating error is outside the limits of its key point.</summary>
     public bool IsOutside(string point, double errorMm) => BandOf(point) is { } band && !band.Contains(errorMm);
 
-    /// <summary>The match that it was cut by; null where the store does not keep it.</summary>
+    /// <summary>The match that the counterpart was cut by; null if it is not in the store.</summary>
     public KeptReport? Match { get; init; }
 
-    /// <summary>The counterpart that the errors without compensation are told from; null if it is taken as designed.</summary>
+    /// <summary>The counterpart that the errors without compensation are based on; null if its nominal shape is used.</summary>
     public KeptBase? Before { get; init; }
 
-    /// <summary>What was measured against what was predicted, in the order of cutting; empty while nothing is measured, or no prediction is known.</summary>
+    /// <summary>The measured errors compared with the predicted ones, in the order of cutting; empty while nothing is measured,
+    /// or if no prediction is known.</summary>
     public IReadOnlyList<PredictionMiss> Misses
     {
         get
@@ -54,13 +57,14 @@ public sealed record KeptPiece(Correction Correction, Correction? Counterpart, s
 
     private OutsideLimits Limits => OutsideLimits.Of(Result.Points.Select(p => (p.Label, BandOf(p.Label), p.BeforeError.NormalMm, p.AfterError.NormalMm)));
 
-    /// <summary>The boundary that a key point is on.</summary>
+    /// <summary>The boundary of a key point.</summary>
     public VerifiedBoundary? BoundaryOf(string point) => Boundaries.FirstOrDefault(b => b.Points.Any(p => p.Label == point));
 
     /// <summary>The limits of the mating error at a key point.</summary>
     public ToleranceBand? BandOf(string point) => BoundaryOf(point)?.ErrorBand;
 
-    /// <summary>What the report of a match says of a piece: the deviation that was decided about, and what is predicted to be left of it.</summary>
+    /// <summary>The prediction in a match report: the deviation that was the basis of the decision, and what is predicted to
+    /// remain.</summary>
     public static KeptPiece Predicted(Correction correction, KeptReport report)
     {
         ArgumentNullException.ThrowIfNull(report);

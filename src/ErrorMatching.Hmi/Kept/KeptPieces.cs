@@ -2,25 +2,25 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The last pieces of a mating as the store keeps them. A report is read once, for it never changes.</summary>
+/// <summary>The last pieces of a mating in the store. Each report is read only once, because it never changes.</summary>
 public sealed class KeptPieces
 {
-    /// <summary>How many measurements of a mating are looked at where its last pieces are shown.</summary>
+    /// <summary>How many measurements of a mating are considered when its last pieces are listed.</summary>
     public const int Most = 60;
 
     private readonly Dictionary<string, (KeptReport? Match, KeptVerification? Verification)> _read = new(StringComparer.Ordinal);
 
-    /// <summary>The pieces, the first to arrive first. This takes its time: not to be called on the screen's thread.</summary>
+    /// <summary>The pieces in order of arrival. Slow: do not call it on the UI thread.</summary>
     /// <param name="store">The store.</param>
     /// <param name="jobs">The cell's jobs that share the mating's file: those of parts and those of counterparts.</param>
-    /// <param name="most">How many measurements are looked at.</param>
+    /// <param name="most">How many measurements are considered.</param>
     /// <exception cref="StoreException">The store cannot be read.</exception>
     public IReadOnlyList<KeptPiece> Read(CellStore store, IReadOnlyList<string> jobs, int most)
     {
         ArgumentNullException.ThrowIfNull(store);
         var pieces = new List<KeptPiece>();
 
-        // What was never sent cut nothing.
+        // Rejected and superseded corrections were never cut.
         foreach (var correction in store.Reported(jobs, most).Where(c => c.State is not (CorrectionState.Rejected or CorrectionState.Superseded)).OrderBy(c => c.Turn).ThenBy(c => c.Id))
         {
             var (match, verification) = Report(store, correction.ReportSha256!);
@@ -30,7 +30,7 @@ public sealed class KeptPieces
             }
             else if (verification is not null)
             {
-                // What was predicted of the piece gives way to what was measured on it.
+                // A measurement replaces the piece's prediction.
                 var at = pieces.FindLastIndex(p => p.Correction.MeasurementSha256 == correction.PartSha256);
                 var measured = new KeptPiece(at >= 0 ? pieces[at].Correction : correction, correction, verification.JobName, verification.Result, verification.Boundaries, verification.IsBeforeMeasured) { Before = verification.Before, Match = at >= 0 ? pieces[at].Match : null };
                 if (at >= 0)

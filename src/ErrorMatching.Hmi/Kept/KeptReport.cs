@@ -2,16 +2,17 @@ using System.Text.Json;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The report of a match as the store keeps it (<c>errormatch/match/1</c>): the same figures as the console's <c>report.json</c>, read and not computed.</summary>
+/// <summary>The stored report of a match (<c>errormatch/match/1</c>): the same numbers as the console's <c>report.json</c>, read
+/// and not recomputed.</summary>
 /// <param name="JobName">Name of the job.</param>
 /// <param name="WorkOrder">The job's work order; null if it states none.</param>
 /// <param name="Features">The features in the order of cutting.</param>
 /// <param name="Points">The key points in the order of cutting.</param>
 /// <param name="Blocks">The blocks that differ.</param>
-/// <param name="ChangedBlocks">How many blocks differ.</param>
+/// <param name="ChangedBlocks">Number of blocks that differ.</param>
 /// <param name="Proof">What was proved about the program.</param>
-/// <param name="FollowsWhole">True if the counterpart follows the whole deviation, false if only what lies beyond the limit.</param>
-/// <param name="Warnings">What a person should know before using the program.</param>
+/// <param name="FollowsWhole">True if the counterpart follows the whole deviation, false for only the part beyond the limit.</param>
+/// <param name="Warnings">What the user should know before using the program.</param>
 public sealed record KeptReport(
     string JobName,
     string? WorkOrder,
@@ -23,11 +24,11 @@ public sealed record KeptReport(
     bool FollowsWhole,
     IReadOnlyList<KeptWarning> Warnings)
 {
-    /// <summary>Name of the schema that is read.</summary>
+    /// <summary>The schema to read.</summary>
     public const string Schema = "errormatch/match/1";
 
     /// <summary>Reads a report.</summary>
-    /// <returns>The report; null if it is one of another kind, such as of a surface.</returns>
+    /// <returns>The report; null if it is of another kind, such as of a surface.</returns>
     public static KeptReport? Read(ReadOnlyMemory<byte> json)
     {
         using var document = JsonDocument.Parse(json);

@@ -4,38 +4,36 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>
-/// The report of a compensated surface as the store keeps it (<c>errormatch/surface-compensate/1</c> and <c>errormatch/surface-displace/1</c>): the same figures as the console's, read and not computed.
-/// </summary>
+/// <summary>The stored report of a compensated surface (<c>errormatch/surface-compensate/1</c> and
+/// <c>errormatch/surface-displace/1</c>): the same numbers as the console's, read and not recomputed.</summary>
 public sealed record KeptSurface
 {
     private static readonly string[] Schemas = ["errormatch/surface-compensate/1", "errormatch/surface-displace/1"];
 
-    /// <summary>Name of the job.</summary>
     public required string JobName { get; init; }
 
     /// <summary>True if it was measured after finishing, false after semi-finishing.</summary>
     public required bool IsFinished { get; init; }
 
-    /// <summary>True if each place is moved by its own error, false if all by the mean one, as by another tool radius.</summary>
+    /// <summary>True if each place is moved by its own error, false if all by the mean error, as with a modified tool radius.</summary>
     public required bool IsMirror { get; init; }
 
-    /// <summary>The share that is compensated.</summary>
+    /// <summary>The share of the error that is compensated.</summary>
     public required double Gain { get; init; }
 
     /// <summary>The largest distance of the compensated surface from the nominal one, in mm.</summary>
     public required double LargestMoveMm { get; init; }
 
-    /// <summary>True if neighboring errors are alike, false if they look like noise, null if that cannot be told.</summary>
+    /// <summary>True if neighboring errors are similar, false if they look like noise, null if this cannot be determined.</summary>
     public required bool? IsSystematic { get; init; }
 
-    /// <summary>What the errors come to, as measured.</summary>
+    /// <summary>Statistics of the measured errors.</summary>
     public required DeviationStatistics Before { get; init; }
 
-    /// <summary>What mirroring is expected to leave.</summary>
+    /// <summary>Errors expected to remain after mirroring.</summary>
     public required DeviationStatistics Mirror { get; init; }
 
-    /// <summary>What a modified tool radius is expected to leave.</summary>
+    /// <summary>Errors expected to remain with a modified tool radius.</summary>
     public required DeviationStatistics ToolRadius { get; init; }
 
     /// <summary>Standard uncertainty of the expected error at a point, in mm.</summary>
@@ -44,29 +42,27 @@ public sealed record KeptSurface
     /// <summary>The measured points in the order of measuring.</summary>
     public required IReadOnlyList<KeptSurfacePoint> Points { get; init; }
 
-    /// <summary>Where the error is, and what is left of it.</summary>
+    /// <summary>Map of the error, and of what remains of it.</summary>
     public required ErrorMap Map { get; init; }
 
-    /// <summary>The tool path that was made; null where an existing program follows.</summary>
+    /// <summary>The generated tool path; null if an existing program was displaced.</summary>
     public required KeptToolPath? ToolPath { get; init; }
 
-    /// <summary>The proof of the program that follows; null where one is made.</summary>
+    /// <summary>The proof of the displaced program; null if the program was generated.</summary>
     public required KeptProof? Proof { get; init; }
 
-    /// <summary>
-    /// True if the program calls its tool, false if it stops with an alarm instead; null where the report does not say: it is old, or an existing
-    /// program follows.
-    /// </summary>
+    /// <summary>True if the program calls its tool, false if it stops with an alarm instead; null if the report does not say,
+    /// because it is old or an existing program was displaced.</summary>
     public required bool? CallsTool { get; init; }
 
-    /// <summary>What a person should know before using the program; that it calls no tool is said by <see cref="CallsTool"/>.</summary>
+    /// <summary>What the user should know before using the program. A missing tool call is reported by <see cref="CallsTool"/>.</summary>
     public required IReadOnlyList<string> Warnings { get; init; }
 
-    /// <summary>What the compensation that was made is expected to leave.</summary>
+    /// <summary>Errors expected to remain after the chosen compensation.</summary>
     public DeviationStatistics Expected => IsMirror ? Mirror : ToolRadius;
 
     /// <summary>Reads a report.</summary>
-    /// <returns>The report; null if it is one of another kind, or so old that it has no map.</returns>
+    /// <returns>The report; null if it is of another kind, or too old to have a map.</returns>
     public static KeptSurface? Read(ReadOnlyMemory<byte> json)
     {
         using var document = JsonDocument.Parse(json);
@@ -100,7 +96,7 @@ public sealed record KeptSurface
         };
     }
 
-    /// <summary>A length that is written in micrometres, in mm.</summary>
+    /// <summary>A length stored in micrometers, in mm.</summary>
     internal static double Millimeters(JsonElement json, string name) => json.GetProperty(name).GetDouble() / 1000;
 
     private static DeviationStatistics Statistics(JsonElement json) => new(

@@ -3,15 +3,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A measured point of a surface in a kept report.</summary>
+/// <summary>A measured point of a surface in a stored report.</summary>
 /// <param name="Number">Its number in the measuring plan, in the order of measuring.</param>
 /// <param name="Nominal">Its foot on the nominal surface, in mm.</param>
-/// <param name="ErrorMm">Its error along the normal, positive where material is left.</param>
-/// <param name="MirrorMm">What mirroring is expected to leave.</param>
-/// <param name="ToolRadiusMm">What a modified tool radius is expected to leave.</param>
+/// <param name="ErrorMm">Its error along the normal, in mm, positive for excess material.</param>
+/// <param name="MirrorMm">Error expected to remain after mirroring.</param>
+/// <param name="ToolRadiusMm">Error expected to remain with a modified tool radius.</param>
 public sealed record KeptSurfacePoint(int Number, Point3 Nominal, double ErrorMm, double MirrorMm, double ToolRadiusMm)
 {
-    /// <summary>Reads a point.</summary>
     internal static KeptSurfacePoint Read(JsonElement json)
     {
         var nominal = json.GetProperty("nominal");

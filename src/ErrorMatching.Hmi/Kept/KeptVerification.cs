@@ -4,19 +4,20 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The report of a verification as the store keeps it (<c>errormatch/verify/1</c>): the same figures as the console's <c>verify --json</c>, read and not computed.</summary>
+/// <summary>The stored verification report (<c>errormatch/verify/1</c>): the same numbers as the console's <c>verify --json</c>,
+/// read and not recomputed.</summary>
 /// <param name="JobName">Name of the job.</param>
-/// <param name="WorkOrder">The job's work order; null if it states none.</param>
+/// <param name="WorkOrder">The job's work order; null if there is none.</param>
 /// <param name="Result">How well both counterparts fit the part.</param>
 /// <param name="Boundaries">The boundaries of the features.</param>
-/// <param name="IsBeforeMeasured">True if the counterpart before was measured, false if it is taken as designed.</param>
+/// <param name="IsBeforeMeasured">True if the counterpart without compensation was measured, false if its nominal shape is used.</param>
 public sealed record KeptVerification(string JobName, string? WorkOrder, VerificationResult Result, IReadOnlyList<VerifiedBoundary> Boundaries, bool IsBeforeMeasured)
 {
-    /// <summary>What the counterpart before is known from; null if it is taken as designed.</summary>
+    /// <summary>The measurement of the counterpart without compensation; null if its nominal shape is used.</summary>
     public KeptBase? Before { get; init; }
 
     /// <summary>Reads a report.</summary>
-    /// <returns>The report; null if it is one of another kind.</returns>
+    /// <returns>The report; null if it is of another kind.</returns>
     public static KeptVerification? Read(ReadOnlyMemory<byte> json)
     {
         using var document = JsonDocument.Parse(json);
@@ -49,7 +50,7 @@ public sealed record KeptVerification(string JobName, string? WorkOrder, Verific
     private static VerifiedFeature Feature(JsonElement json) => new(
         json.GetProperty("name").GetString()!, Quantity(json.GetProperty("quantity").GetString()!), json.GetProperty("wanted").GetDouble(), json.GetProperty("before").GetDouble(), json.GetProperty("after").GetDouble())
     {
-        // Reports of before it was written do not have it.
+        // Older reports lack this list.
         Points = json.TryGetProperty("points", out var points) ? [.. points.EnumerateArray().Select(p => p.GetString()!)] : [],
     };
 

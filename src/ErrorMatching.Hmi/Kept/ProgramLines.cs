@@ -3,8 +3,9 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Two programs side by side, line by line. A line becomes text when it is looked at: a program of a million blocks costs what its bytes cost.</summary>
-/// <remarks>A list that a virtualizing view reads by number. Only what a rewriting can do is aligned: changed blocks and inserted ones.</remarks>
+/// <summary>Two programs side by side, line by line. A line becomes text only when shown, so a program of a million blocks costs
+/// no more than its bytes.</summary>
+/// <remarks>A list for a virtualizing view. It aligns only changed and inserted blocks, because rewriting makes no other changes.</remarks>
 public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
 {
     private readonly NcProgram _original;
@@ -14,9 +15,9 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
 
     /// <summary>Aligns two programs.</summary>
     /// <param name="original">The bytes of the original program.</param>
-    /// <param name="modified">The bytes of the new one.</param>
-    /// <param name="blocks">The blocks that differ, of the report.</param>
-    /// <param name="marker">The inserted comment that says what the new program was made of; null if there is none.</param>
+    /// <param name="modified">The bytes of the new program.</param>
+    /// <param name="blocks">The report's changed blocks.</param>
+    /// <param name="marker">The inserted comment that tells the origin of the new program; null if there is none.</param>
     public ProgramLines(ReadOnlyMemory<byte> original, ReadOnlyMemory<byte> modified, IReadOnlyList<KeptBlock> blocks, string? marker = null)
     {
         (_original, _modified, Bytes) = (NcProgram.Read(original), NcProgram.Read(modified), modified.Length);
@@ -25,7 +26,7 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
         Changes = [.. _changed.Keys.Select(RowOf).Concat(_inserted.Where(i => Text(_modified, i).Trim() != marker?.Trim())).Order()];
     }
 
-    /// <summary>Numbers of the lines that differ, but for the marker, which changes no motion.</summary>
+    /// <summary>Indexes of the lines that differ, without the marker, which changes no motion.</summary>
     public IReadOnlyList<int> Changes { get; }
 
     /// <summary>Length of the new program.</summary>
@@ -46,7 +47,6 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
     /// <inheritdoc/>
     public object SyncRoot => this;
 
-    /// <summary>A line by its number.</summary>
     public ProgramLine this[int index]
     {
         get
@@ -102,10 +102,10 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
 
     void ICollection.CopyTo(Array array, int index) => throw new NotSupportedException();
 
-    // One character a byte, so that the report's spans count the same.
+    // One character per byte, so that the report's spans match.
     private static string Text(NcProgram program, int block) => System.Text.Encoding.Latin1.GetString(program.BytesOf(program[block]));
 
-    // Where the new program has a block that the original lacks: as many as it has more.
+    // Blocks that only the new program has: it has that many more blocks than the original.
     private IEnumerable<int> Inserted()
     {
         var more = _modified.BlockCount - _original.BlockCount;

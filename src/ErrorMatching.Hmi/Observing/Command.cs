@@ -2,9 +2,9 @@ using System.Windows.Input;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Something a person can do at once.</summary>
-/// <param name="run">Does it.</param>
-/// <param name="can">Whether it can be done now; null if always.</param>
+/// <summary>A command that completes at once.</summary>
+/// <param name="run">The action.</param>
+/// <param name="can">Whether it can run now; null for always.</param>
 public sealed class Command(Action run, Func<bool>? can = null) : ICommand
 {
     /// <inheritdoc/>
@@ -22,6 +22,6 @@ public sealed class Command(Action run, Func<bool>? can = null) : ICommand
         }
     }
 
-    /// <summary>Says that it may be possible now, or not any more.</summary>
+    /// <summary>Call this when the result of <c>can</c> may have changed.</summary>
     public void Refresh() => CanExecuteChanged?.Invoke(this, EventArgs.Empty);
 }

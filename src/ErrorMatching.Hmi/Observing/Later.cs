@@ -8,13 +8,13 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Rows that come once the rest of a screen is drawn, and those of a list box a few at a time, as many as it has room for: none of it keeps whoever taps waiting for long.</summary>
+/// <summary>Adds rows after the rest of a screen is drawn, those of a list box in batches, so that none delays a tap for long.</summary>
 public static class Later
 {
-    // What a screen has besides comes first: the room for a list depends on it.
+    // The rest of the screen comes first: the room for a list depends on it.
     private static readonly DispatcherPriority After = DispatcherPriority.ApplicationIdle;
 
-    // A list box makes the rows that are seen: it gets its room in so many parts.
+    // A list box creates the visible rows, so it gets its room in this many parts.
     private const int Parts = 3;
 
     /// <summary>The rows of a list, instead of <see cref="ItemsControl.ItemsSource"/>.</summary>
@@ -32,13 +32,12 @@ public static class Later
         }
     });
 
-    /// <summary>The rows of a list.</summary>
     public static IEnumerable? GetRows(ItemsControl list) => (list ?? throw new ArgumentNullException(nameof(list))).GetValue(RowsProperty);
 
-    /// <summary>Gives a list its rows: the first ones soon, others at once.</summary>
+    /// <summary>Sets the rows of a list: the first ones after the screen is drawn, later changes at once.</summary>
     public static void SetRows(ItemsControl list, IEnumerable? rows) => (list ?? throw new ArgumentNullException(nameof(list))).SetValue(RowsProperty, rows);
 
-    /// <summary>Gives a control the focus, once it is seen: a screen comes part by part.</summary>
+    /// <summary>Focuses a control as soon as it is visible, because a screen appears part by part.</summary>
     public static void Focus(InputElement control)
     {
         ArgumentNullException.ThrowIfNull(control);
@@ -69,7 +68,7 @@ public static class Later
         }
     }
 
-    // Its room is known from when it is first laid out.
+    // Its room is known after its first layout.
     private static void GiveWhenSeen(ItemsControl list)
     {
         list.LayoutUpdated -= OnLaidOut;
@@ -106,7 +105,7 @@ public static class Later
         }
     }
 
-    // What is read beside the screen comes when the list is there already.
+    // Rows read in the background arrive after the list is created.
     private static void WhenFilled(INotifyCollectionChanged rows, Action go)
     {
         rows.CollectionChanged += OnRows;

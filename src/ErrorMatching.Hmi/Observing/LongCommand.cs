@@ -2,7 +2,7 @@ using System.Windows.Input;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Something a person can do that takes its time: it runs beside the screen, once at a time, and can be cancelled.</summary>
+/// <summary>A long-running command: it runs in the background, one run at a time, and can be canceled.</summary>
 [System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "A run disposes what it made when it ends.")]
 public sealed class LongCommand : Observable, ICommand
 {
@@ -11,9 +11,9 @@ public sealed class LongCommand : Observable, ICommand
     private CancellationTokenSource? _cancellation;
     private bool _isAsking;
 
-    /// <summary>A command.</summary>
-    /// <param name="run">Does it. Whatever may fail in it, it says itself.</param>
-    /// <param name="can">Whether it can be done now; null if always.</param>
+    /// <summary>Creates the command.</summary>
+    /// <param name="run">The work. It must report its own failures.</param>
+    /// <param name="can">Whether it can run now; null for always.</param>
     public LongCommand(Func<CancellationToken, Task> run, Func<bool>? can = null)
     {
         (_run, _can) = (run, can);
@@ -23,16 +23,16 @@ public sealed class LongCommand : Observable, ICommand
     /// <inheritdoc/>
     public event EventHandler? CanExecuteChanged;
 
-    /// <summary>Ends it before it is done.</summary>
+    /// <summary>Cancels the run.</summary>
     public Command Cancel { get; }
 
-    /// <summary>True from the tap until it is done.</summary>
+    /// <summary>True from the tap until the end of the run.</summary>
     public bool IsRunning => _cancellation is not null;
 
-    /// <summary>True while it runs and does not wait for somebody: it makes progress.</summary>
+    /// <summary>True while it makes progress, that is, runs without waiting for the user.</summary>
     public bool IsWorking => IsRunning && !_isAsking;
 
-    /// <summary>The run that is under way, or the last one; done if there was none.</summary>
+    /// <summary>The current run, or the last one; completed if there was none.</summary>
     public Task Running { get; private set; } = Task.CompletedTask;
 
     /// <inheritdoc/>
@@ -47,7 +47,7 @@ public sealed class LongCommand : Observable, ICommand
         }
     }
 
-    /// <summary>Waits within a run for what somebody answers: as long as they think, nothing goes on.</summary>
+    /// <summary>Waits for the user's answer during a run.</summary>
     public async Task<T> AskAsync<T>(Func<Task<T>> ask)
     {
         ArgumentNullException.ThrowIfNull(ask);
@@ -62,7 +62,7 @@ public sealed class LongCommand : Observable, ICommand
         }
     }
 
-    /// <summary>Says that it may be possible now, or not any more.</summary>
+    /// <summary>Call this when the result of <c>can</c> may have changed.</summary>
     public void Refresh()
     {
         CanExecuteChanged?.Invoke(this, EventArgs.Empty);
@@ -79,7 +79,7 @@ public sealed class LongCommand : Observable, ICommand
         }
         catch (OperationCanceledException) when (cancellation.IsCancellationRequested)
         {
-            // That is what was asked for.
+            // The user canceled.
         }
         finally
         {

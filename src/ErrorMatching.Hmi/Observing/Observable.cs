@@ -3,14 +3,14 @@ using System.Runtime.CompilerServices;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Something that says when a property of it has changed. Used on one thread, that of the screen.</summary>
+/// <summary>Base class that reports property changes. Use it on the UI thread only.</summary>
 public abstract class Observable : INotifyPropertyChanged
 {
     /// <inheritdoc/>
     public event PropertyChangedEventHandler? PropertyChanged;
 
-    /// <summary>Sets a property's value and says so if it is another one.</summary>
-    /// <returns>True if it is another one.</returns>
+    /// <summary>Sets a property and reports a change.</summary>
+    /// <returns>True if the value changed.</returns>
     protected bool Set<T>(ref T field, T value, [CallerMemberName] string? name = null)
     {
         if (EqualityComparer<T>.Default.Equals(field, value))
@@ -23,6 +23,6 @@ public abstract class Observable : INotifyPropertyChanged
         return true;
     }
 
-    /// <summary>Says that a property has changed; without a name, that all may have.</summary>
+    /// <summary>Reports that a property has changed; without a name, that all may have.</summary>
     protected void Say(string? name = null) => PropertyChanged?.Invoke(this, new PropertyChangedEventArgs(name));
 }

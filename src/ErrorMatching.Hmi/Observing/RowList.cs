@@ -2,11 +2,11 @@ using System.Collections.ObjectModel;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Rows that are shown anew as a whole; those that are the same stay, with what is chosen and focused in them.</summary>
-/// <typeparam name="T">A row: a record, equal to another one that shows the same.</typeparam>
+/// <summary>Rows that are replaced as a whole. Equal rows stay, with their selection and focus.</summary>
+/// <typeparam name="T">A row: a record that is equal to another one if both look the same.</typeparam>
 public sealed class RowList<T> : ObservableCollection<T>
 {
-    /// <summary>Shows other rows. Those before and behind what changed stay also where it is longer or shorter than it was.</summary>
+    /// <summary>Shows other rows. Rows before and after the change stay, even if the number of rows changes.</summary>
     public void Show(IReadOnlyList<T> rows)
     {
         ArgumentNullException.ThrowIfNull(rows);

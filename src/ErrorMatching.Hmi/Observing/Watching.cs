@@ -2,10 +2,10 @@ using System.Runtime.ExceptionServices;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Work that goes on beside the screen and that nobody waits for.</summary>
+/// <summary>Fire-and-forget background work.</summary>
 internal static class Watching
 {
-    /// <summary>Lets a defect in it end the program like any other one, and not vanish with the task.</summary>
+    /// <summary>Makes an unexpected exception in the task end the program, instead of vanishing with the task.</summary>
     public static Task Watched(this Task task)
     {
         var screen = SynchronizationContext.Current;

@@ -2,7 +2,7 @@ using Avalonia;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where a label stands, in units of the screen.</summary>
-/// <param name="Corner">Its left upper corner.</param>
-/// <param name="Leader">The line that leads from its place to it where it stands away from it; null where it stands beside it.</param>
+/// <summary>Position of a label, in screen units.</summary>
+/// <param name="Corner">Its upper left corner.</param>
+/// <param name="Leader">Leader line from the marked place to the label; null if the label is next to its place.</param>
 internal readonly record struct LabelRoom(Point Corner, (Point From, Point To)? Leader);

@@ -1,23 +1,21 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>A picture of single pixels, for what has too many lines to be drawn one by one as shapes: a line costs here what its pixels cost.</summary>
+/// <summary>A pixel buffer for drawings with too many lines to draw as shapes. A line costs only its pixels.</summary>
 internal sealed class PixelCanvas
 {
     private int[] _pixels = [];
 
-    /// <summary>Width in pixels.</summary>
     public int Width { get; private set; }
 
-    /// <summary>Height in pixels.</summary>
     public int Height { get; private set; }
 
-    /// <summary>The pixels, row by row from above; each with opacity, red, green and blue in its bytes.</summary>
+    /// <summary>The pixels, row by row from the top. The bytes of each are alpha, red, green and blue.</summary>
     public ReadOnlySpan<int> Pixels => _pixels.AsSpan(0, Width * Height);
 
-    /// <summary>The same as an array, which may be longer.</summary>
+    /// <summary>The backing array of <see cref="Pixels"/>; it may be longer.</summary>
     public int[] Memory => _pixels;
 
-    /// <summary>Wipes it.</summary>
+    /// <summary>Sets the size and clears all pixels.</summary>
     public void Clear(int width, int height)
     {
         (Width, Height) = (width, height);
@@ -31,14 +29,14 @@ internal sealed class PixelCanvas
         }
     }
 
-    /// <summary>Draws a line, places in pixels.</summary>
-    /// <param name="x1">Where it begins.</param>
-    /// <param name="y1">Where it begins.</param>
-    /// <param name="x2">Where it ends.</param>
-    /// <param name="y2">Where it ends.</param>
-    /// <param name="color">Its color.</param>
-    /// <param name="thickness">Its thickness in pixels.</param>
-    /// <param name="isDashed">True for a dashed line, which goes under all others.</param>
+    /// <summary>Draws a line. Coordinates are in pixels.</summary>
+    /// <param name="x1">Start, x.</param>
+    /// <param name="y1">Start, y.</param>
+    /// <param name="x2">End, x.</param>
+    /// <param name="y2">End, y.</param>
+    /// <param name="color">Color.</param>
+    /// <param name="thickness">Thickness in pixels.</param>
+    /// <param name="isDashed">True for a dashed line, which is drawn below all others.</param>
     public void Line(double x1, double y1, double x2, double y2, int color, int thickness, bool isDashed)
     {
         var steps = (int)Math.Ceiling(Math.Max(Math.Abs(x2 - x1), Math.Abs(y2 - y1)));
@@ -48,7 +46,7 @@ internal sealed class PixelCanvas
             var (x, y) = ((int)Math.Floor(x1 + (i * dx)), (int)Math.Floor(y1 + (i * dy)));
             if (isDashed)
             {
-                // By place and not by length, so that pieces of a pixel are dashed as one line.
+                // Dash by position, not by length: consecutive pieces of less than a pixel then look like one dashed line.
                 if ((x + y & int.MaxValue) % (DrawnSizes.RapidDash + DrawnSizes.RapidGap) < DrawnSizes.RapidDash && Has(x, y) && _pixels[(y * Width) + x] == 0)
                 {
                     _pixels[(y * Width) + x] = color;
@@ -68,10 +66,10 @@ internal sealed class PixelCanvas
         }
     }
 
-    /// <summary>Half the width of a disk in each of its rows from the middle on, in pixels.</summary>
+    /// <summary>Half the width of a disk in each row, from the center outwards, in pixels.</summary>
     public static int[] Disk(double radius) => [.. Enumerable.Range(0, (int)Math.Max(1, radius) + 1).Select(row => (int)Math.Sqrt(Math.Max(0, (Math.Max(1, radius) * Math.Max(1, radius)) - (row * row))))];
 
-    /// <summary>Draws a disk, its middle in pixels.</summary>
+    /// <summary>Draws a disk. The center is in pixels.</summary>
     public void Dot(int x, int y, int color, int[] disk)
     {
         for (var row = 1 - disk.Length; row < disk.Length; row++)

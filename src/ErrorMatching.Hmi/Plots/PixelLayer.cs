@@ -6,19 +6,18 @@ using Avalonia.Platform;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A canvas of pixels that is shown as a picture: what a drawing has too many lines or dots for to draw them as shapes.</summary>
+/// <summary>Shows a <see cref="PixelCanvas"/> as a bitmap, for drawings with too many lines or dots to draw as shapes.</summary>
 [System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "A drawing lets its picture go whenever it leaves the screen, and may come back.")]
 internal sealed class PixelLayer
 {
     private WriteableBitmap? _bitmap;
 
-    /// <summary>The pixels.</summary>
     public PixelCanvas Canvas { get; } = new();
 
-    /// <summary>A color of one kind as a pixel of the canvas; nothing for other brushes.</summary>
+    /// <summary>The pixel value of a solid color brush; 0 for other brushes.</summary>
     public static int ColorOf(IBrush? brush) => brush is ISolidColorBrush { Color: var c } ? unchecked((int)((0xFFu << 24) | ((uint)c.R << 16) | ((uint)c.G << 8) | c.B)) : 0;
 
-    /// <summary>Takes what is painted on the canvas over into the picture.</summary>
+    /// <summary>Copies the canvas to the bitmap.</summary>
     public void Take()
     {
         var size = new PixelSize(Canvas.Width, Canvas.Height);
@@ -35,9 +34,9 @@ internal sealed class PixelLayer
         }
     }
 
-    /// <summary>Shows the picture.</summary>
-    /// <param name="context">Where.</param>
-    /// <param name="place">Its left upper corner and size in units of the screen.</param>
+    /// <summary>Draws the bitmap.</summary>
+    /// <param name="context">Where to draw.</param>
+    /// <param name="place">Its position and size in screen units.</param>
     public void Show(DrawingContext context, Rect place)
     {
         if (_bitmap is not null)
@@ -47,7 +46,7 @@ internal sealed class PixelLayer
         }
     }
 
-    /// <summary>Lets the picture go; the next one is made anew.</summary>
+    /// <summary>Releases the bitmap; the next call of <see cref="Take"/> creates a new one.</summary>
     public void LetGo()
     {
         _bitmap?.Dispose();

@@ -5,19 +5,19 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <content>Lines and dots, as few of them as the screen can tell apart, and pixel by pixel where they are many all the same.</content>
+/// <content>Draws lines and dots: only as many points as the screen can resolve, and pixel by pixel if they are still many.</content>
 public abstract partial class PlotArea
 {
-    // More points of lines, or more dots, are drawn pixel by pixel: a tenth of the time.
+    // Above these numbers, line points and dots are drawn pixel by pixel, which takes a tenth of the time.
     private const int MostLinePoints = 500, MostDots = 300;
 
     private readonly PixelLayer _layer = new();
     private bool _isLayerUsed;
 
-    /// <summary>Size of a pixel in units of the screen.</summary>
+    /// <summary>Size of a pixel in screen units.</summary>
     protected double Pixel => 1 / (TopLevel.GetTopLevel(this)?.RenderScaling ?? 1);
 
-    /// <summary>Draws a line through points of the plot; one that is no finite number interrupts it.</summary>
+    /// <summary>Draws a polyline in plot coordinates. A point that is not finite interrupts it.</summary>
     protected void Line(DrawingContext context, Pen pen, IReadOnlyList<Point2> line, PlotView view)
     {
         ArgumentNullException.ThrowIfNull(context);
@@ -68,7 +68,7 @@ public abstract partial class PlotArea
         }
     }
 
-    /// <summary>Draws a dot at each point of the plot that is seen.</summary>
+    /// <summary>Draws a dot at each visible point.</summary>
     protected void Dots(DrawingContext context, IBrush? brush, double radius, IReadOnlyList<Point2> points, PlotView view)
     {
         ArgumentNullException.ThrowIfNull(context);
@@ -104,10 +104,10 @@ public abstract partial class PlotArea
 
     /// <summary>Draws a diamond.</summary>
     /// <param name="context">Where to draw.</param>
-    /// <param name="fill">What is in it.</param>
+    /// <param name="fill">Its fill.</param>
     /// <param name="pen">Its border; null for none.</param>
-    /// <param name="at">Its middle, in units of the screen.</param>
-    /// <param name="reach">How far its corners are from there.</param>
+    /// <param name="at">Its center, in screen units.</param>
+    /// <param name="reach">Distance from the center to the corners.</param>
     protected static void Diamond(DrawingContext context, IBrush? fill, Pen? pen, Point at, double reach)
     {
         ArgumentNullException.ThrowIfNull(context);
@@ -124,7 +124,7 @@ public abstract partial class PlotArea
         context.DrawGeometry(fill, pen, diamond);
     }
 
-    // All that is drawn so goes into one picture, which is laid over the rest: one is much for a processor that draws by itself.
+    // All pixel drawing goes into one bitmap laid over the rest: drawing even one bitmap is slow without a graphics processor.
     private void ByPixel(PlotView view, Action<PixelCanvas> paint)
     {
         if (!_isLayerUsed)

@@ -8,7 +8,7 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
-/// <content>Fingers, pointer, wheel and keys.</content>
+/// <content>Touch, pointer, wheel and keyboard input.</content>
 public abstract partial class PlotArea
 {
     private const double StepFactor = 1.5, WheelFactor = 1.25, KeyShare = 0.125;
@@ -17,7 +17,7 @@ public abstract partial class PlotArea
     private Point _pressed;
     private bool _hasMoved;
 
-    /// <summary>Where the values were shown last, in units of the screen.</summary>
+    /// <summary>Where the values were last shown, in screen units.</summary>
     internal Rect ValuesRoom { get; private set; }
 
     /// <inheritdoc/>
@@ -51,7 +51,7 @@ public abstract partial class PlotArea
         var at = e.GetPosition(this);
         if (_fingers.Count > 1)
         {
-            // Two fingers: what lies under both stays under both, as far as one scale allows.
+            // Two fingers: the places under both stay under them, as far as a single scale allows.
             var other = _fingers.First(f => f.Key != e.Pointer.Id).Value;
             _hasMoved = true;
             var (was, now) = (Point.Distance(before, other), Point.Distance(at, other));
@@ -171,7 +171,7 @@ public abstract partial class PlotArea
         return button;
     }
 
-    // A cross through the datum from border to border, and a box with its values beside it, where there is room.
+    // Crosshair lines across the whole plot, and a box with the values next to the datum if there is room.
     private void Crosshair(DrawingContext context, PlotDatum datum)
     {
         var at = View.ToScreen(datum.At);
@@ -181,7 +181,7 @@ public abstract partial class PlotArea
         context.DrawLine(pen, new Point(0, y), new Point(Bounds.Width, y));
         context.DrawEllipse(null, new Pen(Ink, DrawnSizes.Line), new Point(x, y), DrawnSizes.Ring, DrawnSizes.Ring);
 
-        // In a narrow plot less is hidden with one value below the other.
+        // In a narrow plot, values below each other hide less.
         FormattedText[] texts = [Label(datum.Text), Label(datum.Text.Replace("  ", "\n", StringComparison.Ordinal))];
         var fitting = texts.Where(t => SizeOf(t).Width <= Bounds.Width - ButtonsRoom).ToArray();
         var rooms = fitting.Select(t => (Text: t, Box: FreeRoom(SizeOf(t), new(x, y)))).Concat(fitting.Select(t => (Text: t, Box: Corner(SizeOf(t), datum)))).Append((Text: texts[1], Box: FarCorner(SizeOf(texts[1]), new(x, y))));
@@ -193,7 +193,7 @@ public abstract partial class PlotArea
 
     private static Size SizeOf(FormattedText text) => new(text.Width + (2 * DrawnSizes.Around), text.Height + (2 * DrawnSizes.Around));
 
-    // Beside the datum, nearest first, else in a corner: where no line is hidden.
+    // A position next to the datum, nearest first, or else in a corner, where the box hides no line.
     private Rect? FreeRoom(Size size, Point at)
     {
         var (right, low) = RoomsEnd(size);
@@ -204,7 +204,7 @@ public abstract partial class PlotArea
         return Array.Find(places, p => !p.Contains(at) && !IsDrawnIn(BoxOf(p))) is { Width: > 0 } free ? free : null;
     }
 
-    // Where there is no such place, the corner that hides nothing of what its values are of, as far away as there is room.
+    // If there is no such position: the farthest corner that does not hide the marked item.
     private Rect? Corner(Size size, PlotDatum datum) =>
         Corners(size).Select(c => new Rect(c, size)).Where(c => !IsAskedIn(datum, BoxOf(c))).OrderByDescending(c => Point.Distance(c.Center, View.At(datum.At))).Select(c => (Rect?)c).FirstOrDefault();
 

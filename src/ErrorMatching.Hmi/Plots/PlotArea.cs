@@ -9,38 +9,30 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>
-/// A drawing in units of its own that is looked at closely: fit, nearer and further (wheel, two fingers, buttons, plus and minus), moved by dragging or by the arrows, with exact values under the finger.
-/// </summary>
-/// <remarks>
-/// What derives from it says how much there is (<see cref="Extent"/>), draws what a <see cref="PlotView"/> shows of it (<see cref="Draw"/>), and what is near a place (<see cref="DatumNear"/>); it calls <see cref="Renew"/> when its data
-/// are others. The data themselves belong to view models. Keys: arrows move, plus and minus zoom, 0 shows all, space or Enter asks for the values nearest to the middle, page up and down go to the datum before and behind.
-/// </remarks>
+/// <summary>A plot in its own units that can be zoomed (wheel, two fingers, buttons, plus and minus), panned (dragging, arrow
+/// keys) and fitted. Tapping it shows exact values.</summary>
+/// <remarks>Derived classes give the extent (<see cref="Extent"/>), draw what a <see cref="PlotView"/> shows (<see cref="Draw"/>)
+/// and find the datum near a place (<see cref="DatumNear"/>). They call <see cref="Renew"/> when the data change. The data
+/// themselves belong to view models. Keys: arrows pan, plus and minus zoom, 0 shows all, Space or Enter shows the values nearest
+/// to the center, Page Up and Page Down go to the previous and next datum.</remarks>
 [System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "The layer is let go when the plot leaves the screen.")]
 public abstract partial class PlotArea : Control, IDrawnWords
 {
-    /// <summary>Labels.</summary>
     public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<PlotArea, IBrush?>(nameof(Ink));
 
-    /// <summary>Rules, frames, and the crosshair.</summary>
     public static readonly StyledProperty<IBrush?> RuleProperty = AvaloniaProperty.Register<PlotArea, IBrush?>(nameof(Rule));
 
-    /// <summary>What it is drawn on.</summary>
     public static readonly StyledProperty<IBrush?> GroundProperty = AvaloniaProperty.Register<PlotArea, IBrush?>(nameof(Ground));
 
-    /// <summary>Size of the labels.</summary>
     public static readonly StyledProperty<double> LabelSizeProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(LabelSize), 1);
 
-    /// <summary>Room around what is drawn when all is shown.</summary>
     public static readonly StyledProperty<double> AroundProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(Around));
 
-    /// <summary>The plot beside it that shows the same place, as of before and after; null if there is none.</summary>
     public static readonly StyledProperty<PlotArea?> TwinProperty = AvaloniaProperty.Register<PlotArea, PlotArea?>(nameof(Twin));
 
-    /// <summary>The exact values under the finger; null while none are asked for.</summary>
     public static readonly DirectProperty<PlotArea, string?> ValuesProperty = AvaloniaProperty.RegisterDirect<PlotArea, string?>(nameof(Values), p => p.Values);
 
-    // Not further than to a quarter of all, and not nearer than a micrometer of a meter takes.
+    // Zoom out to a quarter of the fitted size at most. Zoom in no further than needed to see a micrometer of a meter.
     private const double LeastShare = 0.25, MostFactor = 1000;
 
     private static readonly Typeface Plain = new(FontFamily.Default), Strong = new(FontFamily.Default, FontStyle.Normal, FontWeight.SemiBold);
@@ -59,7 +51,6 @@ public abstract partial class PlotArea : Control, IDrawnWords
         ClipToBoundsProperty.OverrideDefaultValue<PlotArea>(true);
     }
 
-    /// <summary>A plot with its buttons.</summary>
     protected PlotArea()
     {
         _buttons = new StackPanel { Classes = { "near", "buttons" }, HorizontalAlignment = HorizontalAlignment.Right, VerticalAlignment = VerticalAlignment.Top };
@@ -68,55 +59,54 @@ public abstract partial class PlotArea : Control, IDrawnWords
         VisualChildren.Add(_buttons);
     }
 
-    /// <summary>Labels.</summary>
+    /// <summary>Color of labels.</summary>
     public IBrush? Ink
     {
         get => GetValue(InkProperty);
         set => SetValue(InkProperty, value);
     }
 
-    /// <summary>Rules, frames, and the crosshair.</summary>
+    /// <summary>Color of rules, frames and the crosshair.</summary>
     public IBrush? Rule
     {
         get => GetValue(RuleProperty);
         set => SetValue(RuleProperty, value);
     }
 
-    /// <summary>What it is drawn on.</summary>
+    /// <summary>Color of the background.</summary>
     public IBrush? Ground
     {
         get => GetValue(GroundProperty);
         set => SetValue(GroundProperty, value);
     }
 
-    /// <summary>Size of the labels.</summary>
     public double LabelSize
     {
         get => GetValue(LabelSizeProperty);
         set => SetValue(LabelSizeProperty, value);
     }
 
-    /// <summary>Room around what is drawn when all is shown.</summary>
+    /// <summary>Margin around the drawing when all is shown.</summary>
     public double Around
     {
         get => GetValue(AroundProperty);
         set => SetValue(AroundProperty, value);
     }
 
-    /// <summary>The plot beside it that shows the same place, as of before and after; null if there is none.</summary>
+    /// <summary>The plot next to this one that shows the same place, for example before and after; null if there is none.</summary>
     public PlotArea? Twin
     {
         get => GetValue(TwinProperty);
         set => SetValue(TwinProperty, value);
     }
 
-    /// <summary>The exact values under the finger; null while none are asked for.</summary>
+    /// <summary>The exact values of the selected datum; null if none is selected.</summary>
     public string? Values => _datum?.Text;
 
-    /// <summary>The datum that was asked for; null while none is.</summary>
+    /// <summary>The selected datum; null if none is selected.</summary>
     protected PlotDatum? Asked => _datum;
 
-    /// <summary>What is seen.</summary>
+    /// <summary>The visible part.</summary>
     public PlotView View
     {
         get => _view;
@@ -127,50 +117,50 @@ public abstract partial class PlotArea : Control, IDrawnWords
                 _view = value;
                 InvalidateVisual();
 
-                // What is written here may depend on what has room there.
+                // The twin's labels may depend on the room here.
                 Twin?.InvalidateVisual();
             }
         }
     }
 
-    /// <summary>True while all is seen.</summary>
+    /// <summary>True if the whole extent is visible.</summary>
     public bool ShowsAll => _view == _whole;
 
     /// <inheritdoc/>
     IEnumerable<(string Words, Typeface Typeface)> IDrawnWords.DrawnWords => [.. _words, .. KeptWords.Append(DatumCount > 0 ? DatumAt(0)?.Text : null).OfType<string>().Select(w => (w, Plain))];
 
-    /// <summary>Words that are drawn again from frame to frame without being made anew.</summary>
+    /// <summary>Words that are redrawn in later frames without being recreated.</summary>
     protected virtual IEnumerable<string> KeptWords => [];
 
-    /// <summary>How much there is to be seen; an empty box if there is nothing.</summary>
+    /// <summary>Extent of the data; an empty box if there are none.</summary>
     protected abstract PlotBox Extent { get; }
 
     /// <summary>True if both directions have the same scale.</summary>
     protected virtual bool IsTrueToScale => true;
 
-    /// <summary>Room at the sides that numbers and names take, where nothing is drawn.</summary>
+    /// <summary>Margins for numbers and names, where nothing else is drawn.</summary>
     protected virtual Thickness Frame => default;
 
-    /// <summary>Room at the right that the buttons take, with what is free around them.</summary>
+    /// <summary>Width at the right that the buttons need, including their margins.</summary>
     protected double ButtonsRoom => _buttons.DesiredSize.Width;
 
-    /// <summary>Where a label may stand: not below the buttons.</summary>
+    /// <summary>Where labels may be placed: not below the buttons.</summary>
     protected Rect Free => new(0, 0, Math.Max(0, Bounds.Width - ButtonsRoom), Bounds.Height);
 
-    /// <summary>How many data there are that can be asked for one after the other.</summary>
+    /// <summary>Number of data that Page Up and Page Down step through.</summary>
     protected virtual int DatumCount => 0;
 
-    /// <summary>Shows all there is.</summary>
+    /// <summary>Shows the whole extent.</summary>
     public void ShowAll()
     {
-        // Neither the buttons nor what stands at the side hide anything of it.
+        // Neither the buttons nor the side labels may hide part of it.
         var (left, top, right, bottom) = (Frame.Left, Frame.Top, Frame.Right + ButtonsRoom, Frame.Bottom);
         var fit = PlotView.Fit(Extent, Math.Max(Bounds.Width - left - right, 1), Math.Max(Bounds.Height - top - bottom, 1), Around, IsTrueToScale);
         _whole = (fit with { Width = Bounds.Width, Height = Bounds.Height }).Pan(new((left - right) / 2, (top - bottom) / 2));
         View = _whole;
     }
 
-    /// <summary>Nearer or further; the place under a point of the screen stays there.</summary>
+    /// <summary>Zooms; the place under a point of the screen stays there.</summary>
     public void Zoom(double factor, Point about)
     {
         var (least, most) = (LeastShare * _whole.ScaleX, MostFactor * _whole.ScaleX);
@@ -178,14 +168,14 @@ public abstract partial class PlotArea : Control, IDrawnWords
         Lead();
     }
 
-    /// <summary>Moves what is seen, in units of the screen.</summary>
+    /// <summary>Pans by a distance in screen units.</summary>
     public void Pan(Vector by)
     {
         View = Kept(View.Pan(new(by.X, by.Y)));
         Lead();
     }
 
-    /// <summary>Shows the values of a datum with a crosshair, and moves there if it is not seen; null shows none.</summary>
+    /// <summary>Shows the values of a datum with a crosshair, and pans to it if it is not visible; null hides them.</summary>
     public void Ask(PlotDatum? datum)
     {
         var old = Values;
@@ -224,26 +214,25 @@ public abstract partial class PlotArea : Control, IDrawnWords
         }
     }
 
-    /// <summary>Draws what is seen.</summary>
-    /// <param name="context">Where to draw, in units of the screen; it is cut off at the border.</param>
-    /// <param name="view">Where what is.</param>
+    /// <summary>Draws the visible part.</summary>
+    /// <param name="context">Where to draw, in screen units; clipped to the border.</param>
+    /// <param name="view">The visible part.</param>
     protected abstract void Draw(DrawingContext context, PlotView view);
 
-    /// <summary>What is nearest to a point of the screen; null if nothing is within reach.</summary>
-    /// <param name="screen">Where the finger is.</param>
-    /// <param name="reach">How far it may be, in units of the screen.</param>
+    /// <summary>The datum nearest to a point of the screen; null if none is within reach.</summary>
+    /// <param name="screen">The point.</param>
+    /// <param name="reach">Largest distance, in screen units.</param>
     protected virtual PlotDatum? DatumNear(Point2 screen, double reach) => DatumAt(_index.Nearest(View.ToPlot(screen), View.ScaleX, View.ScaleY, reach));
 
-    /// <summary>A datum by its number, from 0; null if there is none, as for -1.</summary>
+    /// <summary>A datum by its index, from 0; null if there is none, as for -1.</summary>
     protected virtual PlotDatum? DatumAt(int index) => null;
 
-    /// <summary>Called when a person has asked for a datum.</summary>
+    /// <summary>Called when the user has selected a datum.</summary>
     protected virtual void OnAsked(PlotDatum datum)
     {
-        // Who wants to know says so.
     }
 
-    /// <summary>Moves what is seen to a box, if nothing of it is seen.</summary>
+    /// <summary>Pans to a box if no part of it is visible.</summary>
     protected void Reveal(PlotBox box)
     {
         if (!box.IsEmpty && !box.Touches(View.Seen))
@@ -252,7 +241,7 @@ public abstract partial class PlotArea : Control, IDrawnWords
         }
     }
 
-    /// <summary>Shows all of a box and a little around it, beside the buttons.</summary>
+    /// <summary>Zooms to a box with a small margin, left of the buttons.</summary>
     protected void LookClosely(PlotBox box)
     {
         if (!box.IsEmpty && Bounds is { Width: > 0, Height: > 0 })
@@ -263,8 +252,10 @@ public abstract partial class PlotArea : Control, IDrawnWords
         }
     }
 
-    /// <summary>Says that the data are others. Whoever sees all goes on seeing all; whoever looks closely goes on looking there, as long as there is something.</summary>
-    /// <param name="places">Where the data are, each at its number: they are found under a finger. None where <see cref="DatumNear"/> finds them in its own way.</param>
+    /// <summary>Call this when the data have changed. A view of everything still shows everything; a closer view stays where it
+    /// is as long as it still shows data.</summary>
+    /// <param name="places">Positions of the data, by index, to find the datum under a finger. Empty if <see cref="DatumNear"/>
+    /// is overridden.</param>
     protected void Renew(IReadOnlyList<Point2> places)
     {
         _index = new(places);
@@ -279,17 +270,17 @@ public abstract partial class PlotArea : Control, IDrawnWords
         InvalidateVisual();
     }
 
-    /// <summary>True if a box lies over what was asked for.</summary>
+    /// <summary>True if a box would hide the selected datum.</summary>
     protected virtual bool IsAskedIn(PlotDatum datum, PlotBox box)
     {
         ArgumentNullException.ThrowIfNull(datum);
         return box.Contains(datum.At);
     }
 
-    /// <summary>True if lines of the drawing lead through a box: what stands there hides them.</summary>
+    /// <summary>True if a line of the drawing crosses a box: text there would hide it.</summary>
     protected virtual bool IsDrawnIn(PlotBox box) => false;
 
-    /// <summary>Draws a label where it found room, with the line that leads to it where it stands away.</summary>
+    /// <summary>Draws a label where room was found, with its leader line if it is away from its place.</summary>
     private protected void Words(DrawingContext context, FormattedText text, LabelRoom room)
     {
         if (room.Leader is var (from, to))
@@ -300,7 +291,7 @@ public abstract partial class PlotArea : Control, IDrawnWords
         Words(context, text, room.Corner);
     }
 
-    /// <summary>Draws words on a ground of their own: a line behind them does not cross them out.</summary>
+    /// <summary>Draws text on its own background, so that lines do not cross it out.</summary>
     protected void Words(DrawingContext context, FormattedText text, Point at)
     {
         ArgumentNullException.ThrowIfNull(context);
@@ -313,7 +304,7 @@ public abstract partial class PlotArea : Control, IDrawnWords
         context.DrawText(text, at);
     }
 
-    /// <summary>A label in the plot's ink.</summary>
+    /// <summary>Text in the color of the plot's labels.</summary>
     protected FormattedText Label(string text, bool isStrong = false)
     {
         var typeface = isStrong ? Strong : Plain;
@@ -321,7 +312,7 @@ public abstract partial class PlotArea : Control, IDrawnWords
         return new(text, System.Globalization.CultureInfo.InvariantCulture, FlowDirection.LeftToRight, typeface, LabelSize, Ink);
     }
 
-    // What is looked at closely here is looked at closely there.
+    // The twin follows this plot.
     private void Lead()
     {
         if (Twin is { } twin)
@@ -330,14 +321,14 @@ public abstract partial class PlotArea : Control, IDrawnWords
         }
     }
 
-    // A person who wants to see all wants it in both.
+    // Show all applies to both plots.
     private void ShowAllInBoth()
     {
         ShowAll();
         Twin?.ShowAll();
     }
 
-    // The drawing cannot be lost: its box holds the middle of the view.
+    // Keeps the drawing in sight: the center of the view stays within its box.
     private PlotView Kept(PlotView view) => Extent is { IsEmpty: false } extent
         ? view with { Middle = new(Math.Clamp(view.Middle.X, extent.Left, extent.Right), Math.Clamp(view.Middle.Y, extent.Low, extent.High)) }
         : view;

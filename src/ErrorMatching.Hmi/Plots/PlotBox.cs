@@ -2,38 +2,36 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A rectangle along the axes of a plot, in the plot's own units: what its data cover.</summary>
-/// <param name="Left">The least first coordinate.</param>
-/// <param name="Low">The least second coordinate.</param>
-/// <param name="Right">The greatest first coordinate.</param>
-/// <param name="High">The greatest second coordinate.</param>
+/// <summary>A rectangle along the axes of a plot, in plot units.</summary>
+/// <param name="Left">Smallest first coordinate.</param>
+/// <param name="Low">Smallest second coordinate.</param>
+/// <param name="Right">Largest first coordinate.</param>
+/// <param name="High">Largest second coordinate.</param>
 public readonly record struct PlotBox(double Left, double Low, double Right, double High)
 {
-    /// <summary>The box that holds nothing, and that grows with what is added.</summary>
+    /// <summary>The empty box, which grows as points are added.</summary>
     public static PlotBox Empty => new(double.PositiveInfinity, double.PositiveInfinity, double.NegativeInfinity, double.NegativeInfinity);
 
-    /// <summary>True if it holds nothing.</summary>
     public bool IsEmpty => !(Left <= Right && Low <= High);
 
-    /// <summary>Its middle.</summary>
     public Point2 Middle => new((Left + Right) / 2, (Low + High) / 2);
 
-    /// <summary>The box of some points; those that are no finite numbers do not count.</summary>
+    /// <summary>The bounding box of points; points that are not finite are ignored.</summary>
     public static PlotBox Of(IEnumerable<Point2> points) => points.Aggregate(Empty, (box, p) => box.With(p));
 
-    /// <summary>The box that holds a point as well, unless it is no finite number.</summary>
+    /// <summary>The box extended by a point, unless the point is not finite.</summary>
     public PlotBox With(Point2 p) => p.IsFinite ? new(Math.Min(Left, p.X), Math.Min(Low, p.Y), Math.Max(Right, p.X), Math.Max(High, p.Y)) : this;
 
-    /// <summary>The box that holds another one as well.</summary>
+    /// <summary>The box extended by another one.</summary>
     public PlotBox With(PlotBox other) => new(Math.Min(Left, other.Left), Math.Min(Low, other.Low), Math.Max(Right, other.Right), Math.Max(High, other.High));
 
-    /// <summary>True if a point lies in it or on its border.</summary>
+    /// <summary>True if a point is inside or on the border.</summary>
     public bool Contains(Point2 p) => p.X >= Left && p.X <= Right && p.Y >= Low && p.Y <= High;
 
-    /// <summary>True if they share a point, be it on their borders.</summary>
+    /// <summary>True if the boxes share a point, borders included.</summary>
     public bool Touches(PlotBox other) => Left <= other.Right && other.Left <= Right && Low <= other.High && other.Low <= High;
 
-    /// <summary>True if a polyline leads through it.</summary>
+    /// <summary>True if a polyline crosses it.</summary>
     public bool IsCrossedBy(IReadOnlyList<Point2> line)
     {
         ArgumentNullException.ThrowIfNull(line);
@@ -48,7 +46,8 @@ public readonly record struct PlotBox(double Left, double Low, double Right, dou
         return line.Count == 1 && Contains(line[0]);
     }
 
-    /// <summary>The part of a straight piece that lies in it (Y.-D. Liang and B. A. Barsky, ACM Transactions on Graphics 3, 1984, 1); null if none does.</summary>
+    /// <summary>The part of a segment inside it (Y.-D. Liang and B. A. Barsky, ACM Transactions on Graphics 3, 1984, 1); null if
+    /// none.</summary>
     public (Point2 From, Point2 To)? PartOf(Point2 a, Point2 b)
     {
         var (from, to, way) = (0.0, 1.0, b - a);

@@ -2,14 +2,15 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Finds the nearest of many points: a k-d tree (J. L. Bentley, Communications of the ACM 18, 1975, 509) in one array, the middle of each part in its middle.</summary>
-/// <remarks>Made once for the data, beside the screen; used at any scale, also with one for each direction.</remarks>
+/// <summary>Finds the nearest of many points with a k-d tree (J. L. Bentley, Communications of the ACM 18, 1975, 509). The tree
+/// is one array; the root of each part is in its middle.</summary>
+/// <remarks>Built once per data set, off the UI thread. It works at any scale, also with different scales for the two directions.</remarks>
 public sealed class PlotIndex
 {
     private readonly IReadOnlyList<Point2> _points;
     private readonly int[] _order;
 
-    /// <summary>An index of some points. Those that are no finite numbers are never found.</summary>
+    /// <summary>An index of points. Points that are not finite are never found.</summary>
     public PlotIndex(IReadOnlyList<Point2> points)
     {
         ArgumentNullException.ThrowIfNull(points);
@@ -18,11 +19,11 @@ public sealed class PlotIndex
         Build(0, _order.Length, byX: true);
     }
 
-    /// <summary>The number of the nearest point; of several that are as near, the first one. -1 if none is near enough.</summary>
+    /// <summary>The index of the nearest point, or the first of several at the same distance; -1 if none is within reach.</summary>
     /// <param name="place">Where to look.</param>
-    /// <param name="scaleX">How much a unit of the first coordinate counts.</param>
-    /// <param name="scaleY">How much a unit of the second one counts.</param>
-    /// <param name="reach">How far it may be, in what counts.</param>
+    /// <param name="scaleX">Scale factor of the first coordinate.</param>
+    /// <param name="scaleY">Scale factor of the second coordinate.</param>
+    /// <param name="reach">Largest distance, scaled.</param>
     public int Nearest(Point2 place, double scaleX, double scaleY, double reach)
     {
         var found = (Index: -1, Square: reach * reach);
@@ -46,7 +47,7 @@ public sealed class PlotIndex
             found = (index, square);
         }
 
-        // The side where the place is first; the other one only if the border is near enough.
+        // First the side that contains the place; the other side only if the border is near enough.
         var border = byX ? x : y;
         var (low, high) = ((From: from, To: middle), (From: middle + 1, To: to));
         var (near, far) = border > 0 ? (low, high) : (high, low);
@@ -68,7 +69,7 @@ public sealed class PlotIndex
         }
     }
 
-    // Hoare's selection: what is not greater before the middle, what is not less behind it.
+    // Hoare's selection: elements not greater go before the middle, elements not less go behind it.
     private void Select(int low, int high, int wanted, bool byX)
     {
         while (low < high)

@@ -3,27 +3,28 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Finds room for labels beside their places: never over another label, and over dots and lines only where there is no other way.</summary>
-/// <remarks>A label that would belong to another dot as well stands away, at the end of a line that leads to it. One that finds no room is left out; it appears when one goes nearer.</remarks>
+/// <summary>Places labels next to their points: never over another label, over dots and lines only if necessary.</summary>
+/// <remarks>A label that could be mistaken for another dot's is moved away and gets a leader line. A label without room is left
+/// out; it appears when the user zooms in.</remarks>
 internal sealed class PlotLabels
 {
-    // Looking at every line for every side of every label is worth it while a person can read the labels.
+    // Limit for checking every line for every position of every label. Below it, a person can still read the labels.
     private const int MostLooks = 200_000;
     private const int Sides = 8;
 
-    // The first of them, but for a name: to the right and to the left.
+    // The first two positions of a label that is not a name: right and left.
     private const int Beside = 2;
 
-    // A dot that is covered is as bad as so many lines, and so is one that the label may be taken for.
+    // Covering a dot costs as much as covering this many lines. So does a position where the label may be mistaken for another dot's.
     private const int LinesADot = 10;
 
-    // A label at a corner is nearer along each side, as far away in all.
+    // A label at a corner is shifted less along each axis, so that its distance is the same.
     private const double SlantShare = 0.6;
 
-    // Another dot is so many times as far from a label as its own, or the label may be taken for it.
+    // Another dot must be farther from a label than its own dot by this factor, or the label may be mistaken for the other's.
     private const double PlainlyFurtherFactor = 1.5;
 
-    // How far a label stands away where it cannot stand beside its place, in multiples of that.
+    // Distance of a label that does not fit next to its place, in multiples of the normal distance.
     private const double FarFactor = 3, FurthestFactor = 5;
     private static readonly double[] Further = [FarFactor, FurthestFactor];
 
@@ -34,11 +35,11 @@ internal sealed class PlotLabels
     private readonly List<Rect> _taken = [];
     private readonly List<(Point From, Point To)> _leaders = [];
 
-    /// <summary>Room that nothing takes yet.</summary>
-    /// <param name="lines">What is drawn, as polylines in units of the screen.</param>
-    /// <param name="places">What has a label, in units of the screen.</param>
+    /// <summary>Free room for labels.</summary>
+    /// <param name="lines">The drawing, as polylines in screen units.</param>
+    /// <param name="places">Places that have a label, in screen units.</param>
     /// <param name="dot">Radius of the dots at the places.</param>
-    /// <param name="within">Where a label may stand that stands away from its place.</param>
+    /// <param name="within">Area for labels that are moved away from their places.</param>
     public PlotLabels(IEnumerable<IReadOnlyList<Point>> lines, IReadOnlyCollection<Point> places, double dot, Rect within)
     {
         (_dots, _dot, _within) = ([.. places], dot, within);
@@ -46,15 +47,15 @@ internal sealed class PlotLabels
         _lines = (long)segments.Length * Sides * _dots.Length <= MostLooks ? segments : [];
     }
 
-    /// <summary>The room of a label; null if it finds none.</summary>
+    /// <summary>The position of a label; null if there is no room.</summary>
     /// <param name="text">The label.</param>
-    /// <param name="at">What it belongs to.</param>
-    /// <param name="away">How far from it.</param>
-    /// <param name="isName">True for a name of more than one dot: it had rather be below or above than beside, and it may be near others.</param>
-    /// <param name="isSpare">True if it stands beside its place over nothing else, or is left out.</param>
+    /// <param name="at">The place that it belongs to.</param>
+    /// <param name="away">Distance between the two.</param>
+    /// <param name="isName">True for the name of several dots: above or below is better than beside, and other dots may be near.</param>
+    /// <param name="isSpare">True if the label is left out unless it fits next to its place without covering anything.</param>
     public LabelRoom? Place(FormattedText text, Point at, double away, bool isName = false, bool isSpare = false)
     {
-        // One that may be left out stands at the height of its own place, or it is taken for a neighbor's.
+        // An optional label must be level with its place, or it may be mistaken for a neighbor's.
         var around = Around(text, at, away, isName);
         var best = Best(isSpare ? around.Take(Beside) : around, at, isName, isAway: false);
         foreach (var further in Further.TakeWhile(_ => !isSpare && best is not { Cost: < LinesADot }))
@@ -88,14 +89,15 @@ internal sealed class PlotLabels
         return isBelow ? [.. over.Reverse(), .. corners, .. beside] : [.. beside, .. over, .. corners];
     }
 
-    // Of several that are as good the first one.
+    // Of equally good positions, the first one.
     private (Rect Room, bool IsAway, int Cost)? Best(IEnumerable<Rect> rooms, Point at, bool isName, bool isAway)
     {
         var free = rooms.Where(r => !_leaders.Exists(l => Crosses(l, r)) && !_taken.Exists(t => t.Intersects(r) || (isAway && Crosses((at, NearestOf(r, at)), t)))).Select(r => (Room: r, IsAway: isAway, Cost: CostOf(r, at, isName, isAway))).ToArray();
         return free.Length == 0 ? null : free.MinBy(r => r.Cost);
     }
 
-    // What is covered or may be meant, and what a line that leads to the label crosses besides; beside its own dot it crosses nothing that was not there.
+    // What the label covers, how many dots it may be mistaken for, and what its leader line crosses. Next to its own dot there is
+    // no leader line.
     private int CostOf(Rect room, Point at, bool isName, bool isAway)
     {
         var (own, covered, leader) = (PlainlyFurtherFactor * Point.Distance(at, NearestOf(room, at)), room.Inflate(_dot), (at, NearestOf(room, at)));
@@ -105,7 +107,7 @@ internal sealed class PlotLabels
 
     private static Point NearestOf(Rect room, Point to) => new(Math.Clamp(to.X, room.Left, room.Right), Math.Clamp(to.Y, room.Top, room.Bottom));
 
-    // Liang and Barsky 1984: the part of the line within the four borders is not empty.
+    // Liang and Barsky 1984: the part of the line between the four borders is not empty.
     private static bool Crosses((Point From, Point To) line, Rect room)
     {
         var (dx, dy, begin, end) = (line.To.X - line.From.X, line.To.Y - line.From.Y, 0.0, 1.0);

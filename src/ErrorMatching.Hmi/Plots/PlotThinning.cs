@@ -2,8 +2,9 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>As few points of a line as the screen can tell apart: what lies in one column of pixels becomes its first, lowest, highest and last point, and what is not seen is left out.</summary>
-/// <remarks>A line of 100,000 points over 1,000 pixels becomes one of at most 4,000, and no pixel of it is drawn elsewhere than before by more than its own width.</remarks>
+/// <summary>Reduces a line to the points that the screen can resolve. Each pixel column keeps its first, lowest, highest and last
+/// point; invisible parts are left out.</summary>
+/// <remarks>A line of 100,000 points over 1,000 pixels becomes one of at most 4,000. No pixel moves by more than its own width.</remarks>
 public sealed class PlotThinning
 {
     private readonly PlotView _view;
@@ -14,9 +15,9 @@ public sealed class PlotThinning
 
     private PlotThinning(PlotView view) => (_view, _seen) = (view, new(-DrawnSizes.Beyond, -DrawnSizes.Beyond, view.Width + DrawnSizes.Beyond, view.Height + DrawnSizes.Beyond));
 
-    /// <summary>The points of a line that are drawn, in units of the screen; one that begins is not joined to the one before.</summary>
-    /// <param name="line">The line in the plot's units; a point that is no finite number interrupts it.</param>
-    /// <param name="view">What is seen.</param>
+    /// <summary>The points to draw, in screen units; a point that begins a piece is not joined to the previous one.</summary>
+    /// <param name="line">The line in plot units; a point that is not finite interrupts it.</param>
+    /// <param name="view">The visible part.</param>
     public static IReadOnlyList<(Point2 At, bool Begins)> Of(IReadOnlyList<Point2> line, PlotView view)
     {
         ArgumentNullException.ThrowIfNull(line);

@@ -2,7 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The preferences that hold now: those of who is signed in, kept as soon as one of them is changed. Who has none yet takes what is shown.</summary>
+/// <summary>The preferences in effect: those of the current user, stored as soon as one of them changes. A user without stored
+/// preferences gets the current ones.</summary>
 public sealed class KeptPreferences : Observable, IDisposable
 {
     private readonly Station _station;
@@ -12,48 +13,48 @@ public sealed class KeptPreferences : Observable, IDisposable
     private IReadOnlyList<string> _folders = [];
     private string? _notice;
 
-    /// <summary>Those of a station where nobody is signed in.</summary>
+    /// <summary>The preferences of a station before the first sign-in.</summary>
     public KeptPreferences(Station station)
     {
         _station = station ?? throw new ArgumentNullException(nameof(station));
         Texts.Current.LanguageChanged += Keep;
     }
 
-    /// <summary>True for light on dark.</summary>
+    /// <summary>True for the dark theme.</summary>
     public bool IsDark
     {
         get => _isDark;
         set => Change(ref _isDark, value);
     }
 
-    /// <summary>How high what is touched is.</summary>
+    /// <summary>Height of touch targets.</summary>
     public TouchSize TouchSize
     {
         get => _touchSize;
         set => Change(ref _touchSize, value);
     }
 
-    /// <summary>Folders in which something was chosen, the latest first.</summary>
+    /// <summary>Recently used folders, latest first.</summary>
     public IReadOnlyList<string> Folders
     {
         get => _folders;
         set => Change(ref _folders, value);
     }
 
-    /// <summary>Why they cannot be read or kept; null if they can.</summary>
+    /// <summary>Why they cannot be read or stored; null if they can.</summary>
     public string? Notice
     {
         get => _notice;
         set => Set(ref _notice, value);
     }
 
-    /// <summary>Where they are kept; null if they are not.</summary>
+    /// <summary>The file they are stored in; null if they are not stored.</summary>
     public string? File => _user is null ? null : _station.Preferences?.Of(_user);
 
-    /// <summary>Done when everything is kept or read that was to be.</summary>
+    /// <summary>Completes when all pending reading and storing is done.</summary>
     internal Task Running { get; private set; } = Task.CompletedTask;
 
-    /// <summary>Takes those of a user, or of nobody.</summary>
+    /// <summary>Loads the preferences of a user, or of no user.</summary>
     public void Take(string? user)
     {
         _user = user;
@@ -63,7 +64,7 @@ public sealed class KeptPreferences : Observable, IDisposable
         }
     }
 
-    /// <summary>Remembers a folder in which something was chosen.</summary>
+    /// <summary>Remembers a recently used folder.</summary>
     public void Remember(string folder) => Folders = [.. Folders.Where(f => f != folder).Prepend(folder).Take(PreferenceFiles.MostFolders)];
 
     /// <inheritdoc/>
@@ -85,7 +86,7 @@ public sealed class KeptPreferences : Observable, IDisposable
         }
     }
 
-    // One after another: what was changed last is what is kept.
+    // One after another, so that the last change wins.
     private async Task KeepAsync(Task before, PreferenceFiles files, string user, Preferences preferences)
     {
         await before;
@@ -103,7 +104,7 @@ public sealed class KeptPreferences : Observable, IDisposable
             var read = await Task.Run(() => files.Read(user));
             if (read is not null && _user == user)
             {
-                // Nobody changed anything: nothing is to be kept.
+                // With no user set, the values just read are not stored again.
                 _user = null;
                 (Texts.Current.Language, IsDark, TouchSize, Folders) = (read.Language, read.IsDark, read.TouchSize, read.Folders);
                 _user = user;

@@ -7,11 +7,11 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where people's preferences are kept: a small file for each, which anybody may have changed or spoiled.</summary>
-/// <param name="folder">Their folder. It is made when the first one is kept.</param>
+/// <summary>Storage of the users' preferences: one small file per user. Others may have changed or damaged it.</summary>
+/// <param name="folder">The folder. It is created with the first file.</param>
 public sealed class PreferenceFiles(string folder)
 {
-    /// <summary>How many folders are remembered.</summary>
+    /// <summary>Number of recently used folders that are stored.</summary>
     public const int MostFolders = 5;
 
     private const int MostBytes = 64 * 1024;
@@ -33,12 +33,12 @@ public sealed class PreferenceFiles(string folder)
         """u8,
         "preferences.schema.json"));
 
-    /// <summary>The file of a user. Names may have any characters; files may not.</summary>
+    /// <summary>The file of a user. User names may have any characters; file names may not.</summary>
     public string Of(string user) => Path.Combine(folder, $"station-{Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(user)))[..16]}.json");
 
-    /// <summary>What a user likes; null if nothing was kept.</summary>
+    /// <summary>The preferences of a user; null if none are stored.</summary>
     /// <exception cref="InputException">The file cannot be read.</exception>
-    /// <exception cref="JsonDocumentException">It is not what <see cref="Keep"/> writes.</exception>
+    /// <exception cref="JsonDocumentException">It does not have the form that <see cref="Keep"/> writes.</exception>
     public Preferences? Read(string user)
     {
         var file = Of(user);
@@ -54,7 +54,7 @@ public sealed class PreferenceFiles(string folder)
             : new(Enum.Parse<Language>(document["language"].Text), document["theme"].Text == "dark", Enum.Parse<TouchSize>(document["targets"].Text), [.. document["folders"].Items.Select(i => i.Text).Where(IsFolder)]);
     }
 
-    /// <summary>Keeps what a user likes.</summary>
+    /// <summary>Stores the preferences of a user.</summary>
     /// <exception cref="OutputException">It cannot be written.</exception>
     public void Keep(string user, Preferences preferences)
     {
@@ -80,6 +80,6 @@ public sealed class PreferenceFiles(string folder)
         OutputFile.Write(Of(user), bytes.ToArray(), [], CancellationToken.None);
     }
 
-    // A path that no system takes would only be in the way.
+    // A path that no system accepts would only be in the way.
     private static bool IsFolder(string path) => !path.Contains('\0', StringComparison.Ordinal) && Path.IsPathFullyQualified(path);
 }

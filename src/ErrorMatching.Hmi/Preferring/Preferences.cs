@@ -1,8 +1,8 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>How a person likes the station.</summary>
+/// <summary>A user's preferences.</summary>
 /// <param name="Language">The language.</param>
-/// <param name="IsDark">True for light on dark.</param>
-/// <param name="TouchSize">How high what is touched is.</param>
-/// <param name="Folders">Folders in which something was chosen, the latest first.</param>
+/// <param name="IsDark">True for the dark theme.</param>
+/// <param name="TouchSize">Height of touch targets.</param>
+/// <param name="Folders">Recently used folders, latest first.</param>
 public sealed record Preferences(Language Language, bool IsDark, TouchSize TouchSize, IReadOnlyList<string> Folders);

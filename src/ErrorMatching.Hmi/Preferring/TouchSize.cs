@@ -1,6 +1,6 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>How high what is touched is.</summary>
+/// <summary>Height of touch targets.</summary>
 public enum TouchSize
 {
     /// <summary>15 mm.</summary>

@@ -1,17 +1,16 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Blocks of a program that follow each other.</summary>
-/// <param name="First">Position of the first one, from 0.</param>
-/// <param name="Last">Position of the last one; not less.</param>
+/// <summary>Consecutive blocks of a program.</summary>
+/// <param name="First">Index of the first block, from 0.</param>
+/// <param name="Last">Index of the last block; not less.</param>
 public readonly record struct BlockRange(int First, int Last)
 {
-    /// <summary>Number of blocks.</summary>
     public int Count => Last - First + 1;
 
-    /// <summary>The blocks between two, in whichever order they are given.</summary>
+    /// <summary>The range between two blocks, given in either order.</summary>
     public static BlockRange Between(int one, int other) => new(Math.Min(one, other), Math.Max(one, other));
 
-    /// <summary>Ascending blocks as ranges, as few as they can be.</summary>
+    /// <summary>Converts ascending blocks to as few ranges as possible.</summary>
     public static IReadOnlyList<BlockRange> Of(IReadOnlyList<int> blocks)
     {
         var ranges = new List<BlockRange>();
@@ -30,6 +29,5 @@ public readonly record struct BlockRange(int First, int Last)
         return ranges;
     }
 
-    /// <summary>True if a block is among them.</summary>
     public bool Contains(int block) => block >= First && block <= Last;
 }

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>A feature as it is marked in a program: by its name beside its blocks and its moves, and by a bar; not by a color alone.</summary>
+/// <summary>The marking of a feature in a program: its name next to its blocks and moves, and a bar; not color alone.</summary>
 /// <param name="Name">Its name.</param>
 /// <param name="Ranges">Its blocks.</param>
-/// <param name="Problem">Why its blocks could not all be found; null if they were.</param>
+/// <param name="Problem">Why some of its blocks were not found; null if all were found.</param>
 public sealed record FeatureMark(string Name, IReadOnlyList<BlockRange> Ranges, string? Problem);

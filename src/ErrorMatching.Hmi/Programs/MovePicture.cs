@@ -3,13 +3,15 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The path of a program seen against the plane it is cut in, made so that a view of it is drawn, and the move under a finger found, without looking at all of a million moves.</summary>
-/// <remarks>Moves follow each other in space as they do in time; so boxes around 16 of them, and around 8 such boxes, and so on, make a tree. What is smaller than a pixel in it is drawn as one.</remarks>
+/// <summary>The path of a program projected onto its working plane. It can draw a view, and find the move under a finger, without
+/// visiting all of a million moves.</summary>
+/// <remarks>Consecutive moves are close to each other in space. So bounding boxes around 16 moves, around 8 such boxes, and so
+/// on, form a tree. A box smaller than a pixel is drawn as one dot.</remarks>
 public sealed class MovePicture
 {
     private const int Leaf = 16, Branch = 8, MostChords = 4096;
 
-    // How far the chords of an arc may lie off it, in pixels, and what a rapid must be nearer than a cut to be meant, as a share of the reach.
+    // Largest distance of chords from an arc, in pixels. Share of the reach that a rapid must be nearer than a cut to be selected.
     private const double ChordError = 0.25, RapidPenalty = 0.25;
 
     private readonly NcMotions _motions;
@@ -20,7 +22,7 @@ public sealed class MovePicture
     private readonly PlotBox[][] _boxes;
     private readonly bool[][] _cuts;
 
-    /// <summary>The picture of a path.</summary>
+    /// <summary>Creates the picture of a path.</summary>
     public MovePicture(NcPath path)
     {
         ArgumentNullException.ThrowIfNull(path);
@@ -64,20 +66,20 @@ public sealed class MovePicture
         Unknown = 8,
     }
 
-    /// <summary>The plane that it is seen against.</summary>
+    /// <summary>The plane of projection.</summary>
     public CoordinatePlane Plane => _plane;
 
-    /// <summary>What the path covers, mm.</summary>
+    /// <summary>The bounding box of the path, mm.</summary>
     public PlotBox Extent { get; }
 
-    /// <summary>Number of motions, those included that are not drawn since only the machine knows where they lead.</summary>
+    /// <summary>Number of motions, including those that are not drawn because only the machine knows where they lead.</summary>
     public int Count => _ends.Length;
 
-    /// <summary>Passes over the pieces of the path that are seen, in the order of the program.</summary>
-    /// <param name="view">What is seen.</param>
-    /// <param name="pixel">Size of a pixel in units of the screen.</param>
-    /// <param name="draw">What becomes of each; false ends it.</param>
-    /// <returns>False if it was ended.</returns>
+    /// <summary>Visits the visible strokes of the path, in program order.</summary>
+    /// <param name="view">The visible part.</param>
+    /// <param name="pixel">Size of a pixel in screen units.</param>
+    /// <param name="draw">Called for each stroke; returns false to stop.</param>
+    /// <returns>False if it was stopped.</returns>
     public bool Strokes(PlotView view, double pixel, Func<MoveStroke, bool> draw)
     {
         ArgumentNullException.ThrowIfNull(draw);
@@ -102,15 +104,16 @@ public sealed class MovePicture
         }
     }
 
-    /// <summary>Where a motion begins and ends; null where only the machine knows.</summary>
+    /// <summary>Start and end of a motion; null if only the machine knows them.</summary>
     public (Point2 From, Point2 To)? EndsOf(int motion) => Is(motion, Kind.Unknown) ? null : (StartOf(motion), _ends[motion]);
 
-    /// <summary>What a motion covers; nothing where only the machine knows.</summary>
+    /// <summary>The bounding box of a motion; empty if only the machine knows where it leads.</summary>
     public PlotBox BoxOf(int motion) => Is(motion, Kind.Unknown) ? PlotBox.Empty : BoxOf(motion, _motions[motion]);
 
-    /// <summary>The motion nearest to a place, of several at the same distance the first one, cuts before rapids; -1 if none is within reach.</summary>
+    /// <summary>The motion nearest to a place, cuts before rapids; of several at the same distance, the first one. -1 if none is
+    /// within reach.</summary>
     /// <param name="place">Where to look.</param>
-    /// <param name="reach">How far it may be, mm.</param>
+    /// <param name="reach">Largest distance, mm.</param>
     public int Nearest(Point2 place, double reach)
     {
         var found = (Motion: -1, Distance: reach);
@@ -122,7 +125,7 @@ public sealed class MovePicture
         return found.Motion;
     }
 
-    /// <summary>The place on a motion that is nearest to another place.</summary>
+    /// <summary>The nearest place on a motion.</summary>
     public Point2 NearestOn(int motion, Point2 place)
     {
         if (Is(motion, Kind.Arc) && _motions[motion] is var m)
@@ -134,7 +137,7 @@ public sealed class MovePicture
         return segment.Start == segment.End ? segment.Start : segment.At(segment.NearestFraction(place));
     }
 
-    // A little more than is seen, so that ends and joins are not.
+    // Slightly larger than the visible box, so that line ends and joins at its border stay invisible.
     private static PlotBox Around(PlotView view) => view.Seen is var s
         ? new(s.Left - (DrawnSizes.Beyond / view.ScaleX), s.Low - (DrawnSizes.Beyond / view.ScaleY), s.Right + (DrawnSizes.Beyond / view.ScaleX), s.High + (DrawnSizes.Beyond / view.ScaleY))
         : default;
@@ -150,7 +153,7 @@ public sealed class MovePicture
         var (first, behind) = Motions(level, index);
         if ((box.Right - box.Left) * seeing.View.ScaleX < seeing.Pixel && (box.High - box.Low) * seeing.View.ScaleY < seeing.Pixel)
         {
-            // All within a pixel.
+            // All within one pixel.
             return seeing.Add(box.Middle, box.Middle, _motions.BlockOf(first), !_cuts[level][index]);
         }
 
@@ -170,7 +173,7 @@ public sealed class MovePicture
         return Add(first, behind, seeing);
     }
 
-    // Straight moves that stay within half a pixel of where the last stroke ended are drawn with the next one.
+    // Straight moves that stay within half a pixel of the end of the last stroke are merged with the next one.
     private bool Add(int first, int behind, Seeing seeing)
     {
         var (from, isPending) = (default(Point2), false);
@@ -224,7 +227,7 @@ public sealed class MovePicture
 
         if (level > 0)
         {
-            // The nearest box first, so that the others need not be looked into.
+            // Nearest box first: the others can then often be skipped.
             var children = Enumerable.Range(index * Branch, Math.Min(Branch, _boxes[level - 1].Length - (index * Branch))).OrderBy(c => Distance(_boxes[level - 1][c], place));
             foreach (var child in children)
             {
@@ -269,7 +272,7 @@ public sealed class MovePicture
 
     private Point2 StartOf(int motion) => Is(motion, Kind.StartsElsewhere) ? StartOf(_motions[motion]) : motion == 0 ? _ends[0] : _ends[motion - 1];
 
-    // Where only the machine knows where it begins, it is drawn where it ends.
+    // If only the machine knows the start, the motion is drawn as a point at its end.
     private Point2 StartOf(NcMotion motion) => (motion.UnknownStart & _axes) == AxisSet.None ? _plane.Project(motion.Start) : _plane.Project(motion.End);
 
     private Kind KindOf(NcMotion motion, Point2? before)
@@ -293,7 +296,7 @@ public sealed class MovePicture
             return Chords(motion, 64).Aggregate(box, (b, c) => b.With(c.End));
         }
 
-        // An arc reaches beyond its ends where it points along an axis.
+        // An arc extends beyond its ends where it crosses an axis direction.
         var arc = motion.Arc;
         foreach (var way in (ReadOnlySpan<Vector2>)[new(1, 0), new(0, 1), new(-1, 0), new(0, -1)])
         {
@@ -304,7 +307,7 @@ public sealed class MovePicture
         return box;
     }
 
-    // An arc as straight pieces, seen against the plane of the picture; a helix rises evenly.
+    // Splits an arc into chords in the plane of the picture; a helix rises evenly.
     private IEnumerable<Segment2> Chords(NcMotion motion, int count)
     {
         var (from, rise, arc) = (motion.Plane.Height(motion.Start), motion.Plane.Height(motion.End) - motion.Plane.Height(motion.Start), motion.Arc);

@@ -3,11 +3,11 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A program that was opened: its text, read line by line when it is looked at, its path, and which is which. It is never changed.</summary>
-/// <remarks>Opening interprets the program; do it beside the screen. A program of a million blocks costs its bytes and about 60 bytes a block.</remarks>
+/// <summary>An opened program: its text, read line by line when shown, and its path. Immutable.</summary>
+/// <remarks>Opening interprets the program; do it off the UI thread. It needs the program's bytes and about 60 bytes per block.</remarks>
 public sealed class OpenedProgram
 {
-    /// <summary>So much of a line is shown; a line can be as long as a file.</summary>
+    /// <summary>Maximum number of characters shown of a line; a line can be as long as a file.</summary>
     public const int MostShown = 400;
 
     private OpenedProgram(NcPath path)
@@ -17,29 +17,28 @@ public sealed class OpenedProgram
         LongestLine = Enumerable.Range(0, Count).Select(b => Math.Min(MostShown + 1, Path.Program[b].Length)).DefaultIfEmpty().Max();
     }
 
-    /// <summary>What it does.</summary>
+    /// <summary>The interpreted path.</summary>
     public NcPath Path { get; }
 
-    /// <summary>Its path, as it is drawn.</summary>
+    /// <summary>The path as drawn.</summary>
     public MovePicture Moves { get; }
 
-    /// <summary>Number of blocks.</summary>
     public int Count => Path.Program.BlockCount;
 
-    /// <summary>So many characters are shown of the longest line, at most: a byte is no more than one.</summary>
+    /// <summary>Upper limit of the characters shown of the longest line: a byte is at most one character.</summary>
     public int LongestLine { get; }
 
-    /// <summary>Why it could not be followed to its end, or what it has that is not understood; null if all is well.</summary>
+    /// <summary>Why the program could not be interpreted to its end, or what in it is not understood; null if nothing.</summary>
     public string? Problem => Path.Refusal is { } refusal
         ? CodeText.Of(refusal.Code, refusal.Message)
         : Path.Problems.Count > 0 ? Texts.Current.With("Program.Problems", Shown.Count(Path.Problems.Count), Shown.Id(Path.Problems[0].Block + 1)) : null;
 
     /// <summary>Opens a program.</summary>
-    /// <param name="bytes">Its bytes. They are kept: do not change them afterwards.</param>
-    /// <param name="dialect">What its words mean.</param>
-    /// <param name="cancellation">Ends it before it is done.</param>
-    /// <exception cref="NcException">It is too large.</exception>
-    /// <exception cref="OperationCanceledException">It was ended.</exception>
+    /// <param name="bytes">Its bytes. They are not copied: do not change them afterwards.</param>
+    /// <param name="dialect">Its dialect.</param>
+    /// <param name="cancellation">Cancels the opening.</param>
+    /// <exception cref="NcException">The program is too large.</exception>
+    /// <exception cref="OperationCanceledException">The opening was canceled.</exception>
     public static OpenedProgram Read(ReadOnlyMemory<byte> bytes, NcDialect dialect, CancellationToken cancellation = default)
     {
         ArgumentNullException.ThrowIfNull(dialect);
@@ -55,7 +54,7 @@ public sealed class OpenedProgram
             return program.TextOf(place);
         }
 
-        // Not in the middle of a character: bytes behind the first one of it begin with the bits 10.
+        // Not in the middle of a character: continuation bytes begin with the bits 10.
         var length = MostShown;
         while (length > MostShown - 4 && (program.BytesOf(place)[length] & 0xC0) == 0x80)
         {
@@ -65,10 +64,10 @@ public sealed class OpenedProgram
         return program.TextOf(place with { Length = length }) + "…";
     }
 
-    /// <summary>The number of a block as it stands there, or its line where it has none.</summary>
+    /// <summary>The block number as written in the program, or the line number if there is none.</summary>
     public string NameOf(int block) => Path.Program.NumberOf(Path.Program[block]) is { Length: > 0 } number ? number : Texts.Current.With("Program.Line", Shown.Id(block + 1));
 
-    /// <summary>The motions of some blocks from the first to the last of them, in the order in which they are executed; null if there are none.</summary>
+    /// <summary>The first and last motion of a range of blocks, in the order of execution; null if there are none.</summary>
     public (int First, int Last)? MotionsOf(BlockRange range)
     {
         for (var block = range.First; block <= range.Last; block++)
@@ -88,7 +87,7 @@ public sealed class OpenedProgram
         return null;
     }
 
-    /// <summary>True if anything moves in a range.</summary>
+    /// <summary>True if a range contains a motion.</summary>
     public bool IsMoving(BlockRange range)
     {
         var block = range.First;
@@ -100,7 +99,7 @@ public sealed class OpenedProgram
         return block <= range.Last;
     }
 
-    /// <summary>A range without what moves nothing at its ends, comments for example; the same if nothing in it moves.</summary>
+    /// <summary>A range without blocks at its ends that move nothing, such as comments; unchanged if nothing in it moves.</summary>
     public BlockRange Trimmed(BlockRange range)
     {
         var (first, last) = (range.First, range.Last);
@@ -117,7 +116,7 @@ public sealed class OpenedProgram
         return Path.MotionOf(first) < 0 ? range : new(first, last);
     }
 
-    /// <summary>What a block does, for people: its text, and where its last move ends.</summary>
+    /// <summary>Describes a motion: its block number, its end position, and its feed if it cuts.</summary>
     public string TellMotion(int motion)
     {
         var m = Path.Motions[motion];
@@ -127,6 +126,6 @@ public sealed class OpenedProgram
         string Coordinate(double value, AxisSet axis) => (m.UnknownEnd & axis) == AxisSet.None ? Shown.Mm(value) : Shown.Nothing;
     }
 
-    /// <summary>Where a motion of the picture is nearest to a place.</summary>
+    /// <summary>The nearest place on a motion of the picture.</summary>
     internal Point2 NearestOn(int motion, Point2 place) => Moves.NearestOn(motion, place);
 }

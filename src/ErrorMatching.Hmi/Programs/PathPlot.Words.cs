@@ -4,10 +4,11 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <content>What is written and marked over the path: features with their key points, and the ends of what is chosen.</content>
+/// <content>Labels and marks on the path: features with their key points, and the ends of the selection.</content>
 public sealed partial class PathPlot
 {
-    // What blocks are picked for is written first, so that it has room before all else; of the rest, what would hide the path is left out.
+    // The feature that blocks are picked for is labeled first, so that its labels get room. Other labels that would hide the path
+    // are left out.
     private void DrawLabels(DrawingContext context, PlotView view, OpenedProgram program)
     {
         var points = Picture!.Points.Where(p => view.Seen.Contains(p.At)).OrderByDescending(p => IsStrong(p.Feature)).ToArray();
@@ -27,14 +28,14 @@ public sealed partial class PathPlot
             Write(context, labels, point.Label, view.At(point.At), isStrong: false, isName: false);
         }
 
-        // Over the ground of words beside them.
+        // Drawn last, so that no label's background covers them.
         foreach (var point in points)
         {
             Diamond(context, IsStrong(point.Feature) ? Ink : QuietBrush, null, view.At(point.At), IsStrong(point.Feature) ? DrawnSizes.Mark : DrawnSizes.QuietMark);
         }
     }
 
-    // A feature is named at the middle of its blocks, and where it has none yet, in the middle of its points.
+    // A feature's name is at the middle of its first blocks, or of its points if it has no blocks yet.
     private IEnumerable<(string Name, Point2 At)> NamesOf(OpenedProgram program)
     {
         var named = new HashSet<string>(StringComparer.Ordinal);
@@ -54,7 +55,7 @@ public sealed partial class PathPlot
         }
     }
 
-    // Where blocks are picked for nothing, all features are looked at.
+    // If no feature is being picked, all are equally important.
     private bool IsStrong(string feature) => Picture!.Feature is not { } picked || picked == feature;
 
     private void Write(DrawingContext context, PlotLabels labels, string words, Point at, bool isStrong, bool isName)
@@ -71,7 +72,7 @@ public sealed partial class PathPlot
         }
     }
 
-    // A ring where what is chosen begins, a dot where it ends.
+    // A ring at the start of the selection, a dot at its end.
     private void DrawEnds(DrawingContext context, PlotView view, OpenedProgram program)
     {
         if (Picture!.Selection is { } range && program.MotionsOf(range) is var (first, last))

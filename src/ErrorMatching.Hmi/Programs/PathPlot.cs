@@ -6,20 +6,18 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Draws the path of a program; a tap lights a move and its block.</summary>
-/// <remarks>Up to <see cref="MostShapes"/> pieces that are seen are drawn as shapes; more of them pixel by pixel into one picture, so that a frame costs what the screen costs and not what the program costs.</remarks>
+/// <summary>Draws the path of a program; a tap selects a move and its block.</summary>
+/// <remarks>Up to <see cref="MostShapes"/> visible strokes are drawn as shapes. More are drawn pixel by pixel into one bitmap, so
+/// that the cost of a frame depends on the screen and not on the program.</remarks>
 public sealed partial class PathPlot : PlotArea
 {
-    /// <summary>The program.</summary>
     public static readonly StyledProperty<ProgramPicture?> PictureProperty = AvaloniaProperty.Register<PathPlot, ProgramPicture?>(nameof(Picture));
 
-    /// <summary>What is chosen.</summary>
     public static readonly StyledProperty<IBrush?> ChosenBrushProperty = AvaloniaProperty.Register<PathPlot, IBrush?>(nameof(ChosenBrush));
 
-    /// <summary>What belongs to features that blocks are not picked for.</summary>
     public static readonly StyledProperty<IBrush?> QuietBrushProperty = AvaloniaProperty.Register<PathPlot, IBrush?>(nameof(QuietBrush));
 
-    /// <summary>Most pieces that are drawn as shapes.</summary>
+    /// <summary>Maximum number of strokes drawn as shapes.</summary>
     public const int MostShapes = 1500;
 
     private readonly PixelLayer _layer = new();
@@ -30,21 +28,20 @@ public sealed partial class PathPlot : PlotArea
 
     static PathPlot() => AffectsRender<PathPlot>(ChosenBrushProperty, QuietBrushProperty);
 
-    /// <summary>The program.</summary>
     public ProgramPicture? Picture
     {
         get => GetValue(PictureProperty);
         set => SetValue(PictureProperty, value);
     }
 
-    /// <summary>What is chosen.</summary>
+    /// <summary>Color of the selection.</summary>
     public IBrush? ChosenBrush
     {
         get => GetValue(ChosenBrushProperty);
         set => SetValue(ChosenBrushProperty, value);
     }
 
-    /// <summary>What belongs to features that blocks are not picked for.</summary>
+    /// <summary>Color of features other than the one that blocks are picked for.</summary>
     public IBrush? QuietBrush
     {
         get => GetValue(QuietBrushProperty);
@@ -54,7 +51,7 @@ public sealed partial class PathPlot : PlotArea
     /// <summary>True if the last frame was drawn pixel by pixel.</summary>
     internal bool IsByPixel { get; private set; }
 
-    /// <summary>The painting that is under way beside the screen, or the last one.</summary>
+    /// <summary>The current background painting, or the last one.</summary>
     public Task Painting { get; private set; } = Task.CompletedTask;
 
     /// <inheritdoc/>
@@ -95,7 +92,7 @@ public sealed partial class PathPlot : PlotArea
             picture.PropertyChanged -= Follow;
             picture.PropertyChanged += Follow;
 
-            // Nobody followed it while it was not on the screen: what changed meanwhile is read now.
+            // Changes made while the plot was not on the screen were not followed; read them now.
             Sort();
             Renew([]);
         }
@@ -159,7 +156,7 @@ public sealed partial class PathPlot : PlotArea
         IsByPixel = !program.Moves.Strokes(view, Pixel, Keep);
         if (IsByPixel)
         {
-            // What is chosen is drawn at once and above, unless it is too much for that as well.
+            // The selection is drawn immediately and on top, unless it has too many strokes as well.
             _strokes.Clear();
             var isLarge = !KeepChosen(program, view);
             DrawPixels(context, new(program, view, Pixel, isLarge ? Picture.Selection : null, _featured, PixelLayer.ColorOf(Rule), PixelLayer.ColorOf(Ink), PixelLayer.ColorOf(ChosenBrush)));
@@ -226,7 +223,7 @@ public sealed partial class PathPlot : PlotArea
         InvalidateVisual();
     }
 
-    // What is chosen is seen; values of another move are not shown any more.
+    // Shows the selection, and hides the values of any other move.
     private void Light()
     {
         if (Picture is not { Selection: { } range, Program: var program, Cursor: var cursor })
@@ -245,7 +242,7 @@ public sealed partial class PathPlot : PlotArea
         }
     }
 
-    // What is cut, with the key points that it is cut for.
+    // The cuts with their key points.
     private PlotBox BoxOf(FeatureLook look)
     {
         var program = Picture!.Program;
@@ -308,7 +305,7 @@ public sealed partial class PathPlot : PlotArea
         }
     }
 
-    // What was painted last, moved to where it is seen now, until what is seen now is painted: that goes on beside the screen.
+    // Shows the last bitmap, moved to its current place, until the new one is painted in the background.
     private void DrawPixels(DrawingContext context, PathFrame frame)
     {
         if (frame != (_painting ?? _painted))
@@ -327,7 +324,7 @@ public sealed partial class PathPlot : PlotArea
 
         var (corner, scale) = (frame.View.At(painted.View.ToPlot(new(0, 0))), frame.View.ScaleX / painted.View.ScaleX);
 
-        // A picture that lies on whole pixels is copied, which takes a tenth of the time.
+        // A bitmap aligned to whole pixels is copied, which takes a tenth of the time.
         corner = scale == 1 ? new Point(Math.Round(corner.X / frame.Pixel) * frame.Pixel, Math.Round(corner.Y / frame.Pixel) * frame.Pixel) : corner;
         _layer.Show(context, new Rect(corner, new Size(painted.Width * painted.Pixel * scale, painted.Height * painted.Pixel * scale)));
     }
@@ -338,7 +335,7 @@ public sealed partial class PathPlot : PlotArea
         {
             (_wanted, _painting) = (null, frame);
 
-            // Begun while a frame is drawn, in which nothing may be asked to be drawn anew: what follows waits even where the painting is done at once.
+            // Starts while a frame is drawn, when no redraw may be requested; so the continuation is always posted.
             await Task.Run(() => frame.Paint(_layer.Canvas)).ConfigureAwait(ConfigureAwaitOptions.ForceYielding | ConfigureAwaitOptions.ContinueOnCapturedContext);
             _painting = null;
             if (!_isSeen)

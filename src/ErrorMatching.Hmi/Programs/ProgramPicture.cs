@@ -3,11 +3,10 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A program as text and as a drawn path, to pick the blocks of each feature: what is chosen in one is lit in the other.</summary>
-/// <remarks>
-/// A screen makes one from an <see cref="OpenedProgram"/>, says which features there are (<see cref="MarkAsync"/>) and which one blocks are picked for (<see cref="Feature"/>), and listens to <see cref="RangeChosen"/>.
-/// <c>Views</c> shows it wherever a screen puts it as content.
-/// </remarks>
+/// <summary>A program as text and as a drawn path, to pick the blocks of each feature. A selection in one shows in the other.</summary>
+/// <remarks>A screen creates one from an <see cref="OpenedProgram"/>, sets the features (<see cref="MarkAsync"/>) and the one
+/// that blocks are picked for (<see cref="Feature"/>), and listens to <see cref="RangeChosen"/>. <c>Views</c> supplies its view
+/// if a screen uses it as content.</remarks>
 public sealed class ProgramPicture : Observable
 {
     private BlockRange? _selection;
@@ -21,7 +20,7 @@ public sealed class ProgramPicture : Observable
     private bool _isReadOnly;
     private bool _isWhole = true;
 
-    /// <summary>The picture of a program.</summary>
+    /// <summary>Creates the picture of a program.</summary>
     public ProgramPicture(OpenedProgram program)
     {
         Program = program ?? throw new ArgumentNullException(nameof(program));
@@ -31,13 +30,12 @@ public sealed class ProgramPicture : Observable
         Behind = new(() => Move(1, isExtending: false), () => Program.Count > 0);
     }
 
-    /// <summary>Said when a person has picked blocks for a feature.</summary>
+    /// <summary>Raised when the user has picked blocks for a feature.</summary>
     public event Action<RangeChoice>? RangeChosen;
 
-    /// <summary>The program.</summary>
     public OpenedProgram Program { get; }
 
-    /// <summary>The blocks that are lit; null if none are.</summary>
+    /// <summary>The selected blocks; null if none are.</summary>
     public BlockRange? Selection
     {
         get => _selection;
@@ -52,10 +50,10 @@ public sealed class ProgramPicture : Observable
         }
     }
 
-    /// <summary>The block at the end that moves when the lit blocks become more or fewer: the one to be seen.</summary>
+    /// <summary>The end of the selection that moves when it is extended; this block is kept in view.</summary>
     public int Cursor { get; private set; }
 
-    /// <summary>The features as they are marked.</summary>
+    /// <summary>The marked features.</summary>
     public IReadOnlyList<FeatureMark> Marks
     {
         get => _marks;
@@ -68,14 +66,14 @@ public sealed class ProgramPicture : Observable
         }
     }
 
-    /// <summary>Where the key points of the features lie in the program; none where that is not known.</summary>
+    /// <summary>Positions of the features' key points in the program; empty if unknown.</summary>
     public IReadOnlyList<DraftPlace> Points
     {
         get => _points;
         set => Set(ref _points, value);
     }
 
-    /// <summary>The feature that blocks are picked for; null if they are only looked at.</summary>
+    /// <summary>The feature that blocks are picked for; null if the program is only viewed.</summary>
     public string? Feature
     {
         get => _feature;
@@ -88,10 +86,10 @@ public sealed class ProgramPicture : Observable
         }
     }
 
-    /// <summary>The blocks of a feature that a person wants to see; null before anybody did. Said anew each time.</summary>
+    /// <summary>The last request to show the blocks of a feature; null if there was none. Equal requests are reported, too.</summary>
     public FeatureLook? Look { get; private set; }
 
-    /// <summary>True where blocks cannot be picked, by somebody who may not.</summary>
+    /// <summary>True if the user may not pick blocks.</summary>
     public bool IsReadOnly
     {
         get => _isReadOnly;
@@ -104,55 +102,55 @@ public sealed class ProgramPicture : Observable
         }
     }
 
-    /// <summary>Takes the lit blocks for the feature, in place of those that it has.</summary>
+    /// <summary>Assigns the selected blocks to the feature and replaces its blocks.</summary>
     public Command Take { get; }
 
-    /// <summary>Adds the lit blocks to those of the feature.</summary>
+    /// <summary>Adds the selected blocks to the feature.</summary>
     public Command Add { get; }
 
-    /// <summary>Lights the block before.</summary>
+    /// <summary>Selects the previous block.</summary>
     public Command Before { get; }
 
-    /// <summary>Lights the block behind.</summary>
+    /// <summary>Selects the next block.</summary>
     public Command Behind { get; }
 
-    /// <summary>The naming of blocks that is under way, or the last one.</summary>
+    /// <summary>The current search for the selectors of picked blocks, or the last one.</summary>
     public Task Choosing { get; private set; } = Task.CompletedTask;
 
-    /// <summary>Why blocks could not be taken, or what is wrong with the program; null if nothing is to be said.</summary>
+    /// <summary>Why blocks could not be assigned, or what is wrong with the program; null if there is no message.</summary>
     public string? Message
     {
         get => _message ?? Program.Problem;
         private set => Set(ref _message, value);
     }
 
-    /// <summary>The lit blocks in words.</summary>
+    /// <summary>The selection in words.</summary>
     public string Chosen => Selection is not { } range ? Look is { } look && look.Feature == Feature ? Texts.Current.With(_isWhole ? "Program.Looked" : look.IsAtEnd ? "Program.LookedEnd" : "Program.LookedBegin", look.Feature, NameOf(look.Blocks)) : Texts.Current["Program.NothingChosen"]
         : IsPicking && !_isMoving ? Texts.Current.With("Program.MovesNothing", NameOf(range)) : NameOf(range);
 
-    /// <summary>The text of the lit block, of several the one that was lit last, whole; empty if none is lit. Beside the others it may be cut.</summary>
+    /// <summary>The whole text of the block selected last, which may be cut off in the list; empty if none is selected.</summary>
     public string ChosenLine => Selection is null ? "" : Program.LineAt(Cursor);
 
-    /// <summary>What <see cref="Take"/> does, in words.</summary>
+    /// <summary>The label of <see cref="Take"/>.</summary>
     public string TakeText => Feature is null ? Texts.Current["Program.Take"] : Texts.Current.With(IsFirst ? "Program.TakeFor" : "Program.ReplaceFor", Feature);
 
-    /// <summary>True where <see cref="Take"/> replaces nothing.</summary>
+    /// <summary>True if <see cref="Take"/> replaces nothing.</summary>
     public bool IsFirst => !Marks.Any(m => m.Name == Feature && m.Ranges.Count > 0);
 
-    /// <summary>True if blocks are picked for a feature at all.</summary>
+    /// <summary>True if blocks are being picked for a feature.</summary>
     public bool IsPicking => Feature is not null && !IsReadOnly;
 
-    // What moves nothing cuts no feature. What is being named is taken already: a second tap would take it for the next feature.
+    // Blocks that move nothing cut no feature. While a choice is being processed, a second tap would assign it to the next feature.
     private bool CanChoose => IsPicking && _isMoving && !_isNaming;
 
-    /// <summary>Marks features by their blocks as the job names them. They are looked for beside the screen.</summary>
+    /// <summary>Marks features by the selectors of the job. The blocks are searched for in the background.</summary>
     public async Task MarkAsync(IReadOnlyList<FeatureBlocks> features)
     {
         var program = Program.Path.Program;
         Marks = await Task.Run(() => features.Select(f => Mark(program, f)).ToArray());
     }
 
-    /// <summary>Lights a block.</summary>
+    /// <summary>Selects a block.</summary>
     public void Light(int block)
     {
         if (Program.Count > 0)
@@ -162,7 +160,7 @@ public sealed class ProgramPicture : Observable
         }
     }
 
-    /// <summary>Lights all blocks from the one that was lit first to another one.</summary>
+    /// <summary>Extends the selection from its first block to another one.</summary>
     public void Extend(int block)
     {
         if (Program.Count > 0)
@@ -173,10 +171,10 @@ public sealed class ProgramPicture : Observable
         }
     }
 
-    /// <summary>Lights the block so many lines further, or all up to there.</summary>
+    /// <summary>Moves the selection by a number of lines, or extends it.</summary>
     public void Move(int lines, bool isExtending)
     {
-        // Where nothing is lit any more, it goes on from what was.
+        // Continues from the last block even if nothing is selected now.
         var to = _anchor is null ? 0 : Cursor + lines;
         if (isExtending && Selection is not null)
         {
@@ -188,10 +186,11 @@ public sealed class ProgramPicture : Observable
         }
     }
 
-    /// <summary>Lights nothing any more.</summary>
+    /// <summary>Clears the selection.</summary>
     public void Unlight() => Selection = null;
 
-    /// <summary>Shows all blocks of a feature, from the first to the last; where they are more than have room, and are shown from the beginning already, their end.</summary>
+    /// <summary>Shows all blocks of a feature, from the first to the last. If they do not fit and their beginning is already
+    /// shown, shows their end.</summary>
     /// <param name="feature">Its name.</param>
     public void LookAt(string feature)
     {
@@ -205,20 +204,20 @@ public sealed class ProgramPicture : Observable
         }
     }
 
-    /// <summary>Says whether all of what a person wants to see has room.</summary>
+    /// <summary>Sets whether all the requested blocks fit.</summary>
     internal void TellRoom(bool isWhole)
     {
         _isWhole = isWhole;
         Say(nameof(Chosen));
     }
 
-    /// <summary>Lights the block of a motion.</summary>
+    /// <summary>Selects the block of a motion.</summary>
     public void LightMotion(int motion) => Light(Program.Path.Motions.BlockOf(motion));
 
-    /// <summary>The name of the feature that a block belongs to; null if it belongs to none.</summary>
+    /// <summary>The name of the feature that a block belongs to; null if there is none.</summary>
     public string? FeatureOf(int block) => Marks.FirstOrDefault(m => m.Ranges.Any(r => r.Contains(block)))?.Name;
 
-    /// <summary>Says all texts anew, in another language.</summary>
+    /// <summary>Updates all texts after a change of language.</summary>
     public void Translate() => Say();
 
     private static FeatureMark Mark(NcProgram program, FeatureBlocks feature)
@@ -253,7 +252,7 @@ public sealed class ProgramPicture : Observable
                 return;
             }
 
-            // What is taken is lit no more: the next feature takes other blocks.
+            // Clears the selection after use: the next feature needs other blocks.
             Selection = Selection == range ? null : Selection;
             Message = null;
             RangeChosen?.Invoke(new(feature, words.Value, isMore));

@@ -6,7 +6,6 @@ namespace ErrorMatching.Hmi;
 /// <summary>A program as text and as a drawn path.</summary>
 public sealed partial class ProgramPictureView : UserControl
 {
-    /// <summary>The view.</summary>
     public ProgramPictureView() => InitializeComponent();
 
     /// <inheritdoc/>

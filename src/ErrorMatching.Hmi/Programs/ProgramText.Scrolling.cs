@@ -7,14 +7,14 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
-/// <content>Scrolling, and picking by pointer, finger and keys.</content>
+/// <content>Scrolling, and selecting by pointer, touch and keys.</content>
 public sealed partial class ProgramText : ILogicalScrollable
 {
-    // Names of features take so many times the size of the text.
+    // Width reserved for feature names, in multiples of the text size.
     private const int MostName = 6;
     private const int WheelRows = 3;
 
-    // Rows of so many screens are kept.
+    // Rows are cached for this many screens.
     private const int MostScreens = 3;
     private const double FromAfarShare = 1.0 / 3;
     private const double RoundingShare = 0.000001;
@@ -25,7 +25,6 @@ public sealed partial class ProgramText : ILogicalScrollable
     private Point? _dragged;
     private string? _begun;
 
-    /// <summary>The text of no program yet.</summary>
     public ProgramText() => _scrolling = new(ScrollEvery, DispatcherPriority.Input, (_, _) => DragOn());
 
     /// <inheritdoc/>
@@ -47,7 +46,7 @@ public sealed partial class ProgramText : ILogicalScrollable
     public Size PageScrollSize => new(Bounds.Width, Math.Max(RowHeight, Bounds.Height - RowHeight));
 
     /// <inheritdoc/>
-    /// <remarks>The bar for scrolling sideways lies over a row: the last one comes out from under it.</remarks>
+    /// <remarks>The horizontal scroll bar covers a row: one extra row lets the last one scroll out from under it.</remarks>
     public Size Extent => new(Bounds.Width + Beyond, ((Picture?.Program.Count ?? 0) + (Beyond > 0 ? 1 : 0)) * RowHeight);
 
     /// <inheritdoc/>
@@ -74,7 +73,7 @@ public sealed partial class ProgramText : ILogicalScrollable
         }
     }
 
-    // How far the longest line goes beyond the right border; line numbers and names stay where they are.
+    // How far the longest line extends beyond the right border; line numbers and names do not scroll sideways.
     private double Beyond => CanHorizontallyScroll ? Math.Max(0, _lineWidth - Room) : 0;
 
     private int RowsSeen => Math.Max(1, (int)(Bounds.Height / RowHeight));
@@ -110,7 +109,7 @@ public sealed partial class ProgramText : ILogicalScrollable
         Focus();
         var at = e.GetPosition(this);
 
-        // A finger over the text scrolls it, and lights a block when it is lifted; over the line numbers it picks, as a mouse does everywhere.
+        // A finger on the text scrolls, and selects a block when lifted. On the line numbers it selects, as a mouse does everywhere.
         if (e.Pointer.Type == PointerType.Mouse || at.X < Gutter)
         {
             _dragged = at;
@@ -195,7 +194,7 @@ public sealed partial class ProgramText : ILogicalScrollable
         }
     }
 
-    // As long as the finger is beyond the border the text goes on, the faster the further.
+    // While the finger is beyond the border, the text scrolls, faster with distance.
     private void DragOn()
     {
         if (_dragged is not { } at)
@@ -226,10 +225,10 @@ public sealed partial class ProgramText : ILogicalScrollable
         }
     }
 
-    // With a whole row, at this height or the next below: nobody reads half a line first.
+    // Rounded to a whole row, so that the first row is never cut off.
     private void BeginWith(double top) => Offset = Offset.WithY(Math.Ceiling((top / RowHeight) - RoundingShare) * RowHeight);
 
-    // Brings a block into view: by as little as it takes from nearby, to a third from above from afar.
+    // Scrolls a block into view: from nearby by the least distance, from afar to a third of the height from the top.
     private void Show(int block)
     {
         var (top, height) = (block * RowHeight, Bounds.Height);
@@ -242,7 +241,7 @@ public sealed partial class ProgramText : ILogicalScrollable
         AutomationProperties.SetHelpText(this, Picture?.Chosen ?? "");
     }
 
-    // All of the blocks in the middle, or as many as have room, with the one beside them.
+    // All of the blocks centered, or as many as fit, with one neighboring block.
     private void Show(FeatureLook look)
     {
         var (top, bottom, height) = ((look.Blocks.First - 1) * RowHeight, (look.Blocks.Last + 2) * RowHeight, Bounds.Height);
@@ -251,7 +250,7 @@ public sealed partial class ProgramText : ILogicalScrollable
         Picture!.TellRoom(isWhole: bottom - top <= height);
     }
 
-    // Begins at the blocks of the feature that is picked for, once it is known which they are, unless they are seen or others are lit.
+    // Scrolls to the blocks of the feature to pick for, once they are known, unless they are visible or others are selected.
     private void ShowFeature()
     {
         if (Picture is { Selection: null, Feature: { } feature } picture && feature != _begun && Bounds.Height > 0
@@ -260,7 +259,7 @@ public sealed partial class ProgramText : ILogicalScrollable
             _begun = feature;
             if (picture.Look is { } look && look.Feature == feature)
             {
-                // Made anew, for another language as an example: it shows what was asked for.
+                // The control was recreated, for example for another language: it restores the last request.
                 Show(look);
                 return;
             }

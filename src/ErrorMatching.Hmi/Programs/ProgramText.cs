@@ -9,35 +9,29 @@ using Avalonia.Media.Imaging;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The text of a program, block by block: only the rows that are seen are made. A tap lights a block; dragging over the line numbers, with a mouse anywhere, lights all blocks on the way.</summary>
-/// <remarks>It scrolls within a <see cref="ScrollViewer"/>. Keys: left and right scroll to what does not fit; up, down, page, home and end light another block; with Shift they light all blocks up to there; Enter takes what is lit for the feature that blocks are picked for.</remarks>
+/// <summary>The text of a program, one block per row; only visible rows are created. A tap selects a block. Dragging over the
+/// line numbers, or anywhere with a mouse, selects all blocks on the way.</summary>
+/// <remarks>It scrolls within a <see cref="ScrollViewer"/>. Keys: left and right scroll to text that does not fit; up, down,
+/// page, Home and End select another block, with Shift they extend the selection; Enter assigns the selection to the feature that
+/// blocks are picked for.</remarks>
 public sealed partial class ProgramText : Control, IDrawnWords
 {
-    /// <summary>The program.</summary>
     public static readonly StyledProperty<ProgramPicture?> PictureProperty = AvaloniaProperty.Register<ProgramText, ProgramPicture?>(nameof(Picture));
 
-    /// <summary>The text.</summary>
     public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(Ink));
 
-    /// <summary>Line numbers.</summary>
     public static readonly StyledProperty<IBrush?> NumberInkProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(NumberInk));
 
-    /// <summary>The ground.</summary>
     public static readonly StyledProperty<IBrush?> GroundProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(Ground));
 
-    /// <summary>The ground of lit blocks.</summary>
     public static readonly StyledProperty<IBrush?> ChosenGroundProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(ChosenGround));
 
-    /// <summary>The bar beside lit blocks.</summary>
     public static readonly StyledProperty<IBrush?> ChosenBrushProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(ChosenBrush));
 
-    /// <summary>The font of the text.</summary>
     public static readonly StyledProperty<FontFamily> FontFamilyProperty = AvaloniaProperty.Register<ProgramText, FontFamily>(nameof(FontFamily), FontFamily.Default);
 
-    /// <summary>The size of the text.</summary>
     public static readonly StyledProperty<double> TextSizeProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(TextSize), 1);
 
-    /// <summary>The height of a row.</summary>
     public static readonly StyledProperty<double> RowHeightProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(RowHeight), 1);
 
     private static readonly Typeface NameFace = new(FontFamily.Default, FontStyle.Normal, FontWeight.SemiBold);
@@ -52,63 +46,58 @@ public sealed partial class ProgramText : Control, IDrawnWords
         ClipToBoundsProperty.OverrideDefaultValue<ProgramText>(true);
     }
 
-    /// <summary>The program.</summary>
     public ProgramPicture? Picture
     {
         get => GetValue(PictureProperty);
         set => SetValue(PictureProperty, value);
     }
 
-    /// <summary>The text.</summary>
+    /// <summary>Color of the text.</summary>
     public IBrush? Ink
     {
         get => GetValue(InkProperty);
         set => SetValue(InkProperty, value);
     }
 
-    /// <summary>Line numbers.</summary>
+    /// <summary>Color of the line numbers.</summary>
     public IBrush? NumberInk
     {
         get => GetValue(NumberInkProperty);
         set => SetValue(NumberInkProperty, value);
     }
 
-    /// <summary>The ground.</summary>
     public IBrush? Ground
     {
         get => GetValue(GroundProperty);
         set => SetValue(GroundProperty, value);
     }
 
-    /// <summary>The ground of lit blocks.</summary>
+    /// <summary>Background of selected blocks.</summary>
     public IBrush? ChosenGround
     {
         get => GetValue(ChosenGroundProperty);
         set => SetValue(ChosenGroundProperty, value);
     }
 
-    /// <summary>The bar beside lit blocks.</summary>
+    /// <summary>Color of the bar next to selected blocks.</summary>
     public IBrush? ChosenBrush
     {
         get => GetValue(ChosenBrushProperty);
         set => SetValue(ChosenBrushProperty, value);
     }
 
-    /// <summary>The font of the text.</summary>
     public FontFamily FontFamily
     {
         get => GetValue(FontFamilyProperty);
         set => SetValue(FontFamilyProperty, value);
     }
 
-    /// <summary>The size of the text.</summary>
     public double TextSize
     {
         get => GetValue(TextSizeProperty);
         set => SetValue(TextSizeProperty, value);
     }
 
-    /// <summary>The height of a row.</summary>
     public double RowHeight
     {
         get => GetValue(RowHeightProperty);
@@ -117,22 +106,22 @@ public sealed partial class ProgramText : Control, IDrawnWords
 
     private double Pixel => 1 / (TopLevel.GetTopLevel(this)?.RenderScaling ?? 1);
 
-    // The line that the keys have gone to.
+    // The text of the current block, for screen readers.
     private string? Said => Picture is { Selection: not null } picture ? picture.Program.LineAt(picture.Cursor) : null;
 
-    /// <summary>How many rows exist.</summary>
+    /// <summary>Number of rows that exist.</summary>
     internal int RowsMade => _rows.Count;
 
-    /// <summary>The blocks whose text does not fit and ends in an ellipsis, of those that exist.</summary>
+    /// <summary>The blocks of existing rows whose text does not fit and ends in an ellipsis.</summary>
     internal IEnumerable<int> RowsCut => _rows.Where(r => r.Value.IsCut).Select(r => r.Key).Order();
 
-    /// <summary>Where the text of each row that exists ends, from the left border.</summary>
+    /// <summary>The end of the text in each existing row, from the left border.</summary>
     internal IEnumerable<(int Block, double End)> RowsEnd => _rows.Select(r => (r.Key, r.Value.End));
 
-    /// <summary>Width of the line numbers and the names of features, over which a finger drags.</summary>
+    /// <summary>Width of the line numbers and feature names, over which dragging selects.</summary>
     internal double Gutter => Math.Max(DrawnSizes.LeastGutter, DrawnSizes.TextBar + DrawnSizes.TextApart + _numberWidth + DrawnSizes.TextApart + (_nameWidth > 0 ? _nameWidth + DrawnSizes.TextApart : 0));
 
-    // Of a line so much is seen at once.
+    // Width of the visible part of a line.
     private double Room => Math.Max(1, Bounds.Width - Gutter - (2 * DrawnSizes.TextApart));
 
     /// <inheritdoc/>
@@ -200,7 +189,7 @@ public sealed partial class ProgramText : Control, IDrawnWords
             picture.PropertyChanged -= Follow;
             picture.PropertyChanged += Follow;
 
-            // Nobody followed it while it was not on the screen: what changed meanwhile is read now.
+            // Changes made while the control was not on the screen were not followed; read them now.
             Measure();
             ShowFeature();
         }
@@ -231,12 +220,12 @@ public sealed partial class ProgramText : Control, IDrawnWords
             _rows.Add(block, row = Make(picture.Program, block));
         }
 
-        // On whole pixels, so that it is copied and not computed.
+        // Aligned to whole pixels, so that it is copied and not resampled.
         context.DrawImage(row.Picture, new Rect(0, Math.Round(top / Pixel) * Pixel, row.Picture.PixelSize.Width * Pixel, row.Picture.PixelSize.Height * Pixel));
         var left = DrawnSizes.TextBar + DrawnSizes.TextApart + _numberWidth + DrawnSizes.TextApart;
         if (picture.FeatureOf(block) is { } name)
         {
-            // A bar along all blocks of a feature, and its name at the first one that is seen.
+            // A bar along all blocks of a feature, with its name at the first visible one.
             context.FillRectangle(Ink!, new Rect(left, top, DrawnSizes.FeatureBar, RowHeight));
             if ((isFirst || picture.FeatureOf(block - 1) != name) && _names.TryGetValue(name, out var shown))
             {
@@ -245,12 +234,12 @@ public sealed partial class ProgramText : Control, IDrawnWords
         }
     }
 
-    // Text is shaped and drawn once; while it scrolls its picture moves, which takes a tenth of the time.
+    // Text is shaped and drawn once into a bitmap. Scrolling moves the bitmap, which takes a tenth of the time.
     private DrawnLine Make(OpenedProgram program, int block)
     {
         var (number, line) = (Text(Shown.Id(block + 1), NumberInk), Text(program.LineAt(block), Ink));
 
-        // A line that ends at a word would look whole.
+        // Cutting at a word boundary would make the line look complete.
         var room = Room + Offset.X;
         var isCut = line.WidthIncludingTrailingWhitespace > room;
         if (isCut)
@@ -261,7 +250,8 @@ public sealed partial class ProgramText : Control, IDrawnWords
         var end = Math.Max(Gutter, Gutter + DrawnSizes.TextApart + line.Width - Offset.X);
         var width = Math.Clamp(end, 1, Math.Max(1, Bounds.Width));
 
-        // A picture of pixels, to which text is scaled here: what a picture of more dots an inch is copied from is measured in units by some, and in pixels by others.
+        // The bitmap has the size in pixels, and the text is scaled here. For a bitmap with a higher DPI, some renderers take the
+        // source rectangle in units, others in pixels.
         var row = new RenderTargetBitmap(new((int)Math.Ceiling(width / Pixel), (int)Math.Ceiling(RowHeight / Pixel)));
         using var context = row.CreateDrawingContext();
         using var scaled = context.PushTransform(Matrix.CreateScale(1 / Pixel, 1 / Pixel));
@@ -271,7 +261,7 @@ public sealed partial class ProgramText : Control, IDrawnWords
         return new(row, isCut, end);
     }
 
-    // Rows that went out of sight long ago.
+    // Drops rows far out of sight.
     private void LetGo(int first, int last)
     {
         var seen = last - first + 1;
@@ -342,9 +332,9 @@ public sealed partial class ProgramText : Control, IDrawnWords
 
     private FormattedText Text(string text, IBrush? ink) => new(text, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(FontFamily), TextSize, ink);
 
-    /// <summary>A row as it is drawn.</summary>
+    /// <summary>A drawn row.</summary>
     /// <param name="Picture">Its line number and text.</param>
     /// <param name="IsCut">True if the text does not fit.</param>
-    /// <param name="End">Where its text ends, from the left border.</param>
+    /// <param name="End">The end of its text, from the left border.</param>
     private sealed record DrawnLine(RenderTargetBitmap Picture, bool IsCut, double End);
 }

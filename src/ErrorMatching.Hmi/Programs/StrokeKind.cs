@@ -1,17 +1,17 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>How a move is drawn, from below to above.</summary>
+/// <summary>How a stroke is drawn, from the bottom layer to the top.</summary>
 internal enum StrokeKind
 {
-    /// <summary>Dashed: nothing is cut.</summary>
+    /// <summary>Dashed: a rapid.</summary>
     Rapid,
 
     /// <summary>Solid: a cut.</summary>
     Cut,
 
-    /// <summary>Thick: it belongs to a feature.</summary>
+    /// <summary>Thick: part of a feature.</summary>
     Feature,
 
-    /// <summary>Thick and in the color of what is chosen, with a ring at its start and a dot at its end.</summary>
+    /// <summary>Thick and in the selection's color, with a ring at its start and a dot at its end.</summary>
     Chosen,
 }

@@ -7,16 +7,17 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Keeps a tap from falling on another tile or row than the one that it was aimed at: where another one stood a moment ago, because a list has changed since, a tap is not taken.</summary>
+/// <summary>Prevents a tap from hitting another tile or row than intended: if a list has just changed and another row was under
+/// the finger a moment ago, the tap is ignored.</summary>
 internal sealed class AimKeeper
 {
-    /// <summary>So long a finger is on its way to what it was aimed at.</summary>
+    /// <summary>Time that a finger needs to reach its target.</summary>
     public static readonly TimeSpan OnItsWay = TimeSpan.FromMilliseconds(500);
 
     private readonly MainWindow _window;
     private readonly List<(long At, (string Id, Rect Place)[] Rows)> _seen = [];
 
-    /// <summary>Keeps the taps of a window, while it is open.</summary>
+    /// <summary>Watches the taps of a window while it is open.</summary>
     public AimKeeper(MainWindow window)
     {
         _window = window;
@@ -27,9 +28,9 @@ internal sealed class AimKeeper
 
     private ShellViewModel? Shell => _window.DataContext as ShellViewModel;
 
-    /// <summary>True where a tap is not taken just now.</summary>
-    /// <param name="under">What is under the finger.</param>
-    /// <param name="place">Where that is in the window.</param>
+    /// <summary>True if a tap must be ignored now.</summary>
+    /// <param name="under">The element under the finger.</param>
+    /// <param name="place">The finger's position in the window.</param>
     internal bool IsMissed(object? under, Point place)
     {
         Forget();
@@ -38,7 +39,7 @@ internal sealed class AimKeeper
             && _seen.Exists(s => s.Rows.Any(r => r.Place.Contains(place)) && !s.Rows.Any(r => r.Id == id && r.Place.Contains(place)));
     }
 
-    /// <summary>Called when another screen is shown: that is not one whose rows have moved.</summary>
+    /// <summary>Called when another screen is shown: its rows have not moved.</summary>
     internal void Leave() => _seen.Clear();
 
     private void OnPressed(object? sender, PointerPressedEventArgs e)

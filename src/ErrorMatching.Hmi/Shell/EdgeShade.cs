@@ -4,22 +4,17 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The shade at the edge of what is scrolled, beyond which there is more: a row that the edge cuts through goes on below it, and nobody takes it for the last.</summary>
+/// <summary>The shade at the edge of a scrolled area: it shows that there is more content beyond the last visible row.</summary>
 public sealed class EdgeShade : Control
 {
-    /// <summary>Identifies <see cref="Offset"/>.</summary>
     public static readonly StyledProperty<Vector> OffsetProperty = AvaloniaProperty.Register<EdgeShade, Vector>(nameof(Offset));
 
-    /// <summary>Identifies <see cref="Extent"/>.</summary>
     public static readonly StyledProperty<Size> ExtentProperty = AvaloniaProperty.Register<EdgeShade, Size>(nameof(Extent));
 
-    /// <summary>Identifies <see cref="Viewport"/>.</summary>
     public static readonly StyledProperty<Size> ViewportProperty = AvaloniaProperty.Register<EdgeShade, Size>(nameof(Viewport));
 
-    /// <summary>Identifies <see cref="Above"/>.</summary>
     public static readonly StyledProperty<IBrush?> AboveProperty = AvaloniaProperty.Register<EdgeShade, IBrush?>(nameof(Above));
 
-    /// <summary>Identifies <see cref="Below"/>.</summary>
     public static readonly StyledProperty<IBrush?> BelowProperty = AvaloniaProperty.Register<EdgeShade, IBrush?>(nameof(Below));
 
     // Less than this is rounding.
@@ -31,45 +26,44 @@ public sealed class EdgeShade : Control
         AffectsRender<EdgeShade>(AboveProperty, BelowProperty);
     }
 
-    /// <summary>How far it is scrolled.</summary>
     public Vector Offset
     {
         get => GetValue(OffsetProperty);
         set => SetValue(OffsetProperty, value);
     }
 
-    /// <summary>How large all of it is.</summary>
+    /// <summary>Size of the content.</summary>
     public Size Extent
     {
         get => GetValue(ExtentProperty);
         set => SetValue(ExtentProperty, value);
     }
 
-    /// <summary>How large a part of it is seen.</summary>
+    /// <summary>Size of the visible part.</summary>
     public Size Viewport
     {
         get => GetValue(ViewportProperty);
         set => SetValue(ViewportProperty, value);
     }
 
-    /// <summary>The shade at the upper edge.</summary>
+    /// <summary>Brush at the upper edge.</summary>
     public IBrush? Above
     {
         get => GetValue(AboveProperty);
         set => SetValue(AboveProperty, value);
     }
 
-    /// <summary>The shade at the lower edge.</summary>
+    /// <summary>Brush at the lower edge.</summary>
     public IBrush? Below
     {
         get => GetValue(BelowProperty);
         set => SetValue(BelowProperty, value);
     }
 
-    /// <summary>True if there is more above.</summary>
+    /// <summary>True if there is more content above.</summary>
     public bool IsMoreAbove { get; private set; }
 
-    /// <summary>True if there is more below.</summary>
+    /// <summary>True if there is more content below.</summary>
     public bool IsMoreBelow { get; private set; }
 
     /// <inheritdoc/>

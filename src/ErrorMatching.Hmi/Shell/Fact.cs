@@ -1,10 +1,10 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Something that a person should know before signing.</summary>
-/// <param name="Text">In words, with its figures.</param>
-/// <param name="Severity">How much it asks for attention.</param>
+/// <summary>A fact that the user should know before signing.</summary>
+/// <param name="Text">The text, with its numbers.</param>
+/// <param name="Severity">Its severity.</param>
 public sealed record Fact(string Text, Severity Severity)
 {
-    /// <summary>True if it has a sign: a mere figure is no tick.</summary>
+    /// <summary>True if it has an icon; a plain number needs none.</summary>
     public bool IsLoud => Severity is not Severity.Quiet;
 }

@@ -6,7 +6,7 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Keeps whoever goes by keyboard where they are: while something lies in front, and when the row that they are on is made anew because it says something else.</summary>
+/// <summary>Keeps the keyboard focus in place while a dialog is in front, and when the focused row is recreated.</summary>
 internal sealed class FocusKeeper
 {
     private readonly MainWindow _window;
@@ -14,15 +14,15 @@ internal sealed class FocusKeeper
     private string? _id;
     private Control? _behind;
 
-    /// <summary>Keeps the focus of a window.</summary>
+    /// <summary>Watches the focus of a window.</summary>
     public FocusKeeper(MainWindow window)
     {
         _window = window;
         window.AddHandler(InputElement.GotFocusEvent, (_, e) => Follow(e.Source as Control));
     }
 
-    /// <summary>Called when something is put in front, or taken away again: what lies in front takes the focus.</summary>
-    /// <param name="isFree">True if nothing lies in front.</param>
+    /// <summary>Called when a dialog opens or closes; the dialog takes the focus.</summary>
+    /// <param name="isFree">True if no dialog is open.</param>
     public void Cover(bool isFree)
     {
         if (!isFree)
@@ -43,7 +43,7 @@ internal sealed class FocusKeeper
             _focused.LostFocus -= OnLost;
         }
 
-        // By the name of the row, which its control forgets with it.
+        // Remember the row by its id: a recycled control loses it.
         (_focused, _id) = (focused, focused is null ? null : AutomationProperties.GetAutomationId(focused));
         if (_focused is not null)
         {

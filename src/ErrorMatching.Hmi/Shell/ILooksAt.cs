@@ -1,9 +1,9 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>A screen that can be opened at one correction.</summary>
+/// <summary>A screen that can be opened at a correction.</summary>
 public interface ILooksAt
 {
-    /// <summary>Shows it.</summary>
+    /// <summary>Shows the correction.</summary>
     /// <param name="correction">Its number.</param>
     void LookAt(long correction);
 }

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>A screen that knows what to do with a code from a barcode scanner: the serial number of a piece, or a work order.</summary>
+/// <summary>A screen that accepts a code from a barcode scanner: the serial number of a piece, or a work order.</summary>
 public interface ITakesCodes
 {
-    /// <summary>Takes a code.</summary>
-    /// <param name="code">What was scanned, without the Enter at its end; not empty.</param>
+    /// <summary>Accepts a code.</summary>
+    /// <param name="code">The scanned code without the final Enter; not empty.</param>
     void TakeCode(string code);
 }

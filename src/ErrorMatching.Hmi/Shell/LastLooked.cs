@@ -1,30 +1,33 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>What the person who sits here chose last on each screen, so that it is there again when they come back to it. Somebody else begins anew.</summary>
+/// <summary>The current user's last choice on each screen, restored when the screen is opened again. Another user starts without
+/// choices.</summary>
 internal sealed class LastLooked
 {
-    /// <summary>The correction of the on-line compensation; null if none was chosen. What is chosen there is the <see cref="Piece"/> as well.</summary>
+    /// <summary>The correction chosen in the on-line compensation; null if there is none. Sets <see cref="Piece"/>, too.</summary>
     public long? Correction
     {
         get;
         set => Piece = field = value;
     }
 
-    /// <summary>The correction that the on-line compensation showed last by itself, as long as none was chosen: it stays while it waits, also where one that waits longer came meanwhile; null if none was shown.</summary>
+    /// <summary>The correction last selected automatically in the on-line compensation, as long as the user chose none; null if
+    /// there is none. It stays selected while it waits, even if a longer-waiting one has arrived meanwhile.</summary>
     public long? Shown { get; set; }
 
-    /// <summary>The mating of the verification; null if none was chosen.</summary>
+    /// <summary>The mating chosen in the verification; null if there is none.</summary>
     public string? Mating { get; set; }
 
-    /// <summary>The piece of the verification, by the number of its correction or of its measured counterpart; null if none was chosen.</summary>
+    /// <summary>The piece chosen in the verification, by the number of its correction or measured counterpart; null if there is
+    /// none.</summary>
     public long? Piece { get; set; }
 
-    /// <summary>The job of the free-form surfaces; null if none was chosen.</summary>
+    /// <summary>The chosen free-form job; null if there is none.</summary>
     public string? SurfaceJob { get; set; }
 
-    /// <summary>The measured surface; null if none was chosen.</summary>
+    /// <summary>The chosen measured surface; null if there is none.</summary>
     public long? Surface { get; set; }
 
-    /// <summary>The side of the system set-up.</summary>
+    /// <summary>The tab of the system set-up.</summary>
     public int SystemSide { get; set; }
 }

@@ -10,7 +10,6 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The station's window.</summary>
 public sealed partial class MainWindow : Window
 {
     private static readonly TimeSpan Quiet = TimeSpan.FromMilliseconds(200);
@@ -19,7 +18,7 @@ public sealed partial class MainWindow : Window
     private ShellViewModel? _shell;
     private ScannedCode? _code;
 
-    /// <summary>A window of 1280 by 800, which is the smallest that everything fits into.</summary>
+    /// <summary>A window of 1280 by 800, the smallest size that everything fits into.</summary>
     public MainWindow()
     {
         InitializeComponent();
@@ -27,7 +26,7 @@ public sealed partial class MainWindow : Window
         _tidying.Stop();
         _focus = new(this);
 
-        // The first one sees a tap last, and what the others made of it.
+        // Order matters: the first handler sees a tap last, and so sees what the others made of it.
         _ = new TapKeeper(this);
         _ = new TwiceKeeper(this);
         Aim = new(this);
@@ -38,17 +37,18 @@ public sealed partial class MainWindow : Window
         Texts.Current.LanguageChanged += LayOutAnew;
     }
 
-    /// <summary>True if whoever sits here pressed a key last, and no pointer or finger.</summary>
+    /// <summary>True if the last input came from the keyboard, not from a pointer or finger.</summary>
     internal bool IsByKeyboard { get; private set; }
 
-    /// <summary>Keeps taps from falling on rows that have just moved.</summary>
+    /// <summary>Prevents taps from hitting rows that have just moved.</summary>
     internal AimKeeper Aim { get; }
 
-    /// <summary>Collects memory once a screen is there and nobody waits: else it is in the middle of opening the next one, where it takes as long as half of that.</summary>
+    /// <summary>Collects garbage when a screen is complete and the user is idle. Otherwise the collection comes while the next
+    /// screen opens, and takes up to half of that time.</summary>
     internal static void Tidy() => GC.Collect(1, GCCollectionMode.Forced, blocking: true);
 
-    /// <summary>Opens all screens of its shell once behind everything, so that the first opening of each is as quick as the next.</summary>
-    /// <param name="end">Ends it where it is.</param>
+    /// <summary>Opens all screens once in the background, so that the first opening of each is as fast as later ones.</summary>
+    /// <param name="end">Cancels it.</param>
     public Task RehearseAsync(CancellationToken end) => new Rehearsal(Stage, _shell!).RunAsync(end);
 
     /// <inheritdoc/>
@@ -117,7 +117,8 @@ public sealed partial class MainWindow : Window
         _shell?.Touch();
     }
 
-    // A panel that is measured again because its own room changed, while texts in it did, does not arrange its children again (Avalonia 12.1): tabs and cards would keep the widths of the language before.
+    // A panel does not rearrange its children if its own size changed in the same layout pass as their text (Avalonia 12.1): tabs
+    // and cards would keep the widths of the previous language.
     private void LayOutAnew()
     {
         foreach (var control in this.GetVisualDescendants().OfType<Layoutable>())
@@ -145,7 +146,7 @@ public sealed partial class MainWindow : Window
         }
     }
 
-    // The styles look the height up from where a control is: the window's own goes before the application's.
+    // Styles look up the height from the control upwards: the window's resource overrides the application's.
     private void ShowTargets()
     {
         Resources["Target"] = Resources["RowHeight"] = Application.Current!.FindResource("Target" + _shell!.TouchSize);

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>A second in which nothing is decided, because what is shown has changed by itself under a finger that was on its way.</summary>
+/// <summary>A second without decisions, because the content has just changed under a finger that was already moving.</summary>
 internal sealed class Pause : IDisposable
 {
-    /// <summary>How long it is.</summary>
+    /// <summary>Its duration.</summary>
     public static readonly TimeSpan Length = TimeSpan.FromSeconds(1);
 
     private static readonly TimeSpan Every = TimeSpan.FromMilliseconds(100);
@@ -12,9 +12,9 @@ internal sealed class Pause : IDisposable
     private readonly ITimer _timer;
     private long _since;
 
-    /// <summary>A pause that is not on. To be made on the screen's thread.</summary>
+    /// <summary>A pause that has not begun. Call it on the UI thread.</summary>
     /// <param name="clock">The clock.</param>
-    /// <param name="over">Called on the screen's thread when it is over.</param>
+    /// <param name="over">Called on the UI thread at the end of the pause.</param>
     public Pause(TimeProvider clock, Action over)
     {
         var screen = SynchronizationContext.Current ?? throw new InvalidOperationException("A pause is made on the screen's thread.");
@@ -22,10 +22,9 @@ internal sealed class Pause : IDisposable
         _timer = clock.CreateTimer(_ => screen.Post(_ => Look(), null), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
     }
 
-    /// <summary>True while it lasts.</summary>
     public bool IsOn { get; private set; }
 
-    /// <summary>Begins it, or begins it anew.</summary>
+    /// <summary>Begins or restarts it.</summary>
     public void Begin()
     {
         (_since, IsOn) = (_clock.GetTimestamp(), true);

@@ -5,26 +5,26 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>
-/// Opens every screen once while nobody waits, behind everything and seen by nobody: what a process does for the first time takes two or three times as long as the next, and whoever opens a screen need not wait for it.
-/// </summary>
-/// <param name="stage">Where they are opened, one at a time; it is empty before and after.</param>
-/// <param name="shell">The frame whose screens they are. Opening one reads; all that stays is the first job, loaded into the set-up as it is when somebody opens that first.</param>
+/// <summary>Opens every screen once, invisibly, while the user is idle. The first execution of code takes two or three times as
+/// long as later ones; this way the user does not wait for it.</summary>
+/// <param name="stage">Panel to open them in, one at a time; it is empty before and after.</param>
+/// <param name="shell">The shell that the screens belong to. Opening a screen only reads. The only lasting effect is that the
+/// first job is loaded into the set-up, as when a user opens that screen first.</param>
 internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
 {
-    // Every control of a panel takes a step.
+    // Every control of a panel is a step of its own.
     private const int Each = 0;
 
-    // Until what is read beside the screen has come.
+    // Time for background reading to finish.
     private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(150);
     private static readonly byte[] Program = Encoding.ASCII.GetBytes("N10 G21 G90\nN20 G0 X0. Y0. Z5.\nN30 G1 Z0. F500.\nN40 G2 X10. Y10. I5. J5.\nM30\n");
 
-    /// <summary>Opens them all, in small steps: keys, taps and drawing go before each of them.</summary>
+    /// <summary>Opens them all in small steps; keys, taps and drawing have priority.</summary>
     public async Task RunAsync(CancellationToken end)
     {
         try
         {
-            // Each view by itself first, or the first screen would be made in one long step.
+            // First each view alone, or creating the first screen would be one long step.
             foreach (var make in Views.Makers)
             {
                 await ShowAsync(make, end);
@@ -67,7 +67,7 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         }
     }
 
-    // Made, brought in and laid out one after the other: each takes its time by itself.
+    // Create, attach and lay out in separate steps, because each is slow.
     private async Task ShowAsync(Func<Control> make, CancellationToken end)
     {
         Control? made = null;
@@ -78,7 +78,7 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         await StepAsync(stage.UpdateLayout, end);
     }
 
-    // All that a screen shows would take too long in one step: its parts come one by one.
+    // Showing a whole screen in one step would take too long; its parts appear one by one.
     private async Task UnfoldAsync(Func<object> open, TimeSpan look, CancellationToken end)
     {
         object? content = null;
@@ -95,7 +95,7 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         await Task.Delay(look, end);
         await UnfoldAsync(unfolding!, end);
 
-        // Rows that come later have come by now.
+        // By now, rows that are loaded later have arrived.
         await StepAsync(stage.UpdateLayout, end);
     }
 

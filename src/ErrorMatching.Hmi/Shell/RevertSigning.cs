@@ -2,14 +2,14 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Asks for the signature that brings back the program which a slot held before a correction, and says which one that is.</summary>
+/// <summary>Asks for the signature to restore the program that a slot held before a correction, and tells which one that is.</summary>
 internal static class RevertSigning
 {
-    /// <summary>True where it can be brought back: its own is at the machine, or was cut and is still there.</summary>
+    /// <summary>True if it can be restored: the correction's program is at the machine, or was cut and is still in the slot.</summary>
     public static bool IsPossible(KeptCorrection? kept) => kept is { IsInSlot: true, Correction: { State: CorrectionState.Verified or CorrectionState.Released, PreviousSha256: not null } };
 
-    /// <summary>The signature.</summary>
-    /// <param name="shell">Who signs, and where.</param>
+    /// <summary>Creates the signing dialog.</summary>
+    /// <param name="shell">The shell that shows it, and its current user.</param>
     /// <param name="kept">The correction.</param>
     public static SigningViewModel Of(ShellViewModel shell, KeptCorrection kept)
     {

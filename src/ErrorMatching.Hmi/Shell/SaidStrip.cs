@@ -6,16 +6,14 @@ using Avalonia.Data;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>
-/// The place of what is said, whose room is there before and after: what needs more room is scrolled in it, by finger, wheel or keys,
-/// and moves no target.
-/// </summary>
+/// <summary>The area for messages. Its size is fixed, so messages never move a button. A longer message scrolls by finger, wheel
+/// or keys.</summary>
 public sealed class SaidStrip : ScrollViewer
 {
     // Less than this is rounding.
     private const double Least = 1;
 
-    /// <summary>A place where nothing is said yet.</summary>
+    /// <summary>An empty area.</summary>
     public SaidStrip()
     {
         Classes.Add("strip");
@@ -33,7 +31,7 @@ public sealed class SaidStrip : ScrollViewer
         base.OnPropertyChanged(change);
         if (change.Property == ExtentProperty || change.Property == ViewportProperty)
         {
-            // The Tab key stops only where there is something to scroll.
+            // A tab stop only if there is something to scroll.
             Focusable = Extent.Height >= Viewport.Height + Least;
         }
     }

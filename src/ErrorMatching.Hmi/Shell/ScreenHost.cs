@@ -5,13 +5,12 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Shows a screen, or what is looked at on one, which comes part by part: keys and taps go before what is left of it.</summary>
+/// <summary>Shows a screen, or a detail of one, part by part: keys and taps have priority over the remaining parts.</summary>
 public sealed class ScreenHost : Decorator
 {
-    /// <summary>Its view model; null for none.</summary>
     public static readonly StyledProperty<object?> ScreenProperty = AvaloniaProperty.Register<ScreenHost, object?>(nameof(Screen));
 
-    // A part with fewer controls than that is laid out in less time than the others take to be laid out once more around it.
+    // A part with fewer controls is laid out faster than the rest is laid out around it once more.
     private const int Least = 8;
 
     private static readonly Views Views = new();
@@ -25,7 +24,7 @@ public sealed class ScreenHost : Decorator
         set => SetValue(ScreenProperty, value);
     }
 
-    /// <summary>Makes what nobody could see before: a host within a part waits until that comes.</summary>
+    /// <summary>Creates the view when it first becomes visible: a host within a part waits until that part is shown.</summary>
     public override void ApplyTemplate()
     {
         base.ApplyTemplate();
@@ -44,7 +43,7 @@ public sealed class ScreenHost : Decorator
             return;
         }
 
-        // What is seen is replaced at once: nobody acts on what is gone.
+        // Visible content is replaced at once, so that no one acts on outdated content.
         if (Child is not null || (VisualRoot is not null && IsEffectivelyVisible))
         {
             Show();
@@ -67,7 +66,7 @@ public sealed class ScreenHost : Decorator
         }
 
 
-        // What is done for the first time takes longer.
+        // During the rehearsal, code runs for the first time and is slower, so even small parts get their own step.
         _unfolding = view is null ? null : new(view, this.FindAncestorOfType<Stage>() is null ? Least : 0);
         Child = view;
         Unfold(_unfolding);

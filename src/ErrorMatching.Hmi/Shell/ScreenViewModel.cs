@@ -1,13 +1,13 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>What a screen shows and does. It is made anew each time the screen is opened, and let go when it is left.</summary>
+/// <summary>View model of a screen. Created each time the screen is opened, and disposed when it is left.</summary>
 public abstract class ScreenViewModel : Observable, IDisposable
 {
     private string? _message;
     private Func<string>? _words;
     private bool _isLeft;
 
-    /// <summary>A screen of a station, which follows what happens in the cell and the language.</summary>
+    /// <summary>Follows changes in the cell and of the language.</summary>
     protected ScreenViewModel(Station station)
     {
         Station = station ?? throw new ArgumentNullException(nameof(station));
@@ -15,10 +15,9 @@ public abstract class ScreenViewModel : Observable, IDisposable
         Texts.Current.LanguageChanged += Translate;
     }
 
-    /// <summary>The station.</summary>
     public Station Station { get; }
 
-    /// <summary>What did not work, in words; null if nothing is to be said.</summary>
+    /// <summary>The error message; null if there is none.</summary>
     public string? Message
     {
         get => _words?.Invoke() ?? _message;
@@ -30,7 +29,7 @@ public abstract class ScreenViewModel : Observable, IDisposable
         }
     }
 
-    /// <summary>Says something that is said anew in another language.</summary>
+    /// <summary>Shows a message that is translated again when the language changes.</summary>
     protected void Tell(Func<string>? words)
     {
         (_words, _message) = (words, null);
@@ -44,7 +43,7 @@ public abstract class ScreenViewModel : Observable, IDisposable
         GC.SuppressFinalize(this);
     }
 
-    /// <summary>Lets go of the station.</summary>
+    /// <summary>Stops following the station.</summary>
     protected virtual void Dispose(bool isDisposing)
     {
         _isLeft = true;
@@ -52,14 +51,14 @@ public abstract class ScreenViewModel : Observable, IDisposable
         Texts.Current.LanguageChanged -= Translate;
     }
 
-    /// <summary>Called when something has changed in the cell, on the screen's thread.</summary>
+    /// <summary>Called on the UI thread when the cell has changed.</summary>
     protected virtual void Follow() => Say();
 
     /// <summary>Called when the language has changed.</summary>
     protected virtual void Translate() => Follow();
 
-    /// <summary>Does something beside the screen: the store and passwords take their time. What does not work becomes the <see cref="Message"/>.</summary>
-    /// <returns>True if it worked.</returns>
+    /// <summary>Runs work off the UI thread; the store and password hashing are slow. Failures set <see cref="Message"/>.</summary>
+    /// <returns>True if it succeeded.</returns>
     protected async Task<bool> TryAsync(Action work)
     {
         Message = null;
@@ -74,7 +73,7 @@ public abstract class ScreenViewModel : Observable, IDisposable
         }
         catch (ObjectDisposedException) when (_isLeft)
         {
-            // The station was closed while a screen that is not there any more was being read for: nobody waits for that.
+            // The station was closed while a screen that is already gone was still reading; the result is not needed.
         }
 
         return false;

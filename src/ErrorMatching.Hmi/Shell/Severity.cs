@@ -1,14 +1,14 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>How much something asks for attention. Each has a color, an icon and a word: never the color alone.</summary>
+/// <summary>How urgently something needs attention. Each level has a color, an icon and a word: never color alone.</summary>
 public enum Severity
 {
-    /// <summary>The ordinary course.</summary>
+    /// <summary>Normal.</summary>
     Quiet,
 
-    /// <summary>Waits for a person.</summary>
+    /// <summary>Needs a person's decision.</summary>
     Attention,
 
-    /// <summary>Keeps something from working.</summary>
+    /// <summary>Something cannot work.</summary>
     Alarm,
 }

@@ -2,7 +2,7 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The frame around all screens: where one is and can go, who sits there, what the cell cannot do just now, and the lock.</summary>
+/// <summary>The frame around all screens: navigation, current user, problems of the cell, and the lock.</summary>
 public sealed class ShellViewModel : Observable, IDisposable
 {
     private static readonly TimeSpan SeatLook = TimeSpan.FromSeconds(1);
@@ -17,7 +17,7 @@ public sealed class ShellViewModel : Observable, IDisposable
     private long _touched;
     private bool _isOver;
 
-    /// <summary>The frame of a station, locked until somebody signs in.</summary>
+    /// <summary>The shell of a station, locked until a user signs in.</summary>
     public ShellViewModel(Station station)
     {
         Station = station ?? throw new ArgumentNullException(nameof(station));
@@ -40,29 +40,27 @@ public sealed class ShellViewModel : Observable, IDisposable
         Texts.Current.LanguageChanged += Translate;
         Lock();
 
-        // Looked for beside the screen: whoever left is written down in the store.
+        // In the background: the end of a session is written to the store.
         _seat = Station.Clock.CreateTimer(_ => LookForSeat(), null, SeatLook, SeatLook);
     }
 
-    /// <summary>The station.</summary>
     public Station Station { get; }
 
-    /// <summary>The screens that can be gone to.</summary>
     public IReadOnlyList<NavigationItem> Items { get; }
 
-    /// <summary>The job that is edited at this station, whichever set-up screen shows it.</summary>
+    /// <summary>The job being edited at this station, whichever set-up screen shows it.</summary>
     public JobEditing Editing { get; }
 
     /// <summary>Signs out, which locks the station.</summary>
     public LongCommand SignOut { get; }
 
-    /// <summary>The other language.</summary>
+    /// <summary>Switches to the other language.</summary>
     public Command SwitchLanguage { get; }
 
-    /// <summary>Light or dark.</summary>
+    /// <summary>Switches between light and dark.</summary>
     public Command SwitchTheme { get; }
 
-    /// <summary>The screen that is open, in the navigation; null while nobody was ever signed in.</summary>
+    /// <summary>The open screen, as a navigation item; null before the first sign-in.</summary>
     public NavigationItem? Chosen
     {
         get => _chosen;
@@ -75,10 +73,10 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
     }
 
-    /// <summary>What is shown in the middle: the login while the station is locked.</summary>
+    /// <summary>The content in the middle: the login while the station is locked.</summary>
     public ScreenViewModel? Current => _login ?? _current;
 
-    /// <summary>What is being signed, in front of everything; null if nothing is.</summary>
+    /// <summary>The open signing dialog; null if there is none.</summary>
     public SigningViewModel? Signing
     {
         get => _signing;
@@ -91,7 +89,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
     }
 
-    /// <summary>Where a file is being chosen, in front of everything; null if none is.</summary>
+    /// <summary>The open file chooser; null if there is none.</summary>
     public FileChooserViewModel? Choosing
     {
         get => _choosing;
@@ -104,41 +102,40 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
     }
 
-    /// <summary>True if nothing is in front of the screen.</summary>
+    /// <summary>True if no dialog is in front of the screen.</summary>
     public bool IsFree => Signing is null && Choosing is null;
 
-    /// <summary>True while nobody is signed in.</summary>
+    /// <summary>True while no user is signed in.</summary>
     public bool IsLocked => _login is not null;
 
-    /// <summary>True for light on dark.</summary>
+    /// <summary>True for the dark theme.</summary>
     public bool IsDark
     {
         get => Preferences.IsDark;
         set => Preferences.IsDark = value;
     }
 
-    /// <summary>How high what is touched is.</summary>
+    /// <summary>Height of touch targets.</summary>
     public TouchSize TouchSize => Preferences.TouchSize;
 
-    /// <summary>What somebody should know of their preferences; null if nothing.</summary>
+    /// <summary>A notice about the user's preferences; null if there is none.</summary>
     public string? Notice => Preferences.Notice;
 
-    /// <summary>Takes the notice away.</summary>
+    /// <summary>Closes the notice.</summary>
     public Command CloseNotice { get; }
 
-    /// <summary>How who sits here likes the station.</summary>
+    /// <summary>The current user's preferences.</summary>
     public KeptPreferences Preferences { get; }
 
-    /// <summary>The cell's name.</summary>
     public string CellName => Station.Settings.Name;
 
-    /// <summary>Who is signed in; empty if nobody is.</summary>
+    /// <summary>The current user's name; empty if no user is signed in.</summary>
     public string UserName => _who?.Name ?? "";
 
-    /// <summary>What that user may do, in a word.</summary>
+    /// <summary>The current user's role, in a word.</summary>
     public string UserRole => _who is null ? "" : Texts.Current.Word(_who.Role);
 
-    /// <summary>What the cell cannot do just now, and what still works; null if all is well.</summary>
+    /// <summary>What the cell cannot do now, and what still works; null if there is no problem.</summary>
     public string? Banner => Station.State switch
     {
         { StoreTrouble: { } trouble } => Texts.Current.With("Banner.Store", Texts.Current.Word(trouble.Error)),
@@ -149,31 +146,31 @@ public sealed class ShellViewModel : Observable, IDisposable
         _ => null,
     };
 
-    /// <summary>True where the <see cref="Notice"/> is shown: it waits until nothing of the cell is to be said in its place.</summary>
+    /// <summary>True if the <see cref="Notice"/> is shown: a banner about the cell has priority.</summary>
     public bool IsNoticed => Notice is not null && Banner is null;
 
-    /// <summary>True where nothing is said in the place of the cell's name.</summary>
+    /// <summary>True if neither a banner nor a notice replaces the cell's name.</summary>
     public bool IsCellNamed => Notice is null && Banner is null;
 
-    /// <summary>Who is signed in; null if nobody is.</summary>
+    /// <summary>The current user; null if no user is signed in.</summary>
     internal SignedIn? Who => _who;
 
-    /// <summary>What they chose last on each screen.</summary>
+    /// <summary>The current user's last choice on each screen.</summary>
     internal LastLooked Looked { get; private set; } = new();
 
-    /// <summary>Goes to where a correction is looked at.</summary>
+    /// <summary>Opens the on-line compensation at a correction.</summary>
     public void Look(long correction) => Open(Screens.Compensation, s => (s as ILooksAt)?.LookAt(correction));
 
-    /// <summary>Goes to the warnings of a correction.</summary>
+    /// <summary>Opens the on-line compensation at the warnings of a correction.</summary>
     public void LookAtWarnings(long correction) => Open(Screens.Compensation, s => (s as CompensationViewModel)?.LookAtWarnings(correction));
 
-    /// <summary>Goes to where is seen how well a piece fits.</summary>
+    /// <summary>Opens the verification at a piece.</summary>
     public void LookAtPiece(long correction) => Open(Screens.Verification, s => (s as ILooksAt)?.LookAt(correction));
 
-    /// <summary>Goes to a screen.</summary>
+    /// <summary>Opens a screen.</summary>
     public void Go(string key) => Chosen = Items.First(i => i.Screen.Key == key);
 
-    /// <summary>Takes a code from a barcode scanner: the screen that is open, if it takes codes, else the history.</summary>
+    /// <summary>Handles a code from a barcode scanner: the open screen takes it if it accepts codes, otherwise the history.</summary>
     public void Scan(string code)
     {
         if (IsLocked || !IsFree)
@@ -189,8 +186,8 @@ public sealed class ShellViewModel : Observable, IDisposable
         (_current as ITakesCodes)?.TakeCode(code);
     }
 
-    /// <summary>Lets somebody choose a file or folder, in front of everything else.</summary>
-    /// <returns>Its full path; null if nothing was chosen, or the station was locked meanwhile.</returns>
+    /// <summary>Lets the user choose a file or folder in a dialog.</summary>
+    /// <returns>Its full path; null if nothing was chosen, or if the station was locked meanwhile.</returns>
     public async Task<string?> ChooseAsync(FileChoice choice)
     {
         ArgumentNullException.ThrowIfNull(choice);
@@ -219,14 +216,14 @@ public sealed class ShellViewModel : Observable, IDisposable
         return path;
     }
 
-    /// <summary>Lets somebody sign, in front of everything else.</summary>
+    /// <summary>Opens a signing dialog.</summary>
     internal void Sign(SigningViewModel signing)
     {
         Signing = signing;
         signing.Done += () => Signing = null;
     }
 
-    /// <summary>Says that a key or button was pressed. Costs nothing more than once a second.</summary>
+    /// <summary>Call this on every key press or tap. It does work once a second at most.</summary>
     public void Touch()
     {
         if (!IsLocked && Station.Clock.GetElapsedTime(_touched) >= SeatLook)
@@ -249,7 +246,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         Editing.Dispose();
     }
 
-    // Where something was chosen last. Before that: who opens a file in a demonstration looks for the samples', who writes one does not.
+    // The last folder used. Without one, a demonstration opens files from the samples' folder, but does not write there.
     private string FirstFolder(FileChoice choice, string cellFolder)
     {
         var samples = choice.Kind == FileChoiceKind.Open ? Station.SamplesFolder : null;
@@ -291,7 +288,7 @@ public sealed class ShellViewModel : Observable, IDisposable
 
     private void Unlock(SignedIn who)
     {
-        // Whoever left finds the screen as it was; somebody else begins at the overview.
+        // The same user finds the screen unchanged; another user starts at the overview.
         var isOther = _login!.LastName != who.Name;
         _login.Dispose();
         (_login, _who) = (null, who);
@@ -308,7 +305,7 @@ public sealed class ShellViewModel : Observable, IDisposable
 
     private void Ask(JobReplacement replacement)
     {
-        // The one who tapped may have left meanwhile; the draft is kept.
+        // The user who tapped may have signed out meanwhile; the draft is kept.
         if (_who is { } who)
         {
             SignedIn? signed = null;
@@ -335,7 +332,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
         catch (StoreException)
         {
-            // The seat was left just before, and that could not be written down: the banner says that the store is away.
+            // The session had just ended, and that could not be recorded: the banner shows that the store is unavailable.
         }
     }
 
@@ -347,7 +344,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
         catch (StoreException)
         {
-            // The seat is left all the same.
+            // The session has ended anyway.
         }
     }
 
@@ -362,7 +359,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
         catch (StoreException)
         {
-            // The seat counts as left, though that could not be written down: the store is away, which the banner says.
+            // The session counts as ended although that could not be recorded: the banner shows that the store is unavailable.
             _screen.Post(_ => LockIfLeft(), null);
         }
     }

@@ -6,10 +6,9 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where somebody signs.</summary>
+/// <summary>The signing dialog.</summary>
 public sealed partial class SigningView : UserControl
 {
-    /// <summary>The view.</summary>
     public SigningView() => InitializeComponent();
 
     /// <inheritdoc/>
@@ -42,7 +41,7 @@ public sealed partial class SigningView : UserControl
         base.OnUnloaded(e);
     }
 
-    // The password is gone when something did not work, and is what comes next whichever button was tapped.
+    // After a failure the password is cleared and must be entered next, whichever button was tapped.
     private void OnSigning(object? sender, PropertyChangedEventArgs e)
     {
         if (e.PropertyName is nameof(SigningViewModel.Message) && sender is SigningViewModel { Message: not null, NeedsPassword: true })
@@ -51,7 +50,7 @@ public sealed partial class SigningView : UserControl
         }
     }
 
-    // Enter confirms once everything is there; before that it goes on to what is missing.
+    // Enter confirms if all fields are filled in; otherwise it moves to the missing one.
     private void OnReasonKey(object? sender, KeyEventArgs e)
     {
         if (e.Key == Key.Enter && DataContext is SigningViewModel { NeedsPassword: true } signing && !signing.Confirm.CanExecute(null))

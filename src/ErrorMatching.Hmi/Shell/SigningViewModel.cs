@@ -2,7 +2,7 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A person puts the name under one act: says why where that is asked, gives the password again where the act takes one.</summary>
+/// <summary>Signs one act: the user gives a reason if one is required, and enters the password again if the act requires it.</summary>
 public sealed class SigningViewModel : Observable
 {
     private readonly Station _station;
@@ -13,11 +13,11 @@ public sealed class SigningViewModel : Observable
 
     /// <summary>Asks for a signature.</summary>
     /// <param name="station">The station.</param>
-    /// <param name="who">Who is signed in.</param>
-    /// <param name="act">What is to be done.</param>
-    /// <param name="subject">What it is done to, in words.</param>
-    /// <param name="needsReason">True if it takes a reason.</param>
-    /// <param name="carryOut">Does it, beside the screen: who signs, and why.</param>
+    /// <param name="who">The signed-in user.</param>
+    /// <param name="act">The act.</param>
+    /// <param name="subject">What it applies to, in words.</param>
+    /// <param name="needsReason">True if a reason is required.</param>
+    /// <param name="carryOut">Performs the act off the UI thread, given the signer and the reason.</param>
     public SigningViewModel(Station station, SignedIn who, Act act, string subject, bool needsReason, Func<SignedIn, string?, CancellationToken, Task> carryOut)
     {
         ArgumentNullException.ThrowIfNull(who);
@@ -28,67 +28,64 @@ public sealed class SigningViewModel : Observable
         Leave = new(() => Done?.Invoke());
     }
 
-    /// <summary>Said when it is signed and done, or left.</summary>
+    /// <summary>Raised when the act is signed and done, or the dialog is canceled.</summary>
     public event Action? Done;
 
-    /// <summary>Said when it is signed and done, before <see cref="Done"/>.</summary>
+    /// <summary>Raised when the act is signed and done, before <see cref="Done"/>.</summary>
     public event Action? Signed;
 
-    /// <summary>What is to be done.</summary>
     public Act Act { get; }
 
-    /// <summary>Key of the text that says what is to be done, and with <c>.Consequence</c> what follows; that of the act if null.</summary>
+    /// <summary>Key of the text for the act; the key with <c>.Consequence</c> appended has the consequence. Null for the act's
+    /// own key.</summary>
     public string? TitleKey { get; init; }
 
-    /// <summary>Gives the key of the text that says what follows, where that hangs on how things are; that of <see cref="TitleKey"/> if null.</summary>
+    /// <summary>Returns the key of the consequence if it depends on the situation; null for the one of <see cref="TitleKey"/>.</summary>
     public Func<string>? ConsequenceKey { get; init; }
 
-    /// <summary>True where what is carried out demands the right and the signature itself: a signature is good for one act.</summary>
+    /// <summary>True if the called code demands the right and the signature itself: a signature is valid for one act only.</summary>
     public bool IsDemandedElsewhere { get; init; }
 
-    /// <summary>Gives what else there is to know, in words; null if nothing.</summary>
+    /// <summary>Returns further information; null if there is none.</summary>
     public Func<string>? Told { get; init; }
 
-    /// <summary>Gives what a person should know of that to which it is done, as it is seen behind the dialog; nothing if null.</summary>
+    /// <summary>Returns what the user should know about the subject, as shown behind the dialog; null for nothing.</summary>
     public Func<IReadOnlyList<Fact>>? Known { get; init; }
 
-    /// <summary>What a person should know before signing.</summary>
+    /// <summary>What the user should know before signing.</summary>
     public IReadOnlyList<Fact> Facts => Known?.Invoke() ?? [];
 
-    /// <summary>What it is done to.</summary>
+    /// <summary>What the act applies to.</summary>
     public string Subject { get; }
 
-    /// <summary>The correction that it is done to; null for anything else.</summary>
+    /// <summary>The correction that the act applies to; null for anything else.</summary>
     public Correction? Correction { get; init; }
 
-    /// <summary>Where its program goes or is; null where none goes to a machine, also because it is rejected.</summary>
+    /// <summary>Where its program goes or is; null if none goes to a machine, for example because it is rejected.</summary>
     public string? Target => Correction is { } correction && Act != Act.Reject ? CorrectionLabel.Target(correction) : null;
 
-    /// <summary>Who signs.</summary>
+    /// <summary>Name of the signer.</summary>
     public string UserName { get; }
 
-    /// <summary>True if a reason is asked for.</summary>
     public bool NeedsReason { get; }
 
-    /// <summary>True if the password is asked for.</summary>
     public bool NeedsPassword { get; }
 
-    /// <summary>What is to be done, in words.</summary>
+    /// <summary>The act, in words.</summary>
     public string Title => Texts.Current[Key];
 
-    /// <summary>Whose password is asked for.</summary>
+    /// <summary>Names the user whose password is required.</summary>
     public string PasswordLabel => Texts.Current.With("Signing.Password", UserName);
 
-    /// <summary>What follows, in words.</summary>
+    /// <summary>The consequence, in words.</summary>
     public string Consequence => Sentence.Joined(Texts.Current[ConsequenceKey?.Invoke() ?? Key + ".Consequence"], Told?.Invoke() ?? "");
 
-    /// <summary>Does it.</summary>
+    /// <summary>Signs and performs the act.</summary>
     public LongCommand Confirm { get; }
 
-    /// <summary>Leaves everything as it is.</summary>
+    /// <summary>Cancels without any change.</summary>
     public Command Leave { get; }
 
-    /// <summary>Why.</summary>
     public string Reason
     {
         get => _reason;
@@ -101,7 +98,6 @@ public sealed class SigningViewModel : Observable
         }
     }
 
-    /// <summary>The password.</summary>
     public string Password
     {
         get => _password;
@@ -114,14 +110,14 @@ public sealed class SigningViewModel : Observable
         }
     }
 
-    /// <summary>What did not work; null if nothing.</summary>
+    /// <summary>The error message; null if there is none.</summary>
     public string? Message
     {
         get => _message;
         private set => Set(ref _message, value);
     }
 
-    /// <summary>Says that the language is another one.</summary>
+    /// <summary>Updates all texts after a change of language.</summary>
     internal void Translate()
     {
         Say(nameof(Title));
@@ -158,7 +154,7 @@ public sealed class SigningViewModel : Observable
         }
         catch (Exception e) when (Failures.IsKnown(e))
         {
-            // Nobody is asked for a name here.
+            // This dialog does not ask for a user name.
             Message = e is PeopleException { Error: PeopleError.SignInRefused } ? Texts.Current.With("Signing.WrongPassword", UserName) : Failures.Of(e, _station.Clock);
         }
         finally

@@ -3,7 +3,7 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where screens are rehearsed before anybody has signed in: neither seen nor, by whatever reads screens out or drives them, found.</summary>
+/// <summary>Panel for rehearsing screens before the first sign-in: invisible, and hidden from screen readers and UI automation.</summary>
 public sealed class Stage : Panel
 {
     /// <inheritdoc/>

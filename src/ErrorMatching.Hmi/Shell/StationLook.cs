@@ -1,7 +1,7 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>How a station begins.</summary>
+/// <summary>Appearance of the station at its start.</summary>
 /// <param name="Language">The language.</param>
-/// <param name="IsDark">True for light on dark.</param>
-/// <param name="IsFullScreen">True if it fills the screen.</param>
+/// <param name="IsDark">True for the dark theme.</param>
+/// <param name="IsFullScreen">True for full screen.</param>
 public sealed record StationLook(Language Language, bool IsDark, bool IsFullScreen);

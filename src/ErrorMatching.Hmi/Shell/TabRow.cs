@@ -4,14 +4,13 @@ using Avalonia.Interactivity;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The row of a <see cref="TabControl"/>'s tabs takes one stop of the Tab key: the tab whose side is open.</summary>
+/// <summary>Makes the tab row of a <see cref="TabControl"/> a single tab stop: the selected tab.</summary>
 internal static class TabRow
 {
-    /// <summary>Lets it be so for all of them.</summary>
-    /// <remarks>
-    /// A <see cref="TabControl"/> remembers for its row what had the focus last, also if that stands on the side that is open. Who goes back from there by Shift+Tab is led to the row, and by what it remembers to where they
-    /// were: they never get out.
-    /// </remarks>
+    /// <summary>Applies this to all tab controls.</summary>
+    /// <remarks>A <see cref="TabControl"/> remembers the last focused element for its tab row, even if it is on the selected
+    /// page. Shift+Tab from the page then leads to the row, and the row sends the focus back to that element: the user cannot
+    /// leave the page.</remarks>
     public static void Mend() => InputElement.GotFocusEvent.AddClassHandler<TabControl>(
         (tabs, _) => KeyboardNavigation.SetTabOnceActiveElement(tabs, tabs.ContainerFromIndex(tabs.SelectedIndex)),
         RoutingStrategies.Bubble,

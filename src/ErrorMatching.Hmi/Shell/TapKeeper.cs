@@ -8,10 +8,10 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Keeps a tap on a tile or a row that is made anew, or moved away by another one, while the finger is down: what was pressed is what is meant.</summary>
+/// <summary>Completes a tap on a tile or row that is recreated or moved while the finger is down: the press counts.</summary>
 internal sealed class TapKeeper
 {
-    // A finger that goes further drags, and means nothing that it began at.
+    // A longer movement is a drag, not a tap on what it began at.
     private const double Still = 8;
 
     private readonly MainWindow _window;
@@ -20,7 +20,7 @@ internal sealed class TapKeeper
     private string _id = "";
     private Point _at;
 
-    /// <summary>Keeps the taps of a window.</summary>
+    /// <summary>Watches the taps of a window.</summary>
     public TapKeeper(MainWindow window)
     {
         _window = window;
@@ -28,16 +28,16 @@ internal sealed class TapKeeper
         window.AddHandler(InputElement.PointerReleasedEvent, OnReleased, RoutingStrategies.Tunnel, handledEventsToo: true);
     }
 
-    // Only what leads somewhere: a button that decides must be pressed as it stands there when the finger is lifted.
+    // Only navigation. A button that decides something must still be under the finger when it is lifted.
     internal static bool IsKept(Control control) => control is ListBoxItem || (control is Button && control.Classes.Contains("tile"));
 
     private void OnPressed(object? sender, PointerPressedEventArgs e)
     {
-        // What was not taken when the finger came down is not taken when it is lifted: a row is chosen by that.
+        // If the press was refused, so is the release, because a row is selected on release.
         _ = e.Handled ? _refused.Add(e.Pointer.Id) : _refused.Remove(e.Pointer.Id);
         _pressed = e.Pointer.IsPrimary && !e.Handled ? (e.Source as Visual)?.GetSelfAndVisualAncestors().OfType<Control>().FirstOrDefault(IsKept) : null;
 
-        // By the name of the row, which its control forgets with it.
+        // Remember the row by its id: a recycled control loses it.
         _id = _pressed is null ? "" : AutomationProperties.GetAutomationId(_pressed) ?? "";
         _at = e.GetPosition(_window);
     }

@@ -3,28 +3,26 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Tiles side by side: as many in a row as have room, all as wide as each other, those of a row as high as each other, and together as wide as there is room.</summary>
+/// <summary>Tiles side by side, as many per row as fit. They fill the width equally; tiles in a row have the same height.</summary>
 public sealed class TilePanel : Panel
 {
-    /// <summary>Identifies <see cref="LeastWidth"/>.</summary>
     public static readonly StyledProperty<double> LeastWidthProperty = AvaloniaProperty.Register<TilePanel, double>(nameof(LeastWidth), 1);
 
-    /// <summary>Identifies <see cref="Spacing"/>.</summary>
     public static readonly StyledProperty<double> SpacingProperty = AvaloniaProperty.Register<TilePanel, double>(nameof(Spacing));
 
-    // One alone is not drawn out to the whole width.
+    // A single tile is not stretched to the whole width.
     private const int FewestColumns = 2;
 
     static TilePanel() => AffectsMeasure<TilePanel>(LeastWidthProperty, SpacingProperty);
 
-    /// <summary>The least width of a tile, in device-independent units.</summary>
+    /// <summary>Minimum width of a tile, in device-independent units.</summary>
     public double LeastWidth
     {
         get => GetValue(LeastWidthProperty);
         set => SetValue(LeastWidthProperty, value);
     }
 
-    /// <summary>What is free between two tiles, in device-independent units.</summary>
+    /// <summary>Gap between two tiles, in device-independent units.</summary>
     public double Spacing
     {
         get => GetValue(SpacingProperty);
@@ -34,7 +32,7 @@ public sealed class TilePanel : Panel
     /// <inheritdoc/>
     protected override Size MeasureOverride(Size availableSize)
     {
-        // Without a limit they stand in one row.
+        // Without a width limit, all are in one row.
         var width = double.IsFinite(availableSize.Width) ? availableSize.Width : (Children.Count * (LeastWidth + Spacing)) - Spacing;
         var tile = new Size(TileWidth(width), double.PositiveInfinity);
         foreach (var child in Children)
@@ -54,7 +52,7 @@ public sealed class TilePanel : Panel
             var height = row.Max(t => t.DesiredSize.Height);
             for (var column = 0; column < row.Length; column++)
             {
-                // On whole units, of which none is too many at the right.
+                // Rounded to whole units, so that none is too many at the right.
                 var left = Math.Round(column * each);
                 row[column].Arrange(new(left, top, Math.Max(0, Math.Round((column + 1) * each) - Spacing - left), height));
             }

@@ -7,10 +7,11 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Keeps the second of two quick taps in one place from falling on what the first brought there: behind a dialog that closed, or on another screen.</summary>
+/// <summary>Prevents the second of two quick taps from hitting what the first one brought up: what was behind a dialog, or
+/// another screen.</summary>
 internal sealed class TwiceKeeper
 {
-    // So long after a tap nobody has yet seen what it brought; in a glove a finger comes back so near.
+    // Within this time no one has seen the result of a tap yet. A gloved finger returns within this distance.
     private const ulong TwiceMs = 500;
     private const double Near = 24;
 
@@ -20,7 +21,7 @@ internal sealed class TwiceKeeper
     private ulong _time;
     private bool _isFirst = true;
 
-    /// <summary>Keeps the taps of a window.</summary>
+    /// <summary>Watches the taps of a window.</summary>
     public TwiceKeeper(MainWindow window)
     {
         _window = window;
@@ -40,7 +41,7 @@ internal sealed class TwiceKeeper
         (_under, _at, _time, _isFirst) = (under, place, e.Timestamp, false);
     }
 
-    // A row or tile that was made anew is the same; a control that shows something else now is another.
+    // A recreated row or tile counts as the same; a control that shows something else counts as another one.
     private static bool IsSame((Control? Control, string Id) now, (Control? Control, string Id) before) =>
         now.Id == before.Id && (ReferenceEquals(now.Control, before.Control) || (now.Control is { } control && TapKeeper.IsKept(control)));
 

@@ -3,7 +3,7 @@ using Avalonia.Controls.Templates;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Which view shows which view model. A new screen takes one line.</summary>
+/// <summary>Maps view models to views. A new screen needs one line.</summary>
 public sealed class Views : IRecyclingDataTemplate
 {
     private static readonly Dictionary<Type, (Type View, Func<Control> Make)> All = new()
@@ -43,13 +43,13 @@ public sealed class Views : IRecyclingDataTemplate
     /// <summary>The view models that have a view.</summary>
     internal static IEnumerable<Type> ViewModels => All.Keys;
 
-    /// <summary>Makes each of the views.</summary>
+    /// <summary>Creates each of the views.</summary>
     internal static IEnumerable<Func<Control>> Makers => All.Values.Select(v => v.Make);
 
-    /// <summary>True if there is a view for a view model.</summary>
+    /// <summary>True if a view model has a view.</summary>
     internal static bool Has(object viewModel) => All.ContainsKey(viewModel.GetType());
 
-    /// <summary>Makes the view of a view model that has one.</summary>
+    /// <summary>Creates the view of a view model that has one.</summary>
     internal static Control Make(object viewModel) => All[viewModel.GetType()].Make();
 
     /// <inheritdoc/>
@@ -58,7 +58,7 @@ public sealed class Views : IRecyclingDataTemplate
     /// <inheritdoc/>
     public Control? Build(object? param) => Build(param, null);
 
-    /// <summary>A view model of the same kind is shown in the view that is there, which stays as it was opened.</summary>
+    /// <summary>A view model of the same type reuses the existing view, which keeps its state.</summary>
     public Control? Build(object? data, Control? existing)
     {
         if (data is null)

@@ -6,12 +6,13 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A tap into a field takes all of its text, as the Tab key does: what is typed then is the new value, and not one that has the old one behind it. A second tap sets the caret, and what is drawn over is taken as it is drawn.</summary>
+/// <summary>The first tap on a field selects all of its text, as the Tab key does, so that typing replaces the old value. A
+/// second tap sets the caret, and dragging selects text as usual.</summary>
 internal static class WholeField
 {
     private static readonly ConditionalWeakTable<TextBox, object> Entered = [];
 
-    /// <summary>Lets it be so for all of them.</summary>
+    /// <summary>Applies this to all text boxes.</summary>
     public static void Mend()
     {
         InputElement.GotFocusEvent.AddClassHandler<TextBox>(OnGotFocus);
@@ -28,7 +29,7 @@ internal static class WholeField
         }
     }
 
-    // A finger leaves what is selected as it is, and is offered a menu for it.
+    // A touch keeps a full selection and opens a menu for it; clear it first, so that a second tap sets the caret.
     private static void OnReleasing(TextBox field, PointerReleasedEventArgs e)
     {
         if (e.Pointer.Type is PointerType.Touch && !Entered.TryGetValue(field, out _) && field.SelectedText == field.Text)
@@ -37,7 +38,7 @@ internal static class WholeField
         }
     }
 
-    // Behind the press that brought the focus, which sets the caret, and behind the release, which has the menu.
+    // Posted, so that it runs after the press that focuses the field and sets the caret, and after the release that opens the menu.
     private static void OnReleased(TextBox field, PointerReleasedEventArgs e)
     {
         if (Entered.Remove(field) && field.SelectionStart == field.SelectionEnd)

@@ -4,15 +4,15 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What a person is told when something that was asked for does not work: the station's words for what is known by code, and the library's sentence where it says more.</summary>
+/// <summary>Texts for failed actions: the station's text for a known code, and the library's sentence if it says more.</summary>
 public static class Failures
 {
-    /// <summary>True for what happens outside of the program, and is told and not a defect.</summary>
+    /// <summary>True for failures from outside the program: they are shown and are not defects.</summary>
     public static bool IsKnown(Exception failure) =>
         failure is PeopleException or DecisionException or StoreException or TransportException or DuplicateCorrectionException or SlotTakenException or InputException or OutputException or JsonDocumentException or JobEditException or IOException or UnauthorizedAccessException;
 
-    /// <summary>Does something beside the screen.</summary>
-    /// <returns>What did not work, in words; null if it worked.</returns>
+    /// <summary>Runs work off the UI thread.</summary>
+    /// <returns>The failure in words; null if it succeeded.</returns>
     public static async Task<string?> OfAsync(Action work, TimeProvider clock)
     {
         try
@@ -26,7 +26,7 @@ public static class Failures
         }
     }
 
-    /// <summary>What to say.</summary>
+    /// <summary>The text for a failure.</summary>
     public static string Of(Exception failure, TimeProvider clock)
     {
         ArgumentNullException.ThrowIfNull(failure);

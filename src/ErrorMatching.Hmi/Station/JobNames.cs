@@ -4,19 +4,20 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What people call the workpieces: the name in the job's file as it was kept with each correction, read once and beside the screen.</summary>
+/// <summary>Names of the workpieces: the name in the job file stored with each correction, read once and off the UI thread.</summary>
 public sealed class JobNames
 {
     private readonly ConcurrentDictionary<string, string> _names = new(StringComparer.Ordinal);
 
-    /// <summary>The name of a correction's job; the one in the cell's configuration where the file is not kept yet, null before it is recognized.</summary>
+    /// <summary>The name of a correction's job; the configured name while the file is not stored yet; null before the piece is
+    /// recognized.</summary>
     public string? Of(Correction correction)
     {
         ArgumentNullException.ThrowIfNull(correction);
         return correction.JobSha256 is { } sha && _names.TryGetValue(sha, out var name) ? name : correction.Job;
     }
 
-    /// <summary>Reads what is not known yet. Not to be called on the screen's thread.</summary>
+    /// <summary>Reads names that are not known yet. Do not call it on the UI thread.</summary>
     /// <exception cref="StoreException">The store cannot be read.</exception>
     internal void Learn(CellStore store, IEnumerable<Correction> corrections)
     {
@@ -29,7 +30,7 @@ public sealed class JobNames
         }
     }
 
-    // A kept job was read when it was computed; one that this station cannot read goes by the cell's name.
+    // A stored job was readable when it was computed. If this station cannot read it, the cell's name is used.
     private static string Read(byte[] file, string job)
     {
         try

@@ -2,17 +2,17 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What a free slot's program cut last.</summary>
-/// <param name="Correction">The correction that was released.</param>
+/// <summary>The last cut with a free slot's program.</summary>
+/// <param name="Correction">The released correction.</param>
 /// <param name="IsMating">True if its piece has a counterpart that can be verified.</param>
-/// <param name="Counterpart">The counterpart that was measured with it last; null while there is none.</param>
+/// <param name="Counterpart">The last measurement of its counterpart; null if there is none.</param>
 public sealed record LastCut(Correction Correction, bool IsMating, Correction? Counterpart)
 {
-    // So many of a machine are looked through: more slots than that take turns at no machine.
+    // How many corrections of a machine are searched: no machine has more slots in rotation.
     private const int Looked = 20;
 
-    /// <summary>Looks what a slot's program cut last.</summary>
-    /// <returns>It; null if the slot is taken, or nobody knows whose program it holds.</returns>
+    /// <summary>Finds the last cut with a slot's program.</summary>
+    /// <returns>The last cut; null if the slot is occupied, or if the origin of its program is unknown.</returns>
     /// <param name="settings">The cell's configuration.</param>
     /// <param name="store">The store.</param>
     /// <param name="slot">The slot.</param>

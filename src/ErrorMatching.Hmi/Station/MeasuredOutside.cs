@@ -2,7 +2,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Looks at the counterparts of each mating that were measured last, which of them have points outside of their limits. To be asked by one thread at a time, and not by the screen's.</summary>
+/// <summary>Finds the measured counterparts of each mating that have points outside their limits. Call it from one thread at a
+/// time, and not from the UI thread.</summary>
 /// <param name="settings">The cell's configuration.</param>
 internal sealed class MeasuredOutside(CellSettings settings)
 {
@@ -10,12 +11,14 @@ internal sealed class MeasuredOutside(CellSettings settings)
     private readonly Dictionary<string, long> _since = new(StringComparer.Ordinal);
     private Dictionary<long, KeptPiece?> _read = [];
 
-    /// <summary>Those that have, of each mating in the order of the configuration the newest first: what was measured last when this was asked for the first time, and all since. A newer measurement of the same piece takes the place of an older one, also where all of its points are within.</summary>
+    /// <summary>The counterparts outside their limits, by mating in the order of the configuration, newest first. It considers
+    /// the last measurement at the first call and all later ones. A newer measurement of the same piece replaces an older one,
+    /// even if all of its points are within their limits.</summary>
     /// <param name="store">The store.</param>
     /// <exception cref="StoreException">The store cannot be read.</exception>
     public IReadOnlyList<KeptPiece> Now(CellStore store)
     {
-        // What is not among the last any more is forgotten: the station may run for months.
+        // Only recent measurements stay cached: the station may run for months.
         Dictionary<long, KeptPiece?> read = [];
         KeptPiece[] outside = [.. _matings.SelectMany(m => Measured(store, m)
             .Select(c => read[c.Id] = _read.TryGetValue(c.Id, out var known) ? known : Read(store, c)).OfType<KeptPiece>()
@@ -25,7 +28,7 @@ internal sealed class MeasuredOutside(CellSettings settings)
         return outside;
     }
 
-    // As many as the verification lists at most. What was measured before the station was started, all but the last, is no news of it.
+    // As many as the verification lists at most. Of those made before the station started, only the last one is news.
     private IEnumerable<Correction> Measured(CellStore store, MatingChoice mating)
     {
         Correction[] measured = [.. store.Reported(mating.Jobs, KeptPieces.Most).Where(c => c.Piece == "counterpart" && c.State is not (CorrectionState.Rejected or CorrectionState.Superseded))];
@@ -37,7 +40,7 @@ internal sealed class MeasuredOutside(CellSettings settings)
         return measured.Where(c => c.Id >= since);
     }
 
-    // A counterpart that is compensated by itself has the report of a match, and nothing was verified.
+    // A counterpart compensated on its own has the report of a match, and nothing was verified.
     private static KeptPiece? Read(CellStore store, Correction counterpart) =>
         KeptVerification.Read(store.Content(counterpart.ReportSha256!)) is { } v ? new(counterpart, counterpart, v.JobName, v.Result, v.Boundaries, v.IsBeforeMeasured) { Before = v.Before } : null;
 }

@@ -1,14 +1,15 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Asks the screen's thread ten times a second whether it has time, and tells when it took longer than a person notices: what is busy for 150 ms is always found, what is busy for 50 ms sooner or later.</summary>
-/// <param name="screen">The screen's thread.</param>
-/// <param name="clock">The clock that the answer is timed by.</param>
-/// <param name="tell">Is given how long the answer took, beside the screen.</param>
+/// <summary>Posts to the UI thread ten times a second and reports responses slower than a person notices. A block of 150 ms is
+/// always found, one of 50 ms sooner or later.</summary>
+/// <param name="screen">The UI thread.</param>
+/// <param name="clock">The clock that times the response.</param>
+/// <param name="tell">Receives the response time, off the UI thread.</param>
 internal sealed class ScreenWatch(SynchronizationContext screen, TimeProvider clock, Action<TimeSpan> tell)
 {
     private static readonly TimeSpan Every = TimeSpan.FromMilliseconds(100), Most = TimeSpan.FromMilliseconds(50);
 
-    /// <summary>Asks until told to end.</summary>
+    /// <summary>Runs until canceled.</summary>
     public async Task RunAsync(CancellationToken end)
     {
         using var timer = new PeriodicTimer(Every, clock);
@@ -21,11 +22,11 @@ internal sealed class ScreenWatch(SynchronizationContext screen, TimeProvider cl
         }
         catch (OperationCanceledException) when (end.IsCancellationRequested)
         {
-            // The station ends.
+            // The station is closing.
         }
     }
 
-    /// <summary>Asks once.</summary>
+    /// <summary>Measures one response.</summary>
     internal async Task AskAsync(CancellationToken end)
     {
         var asked = clock.GetTimestamp();

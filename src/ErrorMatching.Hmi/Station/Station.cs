@@ -2,10 +2,11 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>One station at a cell: its configuration, its store, who sits there, and a look at the cell four times a second. Everything here the console can do as well.</summary>
+/// <summary>One station at a cell: its configuration, store and session, and a check of the cell four times a second. The console
+/// can do everything that this class does.</summary>
 public sealed class Station : IDisposable
 {
-    /// <summary>Without any touch for so long, a seat counts as left.</summary>
+    /// <summary>The session ends after this time without input.</summary>
     public static readonly TimeSpan DefaultIdle = TimeSpan.FromMinutes(5);
 
     private readonly SynchronizationContext _screen;
@@ -13,10 +14,10 @@ public sealed class Station : IDisposable
     private readonly Task _watching;
     private readonly HashSet<long> _lookedAt = [];
 
-    /// <summary>Opens the cell's store and begins to watch. To be called on the screen's thread.</summary>
+    /// <summary>Opens the cell's store and starts watching. Call it on the UI thread.</summary>
     /// <param name="settings">The cell's configuration.</param>
     /// <param name="clock">The clock.</param>
-    /// <param name="idle">How long nothing may be touched before the station is locked.</param>
+    /// <param name="idle">Time without input after which the station locks.</param>
     /// <exception cref="StoreException">The store cannot be opened.</exception>
     /// <exception cref="PeopleException">The key that seals the audit trail cannot be used.</exception>
     public Station(CellSettings settings, TimeProvider clock, TimeSpan idle)
@@ -31,43 +32,39 @@ public sealed class Station : IDisposable
         _watching = Task.Run(() => new StationWatch(this).RunAsync(Show, _end.Token)).Watched();
     }
 
-    /// <summary>Said on the screen's thread when <see cref="State"/> is another one.</summary>
+    /// <summary>Raised on the UI thread when <see cref="State"/> changes.</summary>
     public event Action? Changed;
 
-    /// <summary>The configuration.</summary>
     public CellSettings Settings { get; }
 
-    /// <summary>The clock.</summary>
     public TimeProvider Clock { get; }
 
-    /// <summary>The store.</summary>
     public CellStore Store { get; }
 
-    /// <summary>The users.</summary>
     public UserBook Users { get; }
 
-    /// <summary>Who sits here.</summary>
     public Session Session { get; }
 
-    /// <summary>What people call the workpieces.</summary>
+    /// <summary>Names of the workpieces.</summary>
     public JobNames JobNames { get; } = new();
 
-    /// <summary>Where people's preferences are kept; null if they are not.</summary>
+    /// <summary>Storage of the users' preferences; null if they are not stored.</summary>
     public PreferenceFiles? Preferences { get; init; }
 
-    /// <summary>The folder of the samples that a demonstration is set up with; null where there is none.</summary>
+    /// <summary>The folder of the samples that a demonstration is set up with; null if there is none.</summary>
     public string? SamplesFolder { get; init; }
 
-    /// <summary>True for a demonstration, whose password everybody is told.</summary>
+    /// <summary>True for a demonstration, whose password is public.</summary>
     public bool IsDemonstration { get; init; }
 
-    /// <summary>What is known of the cell.</summary>
+    /// <summary>The known state of the cell.</summary>
     public StationState State { get; private set; } = StationState.Unknown;
 
-    /// <summary>Counterparts that were measured with points outside of their limits, and that nobody has looked at here since the station was started: of each mating those among the last, the newest first.</summary>
+    /// <summary>Counterparts outside their limits that have not been viewed here since the station started: the latest ones of
+    /// each mating, newest first.</summary>
     public IReadOnlyList<KeptPiece> Outside => [.. State.Outside.Where(p => !_lookedAt.Contains(p.LastId))];
 
-    /// <summary>Says that somebody has looked at a measured piece. On the screen's thread.</summary>
+    /// <summary>Marks a measured piece as viewed. Call it on the UI thread.</summary>
     public void See(KeptPiece piece)
     {
         ArgumentNullException.ThrowIfNull(piece);
@@ -81,7 +78,7 @@ public sealed class Station : IDisposable
         return MachineFolders.Open(machine, () => new MachineSecrets(Store, Settings.KeysFolder).Get(machine.Name));
     }
 
-    /// <summary>Shows a state that a test makes, and nothing that is seen after it. On the screen's thread.</summary>
+    /// <summary>Shows a state made by a test, and ignores all later ones. Call it on the UI thread.</summary>
     /// <param name="state">The state.</param>
     internal void Pretend(StationState state)
     {
@@ -89,7 +86,7 @@ public sealed class Station : IDisposable
         Changed?.Invoke();
     }
 
-    /// <summary>Ends watching, signs out and closes the store.</summary>
+    /// <summary>Stops watching, signs out and closes the store.</summary>
     public void Dispose()
     {
         _end.Cancel();
@@ -101,14 +98,14 @@ public sealed class Station : IDisposable
         }
         catch (Exception e) when (e is StoreException or PeopleException)
         {
-            // The store is away: the cell remembers the end of the trail as well, and the seat is left with the process.
+            // The store is unavailable: the cell also remembers the end of the trail, and the session ends with the process.
         }
 
         Store.Dispose();
         _end.Dispose();
     }
 
-    // On a store that was set back nobody decides anything.
+    // If the store was rolled back, no decisions are allowed on it.
     private static CellStore Opened(CellSettings settings, TimeProvider clock)
     {
         var store = CellStore.Open(settings.Store, clock, AuditKey.OpenFor(settings));

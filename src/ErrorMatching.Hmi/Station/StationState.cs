@@ -2,21 +2,22 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What the station knows of its cell at a moment. Made beside the screen, and never changed.</summary>
-/// <param name="Version">Counts: a later state has a higher one.</param>
-/// <param name="Status">How the cell is; null before it was seen for the first time.</param>
-/// <param name="StoreTrouble">Why the store cannot be read just now, and <paramref name="Status"/> is what was seen last; null if it can.</param>
+/// <summary>What the station knows of its cell at one moment. Immutable; created off the UI thread.</summary>
+/// <param name="Version">Version number; later states have higher ones.</param>
+/// <param name="Status">The state of the cell; null before the first check.</param>
+/// <param name="StoreTrouble">Why the store cannot be read now, in which case <paramref name="Status"/> is the last known state;
+/// null if it can be read.</param>
 public sealed record StationState(long Version, CellStatus? Status, StoreException? StoreTrouble)
 {
-    /// <summary>Before the first look.</summary>
+    /// <summary>The state before the first check.</summary>
     public static StationState Unknown { get; } = new(0, null, null);
 
-    /// <summary>Numbers of the corrections that wait and were made with a job as it was before it was changed.</summary>
+    /// <summary>Numbers of the waiting corrections whose job was changed after they were computed.</summary>
     public IReadOnlySet<long> OfChangedJob { get; init; } = new HashSet<long>();
 
-    /// <summary>What the programs of free slots cut last, by machine and slot.</summary>
+    /// <summary>The last cuts with the programs of free slots, by machine and slot.</summary>
     public IReadOnlyDictionary<(string Machine, string Slot), LastCut> LastCut { get; init; } = new Dictionary<(string Machine, string Slot), LastCut>();
 
-    /// <summary>The counterparts that were measured outside of their limits, of each mating the newest first.</summary>
+    /// <summary>The measured counterparts outside their limits, newest first within each mating.</summary>
     public IReadOnlyList<KeptPiece> Outside { get; init; } = [];
 }

@@ -2,7 +2,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Looks at a cell: at once when the store has changed, and every two seconds for its sign of life; oftener where there is none, so that nobody reads of a cell that stands when it has just begun to run.</summary>
+/// <summary>Checks a cell: four times a second for changes of the store, and every two seconds for its sign of life. While there
+/// is none, every half second, so that a restarted cell is soon shown as running.</summary>
 internal sealed class StationWatch(Station station)
 {
     private const int LooksBetween = 8, LooksBetweenIfStill = 2;
@@ -16,9 +17,9 @@ internal sealed class StationWatch(Station station)
     private IReadOnlySet<long> _ofChangedJob = new HashSet<long>();
     private long _version;
 
-    /// <summary>Looks until told to end.</summary>
-    /// <param name="show">Is given each state that was seen.</param>
-    /// <param name="end">Ends it.</param>
+    /// <summary>Checks until canceled.</summary>
+    /// <param name="show">Receives each new state.</param>
+    /// <param name="end">Stops it.</param>
     public async Task RunAsync(Action<StationState> show, CancellationToken end)
     {
         for (var look = 0; !end.IsCancellationRequested; look++)
@@ -28,7 +29,7 @@ internal sealed class StationWatch(Station station)
                 show(state);
             }
 
-            // The system's clock, not the station's: a test that stands its clock still wants to see what happens.
+            // The system's clock, not the station's: a test with a stopped clock must still see changes.
             await Task.Delay(Every, end).ContinueWith(_ => { }, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
         }
     }

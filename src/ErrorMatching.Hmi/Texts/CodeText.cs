@@ -2,34 +2,30 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What a stable code of the cell or of a reader means, in the language of the screen.</summary>
-/// <remarks>
-/// A new code needs one text in each language: <c>Code.CODE</c> where that says all, <c>Meaning.CODE</c> where the sentence that comes with it
-/// says more (it names blocks, points, files and numbers).
-/// </remarks>
+/// <summary>Texts in the display language for the stable codes of the cell and of file readers.</summary>
+/// <remarks>A new code needs one text in each language: <c>Code.CODE</c> if the text is complete, or <c>Meaning.CODE</c> if the
+/// accompanying sentence says more (it names blocks, points, files and numbers).</remarks>
 public static class CodeText
 {
-    // What a store or a machine could not do has its words already.
+    // Errors of a store or machine already have texts.
     private static readonly Dictionary<string, string> Outside = Enum.GetValues<StoreError>()
         .Select(e => (Code: CellCodes.Of(e), Key: $"StoreError.{e}"))
         .Concat(Enum.GetValues<TransportError>().Select(e => (Code: CellCodes.Of(e), Key: $"TransportError.{e}")))
         .ToDictionary(c => c.Code, c => c.Key, StringComparer.Ordinal);
 
-    /// <summary>The text of a code: never the code itself.</summary>
+    /// <summary>The text of a code; never the code itself.</summary>
     /// <param name="code">The code.</param>
-    /// <param name="otherwise">
-    /// The sentence that came with it, said where the station has no text that says all. One that it cannot say in the language of the screen
-    /// is quoted after what the code means. Null for none.
-    /// </param>
+    /// <param name="otherwise">The sentence that came with the code, used if the station has no complete text for it. If it
+    /// cannot be translated, it is quoted after the meaning of the code. Null for none.</param>
     public static string Of(string code, string? otherwise) =>
         Whole(code) ?? (otherwise is null ? Meaning(code) : Sentence(code, otherwise));
 
-    /// <summary>The text that says all about a code; null if there is none.</summary>
+    /// <summary>The complete text of a code; null if there is none.</summary>
     /// <param name="code">The code.</param>
     public static string? Whole(string code) => Texts.Current.Or("Code." + code, "") is { Length: > 0 } text ? text : null;
 
-    /// <summary>Which part of a cell does not work (<see cref="CellTrouble.Where"/>), in the language of the screen.</summary>
-    /// <param name="where">As the cell names it.</param>
+    /// <summary>The part of a cell that does not work (<see cref="CellTrouble.Where"/>), in the display language.</summary>
+    /// <param name="where">The cell's name for it.</param>
     public static string Where(string where)
     {
         ArgumentNullException.ThrowIfNull(where);

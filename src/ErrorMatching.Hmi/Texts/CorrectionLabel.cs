@@ -2,10 +2,10 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What a correction is called on the screen: its number, and the serial number of its piece or the file that it came as.</summary>
+/// <summary>Label of a correction: its number, and the serial number of its piece or the name of its file.</summary>
 public static class CorrectionLabel
 {
-    /// <summary>The label; the file alone where it has no number, since the store does not have it.</summary>
+    /// <summary>The label; only the file name if the correction is not in the store and so has no number.</summary>
     public static string Of(Correction correction)
     {
         ArgumentNullException.ThrowIfNull(correction);
@@ -13,10 +13,11 @@ public static class CorrectionLabel
         return correction.Id == 0 ? piece : $"#{Shown.Id(correction.Id)} · {piece}";
     }
 
-    /// <summary>How much a correction asks for attention: one that failed is an alarm, one that is proposed waits for a person, and one that is reverted did not come to what it was approved for.</summary>
+    /// <summary>Severity of a correction: a failed one is an alarm. A proposed one waits for a person. A reverted one did not
+    /// achieve what it was approved for.</summary>
     public static Severity SeverityOf(CorrectionState state) => state switch { CorrectionState.Failed => Severity.Alarm, CorrectionState.Proposed or CorrectionState.Reverted => Severity.Attention, _ => Severity.Quiet };
 
-    /// <summary>Where its program goes, is or was, in a sentence: machine, slot and file; null where none goes to a machine.</summary>
+    /// <summary>Where its program goes, is or was, in a sentence: machine, slot and file; null if none goes to a machine.</summary>
     public static string? Target(Correction correction)
     {
         ArgumentNullException.ThrowIfNull(correction);

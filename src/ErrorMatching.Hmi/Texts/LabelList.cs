@@ -2,14 +2,14 @@ using System.Globalization;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Labels of key points in few words: those that are counted on stand as the first and the last of them, as a job writes them.</summary>
+/// <summary>Short lists of key point labels: a run of consecutive labels is written as its first and last, as in a job.</summary>
 public static class LabelList
 {
-    // Two labels are as short without dots.
+    // Two labels are just as short without dots.
     private const int LeastRun = 3;
     private const int MostDigits = 9;
 
-    /// <summary>The labels in their order, such as <c>4, 6..14</c>.</summary>
+    /// <summary>The labels in order, such as <c>4, 6..14</c>.</summary>
     /// <param name="labels">The labels.</param>
     public static string Short(IReadOnlyList<string> labels)
     {
@@ -30,7 +30,7 @@ public static class LabelList
         return string.Join(", ", parts);
     }
 
-    // The label with the next number, with as many digits where it has zeros before it; null for one that ends in no number.
+    // The label with the next number, keeping leading zeros; null if the label does not end in a number.
     private static string? After(string label)
     {
         var digits = label.Length - label.AsSpan().TrimEnd("0123456789").Length;

@@ -1,9 +1,8 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>A language of the screen.</summary>
+/// <summary>A display language.</summary>
 public enum Language
 {
-    /// <summary>English.</summary>
     English,
 
     /// <summary>Chinese as written in Taiwan.</summary>

@@ -2,14 +2,14 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What comes next for a correction, who does it, and what a person has to do for it: the same sentence wherever it is said.</summary>
+/// <summary>The next step for a correction, who takes it, and what a person has to do: the same sentence on every screen.</summary>
 public static class NextStep
 {
-    /// <summary>What comes next, in a line.</summary>
+    /// <summary>The next step, in one line.</summary>
     /// <param name="settings">The cell's configuration.</param>
-    /// <param name="status">How the cell is; null before that is known.</param>
-    /// <param name="correction">The correction as it is now.</param>
-    /// <returns>The sentence; null where nothing comes of it any more, or nobody can say what.</returns>
+    /// <param name="status">The state of the cell; null before it is known.</param>
+    /// <param name="correction">The current correction.</param>
+    /// <returns>The sentence; null if there is no next step, or if it is unknown.</returns>
     public static string? Of(CellSettings settings, CellStatus? status, Correction correction)
     {
         ArgumentNullException.ThrowIfNull(settings);
@@ -29,7 +29,7 @@ public static class NextStep
         };
     }
 
-    // What is in the way of sending it, where nobody has to decide.
+    // What delays sending, if no decision is needed.
     private static string WayOf(CellStatus? status, Correction correction) => status switch
     {
         { IsRunning: false } => "Next.NotRunning",
@@ -39,7 +39,7 @@ public static class NextStep
         _ => "Next.Sent",
     };
 
-    // A machine with a ready file says itself that the piece is cut.
+    // A machine with a ready file reports itself that the piece is cut.
     private static string CutOf(CellSettings settings, Correction correction)
     {
         var says = settings.Machines.FirstOrDefault(m => m.Name == correction.Machine)?.Slots.FirstOrDefault(s => s.Name == correction.Slot)?.ReadyFile is not null;
@@ -48,7 +48,8 @@ public static class NextStep
             : Texts.Current.With(says ? "Next.CutOnly" : "Next.CutReleaseOnly", correction.Machine!);
     }
 
-    // Whose files measure what a mating's program cut: by a job with the same file that takes counterparts. Whether a surface is measured again is the shop's to say.
+    // The gauges that measure what a mating's program cut: those of a job with the same file that takes counterparts. Whether a
+    // surface is measured again is up to the shop.
     private static string GaugesOf(CellSettings settings, Correction correction)
     {
         var mating = settings.Jobs.FirstOrDefault(j => j.Name == correction.Job && !j.IsFreeform);

@@ -5,25 +5,26 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What the cell recorded, in the language of the screen. The record stays as it was written; a sentence that has none of the known forms, such as a person's reason, is shown as it is.</summary>
+/// <summary>Translates recorded texts of the cell to the display language. The record itself stays unchanged. A sentence without
+/// a known form, such as a person's reason, is shown as is.</summary>
 public static class RecordedText
 {
-    // More sentences than this stand in no basis.
+    // No basis has more sentences than this.
     private const int MostSentences = 50;
     private const string WordKey = "RecordedWord.";
 
     private static readonly (SentenceForm Form, string Key)[] Forms = [.. Recorded.All.Select(f => (f, "Recorded." + f.Name)), .. WarningForms.All.Select(f => (f, "Warning." + f.Name)), .. RefusalForms.All.Select(f => (f, "Refusal." + f.Name))];
 
-    /// <summary>A recorded text in the language of the screen.</summary>
+    /// <summary>A recorded text in the display language.</summary>
     public static string Of(string recorded)
     {
         ArgumentNullException.ThrowIfNull(recorded);
         return Sentences(recorded) ?? Whole(recorded) ?? recorded;
     }
 
-    /// <summary>On what basis a correction took a step. A reason that has no form of the cell's own is said by its code, where the station knows that.</summary>
-    /// <param name="basis">The basis as it is recorded.</param>
-    /// <param name="correction">The correction, as it is now; null if it is not at hand.</param>
+    /// <summary>The basis of a correction's step. A reason without a known form is shown by its code, if that is known.</summary>
+    /// <param name="basis">The recorded basis.</param>
+    /// <param name="correction">The current correction; null if it is not available.</param>
     public static string Of(string basis, Correction? correction)
     {
         var shown = Of(basis);
@@ -33,7 +34,7 @@ public static class RecordedText
     /// <summary>Who did it: a user's name, or the cell itself.</summary>
     public static string Who(string name) => Texts.Current.Or("RecordedWho." + name, name);
 
-    // The forms in their order: the first whose values are all of their kinds.
+    // The first form, in their order, whose values all have the right kind.
     private static string? Whole(string recorded, string? prefix = null)
     {
         foreach (var (form, key) in Forms)
@@ -47,7 +48,8 @@ public static class RecordedText
         return null;
     }
 
-    // Several sentences, one behind the other: what is known is said, the rest stays. They come before the whole, or the last name of the first sentence would reach over all others.
+    // Several sentences in a row: known ones are translated, the rest stays. Tried before the whole text, because the last name
+    // of the first sentence would otherwise match all the others.
     private static string? Sentences(string recorded)
     {
         var end = recorded.IndexOf(". ", StringComparison.Ordinal);
@@ -78,7 +80,7 @@ public static class RecordedText
         return shown;
     }
 
-    // Null: the value is none of this kind, so the sentence has another form.
+    // Null: the value is not of this kind, so the sentence has another form.
     private static string? Shown(string kind, string value) => kind switch
     {
         "" => value,

@@ -1,12 +1,12 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Sentences one behind the other.</summary>
+/// <summary>Splits and joins sentences.</summary>
 public static class Sentence
 {
-    // The full stop of Chinese has its room in itself.
+    // The Chinese full stop includes its own space.
     private const char WideStop = '。';
 
-    /// <summary>The first of the sentences of a text.</summary>
+    /// <summary>The first sentence of a text.</summary>
     /// <param name="text">The text.</param>
     public static string First(string text)
     {
@@ -16,8 +16,8 @@ public static class Sentence
         return end < 0 ? text : text[..(end + 1)];
     }
 
-    /// <summary>The sentences in a row, with a space between two of them unless the first ends with the full stop of Chinese; empty ones are left out.</summary>
-    /// <param name="sentences">The sentences in their order.</param>
+    /// <summary>Joins sentences with a space, unless the first one ends with a Chinese full stop; empty ones are skipped.</summary>
+    /// <param name="sentences">The sentences in order.</param>
     public static string Joined(params IEnumerable<string> sentences)
     {
         ArgumentNullException.ThrowIfNull(sentences);

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Numbers and times as the screen shows them: decimals of one length, so that they stand under each other; deviations with their sign.</summary>
+/// <summary>Formats numbers and times for display: fixed decimals, so that columns align; deviations have their sign.</summary>
 public static class Shown
 {
     // A real minus sign is as wide as the plus sign; a hyphen is not.
@@ -13,7 +13,7 @@ public static class Shown
     private const string SignedMicrometersFormat = "+0.00;−0.00;0.00";
     private const string SignedDegreesFormat = SignedFormat;
 
-    /// <summary>What stands where there is no value.</summary>
+    /// <summary>Placeholder for a missing value.</summary>
     public const string Nothing = "–";
 
     /// <summary>A length or coordinate in mm, four decimals.</summary>
@@ -22,7 +22,7 @@ public static class Shown
     /// <summary>A deviation in mm with its sign, four decimals.</summary>
     public static string SignedMm(double? mm) => Number(mm, SignedFormat);
 
-    /// <summary>An angle in degrees, four decimals like the lengths that stand above and below it.</summary>
+    /// <summary>An angle in degrees, four decimals like the lengths above and below it.</summary>
     public static string Degrees(double? degrees) => Number(degrees, DegreesFormat);
 
     /// <summary>A difference of angles in degrees with its sign, four decimals.</summary>
@@ -34,29 +34,29 @@ public static class Shown
     /// <summary>A deviation in mm as micrometers with its sign, two decimals.</summary>
     public static string SignedMicrometers(double? mm) => Number(1000 * mm, SignedMicrometersFormat);
 
-    /// <summary>A deviation in mm as micrometers with its sign, two digits: where there is little room.</summary>
+    /// <summary>A deviation in mm as micrometers with its sign, two digits, for narrow places.</summary>
     public static string ShortMicrometers(double mm) => Math.Abs(mm) < 0.00995 ? Number(1000 * mm, "+0.0;−0.0;0.0") : (1000 * mm).ToString("+0;−0", CultureInfo.InvariantCulture);
 
-    /// <summary>A number without a unit, as many decimals as it has, three at most.</summary>
+    /// <summary>A number without a unit, with up to three decimals.</summary>
     public static string Number(double value) => value.ToString("0.###;−0.###", CultureInfo.InvariantCulture);
 
-    /// <summary>A share in percent, whole ones.</summary>
+    /// <summary>A percentage without decimals.</summary>
     public static string Percent(double? percent) => percent is { } p ? (Math.Round(p) + 0.0).ToString("0;−0", CultureInfo.InvariantCulture) + " %" : Nothing;
 
     /// <summary>A count.</summary>
     public static string Count(long count) => count.ToString("#,##0", CultureInfo.InvariantCulture);
 
-    /// <summary>A number of a correction or of an entry.</summary>
+    /// <summary>Number of a correction or of an entry.</summary>
     public static string Id(long id) => id.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>A time in the computer's zone, by the language's custom, to the second.</summary>
+    /// <summary>A time in the computer's time zone, in the format of the language, to the second.</summary>
     public static string Time(DateTimeOffset time, TimeProvider clock)
     {
         ArgumentNullException.ThrowIfNull(clock);
         return TimeZoneInfo.ConvertTime(time, clock.LocalTimeZone).ToString(Texts.Current["Format.Time"], CultureInfo.InvariantCulture);
     }
 
-    // What rounds to nothing has no sign.
+    // A value that rounds to zero has no sign.
     private static string Number(double? value, string format) => value is { } v
         ? (Math.Round(v, format.Split(';')[0].Count(c => c == '0') - 1) + 0.0).ToString(format, CultureInfo.InvariantCulture)
         : Nothing;

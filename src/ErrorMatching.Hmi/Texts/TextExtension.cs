@@ -10,16 +10,15 @@ namespace ErrorMatching.Hmi;
 /// <param name="key">The key.</param>
 public sealed class TextExtension(string key) : MarkupExtension
 {
-    // A screen has dozens of texts: what leads to one is made once.
+    // A screen has dozens of texts: each binding path is created once.
     private static readonly ConcurrentDictionary<string, CompiledBindingPath> Paths = new(StringComparer.Ordinal);
 
-    /// <summary>The key.</summary>
     public string Key { get; } = key;
 
     /// <inheritdoc/>
     public override object ProvideValue(IServiceProvider serviceProvider)
     {
-        // A key that is not there shows here, when the view is made, and not where somebody sees a gap.
+        // A missing key fails here, when the view is created, instead of leaving a gap on the screen.
         _ = Texts.Current[Key];
         return new CompiledBinding(Paths.GetOrAdd(Key, Path)) { Source = Texts.Current, Mode = BindingMode.OneWay };
     }

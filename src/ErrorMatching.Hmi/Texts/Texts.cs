@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What the screen says, in the language that is chosen. The words are in the files beside this one, by the same keys in each language.</summary>
+/// <summary>All texts of the station in the chosen language, from the files next to this one; each language has the same keys.</summary>
 public sealed partial class Texts : Observable
 {
     private static readonly Dictionary<Language, IReadOnlyDictionary<string, string>> All = Enum.GetValues<Language>().ToDictionary(l => l, l => (IReadOnlyDictionary<string, string>)Read(l));
@@ -14,13 +14,12 @@ public sealed partial class Texts : Observable
     {
     }
 
-    /// <summary>Said when another language was chosen.</summary>
+    /// <summary>Raised when another language is chosen.</summary>
     public event Action? LanguageChanged;
 
-    /// <summary>The texts of this process.</summary>
     public static Texts Current { get; } = new();
 
-    /// <summary>The language of the screen.</summary>
+    /// <summary>The display language.</summary>
     public Language Language
     {
         get => _language;
@@ -28,7 +27,7 @@ public sealed partial class Texts : Observable
         {
             if (Set(ref _language, value))
             {
-                // Both names: which one stands for the indexer depends on who listens.
+                // Both names: which one stands for the indexer depends on the listener.
                 Say("Item");
                 Say("Item[]");
                 LanguageChanged?.Invoke();
@@ -43,18 +42,18 @@ public sealed partial class Texts : Observable
     /// <summary>All keys of a language with their texts.</summary>
     public static IReadOnlyDictionary<string, string> Of(Language language) => All[language];
 
-    /// <summary>The text of a key, with values in the places of <c>{0}</c> and so on.</summary>
+    /// <summary>The text of a key, with values for <c>{0}</c> and so on.</summary>
     /// <exception cref="KeyNotFoundException">There is no such key.</exception>
     public string With(string key, params object[] values) => Unparted(string.Format(CultureInfo.InvariantCulture, this[key], values));
 
-    /// <summary>The text of a key for so many; for one that of the key with <c>One</c> behind it.</summary>
+    /// <summary>The text of a key for a count; for 1, the text of the key with <c>One</c> appended.</summary>
     /// <param name="key">The key.</param>
-    /// <param name="count">How many there are.</param>
-    /// <param name="values">What stands in the places of <c>{0}</c> and so on.</param>
+    /// <param name="count">The count.</param>
+    /// <param name="values">Values for <c>{0}</c> and so on.</param>
     /// <exception cref="KeyNotFoundException">There is no such key.</exception>
     public string Counted(string key, int count, params object[] values) => With(count == 1 ? key + "One" : key, values);
 
-    /// <summary>Words one after the other, as the language writes a list.</summary>
+    /// <summary>Joins words to a list in the style of the language.</summary>
     /// <param name="words">The words.</param>
     public string Listed(IEnumerable<string> words) => string.Join(this["List.Between"], words);
 
@@ -62,7 +61,7 @@ public sealed partial class Texts : Observable
     public string Word<T>(T value)
         where T : struct, Enum => this[$"{typeof(T).Name}.{value}"];
 
-    /// <summary>The text of a key, or something else where there is none.</summary>
+    /// <summary>The text of a key, or a fallback if there is none.</summary>
     public string Or(string key, string otherwise) => All[_language].GetValueOrDefault(key, otherwise);
 
     private static Dictionary<string, string> Read(Language language)
@@ -71,7 +70,7 @@ public sealed partial class Texts : Observable
         return JsonSerializer.Deserialize<Dictionary<string, string>>(stream)!.ToDictionary(t => t.Key, t => Unparted(t.Value));
     }
 
-    // A number and its unit stay in one line.
+    // Keeps a number and its unit on one line.
     private static string Unparted(string text) => BeforeUnit().Replace(text, "\u00a0");
 
     [GeneratedRegex(@"(?<=[\d}]) (?=(mm|µm)\b)", RegexOptions.ExplicitCapture, Timeout.Infinite)]

@@ -2,17 +2,17 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Why a correction that somebody has decided about, or is to decide about, cannot go to its machine yet.</summary>
+/// <summary>Why a correction, decided or not, cannot go to its machine yet.</summary>
 /// <param name="Text">In a sentence.</param>
-/// <param name="Severity">Attention where it goes on only when somebody decides.</param>
-/// <param name="First">Number of the correction that it waits for, and that is to be looked at first.</param>
+/// <param name="Severity">Attention if it waits for a decision.</param>
+/// <param name="First">Number of the correction that it waits for, to be handled first.</param>
 public sealed record WaitReason(string Text, Severity Severity, long First)
 {
-    // More of them say nothing more: the first is decided about first.
+    // More than this add nothing: the first one is decided first.
     private const int Most = 5;
 
-    /// <summary>What a correction waits for; null if nothing is in its way, or it stands in no line.</summary>
-    /// <param name="status">How the cell is.</param>
+    /// <summary>What a correction waits for; null if it waits for nothing or is not in a queue.</summary>
+    /// <param name="status">The state of the cell.</param>
     /// <param name="id">Number of the correction.</param>
     public static WaitReason? Of(CellStatus status, long id)
     {
@@ -27,7 +27,7 @@ public sealed record WaitReason(string Text, Severity Severity, long First)
             : null;
     }
 
-    /// <summary>The numbers of corrections in a row, as they stand on the screen.</summary>
+    /// <summary>The numbers of corrections as a list for display.</summary>
     /// <param name="corrections">The corrections.</param>
     public static string Numbers(IReadOnlyList<Correction> corrections)
     {

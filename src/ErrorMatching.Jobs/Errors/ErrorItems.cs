@@ -8,11 +8,11 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>What each exception and refusal of the libraries means to whoever gave the inputs.</summary>
+/// <summary>Converts the libraries' exceptions and refusals to errors about the inputs.</summary>
 public static class ErrorItems
 {
-    /// <summary>What is wrong with an input, by the exception that it caused.</summary>
-    /// <returns>At least one item; null for an exception that no input causes: a defect, or something outside that failed.</returns>
+    /// <summary>The errors of an input, by the exception that it caused.</summary>
+    /// <returns>At least one item; null if the exception is not caused by an input, but by a defect or an external failure.</returns>
     public static IReadOnlyList<ErrorItem>? OfInput(Exception exception) => exception switch
     {
         MeasurementException e => [Of(e)],
@@ -29,20 +29,20 @@ public static class ErrorItems
     /// <summary>A measurement that cannot be used.</summary>
     public static ErrorItem Of(MeasurementException e) => new(NotNull(e).Code, e.Message) { File = e.File, Line = e.Line, Column = e.Column, Path = e.Path, Problem = e.Problem };
 
-    /// <summary>A job that cannot be used: everything that is wrong in it.</summary>
+    /// <summary>A job that cannot be used: all of its errors.</summary>
     public static IReadOnlyList<ErrorItem> Of(JobException e) => Document(NotNull(e).File, e.Problems);
 
-    /// <summary>A JSON document other than a job that cannot be used: everything that is wrong in it.</summary>
+    /// <summary>A JSON document other than a job that cannot be used: all of its errors.</summary>
     public static IReadOnlyList<ErrorItem> Of(JsonDocumentException e) => Document(NotNull(e).File, e.Problems);
 
     /// <summary>A surface, template or measurement of a free-form job that cannot be used.</summary>
     public static ErrorItem Of(FreeformException e) => new(NotNull(e).Code, e.Message) { File = e.File, Line = e.Line, Column = e.Column, Problem = e.Problem };
 
-    /// <summary>Points of a file without a usable answer.</summary>
+    /// <summary>Points of a file without a usable solution.</summary>
     public static ErrorItem Of(PointsException e) => Of(NotNull(e).Why, e.File);
 
-    /// <summary>Points of a file without a usable answer.</summary>
-    /// <param name="e">What geometry says about them.</param>
+    /// <summary>Points of a file without a usable solution.</summary>
+    /// <param name="e">The geometry error.</param>
     /// <param name="file">The file as the user named it.</param>
     public static ErrorItem Of(GeometryException e, string file) => new(CodeOf(NotNull(e).Error), $"{file}: {e.Message}") { File = file, Problem = e.Message };
 
@@ -52,7 +52,7 @@ public static class ErrorItems
     /// <summary>A measurement of the other piece.</summary>
     public static ErrorItem Of(WrongPieceException e) => new("wrong-piece", NotNull(e).Message) { File = e.File, Problem = e.Problem };
 
-    /// <summary>An input that cannot be opened. What a job names wrongly is mended in the job, so that is the file.</summary>
+    /// <summary>An input that cannot be opened. If a job names it, the job is the file to correct.</summary>
     public static ErrorItem Of(InputException e) => NotNull(e).NamedAt is { } at
         ? At(at, MeasurementError.FileUnreadable, e.Message)
         : new(MeasurementError.FileUnreadable, e.Message) { File = e.File };
@@ -65,7 +65,7 @@ public static class ErrorItems
     /// <param name="job">The job's file.</param>
     public static IReadOnlyList<ErrorItem> Of(IEnumerable<FreeformRefusal> refusals, string job) => [.. refusals.Select(r => new ErrorItem(r.Code, r.Message) { File = job, Problem = r.Message })];
 
-    /// <summary>A program or wish that can be read but must not be used.</summary>
+    /// <summary>A readable program or wish that must not be used.</summary>
     /// <param name="refusals">The reasons.</param>
     /// <param name="file">The program or wish.</param>
     public static IReadOnlyList<ErrorItem> Of(IEnumerable<NcRefusal> refusals, string file) => [.. refusals.Select(r => new ErrorItem(r.Code, $"{file}: {r.Message}")
@@ -78,14 +78,14 @@ public static class ErrorItems
 
     /// <summary>A match that must not lead to a program.</summary>
     /// <param name="refusals">The reasons.</param>
-    /// <param name="job">The job, where no block is to blame.</param>
-    /// <param name="program">The program, where one is.</param>
+    /// <param name="job">The job, if no block is to blame.</param>
+    /// <param name="program">The program, if a block is to blame.</param>
     public static IReadOnlyList<ErrorItem> Of(IEnumerable<MatingRefusal> refusals, string job, string program) =>
         [.. refusals.Select(r => Of(r, job, program))];
 
-    /// <summary>What is wrong with something that a file names.</summary>
-    /// <param name="at">Where it names it.</param>
-    /// <param name="code">A stable word.</param>
+    /// <summary>An error about a file that another file names.</summary>
+    /// <param name="at">Where it is named.</param>
+    /// <param name="code">A stable code.</param>
     /// <param name="problem">What was found and what is expected, as a sentence.</param>
     internal static ErrorItem At(NamedPlace at, string code, string problem) =>
         new(code, Placed(at.File, at.Place, at.Path, problem)) { File = at.File, Line = at.Place.Line, Column = at.Place.Column, Path = at.Path, Problem = problem };
@@ -111,7 +111,7 @@ public static class ErrorItems
         Problem = Sentence(p.Message),
     })];
 
-    // A block without a number is named by its line, which stands in front of a problem already.
+    // A block without a number is named by its line, which the problem's prefix already contains.
     private static string WithoutLine(string message, int line) =>
         string.Create(CultureInfo.InvariantCulture, $"line {line}: ") is var name && message.StartsWith(name, StringComparison.Ordinal) ? message[name.Length..] : message;
 

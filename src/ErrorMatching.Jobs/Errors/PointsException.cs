@@ -2,14 +2,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Points of a file that determine no answer, such as a line through points that coincide.</summary>
+/// <summary>The points of a file determine no solution, such as a line through coincident points.</summary>
 /// <param name="file">The file as the user named it.</param>
-/// <param name="why">What geometry says about the points.</param>
+/// <param name="why">The geometry error.</param>
 public sealed class PointsException(string file, GeometryException why) : Exception($"{file}: {(why ?? throw new ArgumentNullException(nameof(why))).Message}", why)
 {
     /// <summary>The file as the user named it.</summary>
     public string File => file;
 
-    /// <summary>What geometry says about the points.</summary>
+    /// <summary>The geometry error.</summary>
     public GeometryException Why => why;
 }

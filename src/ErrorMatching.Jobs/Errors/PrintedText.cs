@@ -2,10 +2,11 @@ using System.Globalization;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Text from elsewhere, such as a file's name, as a terminal or a log for people may show it.</summary>
+/// <summary>Makes external text, such as a file name, safe for a terminal or a readable log.</summary>
 public static class PrintedText
 {
-    /// <summary>The text on one line: line ends and tabs become spaces, and what steers a terminal or turns the direction of writing becomes U+FFFD, so that no file's name writes lines of its own or hides what stands beside it.</summary>
+    /// <summary>The text on one line. Line ends and tabs become spaces. Control characters and characters that change the writing
+    /// direction become U+FFFD, so that a file name cannot add lines or hide the text next to it.</summary>
     public static string OneLine(string text)
     {
         ArgumentNullException.ThrowIfNull(text);

@@ -2,7 +2,7 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A measurement of the other piece.</summary>
+/// <summary>A measurement belongs to the other piece.</summary>
 public sealed class WrongPieceException(string file, SourceSide expected)
     : Exception($"{file}: {Sentence(expected)}")
 {

@@ -6,7 +6,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Reads what a free-form job names and keeps the list of what was read, for none of it may be written to.</summary>
+/// <summary>Reads the files of a free-form job and lists them, because none of them may be written to.</summary>
 public sealed class FreeformFiles
 {
     internal const string SurfaceRole = "surface", CutByRole = "cut-by";
@@ -23,7 +23,7 @@ public sealed class FreeformFiles
     {
     }
 
-    /// <summary>The files of a job that is read already.</summary>
+    /// <summary>The files of a job that is already read.</summary>
     public FreeformFiles(FreeformJob job)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -33,13 +33,13 @@ public sealed class FreeformFiles
     /// <summary>The job.</summary>
     public FreeformJob Job { get; }
 
-    /// <summary>The job as reports name it.</summary>
+    /// <summary>The job as named in reports.</summary>
     public ReportJob Named => new(Job.Name, Job.WorkOrder, Job.File, Job.Sha256);
 
     /// <summary>The files that were read.</summary>
     public IReadOnlyList<string> Read => _read;
 
-    /// <summary>The files that were read besides the job, with their hashes.</summary>
+    /// <summary>The files that were read other than the job, with their hashes.</summary>
     public IReadOnlyList<ReportInput> Inputs => _inputs;
 
     /// <summary>The nominal surface.</summary>
@@ -55,11 +55,11 @@ public sealed class FreeformFiles
     /// <exception cref="InputException">It cannot be opened.</exception>
     public byte[] SurfaceBytes() => AtPlace("$.surface", () => Bytes(SurfaceRole, Job.PathOf(Job.Surface.File), SurfaceReader.MaxBytes));
 
-    /// <summary>The measuring plan of the surface at the stage after which it is measured.</summary>
+    /// <summary>The measuring plan of the surface, at the stage after which it is measured.</summary>
     public MeasuringPlan Plan(PartSurface surface) => MeasuringPlanner.Plan(surface, Job.Measuring, Job.Stock.Of(Job.Measuring.After));
 
     /// <summary>The points of a file.</summary>
-    /// <param name="role">What it is to the report.</param>
+    /// <param name="role">Its role in the report.</param>
     /// <param name="file">The file.</param>
     /// <param name="plan">The plan that it was measured by.</param>
     /// <exception cref="InputException">The file cannot be opened.</exception>
@@ -78,21 +78,22 @@ public sealed class FreeformFiles
         return Given("program", file).Bytes!.Value;
     }
 
-    /// <summary>The dialect of the probing program: a file of the shop is found from the job's folder.</summary>
+    /// <summary>The dialect of the probing program. A dialect file is relative to the job's folder.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">It cannot be used, or no dialect has this name (<c>unknown-dialect</c>).</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used, or there is no dialect of this name (<c>unknown-dialect</c>).</exception>
     public NcDialect MeasuringDialect() => Dialect(Job.Measuring.Dialect, "$.measuring.dialect");
 
-    /// <summary>The dialect of the programs that cut, likewise.</summary>
+    /// <summary>The dialect of the cutting programs. A dialect file is relative to the job's folder.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">It cannot be used, or no dialect has this name (<c>unknown-dialect</c>).</exception>
+    /// <exception cref="JsonDocumentException">It cannot be used, or there is no dialect of this name (<c>unknown-dialect</c>).</exception>
     public NcDialect ToolpathDialect() => Dialect(Job.Toolpath.Dialect, "$.toolpath.dialect");
 
-    /// <summary>The template of the probing program: the job's own, which may be a built-in one by its name, or the one of the dialect.</summary>
+    /// <summary>The template of the probing program: the job's own, which may name a built-in one, or the dialect's.</summary>
     /// <param name="dialect">The dialect of the probing program.</param>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="FreeformException">It cannot be used.</exception>
-    /// <exception cref="JsonDocumentException">None is built in for the dialect (<c>unknown-template</c>), or its control does not know names of tools (<c>tool-by-name</c>).</exception>
+    /// <exception cref="JsonDocumentException">The dialect has no built-in template (<c>unknown-template</c>), or its control
+    /// does not support tool names (<c>tool-by-name</c>).</exception>
     public ProbingTemplate Template(NcDialect dialect)
     {
         CheckCall(Job.Measuring.Tool, "$.measuring.tool.name", dialect);
@@ -113,11 +114,11 @@ public sealed class FreeformFiles
         }
     }
 
-    /// <summary>The template of programs that cut: the job's own, which may be a built-in one by its name, or the one of the dialect.</summary>
+    /// <summary>The template of cutting programs: the job's own, which may name a built-in one, or the dialect's.</summary>
     /// <param name="dialect">The dialect of the programs that cut.</param>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="FreeformException">It cannot be used.</exception>
-    /// <exception cref="JsonDocumentException">The dialect's control does not know names of tools (<c>tool-by-name</c>).</exception>
+    /// <exception cref="JsonDocumentException">The dialect's control does not support tool names (<c>tool-by-name</c>).</exception>
     public FinishingTemplate FinishingTemplate(NcDialect dialect)
     {
         CheckCall(Job.Toolpath.Tool, "$.toolpath.tool.name", dialect);
@@ -126,12 +127,12 @@ public sealed class FreeformFiles
             : Freeform.FinishingTemplate.Parse(AtPlace("$.toolpath.template", () => Bytes("template", Job.PathOf(own), ProgramTemplate.MaxBytes)), Job.PathOf(own));
     }
 
-    /// <summary>The program that the job says cut the measured piece; null if it does not say.</summary>
+    /// <summary>The program that cut the measured piece, as stated by the job; null if it states none.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     public GivenFile? CutBy() => Job.Measuring.CutBy is not { } file ? null : AtPlace("$.measuring.cutBy", () => Given(CutByRole, new(Job.PathOf(file))));
 
-    /// <summary>A program that a caller names or has, noted among the inputs.</summary>
-    /// <param name="role">What it is to the report.</param>
+    /// <summary>Adds a program from the caller to the inputs.</summary>
+    /// <param name="role">Its role in the report.</param>
     /// <param name="file">The file.</param>
     /// <exception cref="InputException">It cannot be opened.</exception>
     internal GivenFile Given(string role, GivenFile file)
@@ -144,10 +145,10 @@ public sealed class FreeformFiles
         return file with { Bytes = Note(role, file.File, file.Bytes ?? InputFile.Program(file.File)) };
     }
 
-    /// <summary>The bytes of a file that the job or the command line names.</summary>
-    /// <param name="role">What it is to the report.</param>
+    /// <summary>The bytes of a file named by the job or the command line.</summary>
+    /// <param name="role">Its role in the report.</param>
     /// <param name="file">The file.</param>
-    /// <param name="mostBytes">More are not read.</param>
+    /// <param name="mostBytes">Size limit.</param>
     /// <exception cref="InputException">The file cannot be opened or is too large.</exception>
     public byte[] Bytes(string role, string file, long mostBytes)
     {
@@ -181,7 +182,7 @@ public sealed class FreeformFiles
         }
     }
 
-    // What cannot be opened is said together with where the job names it.
+    // Adds the place in the job to the error of a file that cannot be opened.
     private T AtPlace<T>(string path, Func<T> read)
     {
         try

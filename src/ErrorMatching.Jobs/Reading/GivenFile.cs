@@ -2,8 +2,8 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A file that is named beside the job, with its content where the caller has it already.</summary>
-/// <param name="File">Its name, for messages, reports and rules about the source; the path to read it from where the content is not given.</param>
+/// <summary>A file given in addition to the job, with its content if the caller has it already.</summary>
+/// <param name="File">Its name, for messages, reports and source rules; also the path to read it from if no content is given.</param>
 /// <param name="Bytes">Its content; null if it is to be read.</param>
 public sealed record GivenFile(string File, ReadOnlyMemory<byte>? Bytes = null)
 {

@@ -6,10 +6,10 @@ using Microsoft.Win32.SafeHandles;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Reads inputs that the libraries take as bytes. Measurements have a reader of their own.</summary>
+/// <summary>Reads inputs that the libraries take as bytes. Measurements have their own reader.</summary>
 public static class InputFile
 {
-    /// <summary>From so many bytes on, a second core is worth its start.</summary>
+    /// <summary>Minimum number of bytes for a second thread to pay off.</summary>
     private const int Many = 4_000_000;
 
     /// <summary>The job in a file.</summary>
@@ -22,26 +22,26 @@ public static class InputFile
     /// <exception cref="JsonDocumentException">It cannot be used.</exception>
     public static FreeformJob Freeform(string path) => FreeformJob.Parse(Open(path, p => JsonInput.Load(p)), path);
 
-    /// <summary>The kind of the job in a file as the file says it; null if it says none.</summary>
+    /// <summary>The kind of the job in a file, as the file states it; null if it states none.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">It is no JSON.</exception>
+    /// <exception cref="JsonDocumentException">It is not JSON.</exception>
     public static string? KindOfJob(string path)
     {
         var root = JsonInput.Read(Open(path, p => JsonInput.Load(p)), path);
         return root.Kind == JsonItemKind.Object && root.Find("kind") is { Kind: JsonItemKind.Text } kind ? kind.Text : null;
     }
 
-    /// <summary>A built-in dialect by its name, or the shop's own in a file.</summary>
-    /// <param name="dialect">A name, or a file that ends in <c>.json</c>.</param>
+    /// <summary>A built-in dialect by its name, or a shop's own dialect from a file.</summary>
+    /// <param name="dialect">A name, or a file ending in <c>.json</c>.</param>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JsonDocumentException">It cannot be used.</exception>
-    /// <exception cref="NcException">No dialect has this name.</exception>
+    /// <exception cref="NcException">There is no dialect of this name.</exception>
     public static NcDialect Dialect(string dialect) => NcDialects.IsFile(dialect) ? Open(dialect, NcDialects.Read) : NcDialects.Named(dialect);
 
-    /// <summary>The dialect of a job's program: a file is found from the job's folder.</summary>
+    /// <summary>The dialect of a job's program. A dialect file is relative to the job's folder.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JsonDocumentException">It cannot be used.</exception>
-    /// <exception cref="NcException">No dialect has this name.</exception>
+    /// <exception cref="NcException">There is no dialect of this name.</exception>
     public static NcDialect DialectOf(MatingJob job)
     {
         var name = job.Counterpart.Dialect;
@@ -49,7 +49,7 @@ public static class InputFile
     }
 
     /// <summary>The bytes of a program.</summary>
-    /// <exception cref="InputException">The file cannot be opened, or is larger than any program that is read.</exception>
+    /// <exception cref="InputException">The file cannot be opened, or exceeds the limit for programs.</exception>
     public static ReadOnlyMemory<byte> Program(string path) => Open(path, p =>
     {
         var length = new FileInfo(p).Length;
@@ -57,7 +57,7 @@ public static class InputFile
     });
 
     /// <summary>The bytes of a file.</summary>
-    /// <exception cref="InputException">The file cannot be opened, or is larger than what is read.</exception>
+    /// <exception cref="InputException">The file cannot be opened, or is larger than the limit.</exception>
     public static byte[] Bytes(string path, long mostBytes) => Open(path, p =>
     {
         var length = new FileInfo(p).Length;
@@ -69,7 +69,7 @@ public static class InputFile
     /// <exception cref="JsonDocumentException">It cannot be used.</exception>
     public static WishFile Wish(string path) => WishFile.Read(Open(path, p => JsonInput.Load(p, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes })), path);
 
-    // Reading is copying, so a long file is read in two halves beside each other.
+    // Reading is copying, so the two halves of a long file are read concurrently.
     private static byte[] InHalves(string path, int length)
     {
         using var file = File.OpenHandle(path);
@@ -96,7 +96,7 @@ public static class InputFile
         }
     }
 
-    /// <summary>Reads a file by a function of its own.</summary>
+    /// <summary>Reads a file with a given function.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     public static T Open<T>(string path, Func<string, T> read)
     {

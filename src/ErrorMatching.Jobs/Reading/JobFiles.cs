@@ -5,7 +5,7 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Reads what a mating job names and keeps the list of what was read, for none of it may be written to.</summary>
+/// <summary>Reads the files of a mating job and lists them, because none of them may be written to.</summary>
 public sealed class JobFiles
 {
     private readonly List<string> _read;
@@ -19,7 +19,7 @@ public sealed class JobFiles
     {
     }
 
-    /// <summary>The files of a job that is read already.</summary>
+    /// <summary>The files of a job that is already read.</summary>
     public JobFiles(MatingJob job)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -32,21 +32,21 @@ public sealed class JobFiles
     /// <summary>The files that were read.</summary>
     public IReadOnlyList<string> Read => _read;
 
-    /// <summary>The key points as designed: the given ones, else the job's.</summary>
+    /// <summary>The nominal key points: the given ones, or the job's.</summary>
     /// <exception cref="MeasurementException">The file cannot be used.</exception>
     public MeasurementFile Theoretical(GivenFile? given = null) => Measured(given ?? new(Job.PathOf(Job.Part.Theoretical)), MeasurementFormat.Points);
 
-    /// <summary>A measurement of the part: the given one, else the job's.</summary>
+    /// <summary>A measurement of the part: the given one, or the job's.</summary>
     /// <exception cref="MeasurementException">The file cannot be used.</exception>
-    /// <exception cref="WrongPieceException">By the rules of the job it is of the counterpart.</exception>
+    /// <exception cref="WrongPieceException">The job's rules say that it is of the counterpart.</exception>
     public MeasurementFile Part(GivenFile? given) => Recognized(given ?? new(Job.PathOf(Job.Part.Measured)), SourceSide.Part);
 
     /// <summary>A measurement of a counterpart.</summary>
     /// <exception cref="MeasurementException">The file cannot be used.</exception>
-    /// <exception cref="WrongPieceException">By the rules of the job it is of the part.</exception>
+    /// <exception cref="WrongPieceException">The job's rules say that it is of the part.</exception>
     public MeasurementFile Counterpart(GivenFile file) => Recognized(file, SourceSide.Counterpart);
 
-    /// <summary>The counterpart's program: the given one, else the job's.</summary>
+    /// <summary>The counterpart's program: the given one, or the job's.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     public (string File, ReadOnlyMemory<byte> Bytes) Program(GivenFile? given)
     {
@@ -60,7 +60,7 @@ public sealed class JobFiles
         return (file.File, InputFile.Program(file.File));
     }
 
-    /// <summary>The dialect of the program where the job names a file of the shop, else null.</summary>
+    /// <summary>The dialect of the program if the job names a dialect file; otherwise null.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JsonDocumentException">It cannot be used.</exception>
     public NcDialect? OwnDialect()

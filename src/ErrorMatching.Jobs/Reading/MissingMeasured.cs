@@ -3,17 +3,17 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>
-/// Tells of a measured counterpart that a job names and that is not there. A program is made without it, so it is a warning and no error; but where a cell compares what was cut, it is looked for, and then it is late.
-/// </summary>
+/// <summary>Reports a measured counterpart that a job names but that does not exist. This is a warning, because a program can be
+/// made without it. But a cell reads the file later to compare the cut piece, and then it is too late.</summary>
 public static class MissingMeasured
 {
     /// <summary>Where a job names it.</summary>
     public const string Path = "$.counterpart.measured";
 
-    /// <summary>The warning, as a report has it.</summary>
+    /// <summary>The warning for a report.</summary>
     /// <param name="job">The job.</param>
-    /// <returns>The warning; null where the job names none, where its file is there, and in feedback, which cannot do without: there it is given with the measurement, or a match says that it is not there.</returns>
+    /// <returns>The warning; null if the job names no file or the file exists. Also null in feedback, which needs the file: there
+    /// it comes with the measurement, or the match reports that it is missing.</returns>
     public static ReportWarning? Of(MatingJob job)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -22,7 +22,7 @@ public static class MissingMeasured
             : null;
     }
 
-    /// <summary>The warning with the place in the job's file; null as of <see cref="Of"/>.</summary>
+    /// <summary>The warning with its place in the job's file; null in the same cases as <see cref="Of"/>.</summary>
     /// <param name="job">The job.</param>
     public static ErrorItem? ItemOf(MatingJob job) => Of(job) is { } warning && job.MeasuredPlace is { } place
         ? ErrorItems.At(new(job.File, Path, place), warning.Code, warning.Message)

@@ -2,10 +2,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>
-/// Finds called programs beside the program that calls them: <c>O1002</c> in <c>O1002.nc</c> or <c>1002</c>, <c>POCKET</c> in <c>pocket.spf</c>. Only plain files of that one folder are
-/// opened; links are not followed.
-/// </summary>
+/// <summary>Finds called programs in the folder of the calling program: <c>O1002</c> in <c>O1002.nc</c> or <c>1002</c>,
+/// <c>POCKET</c> in <c>pocket.spf</c>. Only plain files of that one folder are opened; links are not followed.</summary>
 public sealed class ProgramFolder(string program)
 {
     private const int MostFiles = 100_000;
@@ -16,8 +14,8 @@ public sealed class ProgramFolder(string program)
     private readonly string _own = Path.GetExtension(program);
     private ILookup<string, string>? _files;
 
-    /// <summary>The program of a name; null where the folder has none.</summary>
-    /// <exception cref="InputException">It is there but cannot be opened.</exception>
+    /// <summary>The program of a name; null if the folder has none.</summary>
+    /// <exception cref="InputException">It exists but cannot be opened.</exception>
     public NcProgram? Find(string name)
     {
         _files ??= Files();

@@ -5,19 +5,20 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>From a mating job to the blocks that seem to cut its features, by its key points (<see cref="BoundarySearch"/>): what <c>errormatch job blocks</c> does.</summary>
+/// <summary>Finds the blocks that seem to cut a job's features, by key points (<see cref="BoundarySearch"/>):
+/// <c>errormatch job blocks</c>.</summary>
 public static class BlockRun
 {
-    /// <summary>Seeks the blocks of all features, whether the job names some or not.</summary>
+    /// <summary>Searches for the blocks of all features, whether or not the job names some.</summary>
     /// <param name="file">The job's file. Its features may lack their blocks.</param>
-    /// <param name="cancellation">Looked at between reading and seeking.</param>
-    /// <returns>What was found, feature by feature; a refusal where the program cannot be followed to its end.</returns>
+    /// <param name="cancellation">Checked between reading and searching.</param>
+    /// <returns>The result for each feature; a refusal if the program cannot be interpreted to its end.</returns>
     /// <exception cref="InputException">A file cannot be opened.</exception>
-    /// <exception cref="JobException">The job cannot be used, but for blocks that are missing.</exception>
-    /// <exception cref="MeasurementException">The theoretical points cannot be used, or a key point is not among them.</exception>
+    /// <exception cref="JobException">The job cannot be used for a reason other than missing blocks.</exception>
+    /// <exception cref="MeasurementException">The nominal points cannot be used, or a key point is not among them.</exception>
     /// <exception cref="JsonDocumentException">The job's own dialect cannot be used.</exception>
     /// <exception cref="NcException">The dialect or the program cannot be read.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static RunOutcome<FoundBlocks> Of(string file, CancellationToken cancellation)
     {
         var bytes = InputFile.Open(file, p => JsonInput.Load(p));
@@ -29,7 +30,7 @@ public static class BlockRun
         var dialect = job.Counterpart.DialectOf(files.OwnDialect());
         cancellation.ThrowIfCancellationRequested();
 
-        // As a match interprets it.
+        // Interpreted as a match does it.
         var path = NcInterpreter.Run(NcProgram.Read(text), dialect, null, cancellation);
         if (path.Refusal is { } refusal)
         {
@@ -50,7 +51,7 @@ public static class BlockRun
             IsStraight = feature.Kind != FeatureKind.Curve,
         };
 
-    // What a match would refuse is not proposed.
+    // Do not propose what a match would refuse.
     private static ProposedBlocks Tried(MatingJob job, NcPath path, MeasurementFile theoretical, ProposedBlocks proposed)
     {
         if (proposed.Blocks.Count == 0 || BoundarySearch.Try(job, path, theoretical, proposed.Feature, proposed.Blocks) is not { } refusal)

@@ -3,22 +3,22 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>An existing finishing program that follows the compensation, with its proof.</summary>
+/// <summary>An existing finishing program displaced by the compensation, with its proof.</summary>
 /// <param name="Job">The job.</param>
-/// <param name="Inputs">The files that it was made from.</param>
-/// <param name="ProgramFile">The program that it starts from, as the caller named it.</param>
-/// <param name="Displaced">What became of it.</param>
-/// <param name="Compensation">What it follows.</param>
-/// <param name="Folder">The folder that it will stand in; null if it is not written, or nobody knows where.</param>
+/// <param name="Inputs">The input files.</param>
+/// <param name="ProgramFile">The original program, as the caller named it.</param>
+/// <param name="Displaced">The displaced program.</param>
+/// <param name="Compensation">The compensation.</param>
+/// <param name="Folder">The target folder; null if the program is not written, or the folder is unknown.</param>
 public sealed record DisplacedSurface(ReportJob Job, IReadOnlyList<ReportInput> Inputs, string ProgramFile, DisplacedProgram Displaced, CompensationResult Compensation, string? Folder)
 {
-    /// <summary>Name of the program, without folders: that of the program that it starts from.</summary>
+    /// <summary>File name of the program: that of the original program.</summary>
     public string Name => Path.GetFileName(ProgramFile);
 
-    /// <summary>Which program cut the measured piece, as far as anybody said.</summary>
+    /// <summary>The program that cut the measured piece, if known.</summary>
     public MeasuredPieceProgram CutBy { get; init; } = new(null, null);
 
-    /// <summary>Where the program goes.</summary>
+    /// <summary>The target path of the program.</summary>
     public string File => Path.Combine(Folder ?? "", Name);
 
     /// <summary>The bytes of the program.</summary>
@@ -27,6 +27,6 @@ public sealed record DisplacedSurface(ReportJob Job, IReadOnlyList<ReportInput> 
     /// <summary>The report as JSON: the document <c>errormatch/surface-displace/1</c>.</summary>
     public byte[] ReportJson() => DisplacementReportJson.Write(this);
 
-    /// <summary>The report as a page.</summary>
+    /// <summary>The report as an HTML page.</summary>
     public byte[] ReportHtml() => DisplacementReportHtml.Write(this);
 }

@@ -3,7 +3,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A displaced finishing program as one HTML file that needs no network and no script.</summary>
+/// <summary>Writes the report of a displaced finishing program as one HTML file without network access or scripts.</summary>
 internal static class DisplacementReportHtml
 {
     private const int MostBlocks = 1000;
@@ -52,7 +52,7 @@ internal static class DisplacementReportHtml
 
     private static void WriteBlocks(HtmlText html, DisplacedSurface report)
     {
-        // Without the marker each block stands where it stood.
+        // Without the marker, each block has its original position.
         var (before, after, blocks) = (report.Displaced.Before.Program, report.Displaced.Rewrite.Program, report.Displaced.Rewrite.ChangedBlocks);
         html.Put("p", $"{ReportNumber.Count(report.Displaced.Rewrite.ChangedWords)} words in {ReportNumber.Count(blocks.Count)} blocks{(blocks.Count > MostBlocks ? $"; the first {ReportNumber.Count(MostBlocks)} are listed" : "")}.");
         HtmlTable.Write(html, "blocks-table", "Blocks of the original program that were changed", [new("Line", true), new("Before"), new("After")], blocks.Take(MostBlocks), (row, block) =>

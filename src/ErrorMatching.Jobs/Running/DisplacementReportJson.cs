@@ -5,13 +5,13 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A displaced finishing program as JSON.</summary>
+/// <summary>Writes the report of a displaced finishing program as JSON.</summary>
 internal static class DisplacementReportJson
 {
-    // Names of files are shown as they are: the document is UTF-8 and goes into no web page.
+    // File names are not escaped: the document is UTF-8 and is not embedded in a web page.
     private static readonly JsonWriterOptions Options = new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    /// <summary>The document <c>errormatch/surface-displace/1</c>: UTF-8 without a byte order mark, with a line end behind it.</summary>
+    /// <summary>The document <c>errormatch/surface-displace/1</c>: UTF-8 without a byte order mark, ending with a newline.</summary>
     public static byte[] Write(DisplacedSurface report)
     {
         using var stream = new MemoryStream();

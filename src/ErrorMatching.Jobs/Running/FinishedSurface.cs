@@ -2,12 +2,12 @@ using ErrorMatching.Freeform;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A finishing program that was made for the compensated surface, and its report.</summary>
+/// <summary>A finishing program generated for the compensated surface, with its report.</summary>
 /// <param name="Program">The bytes of the program.</param>
-/// <param name="Report">What the compensation has to say.</param>
+/// <param name="Report">The compensation report.</param>
 public sealed record FinishedSurface(ReadOnlyMemory<byte> Program, CompensationReport Report)
 {
-    /// <summary>Name of the program, without folders.</summary>
+    /// <summary>File name of the program.</summary>
     public const string Name = "finishing.nc";
 
     /// <summary>The report as <c>report.json</c>.</summary>

@@ -5,10 +5,10 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>The blocks that seem to cut the features of a job, to be looked at before they are used.</summary>
+/// <summary>The blocks that seem to cut the features of a job, to be checked before use.</summary>
 /// <param name="Job">The job. Its features may lack their blocks.</param>
-/// <param name="Program">Its program as seen from where the caller is.</param>
-/// <param name="Path">What the program does.</param>
+/// <param name="Program">Its program, as a path from the caller's folder.</param>
+/// <param name="Path">The interpreted path.</param>
 /// <param name="Features">For each feature, in the job's order, its blocks or why there are none.</param>
 /// <param name="Read">The files that were read.</param>
 /// <param name="JobBytes">The job's file.</param>
@@ -17,8 +17,8 @@ public sealed record FoundBlocks(MatingJob Job, string Program, NcPath Path, IRe
     /// <summary>Why features have no blocks; empty if each has some.</summary>
     public IReadOnlyList<ErrorItem> Refusals => ErrorItems.Of(Features.Select(f => f.Refusal).OfType<MatingRefusal>(), Job.File, Program);
 
-    /// <summary>True if the job names the same cutting motions for a feature already, in whatever words.</summary>
-    /// <param name="feature">Number of the feature, from 0.</param>
+    /// <summary>True if the job already names the same cutting motions for a feature, in any form.</summary>
+    /// <param name="feature">Index of the feature, from 0.</param>
     public bool IsInJob(int feature)
     {
         try
@@ -30,14 +30,15 @@ public sealed record FoundBlocks(MatingJob Job, string Program, NcPath Path, IRe
         }
         catch (NcException)
         {
-            // Words that name nothing.
+            // Selectors that match nothing.
             return false;
         }
     }
 
-    /// <summary>The job with these blocks, as a file: everything else in it stays, comments included, and so do words that name the same motions already. UTF-8 without a byte order mark, lines end with a line feed.</summary>
-    /// <param name="target">Where it will stand: its relative paths lead from there to the same files.</param>
-    /// <exception cref="InvalidOperationException">A feature has none.</exception>
+    /// <summary>The job file with these blocks. All else stays, including comments and selectors that already name the same
+    /// motions. UTF-8 without a byte order mark, with line feeds.</summary>
+    /// <param name="target">Where it will be written: its relative paths are adapted to lead from there to the same files.</param>
+    /// <exception cref="InvalidOperationException">A feature has no blocks.</exception>
     public byte[] JobAt(string target)
     {
         if (Refusals.Count > 0)

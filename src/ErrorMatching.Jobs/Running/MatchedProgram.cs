@@ -2,12 +2,12 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A counterpart's program that follows the measured piece, and its report.</summary>
+/// <summary>A counterpart's program that follows the measured piece, with its report.</summary>
 /// <param name="Match">The match.</param>
-/// <param name="Report">What it has to say.</param>
+/// <param name="Report">The report.</param>
 public sealed record MatchedProgram(MatchResult Match, MatchReport Report)
 {
-    /// <summary>Name of the program, without folders: that of the program that it starts from.</summary>
+    /// <summary>File name of the program: that of the original program.</summary>
     public string Name => Path.GetFileName(Match.Input.ProgramFile);
 
     /// <summary>The bytes of the program to cut.</summary>

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Jobs;
 
-/// <summary>What a mating job is run with, beside what it names itself.</summary>
+/// <summary>Inputs of a mating run in addition to the job.</summary>
 public sealed record MatingRequest
 {
-    /// <summary>The key points as designed; null for the job's.</summary>
+    /// <summary>The nominal key points; null for the job's.</summary>
     public GivenFile? Theoretical { get; init; }
 
     /// <summary>The measured part; null for the job's.</summary>
@@ -15,12 +15,13 @@ public sealed record MatingRequest
     /// <summary>The counterpart's program; null for the job's.</summary>
     public GivenFile? Program { get; init; }
 
-    /// <summary>Takes the place of the job's gain, more than 0 and at most 2; null leaves it.</summary>
+    /// <summary>Replaces the job's gain, more than 0 and at most 2; null keeps it.</summary>
     public double? Gain { get; init; }
 
-    /// <summary>The folder that the program will stand in, for the report; null if it is not written, or nobody knows where.</summary>
+    /// <summary>The target folder of the program, for the report; null if the program is not written, or the folder is unknown.</summary>
     public string? Folder { get; init; }
 
-    /// <summary>Asked when the report is made: how long the calculation took, in seconds. Null where nobody times it: then the same inputs give the same report.</summary>
+    /// <summary>Called when the report is made; returns the calculation time in seconds. Null if it is not measured: then the
+    /// same inputs give the same report.</summary>
     public Func<double>? ElapsedS { get; init; }
 }

@@ -6,21 +6,22 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>From a mating job and measurements, as files or as bytes, to the program and its report: what <c>errormatch match</c> does, and whoever else needs the same.</summary>
+/// <summary>Runs a mating job with measurements, files or bytes, to a program and its report, for <c>errormatch match</c> and
+/// others.</summary>
 public static class MatingRun
 {
     /// <summary>Runs a job.</summary>
     /// <param name="files">The job's files.</param>
-    /// <param name="request">What it is run with.</param>
-    /// <param name="cancellation">Looked at between reading and calculating.</param>
+    /// <param name="request">The other inputs.</param>
+    /// <param name="cancellation">Checked between reading and calculating.</param>
     /// <exception cref="InputException">A file cannot be opened.</exception>
     /// <exception cref="MeasurementException">A measurement cannot be used.</exception>
-    /// <exception cref="WrongPieceException">A measurement is one of the other piece.</exception>
+    /// <exception cref="WrongPieceException">A measurement is of the other piece.</exception>
     /// <exception cref="JsonDocumentException">The job's own dialect cannot be used.</exception>
     /// <exception cref="NcException">The dialect, a selector or the program cannot be read.</exception>
-    /// <exception cref="PointsException">The measured points determine no answer.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The gain is none.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    /// <exception cref="PointsException">The measured points determine no solution.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The gain is out of range.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static RunOutcome<MatchedProgram> Of(JobFiles files, MatingRequest request, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(files);

@@ -3,13 +3,12 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>
-/// Looks for the program that cut the measured piece. One that follows a measurement left only what its correction did not reach: a program
-/// that compensates this from the nominal surface would be nearly nominal, and give the correction up.
-/// </summary>
+/// <summary>Checks the program that cut the measured piece. If it already followed a measurement, the piece only has the errors
+/// that the correction left. A program that compensates these from the nominal surface would be nearly nominal and lose
+/// it.</summary>
 /// <param name="files">The job's files.</param>
-/// <param name="request">What it is run with.</param>
-/// <param name="syntax">How programs that cut are spelled.</param>
+/// <param name="request">The other inputs.</param>
+/// <param name="syntax">The syntax of cutting programs.</param>
 internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, NcSyntax syntax)
 {
     /// <summary>Code of the refusal.</summary>
@@ -22,13 +21,13 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
 
     private readonly List<string> _measurements = [];
 
-    /// <summary>What the report says of it; once no refusal was found.</summary>
+    /// <summary>The program for the report; set if no refusal was found.</summary>
     public MeasuredPieceProgram Found { get; private set; } = new(null, null);
 
-    /// <summary>Why the measured piece cannot be compensated; null if nothing speaks against it.</summary>
-    /// <param name="measured">What was measured.</param>
-    /// <param name="made">The file that will be written, where a program of an earlier run may be; null if nobody knows where.</param>
-    /// <param name="baseSha256">What a program of this job is made of, by its marker.</param>
+    /// <summary>Why the measured piece must not be compensated; null if there is no reason.</summary>
+    /// <param name="measured">The measurements.</param>
+    /// <param name="made">The file to be written, which may contain a program of an earlier run; null if unknown.</param>
+    /// <param name="baseSha256">Base hash in the markers of this job's programs.</param>
     /// <exception cref="InputException">A program cannot be opened.</exception>
     public ErrorItem? Refusal(IReadOnlyList<MeasuredPoints> measured, string? made, string baseSha256)
     {
@@ -58,8 +57,7 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
             : null;
     }
 
-    // A piece without stock was cut by a finishing program, and the last one lies where this run will write. The same measurement once more is
-    // no new piece.
+    // A finishing program cut a piece without stock; the last one is where this run will write. A repeated measurement is not a new piece.
     private ErrorItem? Beside(string made, string baseSha256)
     {
         if (files.Job.Stock.Of(files.Job.Measuring.After) > 0 || !File.Exists(made))

@@ -8,23 +8,22 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>
-/// From a free-form job and measured points, as files or as bytes, to the finishing program: what <c>errormatch surface compensate</c> and <c>surface displace</c> do, and whoever else needs the same.
-/// </summary>
+/// <summary>Runs a free-form job with measured points, files or bytes, to a finishing program, for
+/// <c>errormatch surface compensate</c>, <c>surface displace</c> and other callers.</summary>
 public static class SurfaceRun
 {
     private const string FollowsTheError = "The job's fit.of is points, but an existing program follows the error place by place, not a surface through the compensation points: the error was fitted by the best method instead.";
 
-    /// <summary>Makes the finishing program of the compensated surface.</summary>
+    /// <summary>Generates the finishing program of the compensated surface.</summary>
     /// <param name="files">The job's files.</param>
-    /// <param name="request">What it is run with.</param>
-    /// <param name="cancellation">Looked at between the stages of the calculation.</param>
+    /// <param name="request">The other inputs.</param>
+    /// <param name="cancellation">Checked between the stages of the calculation.</param>
     /// <exception cref="InputException">A file cannot be opened.</exception>
     /// <exception cref="FreeformException">A file cannot be used.</exception>
-    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used, or is none.</exception>
+    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used, or does not exist.</exception>
     /// <exception cref="PointsException">The measured points determine no fit.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The gain is none.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The gain is out of range.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static RunOutcome<FinishedSurface> Compensate(FreeformFiles files, SurfaceRequest request, CancellationToken cancellation)
     {
         var job = Job(files, request);
@@ -63,24 +62,24 @@ public static class SurfaceRun
         });
     }
 
-    /// <summary>Lets an existing finishing program follow the compensation.</summary>
+    /// <summary>Displaces an existing finishing program by the compensation.</summary>
     /// <param name="files">The job's files.</param>
-    /// <param name="request">What it is run with.</param>
-    /// <param name="program">The finishing program that the shop has from its CAM.</param>
-    /// <param name="cancellation">Looked at between the stages of the calculation.</param>
+    /// <param name="request">The other inputs.</param>
+    /// <param name="program">The shop's finishing program from its CAM system.</param>
+    /// <param name="cancellation">Checked between the stages of the calculation.</param>
     /// <exception cref="InputException">A file cannot be opened.</exception>
     /// <exception cref="FreeformException">A file cannot be used.</exception>
-    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used, or is none.</exception>
+    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used, or does not exist.</exception>
     /// <exception cref="NcException">The program is too large.</exception>
     /// <exception cref="PointsException">The measured points determine no fit.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The gain is none.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The gain is out of range.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static RunOutcome<DisplacedSurface> Displace(FreeformFiles files, SurfaceRequest request, GivenFile program, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(program);
         var asked = Job(files, request);
 
-        // A program's places are moved by the error there: there is no such thing as a surface through the compensation points that they could follow.
+        // A program's positions are displaced by the error there. They cannot follow a surface through the compensation points.
         var job = asked.Fit.OfError ? asked : asked with { Fit = asked.Fit with { Method = FitMethod.Best, OfError = true } };
         var dialect = files.ToolpathDialect();
         var bytes = files.Program(program);
@@ -116,7 +115,7 @@ public static class SurfaceRun
         });
     }
 
-    // Several measurements of a piece are one for the marker, in whatever order they were given.
+    // For the marker, several measurements of a piece count as one, in any order.
     internal static string MeasurementSha256(IReadOnlyList<MeasuredPoints> measured) => measured is [var only]
         ? only.Sha256
         : Convert.ToHexStringLower(SHA256.HashData(Encoding.ASCII.GetBytes(string.Concat(measured.Select(m => m.Sha256).Order(StringComparer.Ordinal)))));
@@ -150,7 +149,8 @@ public static class SurfaceRun
         var plan = files.Plan(surface);
         cutBy = new(null, null);
 
-        // What was measured was touched somehow: only a plan without points stops here, not one that this stylus does not reach.
+        // The points were measured, so they were reachable somehow: only a plan without points or a surface that faces down stops
+        // here, not a point that this stylus cannot reach.
         if (plan.Points.Count == 0 || plan.FacesDown)
         {
             refusals = ErrorItems.Of(plan.Refusals, job.File);

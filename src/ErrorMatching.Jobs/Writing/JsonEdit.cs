@@ -4,14 +4,14 @@ using System.Text.Json;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A change of a JSON document that leaves every other byte as it is.</summary>
-/// <param name="At">The bytes that it takes the place of.</param>
-/// <param name="With">What stands there instead.</param>
+/// <summary>A change to a JSON document that keeps all other bytes.</summary>
+/// <param name="At">The bytes to replace.</param>
+/// <param name="With">The replacement.</param>
 internal sealed record JsonEdit(Range At, string With)
 {
     private static readonly JsonSerializerOptions Plain = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    /// <summary>Makes changes that do not overlap.</summary>
+    /// <summary>Applies edits that do not overlap.</summary>
     public static byte[] Apply(ReadOnlySpan<byte> document, IEnumerable<JsonEdit> edits)
     {
         using var changed = new MemoryStream();

@@ -1,16 +1,15 @@
 namespace ErrorMatching.Jobs;
 
-/// <summary>
-/// Files on their way to their places: written beside them first, then renamed one by one. Unless the batch is kept to the end, what was renamed is undone.
-/// </summary>
+/// <summary>Writes several files as one: first under temporary names next to their targets, then renamed one by one. Unless
+/// <see cref="Keep"/> is called, <see cref="Dispose"/> undoes the renaming.</summary>
 internal sealed class OutputBatch : IDisposable
 {
     private readonly List<Item> _items = [];
     private int _revealed;
 
-    /// <summary>Writes a file beside its place and flushes it to the disk. Missing folders are made.</summary>
+    /// <summary>Writes a file next to its target and flushes it to disk. Missing folders are created.</summary>
     /// <exception cref="IOException">It cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">It must not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access is denied.</exception>
     public void Stage(string path, Action<Stream> write)
     {
         var target = Path.GetFullPath(path);
@@ -22,9 +21,10 @@ internal sealed class OutputBatch : IDisposable
         stream.Flush(flushToDisk: true);
     }
 
-    /// <summary>Renames the next file to its place. What was there is copied beside it until the batch ends, unless it is the last file: then nothing is left that could fail.</summary>
+    /// <summary>Renames the next file to its target. An existing file is copied next to it until the batch ends. The last file
+    /// needs no copy, because nothing after it can fail.</summary>
     /// <exception cref="IOException">It cannot be renamed.</exception>
-    /// <exception cref="UnauthorizedAccessException">It must not be renamed.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access is denied.</exception>
     public void RevealNext()
     {
         var item = _items[_revealed];
@@ -37,10 +37,10 @@ internal sealed class OutputBatch : IDisposable
         _revealed++;
     }
 
-    /// <summary>Leaves the files where they are.</summary>
+    /// <summary>Makes the renaming permanent.</summary>
     public void Keep() => _revealed = 0;
 
-    /// <summary>Undoes what was not kept and removes what stands beside the places.</summary>
+    /// <summary>Undoes the renaming unless it was kept, and deletes temporary files next to the targets.</summary>
     public void Dispose()
     {
         foreach (var item in _items.Take(_revealed))
@@ -75,7 +75,7 @@ internal sealed class OutputBatch : IDisposable
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            // The failure that led here is the one to report; a stray temporary file is harmless and its name says what it is.
+            // The original failure is the one to report. A leftover temporary file is harmless and recognizable by its name.
         }
     }
 

@@ -1,46 +1,47 @@
 namespace ErrorMatching.Jobs;
 
-/// <summary>Writes outputs that appear whole or not at all: beside their place, flushed to the disk, renamed.</summary>
+/// <summary>Writes outputs that appear complete or not at all: written under a temporary name, flushed to disk, renamed.</summary>
 public static class OutputFile
 {
     private static readonly StringComparison OfPaths = OperatingSystem.IsWindows() ? StringComparison.OrdinalIgnoreCase : StringComparison.Ordinal;
 
-    /// <summary>Writes a file, replacing one that is there. Missing folders are made.</summary>
+    /// <summary>Writes a file, replacing an existing one. Missing folders are created.</summary>
     /// <param name="path">The file.</param>
     /// <param name="bytes">Its content.</param>
     /// <param name="inputs">The files that were read: none of them is ever replaced, not even through a link.</param>
-    /// <param name="cancellation">Looked at last before the file appears.</param>
+    /// <param name="cancellation">Checked last before the file appears.</param>
     /// <exception cref="OutputException">The file is an input, or cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Nothing was written.</exception>
     public static void Write(string path, ReadOnlyMemory<byte> bytes, IReadOnlyCollection<string> inputs, CancellationToken cancellation) =>
         WriteAll([(path, bytes)], inputs, cancellation);
 
-    /// <summary>Writes a file that is too long for memory, replacing one that is there. Missing folders are made.</summary>
+    /// <summary>Writes a file that is too large for memory, replacing an existing one. Missing folders are created.</summary>
     /// <param name="path">The file.</param>
-    /// <param name="write">Writes its content into a stream. What it throws, other than failures of the disk, passes through, and nothing is written.</param>
+    /// <param name="write">Writes the content to a stream. Its exceptions, other than disk failures, pass through, and nothing is
+    /// written.</param>
     /// <param name="inputs">The files that were read: none of them is ever replaced, not even through a link.</param>
-    /// <param name="cancellation">Looked at last before the file appears.</param>
+    /// <param name="cancellation">Checked last before the file appears.</param>
     /// <exception cref="OutputException">The file is an input, or cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Nothing was written.</exception>
     public static void Write(string path, Action<Stream> write, IReadOnlyCollection<string> inputs, CancellationToken cancellation) =>
         WriteAll([(path, write)], inputs, () => true, cancellation);
 
-    /// <summary>Writes files that belong together: all of them appear, in their order, or none does and what was there stays.</summary>
+    /// <summary>Writes files that belong together: either all appear, in this order, or none does and existing files stay.</summary>
     /// <param name="files">The files and their contents.</param>
     /// <param name="inputs">The files that were read: none of them is ever replaced, not even through a link.</param>
-    /// <param name="cancellation">Looked at last before the first file appears.</param>
-    /// <exception cref="OutputException">A file is an input or another of the outputs, or cannot be written.</exception>
+    /// <param name="cancellation">Checked last before the first file appears.</param>
+    /// <exception cref="OutputException">A file is an input or another output, or cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Nothing was written.</exception>
     public static void WriteAll(IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, IReadOnlyCollection<string> inputs, CancellationToken cancellation) =>
         WriteAll(files, inputs, () => true, cancellation);
 
-    /// <summary>Writes files that belong together, if they may appear once they are written beside their places: all of them, in their order, or none.</summary>
+    /// <summary>Writes files that belong together, then asks whether they may appear: either all do, in this order, or none does.</summary>
     /// <param name="files">The files and their contents.</param>
     /// <param name="inputs">The files that were read: none of them is ever replaced, not even through a link.</param>
-    /// <param name="mayAppear">Asked last before the first file appears. After a no nothing is left behind.</param>
-    /// <param name="cancellation">Looked at before the first file appears.</param>
-    /// <returns>True if the files are in their places.</returns>
-    /// <exception cref="OutputException">A file is an input or another of the outputs, or cannot be written.</exception>
+    /// <param name="mayAppear">Called last before the first file appears. If it returns false, nothing is left behind.</param>
+    /// <param name="cancellation">Checked before the first file appears.</param>
+    /// <returns>True if the files were written.</returns>
+    /// <exception cref="OutputException">A file is an input or another output, or cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Nothing was written.</exception>
     public static bool WriteAll(IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, IReadOnlyCollection<string> inputs, Func<bool> mayAppear, CancellationToken cancellation) =>
         WriteAll([.. files.Select(f => (f.Path, (Action<Stream>)(s => s.Write(f.Bytes.Span))))], inputs, mayAppear, cancellation);
@@ -86,10 +87,10 @@ public static class OutputFile
         return true;
     }
 
-    /// <summary>Writes a file that is not there yet.</summary>
+    /// <summary>Writes a new file.</summary>
     /// <param name="path">The file.</param>
     /// <param name="bytes">Its content.</param>
-    /// <param name="cancellation">Looked at last before the file appears.</param>
+    /// <param name="cancellation">Checked last before the file appears.</param>
     /// <exception cref="OutputException">A file of this name exists, or it cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Nothing was written.</exception>
     public static void Create(string path, ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
@@ -120,7 +121,7 @@ public static class OutputFile
         return true;
     });
 
-    // Links are followed in every folder of the path, for the output's folder may be a link to the input's.
+    // Follows links in every folder of the path, because the output's folder may be a link to the input's.
     private static string Final(string path)
     {
         var folder = Path.GetDirectoryName(path);

@@ -2,7 +2,7 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>On-line compensation: what will change at the machine, before it changes, and the decision about it.</summary>
+/// <summary>On-line compensation: shows the change at the machine before it happens, and takes the decision about it.</summary>
 public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 {
     private readonly ShellViewModel _shell;
@@ -18,7 +18,6 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private (long Id, int Version, bool IsOfChangedJob) _shown = (0, -1, false);
     private bool _isAtWarnings;
 
-    /// <summary>The screen.</summary>
     public CompensationViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
@@ -45,13 +44,14 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Refresh();
     }
 
-    /// <summary>What can be decided about, and what is on its way or at a machine.</summary>
+    /// <summary>Corrections waiting for a decision, on their way to a machine, or at one.</summary>
     public RowList<CorrectionRow> Rows { get; } = [];
 
-    /// <summary>True if it is known that there is nothing in <see cref="Rows"/>.</summary>
+    /// <summary>True if <see cref="Rows"/> is known to be empty.</summary>
     public bool IsEmpty => Station.State is { Status: not null, StoreTrouble: null } && Rows.Count == 0;
 
-    /// <summary>The correction that is looked at. Until a person chooses one or decides, it is the oldest that waits for them; while another one is shown, nothing takes its place by itself.</summary>
+    /// <summary>The selected correction. Until the user selects one or decides, it is the longest-waiting one; a newer arrival
+    /// does not replace it.</summary>
     public CorrectionRow? Chosen
     {
         get => _chosen;
@@ -65,47 +65,47 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         }
     }
 
-    /// <summary>What is known of it; null while nothing is chosen.</summary>
+    /// <summary>Its details; null while nothing is selected.</summary>
     public CorrectionDetail? Detail
     {
         get => _detail;
         private set => Set(ref _detail, value);
     }
 
-    /// <summary>What it waits for before it can go to its machine; null if for nothing but a decision about itself.</summary>
+    /// <summary>What it waits for before it can go to its machine; null if only for a decision about itself.</summary>
     public string? Waits => Wait?.Text;
 
-    /// <summary>How much that asks for attention.</summary>
+    /// <summary>Severity of that wait.</summary>
     public Severity WaitsSeverity => Wait?.Severity ?? Severity.Quiet;
 
-    /// <summary>Goes to what it waits for.</summary>
+    /// <summary>Opens the correction that it waits for.</summary>
     public Command LookAtFirst { get; }
 
-    /// <summary>Lets it go to its machine.</summary>
+    /// <summary>Approves it for its machine.</summary>
     public Command Approve { get; }
 
-    /// <summary>Decides against it.</summary>
+    /// <summary>Rejects it.</summary>
     public Command Reject { get; }
 
-    /// <summary>Lets it be computed with the job as it is now, without a question: nothing is sent by that, and nothing is lost.</summary>
+    /// <summary>Recalculates it with the current job, without a confirmation: this sends nothing and loses nothing.</summary>
     public LongCommand ComputeAnew { get; }
 
-    /// <summary>Says that the piece is cut.</summary>
+    /// <summary>Reports that the piece is cut.</summary>
     public Command Release { get; }
 
-    /// <summary>Brings back the program before.</summary>
+    /// <summary>Restores the previous program.</summary>
     public Command Revert { get; }
 
-    /// <summary>True where it can be approved or rejected, by whoever may.</summary>
+    /// <summary>True if it can be approved or rejected by a user who has the right.</summary>
     public bool IsUndecided => State is CorrectionState.Proposed or CorrectionState.Failed or CorrectionState.Approved;
 
-    /// <summary>True where it was made with the job as it was and nothing is sent yet, for whoever may decide against it.</summary>
+    /// <summary>True if it was computed with an earlier version of the job and is not sent yet, for a user who may reject it.</summary>
     public bool IsOutdated => IsUndecided && Detail!.IsOfChangedJob && _shell.Who is { } who && Rights.Allows(who.Role, Act.Reject);
 
-    /// <summary>True where it is at its machine.</summary>
+    /// <summary>True if it is at its machine.</summary>
     public bool IsAtMachine => State is CorrectionState.Verified || (State is CorrectionState.Reverted && HasSlot(Detail!.Kept.Correction.Id));
 
-    /// <summary>Why a button cannot be pressed, or there is none; null if that needs no words.</summary>
+    /// <summary>Why a button is disabled or missing; null if no explanation is needed.</summary>
     public string? Forbidden => Detail is null || _shell.Who is not { } who ? null
         : !IsUndecided && !IsAtMachine ? Ended
         : _pause.IsOn ? Texts.Current["Compensation.Changed"]
@@ -114,7 +114,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         : State is CorrectionState.Verified && Detail.Kept.Correction.PreviousSha256 is null ? Texts.Current["Compensation.NothingBefore"]
         : null;
 
-    /// <summary>What comes next, who does it, and what a person has to do for it; null while that is a decision here, or <see cref="Waits"/> says it, or nothing comes of it any more.</summary>
+    /// <summary>The next step, who takes it, and what a person has to do; null if that is a decision here, if <see cref="Waits"/>
+    /// tells it, or if there is no next step.</summary>
     public string? Next => Detail?.Kept.Correction switch
     {
         null or { State: CorrectionState.Proposed } => null,
@@ -125,7 +126,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         var correction => NextStep.Of(Station.Settings, Station.State.Status, correction),
     };
 
-    // Why there is nothing to be decided; null while it is being sent.
+    // Why there is nothing to decide; null while it is being sent.
     private string? Ended => State switch
     {
         CorrectionState.Uploading => null,
@@ -133,20 +134,20 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _ => Texts.Current["Compensation.Done"],
     };
 
-    /// <summary>Why what a person did here was not done; null if nothing is to be said. It stays until another correction is chosen, whatever is read meanwhile.</summary>
+    /// <summary>Why the user's last action failed; null if there is no message. It stays until another correction is selected.</summary>
     public string? Undone
     {
         get => _undone;
         private set => Set(ref _undone, value);
     }
 
-    /// <summary>Done when what is chosen is shown.</summary>
+    /// <summary>Completes when the selection is shown.</summary>
     internal Task Loading { get; private set; } = Task.CompletedTask;
 
-    // What was cut by it last, and no counterpart of it is known yet.
+    // The last piece cut with it, whose counterpart is not measured yet.
     private bool IsToBeMeasured(Correction cut) => Station.State.LastCut.GetValueOrDefault((cut.Machine!, cut.Slot!)) is { IsMating: true, Counterpart: null } last && last.Correction.Id == cut.Id;
 
-    // It is in the head, and not in the detail: whom something waits behind changes while it stays as it is.
+    // Not part of the details: the correction ahead of it can change while it stays the same.
     private WaitReason? Wait => Detail is { } detail ? WaitOf(detail.Kept.Correction) : null;
 
     private WaitReason? WaitOf(Correction correction) => Station.State.Status is { } status ? WaitReason.Of(status, correction.Id) : null;
@@ -165,7 +166,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     /// <param name="correction">Its number.</param>
     public void LookAtWarnings(long correction)
     {
-        // What is shown already is shown anew.
+        // Rebuild it even if it is already shown.
         (_isAtWarnings, _shown) = (true, (0, -1, false));
         LookAt(correction);
     }
@@ -183,7 +184,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     /// <inheritdoc/>
     protected override void Translate()
     {
-        // What is shown is made anew, in other words.
+        // Rebuild the view in the other language.
         _shown = (0, -1, false);
         Refresh();
     }
@@ -231,12 +232,12 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             return;
         }
 
-        // What comes of it is what is waited for.
+        // Wait for the new result.
         Look(given!.Id);
         Choose(given.Id);
     }
 
-    // What is decided about is what is shown, and it stays to be seen what becomes of it.
+    // The decision applies to what is shown. Keep it selected, so that the user sees the outcome.
     private void Sign(Func<KeptCorrection, SigningViewModel> signing)
     {
         var kept = Detail!.Kept;
@@ -244,7 +245,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _shell.Sign(signing(kept));
     }
 
-    // What was chosen is shown, and was there for a while.
+    // The selected correction is shown, and has been for a while.
     private bool IsDecidable => !_pause.IsOn && Detail is { } detail && detail.Kept.Correction.Id == Current;
 
     private void Refresh()
@@ -255,19 +256,19 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             return;
         }
 
-        // In order of measuring, whatever becomes of them: a row does not leave its place under a finger.
+        // In the order of measuring, whatever their state, so that no row moves under a finger.
         Correction[] undecided = [.. status.Failed, .. status.Proposed], held = [.. status.Slots.Select(s => s.Held).OfType<Correction>()];
         Rows.Show([.. undecided.Concat(held).Concat(status.Slots.SelectMany(s => s.Approved)).OrderBy(c => c.Turn).ThenBy(c => c.Id).Select(Row)]);
         Say(nameof(IsEmpty));
         _waiting = [.. (_shell.Who is { } who && !Rights.Allows(who.Role, Act.Approve) ? undecided.Concat(held) : undecided).Select(c => c.Id)];
 
-        // Whoever comes back finds what they chose, unless it is gone meanwhile; what is being computed is still to come.
+        // A returning user finds the last selection, unless that correction is gone. One being recalculated will still appear.
         _looked = _isOpened || Rows.Any(r => r.Id == _looked) || status.InWork.Any(c => c.Id == _looked) ? _looked : null;
         _isOpened = true;
         Choose(_looked ?? ByItself());
     }
 
-    // What waits stays until it is decided about; then comes the next one. Where nothing is left, the last one stays to be seen.
+    // A waiting correction stays selected until it is decided; then the next one is. If none is left, the last one stays visible.
     private long? ByItself()
     {
         var now = Rows.FirstOrDefault(r => r.Id == _byItself);
@@ -281,7 +282,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 
     private bool HasSlot(long id) => Station.State.Status?.Slots.Any(s => s.Held?.Id == id) == true;
 
-    // A person's own choice is no surprise.
+    // The user's own choice needs no pause.
     private void Look(long id) => (_shell.Looked.Correction, _looked, _isExpected, Undone) = (id, id, true, null);
 
     private void Choose(long? id)
@@ -295,7 +296,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         }
         else
         {
-            // The first to arrive appears where nothing was.
+            // The first one to arrive appears on an empty screen.
             _isExpected = false;
         }
     }
@@ -313,13 +314,13 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             }
         });
 
-        // Somebody may have chosen another one meanwhile.
+        // Another one may have been selected meanwhile.
         if (!isRead || Current != id)
         {
             return;
         }
 
-        // Of several that were read at the same time the first to come is shown, and stays.
+        // Of several concurrent loads, the first one to finish is shown and stays.
         if (read is not null && (id, read.Kept.Correction.Version, isOfChangedJob) != _shown)
         {
             _shown = (id, read.Kept.Correction.Version, isOfChangedJob);
@@ -336,7 +337,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _isExpected = false;
         SayDecisions();
 
-        // Not where the screen is only made ready beside another one.
+        // Not if the screen is only being rehearsed.
         if (_shell.Current == this)
         {
             _shell.Looked.Shown = _byItself;

@@ -3,13 +3,13 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>One correction with all that is known of it, in the words and figures of the screen.</summary>
+/// <summary>All details of one correction, formatted for display.</summary>
 public sealed class CorrectionDetail
 {
     private readonly TimeProvider _clock;
     private readonly KeptPiece? _piece;
 
-    /// <summary>Puts it into words. This takes its time, and may be done beside the screen.</summary>
+    /// <summary>Formats the details. Slow; may run off the UI thread.</summary>
     public CorrectionDetail(KeptCorrection kept, TimeProvider clock)
     {
         Kept = kept ?? throw new ArgumentNullException(nameof(kept));
@@ -28,45 +28,43 @@ public sealed class CorrectionDetail
         Surface = kept.Surface is { } surface ? new(surface) : null;
     }
 
-    /// <summary>What the store keeps of it.</summary>
     public KeptCorrection Kept { get; }
 
-    /// <summary>The language of its words.</summary>
+    /// <summary>The language of its texts.</summary>
     public Language Language { get; } = Texts.Current.Language;
 
-    /// <summary>The same in the language of the screen, which may have changed while this was put into words.</summary>
+    /// <summary>The same in the current display language, which may have changed while this was being formatted.</summary>
     public CorrectionDetail Now() => Language == Texts.Current.Language ? this : new(Kept, _clock) { IsOfChangedJob = IsOfChangedJob };
 
-    /// <summary>True if it waits, and was made with its job as it was before somebody changed that.</summary>
+    /// <summary>True if it waits, and its job was changed after it was computed.</summary>
     public bool IsOfChangedJob { get; init; }
 
-    /// <summary>True if somebody came to read its warnings: they are what is seen first.</summary>
+    /// <summary>True if the user opened it to read its warnings, which are then shown first.</summary>
     public bool IsAtWarnings { get; internal set; }
 
     /// <summary>Number and serial number or file.</summary>
     public string Title => CorrectionLabel.Of(Kept.Correction);
 
-    /// <summary>How far it has come, in a word.</summary>
     public string State => Texts.Current.Word(Kept.Correction.State);
 
-    /// <summary>Why it came to that; null where there is no reason.</summary>
+    /// <summary>The reason for that state; null if there is none.</summary>
     public string? Reason => Kept.Correction.Code is { } code ? CodeText.Of(code, Kept.Correction.Reason) : null;
 
-    /// <summary>What people call the job: the workpiece.</summary>
+    /// <summary>The workpiece's name.</summary>
     public string? Job => Kept.JobName;
 
-    /// <summary>Machine, slot and file of its program in a sentence; null where none goes to a machine.</summary>
+    /// <summary>Machine, slot and file of its program in a sentence; null if none goes to a machine.</summary>
     public string? Target => CorrectionLabel.Target(Kept.Correction);
 
-    /// <summary>Work order, gauge and file in a line.</summary>
+    /// <summary>Work order, gauge and file in one line.</summary>
     public string Origin => string.Join(" · ", new[] { Kept.Correction.WorkOrder ?? Kept.Report?.WorkOrder, Kept.Correction.Gauge, Kept.Correction.FileName, Shown.Time(Kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
 
-    /// <summary>By how much the program moves at most, and where; null before it is computed.</summary>
+    /// <summary>The largest displacement of the program and its place; null before it is computed.</summary>
     public string? Largest => Kept.Correction.LargestMm is not > 0 ? null : (Kept.TriedAt is { } at ? KeptMove.PlaceOf(at) : KeptMove.PlaceOf(Kept.Steps)) is { } place
         ? Texts.Current.With("Head.LargestAt", Shown.Mm(Kept.Correction.LargestMm), place)
         : Texts.Current.With("Head.Largest", Shown.Mm(Kept.Correction.LargestMm));
 
-    /// <summary>What is predicted to be left over, at most, and which points will be outside of their limits; null where nothing is predicted.</summary>
+    /// <summary>The largest error predicted to remain, and the points that will be outside their limits; null without prediction.</summary>
     public string? LeftOver
     {
         get
@@ -85,16 +83,14 @@ public sealed class CorrectionDetail
         }
     }
 
-    /// <summary>A point that will be outside of its limits asks for attention.</summary>
     public Severity LeftOverSeverity => IsWithin ? Severity.Quiet : Severity.Attention;
 
-    /// <summary>True unless a point will be outside of its limits.</summary>
+    /// <summary>True unless a point will be outside its limits.</summary>
     public bool IsWithin => _piece?.IsWithin ?? true;
 
-    /// <summary>What the program does not have and the machine needs, in words; null if nothing.</summary>
+    /// <summary>What the machine needs and the program lacks, in words; null if nothing.</summary>
     public string? Missing => Kept.Missing;
 
-    /// <summary>The key points.</summary>
     public IReadOnlyList<PointRow> Points { get; } = [];
 
     /// <summary>What the errors in <see cref="Points"/> mean.</summary>
@@ -103,74 +99,70 @@ public sealed class CorrectionDetail
     /// <summary>Lengths and angles.</summary>
     public IReadOnlyList<QuantityRow> Quantities { get; }
 
-    /// <summary>What was decided.</summary>
     public IReadOnlyList<DecisionRow> Decisions { get; }
 
-    /// <summary>By which convention its deviations have their sign, with one of them as an example; empty where there is none.</summary>
+    /// <summary>The sign convention of the deviations, with one of them as an example; empty if there are none.</summary>
     public string DecisionsNote => Kept.Report?.Features.MaxBy(f => Math.Abs(f.LargestMm)) is { } example ? Texts.Current.With("Detail.DecisionsNote", Shown.SignedMm(example.LargestMm), Shown.SignedMm(-example.LargestMm)) : "";
 
-    /// <summary>What became of it, the latest first.</summary>
+    /// <summary>Its history, latest first.</summary>
     public IReadOnlyList<StepRow> Steps { get; }
 
-    /// <summary>True if it has come to where it is step by step: what was only tried has not.</summary>
+    /// <summary>True if it has a history: a trial run has none.</summary>
     public bool HasCourse => Steps.Count > 0;
 
-    /// <summary>The two programs; null where there are none, or one was made anew, as only a surface's is.</summary>
+    /// <summary>The two programs; null if there are none, or if the program was newly generated, as only a surface's can be.</summary>
     public ProgramLines? Lines => IsSurface && Kept.Correction.BaseSha256 is null ? null : Kept.Lines;
 
-    /// <summary>True where two programs are shown, once they are there.</summary>
+    /// <summary>True if two programs are shown, once they exist.</summary>
     public bool ShowsProgram => !IsSurface || Lines is not null;
 
-    /// <summary>True if there is a report of a mating to show.</summary>
+    /// <summary>True if there is a report of a mating.</summary>
     public bool HasReport => Kept.Report is not null;
 
-    /// <summary>The figures and drawings of a surface; null for a mating.</summary>
+    /// <summary>The results and drawings of a surface; null for a mating.</summary>
     public SurfaceFigures? Surface { get; }
 
-    /// <summary>True for a surface.</summary>
     public bool IsSurface => Surface is not null;
 
-    /// <summary>True if something was proved, or computed to be so.</summary>
+    /// <summary>True if there is a proof, or a computed tool path.</summary>
     public bool HasProof => HasReport || IsSurface;
 
-    /// <summary>The assembly before compensation.</summary>
+    /// <summary>The assembly without compensation.</summary>
     public GapDrawing? Before { get; }
 
-    /// <summary>The assembly behind it.</summary>
+    /// <summary>The assembly with compensation.</summary>
     public GapDrawing? After { get; }
 
-    /// <summary>The exaggeration and the largest gap before.</summary>
+    /// <summary>The exaggeration and the largest gap without compensation.</summary>
     public string BeforeCaption => Before is null ? "" : Texts.Current.With("Detail.GapBefore", Shown.Mm(Before.LargestMm));
 
-    /// <summary>The largest gap that is predicted.</summary>
+    /// <summary>The largest predicted gap.</summary>
     public string AfterCaption => After is null ? "" : Texts.Current.With("Detail.GapAfter", Shown.Mm(After.LargestMm));
 
-    /// <summary>How much deviations are exaggerated, and whether the drawing is turned.</summary>
+    /// <summary>Note on the exaggeration, and on whether the drawing is turned.</summary>
     public string Exaggeration => Before?.Note ?? "";
 
-    /// <summary>True unless a proof does not hold.</summary>
+    /// <summary>True unless a proof fails.</summary>
     public bool IsProved => ProofSeverity != Severity.Alarm;
 
-    /// <summary>A proof that does not hold is an alarm.</summary>
     public Severity ProofSeverity => Surface?.ProofSeverity ?? (Kept.Report is { Proof.Holds: true } ? Severity.Quiet : Severity.Alarm);
 
-    /// <summary>What was proved, in a sentence or two.</summary>
+    /// <summary>What was proved, in one or two sentences.</summary>
     public string Proof => Kept.Report is not { Proof: var proof } ? Surface?.Proof ?? "" : Texts.Current.With(
         proof.Holds ? "Head.Proved" : "Head.NotProved", Shown.Count(proof.Motions), Shown.Count(proof.MovedMotions), Shown.Mm(proof.MaxDeviationFromWantedMm));
 
     /// <summary>How much of the program differs.</summary>
     public string Changed => Kept.Report is not { } report ? "" : Texts.Current.With("Detail.Changed", Shown.Count(report.ChangedBlocks));
 
-    /// <summary>What a person should know before using the program.</summary>
+    /// <summary>What the user should know before using the program.</summary>
     public IReadOnlyList<string> Warnings => [.. Kept.Report?.Warnings.Select(w => w.Text) ?? Surface?.Warnings ?? []];
 
-    /// <summary>True if there are warnings.</summary>
     public bool HasWarnings => Warnings.Count > 0;
 
     /// <summary>How many there are, and where.</summary>
     public string WarningCount => Texts.Current.With("Head.Warnings", Warnings.Count);
 
-    /// <summary>What is signed for where this is approved: how far the program moves, what is left over, and whatever is not as it should be.</summary>
+    /// <summary>What the approver signs for: the displacement of the program, the remaining error, and every irregularity.</summary>
     public IReadOnlyList<Fact> Facts => [.. new[]
     {
         HasProof && !IsProved ? new Fact(Proof, ProofSeverity) : null,
@@ -181,7 +173,7 @@ public sealed class CorrectionDetail
         HasWarnings ? new(WarningCount, Severity.Attention) : null,
     }.OfType<Fact>()];
 
-    // Its warnings stand in the record of the step as well; they are read where they are told, and counted here.
+    // The recorded step also contains the warnings. They are shown elsewhere, so here they are only counted.
     private string BasisOf(CorrectionStep step)
     {
         string[] recorded = [.. Kept.Report?.Warnings.Select(w => w.Message) ?? Kept.Surface?.Warnings ?? []];
@@ -190,7 +182,7 @@ public sealed class CorrectionDetail
         return told.Length == 0 ? basis : Sentence.Joined(basis, Texts.Current.With("Head.Warnings", told.Length));
     }
 
-    // The errors are the piece's, as the verification has them: one convention for both screens.
+    // The errors are the piece's, as in the verification: both screens use one convention.
     private PointRow Row(KeptPoint p, VerifiedPoint errors) => new(
         p.Point, p.Feature, Shown.Mm(p.Theoretical.X), Shown.Mm(p.Theoretical.Y), Shown.Mm(p.Actual.X), Shown.Mm(p.Actual.Y), Shown.SignedMm(p.Correction.X), Shown.SignedMm(p.Correction.Y),
         Shown.SignedMm(errors.BeforeError.NormalMm), Shown.SignedMm(errors.AfterError.NormalMm), _piece!.IsOutside(p.Point, errors.AfterError.NormalMm));

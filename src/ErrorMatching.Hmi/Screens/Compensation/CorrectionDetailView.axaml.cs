@@ -5,17 +5,16 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>One correction with all that is known of it.</summary>
+/// <summary>All details of one correction.</summary>
 public sealed partial class CorrectionDetailView : UserControl
 {
     private object? _begun;
 
-    /// <summary>The view.</summary>
     public CorrectionDetailView()
     {
         InitializeComponent();
 
-        // The last side has it when all have it: a side that is opened before shows what was there before.
+        // The last tab gets its data context last; opening a tab earlier would show the previous content.
         CourseSide.DataContextChanged += (_, _) =>
         {
             OpenWhatIsThere();
@@ -36,7 +35,7 @@ public sealed partial class CorrectionDetailView : UserControl
 
     private ProgramLines? Lines => (DataContext as CorrectionDetail)?.Lines;
 
-    // A side that this correction lacks cannot stay open.
+    // A tab that this correction lacks cannot stay open.
     private void OpenWhatIsThere()
     {
         if (CourseSide.DataContext is CorrectionDetail detail && !Has(detail, Sides.SelectedItem))
@@ -67,7 +66,8 @@ public sealed partial class CorrectionDetailView : UserControl
         }
     }
 
-    // The marker at the top fills a screen and says nothing about the cut. Whoever has looked on stays where they are, also in other words.
+    // The marker at the top fills a screen and does not concern the cut. A user who has scrolled stays in place, even after a
+    // change of language.
     private void BeginAtFirstChange()
     {
         if (ProgramList is { IsLoaded: true, ItemsSource: ProgramLines lines } && lines != _begun)
@@ -80,7 +80,7 @@ public sealed partial class CorrectionDetailView : UserControl
         }
     }
 
-    // What stands before and behind a change is as much to be seen as the change.
+    // The lines before and after a change matter as much as the change.
     private void ShowInTheMiddle(int index)
     {
         ProgramList.ScrollIntoView(index);

@@ -1,14 +1,15 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>A length or an angle of a feature in a table, as it is shown.</summary>
+/// <summary>A length or an angle of a feature in a table.</summary>
 /// <param name="Feature">The feature.</param>
-/// <param name="Quantity">What it is, in words.</param>
-/// <param name="Ideal">As designed.</param>
-/// <param name="Actual">As measured on the part.</param>
-/// <param name="Corrected">As the corrected counterpart is predicted to have it: near the actual value, but for what is left over at its points and what lies along the boundary.</param>
+/// <param name="Quantity">Its name.</param>
+/// <param name="Ideal">Nominal value.</param>
+/// <param name="Actual">Measured value of the part.</param>
+/// <param name="Corrected">Predicted value of the corrected counterpart: close to the measured value, except for the errors
+/// remaining at its points and deviations along the boundary.</param>
 /// <param name="Unit">mm or degrees.</param>
 public sealed record QuantityRow(string Feature, string Quantity, string Ideal, string Actual, string Corrected, string Unit)
 {
-    /// <summary>What it is called aloud: a feature has several.</summary>
+    /// <summary>Its name for screen readers: a feature has several quantities.</summary>
     public string Name => $"{Feature} · {Quantity}";
 }

@@ -1,8 +1,8 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>A step that a correction took, as it is shown.</summary>
-/// <param name="Time">When.</param>
-/// <param name="State">What it became.</param>
-/// <param name="By">By whom.</param>
-/// <param name="Basis">On what basis.</param>
+/// <summary>A step in a correction's history.</summary>
+/// <param name="Time">Its time.</param>
+/// <param name="State">The new state.</param>
+/// <param name="By">Who took it.</param>
+/// <param name="Basis">Its basis.</param>
 public sealed record StepRow(string Time, string State, string By, string Basis);

@@ -5,7 +5,8 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Free-form: where a surface is touched, where its error is, what either way of compensating leaves of it, and the finishing program that was made.</summary>
+/// <summary>Free-form surfaces: where a surface is probed, where its error is, what either way of compensation leaves of it, and
+/// the finishing program.</summary>
 public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
 {
     private const int Most = 60;
@@ -20,7 +21,6 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     private bool _isPlanned;
     private int _load;
 
-    /// <summary>The screen.</summary>
     public FreeformViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
@@ -31,16 +31,15 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         Refresh();
     }
 
-    /// <summary>The free-form jobs of the cell.</summary>
+    /// <summary>The cell's free-form jobs.</summary>
     public IReadOnlyList<SurfaceJobChoice> Jobs { get; }
 
-    /// <summary>True if there is more than one to choose from.</summary>
+    /// <summary>True if there is a choice.</summary>
     public bool HasJobs => Jobs.Count > 1;
 
-    /// <summary>True if the cell has none.</summary>
     public bool IsWithoutJobs => Jobs.Count == 0;
 
-    /// <summary>The job whose surfaces are looked at.</summary>
+    /// <summary>The selected job.</summary>
     public SurfaceJobChoice? Job
     {
         get => _job;
@@ -56,13 +55,13 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         }
     }
 
-    /// <summary>The last measured surfaces, the newest first.</summary>
+    /// <summary>The last measured surfaces, newest first.</summary>
     public RowList<SurfaceRow> Rows { get; } = [];
 
-    /// <summary>True once it is known that none is measured.</summary>
+    /// <summary>True once the list is known to be empty.</summary>
     public bool IsEmpty { get; private set; }
 
-    /// <summary>The surface that is looked at. Until a person chooses one, it is the one that was measured last.</summary>
+    /// <summary>The selected surface. Until the user selects one, it is the one measured last.</summary>
     public SurfaceRow? Chosen
     {
         get => _chosen;
@@ -76,21 +75,21 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         }
     }
 
-    /// <summary>What is known of it; null while none is measured.</summary>
+    /// <summary>Its details; null if none is measured.</summary>
     public SurfaceDetail? Detail
     {
         get => _detail;
         private set => Set(ref _detail, value);
     }
 
-    /// <summary>Where the surface is to be touched; null once one is measured.</summary>
+    /// <summary>The probing plan; null once a surface is measured.</summary>
     public SurfacePlan? Plan
     {
         get => _plan;
         private set => Set(ref _plan, value);
     }
 
-    /// <summary>Done when what is there is shown.</summary>
+    /// <summary>Completes when the content is shown.</summary>
     internal Task Loading { get; private set; } = Task.CompletedTask;
 
     /// <inheritdoc/>
@@ -106,7 +105,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     /// <inheritdoc/>
     protected override void Translate()
     {
-        // What is shown is made anew, in other words; until it is there, what was there stays.
+        // Rebuild the view in the other language; until then, the old content stays.
         (_shown, _isPlanned) = ((0, -1), false);
         Refresh();
     }
@@ -144,7 +143,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
             }
         });
 
-        // Somebody may have chosen another one meanwhile.
+        // Another one may have been selected meanwhile.
         if (load != _load)
         {
             return;
@@ -154,7 +153,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         {
             if (Detail is null)
             {
-                // The surfaces of another job are none of this one's, and nothing is known of these.
+                // The old surfaces belong to the other job, and those of this job are not known yet.
                 ShowRows([], isKnown: false);
             }
 
@@ -201,7 +200,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         return measured;
     }
 
-    // A job that cannot be read is no defect of the station.
+    // An unreadable job is not a defect of the station.
     private (SurfacePlan? Plan, string? Trouble) PlanOf(CellJobSettings job)
     {
         try

@@ -1,14 +1,14 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>One measured surface with all that is known of it.</summary>
+/// <summary>All details of one measured surface.</summary>
 public sealed class SurfaceDetail
 {
     private readonly KeptCorrection _kept;
     private readonly TimeProvider _clock;
 
-    /// <summary>Puts it into words. This takes its time, and may be done beside the screen.</summary>
-    /// <param name="kept">What the store keeps of it, with the report of a surface.</param>
-    /// <param name="clock">Says in which zone times are shown.</param>
+    /// <summary>Formats the details. Slow; may run off the UI thread.</summary>
+    /// <param name="kept">The stored correction, with the report of a surface.</param>
+    /// <param name="clock">Gives the time zone.</param>
     public SurfaceDetail(KeptCorrection kept, TimeProvider clock)
     {
         (_kept, _clock) = (kept ?? throw new ArgumentNullException(nameof(kept)), clock);
@@ -18,19 +18,18 @@ public sealed class SurfaceDetail
     /// <summary>Number and serial number or file.</summary>
     public string Title => CorrectionLabel.Of(_kept.Correction);
 
-    /// <summary>How far it has come, in a word.</summary>
     public string State => Texts.Current.Word(_kept.Correction.State);
 
-    /// <summary>What people call the workpiece.</summary>
+    /// <summary>The workpiece's name.</summary>
     public string Job => _kept.Surface!.JobName;
 
-    /// <summary>Work order, gauge, file and time in a line.</summary>
+    /// <summary>Work order, gauge, file and time in one line.</summary>
     public string Origin => string.Join(" · ", new[] { _kept.Correction.WorkOrder, _kept.Correction.Gauge, _kept.Correction.FileName, Shown.Time(_kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
 
-    /// <summary>What the program does not have and the machine needs, in words; null if nothing.</summary>
+    /// <summary>What the machine needs and the program lacks, in words; null if nothing.</summary>
     public string? Missing => _kept.Missing;
 
-    /// <summary>Its figures and drawings.</summary>
+    /// <summary>Its results and drawings.</summary>
     public SurfaceFigures Figures { get; }
 
     /// <summary>The finishing program, line by line.</summary>

@@ -2,9 +2,8 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>One measured surface with all that is known of it.</summary>
+/// <summary>All details of one measured surface.</summary>
 public sealed partial class SurfaceDetailView : UserControl
 {
-    /// <summary>The view.</summary>
     public SurfaceDetailView() => InitializeComponent();
 }

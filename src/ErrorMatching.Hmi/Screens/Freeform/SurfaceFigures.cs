@@ -4,12 +4,12 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A kept report of a surface in the words, figures and drawings of the screen.</summary>
+/// <summary>A stored surface report, formatted for display, with its drawings.</summary>
 public sealed class SurfaceFigures
 {
     private readonly KeptSurface _kept;
 
-    /// <summary>Puts it into words.</summary>
+    /// <summary>Formats the report.</summary>
     public SurfaceFigures(KeptSurface kept)
     {
         _kept = kept ?? throw new ArgumentNullException(nameof(kept));
@@ -30,57 +30,57 @@ public sealed class SurfaceFigures
     /// <summary>The absolute value of the last colors of all maps, in mm.</summary>
     public double LimitMm { get; }
 
-    /// <summary>The error as measured.</summary>
+    /// <summary>The measured error.</summary>
     public SurfaceDrawing Measured { get; }
 
-    /// <summary>What mirroring is expected to leave.</summary>
+    /// <summary>Error expected to remain after mirroring.</summary>
     public SurfaceDrawing Mirror { get; }
 
-    /// <summary>What a modified tool radius is expected to leave.</summary>
+    /// <summary>Error expected to remain with a modified tool radius.</summary>
     public SurfaceDrawing ToolRadius { get; }
 
-    /// <summary>What the way of compensating that was chosen is expected to leave.</summary>
+    /// <summary>Error expected to remain after the chosen compensation.</summary>
     public SurfaceDrawing Expected => _kept.IsMirror ? Mirror : ToolRadius;
 
-    /// <summary>Where it was touched, in which order.</summary>
+    /// <summary>Where it was probed, and in which order.</summary>
     public SurfaceDrawing Plan { get; }
 
-    /// <summary>How many points the plan has.</summary>
+    /// <summary>Number of points of the plan.</summary>
     public string PlanCaption => Texts.Current.With("Freeform.PlanMeasured", Shown.Count(_kept.Points.Count));
 
-    /// <summary>The error at each point, as measured and as expected.</summary>
+    /// <summary>The error at each point, measured and expected.</summary>
     public SeriesDrawing Errors { get; }
 
-    /// <summary>What the errors come to, as measured and as expected by either way.</summary>
+    /// <summary>Statistics of the errors, measured and expected for either way.</summary>
     public IReadOnlyList<StatisticsRow> Statistics { get; }
 
     /// <summary>Standard deviation and profile, before and expected.</summary>
     public string Summary => Texts.Current.With(
         "Freeform.Summary", Shown.Micrometers(_kept.Before.StandardDeviationMm), Shown.Micrometers(_kept.Expected.StandardDeviationMm), Shown.Micrometers(_kept.Before.ProfileIsoMm), Shown.Micrometers(_kept.Expected.ProfileIsoMm));
 
-    /// <summary>How it is compensated, by how much, and after which stage it was measured.</summary>
+    /// <summary>How and by how much it is compensated, and after which stage it was measured.</summary>
     public string How => Texts.Current.With(
         _kept.IsMirror ? "Freeform.HowMirror" : "Freeform.HowToolRadius", Shown.Mm(_kept.LargestMoveMm), Shown.Number(_kept.Gain), Texts.Current[_kept.IsFinished ? "Freeform.Finishing" : "Freeform.SemiFinishing"]);
 
-    /// <summary>How far the expected error can be trusted.</summary>
+    /// <summary>How reliable the expected error is.</summary>
     public string Trust => Texts.Current.With("Freeform.Trust", Shown.Micrometers(_kept.PointUncertaintyMm), Texts.Current[_kept.IsSystematic switch { true => "Freeform.Systematic", false => "Freeform.Noise", null => "Freeform.Undetermined" }]);
 
-    /// <summary>What is above the map of mirroring.</summary>
+    /// <summary>Caption of the map for mirroring.</summary>
     public string MirrorCaption => Caption("Freeform.ExpectedMirror", _kept.Mirror, _kept.IsMirror);
 
-    /// <summary>What is above the map of a modified tool radius.</summary>
+    /// <summary>Caption of the map for a modified tool radius.</summary>
     public string ToolRadiusCaption => Caption("Freeform.ExpectedToolRadius", _kept.ToolRadius, !_kept.IsMirror);
 
-    /// <summary>What the way of compensating that was chosen is called.</summary>
+    /// <summary>Name of the chosen way of compensation.</summary>
     public string ExpectedName => Texts.Current[_kept.IsMirror ? "Freeform.ExpectedMirror" : "Freeform.ExpectedToolRadius"];
 
-    /// <summary>What is above the map as measured.</summary>
+    /// <summary>Caption of the map of the measured error.</summary>
     public string MeasuredCaption => Caption("Freeform.Measured", _kept.Before, isChosen: false);
 
-    /// <summary>What is above the map of what is expected.</summary>
+    /// <summary>Caption of the map of the expected error.</summary>
     public string ExpectedCaption => _kept.IsMirror ? MirrorCaption : ToolRadiusCaption;
 
-    /// <summary>What was proved about the program, in a sentence or two.</summary>
+    /// <summary>What was proved about the program, in one or two sentences.</summary>
     public string Proof => (_kept.Proof, _kept.ToolPath) switch
     {
         ({ } proof, _) => Texts.Current.With(proof.Holds ? "Head.Proved" : "Head.NotProved", Shown.Count(proof.Motions), Shown.Count(proof.MovedMotions), Shown.Mm(proof.MaxDeviationFromWantedMm)),
@@ -90,22 +90,21 @@ public sealed class SurfaceFigures
         _ => "",
     };
 
-    /// <summary>A proof that does not hold is an alarm, material that is left asks for attention.</summary>
+    /// <summary>A failed proof is an alarm; material left over needs attention.</summary>
     public Severity ProofSeverity => _kept.Proof is { Holds: false } ? Severity.Alarm : _kept.ToolPath is { RaisedPoints: > 0 } ? Severity.Attention : Severity.Quiet;
 
-    /// <summary>What a person should know before using the program.</summary>
+    /// <summary>What the user should know before using the program.</summary>
     public IReadOnlyList<string> Warnings => _kept.Warnings;
 
-    /// <summary>True if there are warnings.</summary>
     public bool HasWarnings => Warnings.Count > 0;
 
-    /// <summary>What is told under the finger of a point of a plan.</summary>
+    /// <summary>The text shown on tapping a point of a plan.</summary>
     internal static string PlanText(int number, Point3 at) => Texts.Current.With("Freeform.AtPlan", Shown.Id(number), Shown.Mm(at.X), Shown.Mm(at.Y), Shown.Mm(at.Z));
 
-    /// <summary>A place seen from above.</summary>
+    /// <summary>A position seen from above.</summary>
     internal static Point2 Above(Point3 at) => new(at.X, at.Y);
 
-    // A round limit that is not much larger than what is shown: a tenth of it is 1, 2 or 5 times a power of ten.
+    // A round limit slightly above the largest value: a tenth of it is 1, 2 or 5 times a power of ten.
     private static double Rounded(double limitMm)
     {
         var limit = Math.Max(limitMm, 1e-4);

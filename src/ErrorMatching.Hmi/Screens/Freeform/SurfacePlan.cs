@@ -4,13 +4,13 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where a free-form job is to be touched, while nothing of it is measured: what <c>errormatch surface plan</c> says of the same job.</summary>
+/// <summary>The probing plan of a free-form job that has no measurement yet, as given by <c>errormatch surface plan</c>.</summary>
 /// <param name="Drawing">The points on the surface, in the order of measuring.</param>
-/// <param name="Caption">How many points on how many curves, and how far the stylus travels.</param>
-/// <param name="Refusal">Why the plan cannot be used as it is; null if it can.</param>
+/// <param name="Caption">Number of points and curves, and the travel of the stylus.</param>
+/// <param name="Refusal">Why the plan cannot be used; null if it can.</param>
 public sealed record SurfacePlan(SurfaceDrawing Drawing, string Caption, string? Refusal)
 {
-    /// <summary>Plans it. This takes its time: not to be called on the screen's thread.</summary>
+    /// <summary>Plans the probing. Slow: do not call it on the UI thread.</summary>
     /// <exception cref="InputException">A file of the job cannot be opened.</exception>
     public static SurfacePlan Of(CellJobSettings job)
     {

@@ -1,18 +1,16 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>A correction that was found in the history, as it is shown.</summary>
+/// <summary>A correction found in the history.</summary>
 /// <param name="Id">Its number.</param>
 /// <param name="Arrived">When its file arrived.</param>
 /// <param name="Piece">Serial number, or the file's name.</param>
 /// <param name="WorkOrder">The work order.</param>
 /// <param name="Job">The job.</param>
-/// <param name="State">How far it has come.</param>
+/// <param name="State">Its state.</param>
 /// <param name="Largest">Its largest displacement.</param>
 public sealed record HistoryRow(long Id, string Arrived, string Piece, string WorkOrder, string Job, string State, string Largest)
 {
-    /// <summary>Its number as it is shown.</summary>
     public string Number => "#" + Shown.Id(Id);
 
-    /// <summary>Identifies the row.</summary>
     public string AutomationId => "found-" + Shown.Id(Id);
 }

@@ -5,15 +5,14 @@ using Avalonia.Interactivity;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where what was is found.</summary>
+/// <summary>Search for past corrections.</summary>
 public sealed partial class HistoryView : UserControl
 {
-    // Below it, all fields would leave no room for what they find.
+    // Below this height, all fields would leave no room for results.
     private const double LowHeight = 520;
 
     private bool _isOpen;
 
-    /// <summary>The view.</summary>
     public HistoryView()
     {
         InitializeComponent();
@@ -32,8 +31,8 @@ public sealed partial class HistoryView : UserControl
     {
         base.OnLoaded(e);
 
-        // A barcode scanner types into what has the focus, and ends with Enter: that searches, and the next code takes the place of this one.
-        // Whoever goes through the screens by keyboard goes on from where they are.
+        // A barcode scanner types into the focused field and ends with Enter. That starts the search, and the next code replaces
+        // this one. Keyboard users keep their focus.
         if (TopLevel.GetTopLevel(this) is not MainWindow { IsByKeyboard: true })
         {
             Later.Focus(SerialBox);
@@ -51,7 +50,7 @@ public sealed partial class HistoryView : UserControl
         _isOpen = isOpen;
         ShowFields();
 
-        // The button that was tapped is gone; the keys go on from the one in its place.
+        // The tapped button is hidden now; focus the one in its place.
         (isOpen ? Fewer : More).Focus();
     }
 

@@ -5,7 +5,7 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>History: every file that ever arrived, found again and reopened exactly as it was.</summary>
+/// <summary>History: finds every file that ever arrived, and reopens it exactly as it was.</summary>
 public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
 {
     private const int Most = 1000;
@@ -24,7 +24,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     private bool _isKnown;
     private IReadOnlyList<Correction> _found = [];
 
-    /// <summary>The screen, with the latest.</summary>
+    /// <summary>Starts with the latest corrections.</summary>
     public HistoryViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
@@ -82,20 +82,20 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         set => SetMore(ref _program, value ?? "");
     }
 
-    /// <summary>Who took any of its steps; empty for any.</summary>
+    /// <summary>The user who took any of its steps; empty for any.</summary>
     public string UserName
     {
         get => _userName;
         set => SetMore(ref _userName, value ?? "");
     }
 
-    /// <summary>How far it has come.</summary>
+    /// <summary>Its state.</summary>
     public StateChoice State
     {
         get => _state;
         set
         {
-            // A list that is made anew in another language has nothing chosen for a moment.
+            // A list rebuilt in another language briefly has no selection.
             if (value is not null)
             {
                 SetMore(ref _state, value);
@@ -106,18 +106,18 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     /// <summary>The states to choose from.</summary>
     public IReadOnlyList<StateChoice> States { get; } = [new(null), .. Enum.GetValues<CorrectionState>().Select(s => new StateChoice(s))];
 
-    /// <summary>True if one of the fields is filled in that a small screen keeps back.</summary>
+    /// <summary>True if a field is filled in that a small screen hides.</summary>
     public bool HasMore => new[] { From, To, Program, UserName }.Any(t => Given(t) is not null) || State.State is not null;
 
-    /// <summary>What was found, the latest first.</summary>
+    /// <summary>What was found, latest first.</summary>
     public RowList<HistoryRow> Rows { get; } = [];
 
-    /// <summary>How much was found, in words; empty before it is known.</summary>
+    /// <summary>The number of results, in words; empty before it is known.</summary>
     public string Found => !_isKnown ? ""
         : _found.Count >= Most ? Texts.Current.With("History.FoundMost", Shown.Count(Most))
         : Texts.Current.With("History.Found", Shown.Count(_found.Count));
 
-    /// <summary>The one that is opened; null while the list is shown.</summary>
+    /// <summary>The opened correction; null while the list is shown.</summary>
     public CorrectionDetail? Detail
     {
         get => _detail;
@@ -134,22 +134,22 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         }
     }
 
-    /// <summary>Whether the counterpart that was cut with the one that is opened, or that it is itself, is within its limits as measured; null where none of the last pieces is.</summary>
+    /// <summary>Whether the measured counterpart is within its limits: the one cut with the opened correction, or the opened one
+    /// itself. Null if none of the last pieces matches.</summary>
     public string? Measured => _measured is { } piece ? Sentence.Joined(Texts.Current.With("History.Measured", CorrectionLabel.Of(piece.Counterpart!)), PieceDetail.VerdictOf(piece)) : null;
 
-    /// <summary>The same in a few words; null as there.</summary>
+    /// <summary>The same in a few words; null likewise.</summary>
     public string? MeasuredInShort => _measured is not { } piece ? null : piece.Outside.Count is > 0 and var outside ? Texts.Current.With("History.MeasuredOutside", outside) : Texts.Current["History.MeasuredWithin"];
 
-    /// <summary>A point outside of its limits asks for attention.</summary>
     public Severity MeasuredSeverity => _measured is { IsWithin: false } ? Severity.Attention : Severity.Quiet;
 
-    /// <summary>Goes to how well it fits.</summary>
+    /// <summary>Opens the verification of that counterpart.</summary>
     public Command LookAtMeasured { get; }
 
     /// <summary>True while the list is shown.</summary>
     public bool IsList => Detail is null;
 
-    /// <summary>The folder that an export goes to.</summary>
+    /// <summary>The folder to export to.</summary>
     public string Folder
     {
         get => _folder;
@@ -162,47 +162,47 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         }
     }
 
-    /// <summary>Where the export went; null if there was none.</summary>
+    /// <summary>Where the export was written; null if there was none.</summary>
     public string? Exported
     {
         get => _exported;
         private set => Set(ref _exported, value);
     }
 
-    /// <summary>Looks for what the fields say.</summary>
+    /// <summary>Searches by the fields.</summary>
     public LongCommand Search { get; }
 
-    /// <summary>Back to the list.</summary>
+    /// <summary>Returns to the list.</summary>
     public Command Back { get; }
 
-    /// <summary>Brings back the program that the slot held before the one that is opened.</summary>
+    /// <summary>Restores the program that the slot held before the opened correction.</summary>
     public Command Revert { get; }
 
-    /// <summary>True where that can be done, and by who sits here.</summary>
+    /// <summary>True if it can be restored, by this user.</summary>
     public bool CanRevert => Revert.CanExecute(null);
 
     /// <summary>Writes measurement, job, programs and report to <see cref="Folder"/>.</summary>
     public LongCommand Export { get; }
 
-    /// <summary>Lets somebody choose <see cref="Folder"/> by tapping.</summary>
+    /// <summary>Opens the chooser for <see cref="Folder"/>.</summary>
     public LongCommand ChooseFolder { get; }
 
-    /// <summary>Done when what was tapped is opened.</summary>
+    /// <summary>Completes when the tapped correction is open.</summary>
     internal Task Loading { get; private set; } = Task.CompletedTask;
 
-    /// <summary>Finds a piece by its serial number; a code that is none is a work order.</summary>
+    /// <summary>Finds a piece by its serial number. A code that is not a serial number is a work order.</summary>
     public void TakeCode(string code) => Scanning = ScanAsync(code).Watched();
 
     /// <inheritdoc/>
     public void LookAt(long correction) => Loading = OpenAsync(correction).Watched();
 
-    /// <summary>Done when a code was looked for.</summary>
+    /// <summary>Completes when a code was searched for.</summary>
     internal Task Scanning { get; private set; } = Task.CompletedTask;
 
     /// <inheritdoc/>
     protected override void Follow()
     {
-        // What was found stays as it was found, until somebody searches again.
+        // Results stay until the next search.
     }
 
     /// <inheritdoc/>
@@ -233,7 +233,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
 
     private async Task ScanAsync(string code)
     {
-        // One search at a time: what the screen began with ends first.
+        // One search at a time: wait for the screen's first search.
         await Search.Running;
         Detail = null;
         (Serial, WorkOrder, From, To, Program, UserName, State) = (code, "", "", "", "", "", States[0]);
@@ -247,7 +247,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         }
     }
 
-    // What the fields say when a search ends is what was sought: a scanner does not wait for the search before.
+    // Searches again if the fields have changed during the search, because a scanner does not wait for it.
     private async Task SearchAsync()
     {
         var query = Query();
@@ -268,12 +268,12 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         }
     }
 
-    // Null if a day is none.
+    // Null if a date is invalid.
     private HistoryQuery? Query() => TryDay(From, 0, out var from) && TryDay(To, 1, out var to)
         ? new() { IsLoose = true, Serial = Given(Serial), WorkOrder = Given(WorkOrder), From = from, To = to, Program = Given(Program), User = Given(UserName), State = State.State, Most = Most }
         : null;
 
-    // The day begins where the computer stands; the last one is meant with all its hours.
+    // Days are in the computer's time zone; the last day is included completely.
     private bool TryDay(string text, int more, out DateTimeOffset? time)
     {
         time = null;

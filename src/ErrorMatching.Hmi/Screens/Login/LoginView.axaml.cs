@@ -4,10 +4,8 @@ using Avalonia.Interactivity;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where somebody takes the seat.</summary>
 public sealed partial class LoginView : UserControl
 {
-    /// <summary>The view.</summary>
     public LoginView() => InitializeComponent();
 
     /// <inheritdoc/>
@@ -32,7 +30,7 @@ public sealed partial class LoginView : UserControl
         base.OnUnloaded(e);
     }
 
-    // Whoever was tapped in the list goes on with the password; whoever types the name stays there.
+    // After tapping a user, continue with the password; when typing a name, stay there.
     private void OnLogin(object? sender, PropertyChangedEventArgs e)
     {
         if (e.PropertyName is nameof(LoginViewModel.Chosen) && !NameBox.IsFocused && (sender as LoginViewModel)?.Chosen is not null)

@@ -2,7 +2,7 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Login: somebody takes the seat by name and password, while everybody can see how the cell is.</summary>
+/// <summary>Login by name and password, with a view of the cell's state for everyone.</summary>
 public sealed class LoginViewModel : ScreenViewModel
 {
     private readonly Action<SignedIn> _unlock;
@@ -13,8 +13,8 @@ public sealed class LoginViewModel : ScreenViewModel
 
     /// <summary>A locked station.</summary>
     /// <param name="station">The station.</param>
-    /// <param name="lastName">Who sat there last; empty if nobody did.</param>
-    /// <param name="unlock">Called with who signed in.</param>
+    /// <param name="lastName">The last user; empty if there was none.</param>
+    /// <param name="unlock">Called with the user who signed in.</param>
     public LoginViewModel(Station station, string lastName, Action<SignedIn> unlock)
         : base(station)
     {
@@ -24,26 +24,25 @@ public sealed class LoginViewModel : ScreenViewModel
         Loading = LoadAsync().Watched();
     }
 
-    /// <summary>How to get in where everybody may, in words; null at a station that is none to play with.</summary>
+    /// <summary>How to sign in to a demonstration; null at a real station.</summary>
     public string? Hint => Station.IsDemonstration ? Texts.Current.With("Login.Demonstration", DemoCell.Password, DemoCell.Setter) : null;
 
-    /// <summary>Who sat there last; empty if nobody did.</summary>
+    /// <summary>The last user; empty if there was none.</summary>
     public string LastName { get; }
 
-    /// <summary>How the cell is.</summary>
+    /// <summary>The state of the cell.</summary>
     public OverviewViewModel Live { get; }
 
-    /// <summary>Takes the seat.</summary>
     public LongCommand SignIn { get; }
 
-    /// <summary>Who may sign in.</summary>
+    /// <summary>The users who may sign in.</summary>
     public IReadOnlyList<UserTile> Users
     {
         get => _users;
         private set => Set(ref _users, value);
     }
 
-    /// <summary>The user in the list; null if the name is typed.</summary>
+    /// <summary>The user selected in the list; null if the name is typed.</summary>
     public UserTile? Chosen
     {
         get => Users.FirstOrDefault(u => u.Name == Name);
@@ -56,7 +55,6 @@ public sealed class LoginViewModel : ScreenViewModel
         }
     }
 
-    /// <summary>The name.</summary>
     public string Name
     {
         get => _name;
@@ -70,7 +68,6 @@ public sealed class LoginViewModel : ScreenViewModel
         }
     }
 
-    /// <summary>The password.</summary>
     public string Password
     {
         get => _password;
@@ -83,16 +80,15 @@ public sealed class LoginViewModel : ScreenViewModel
         }
     }
 
-    /// <summary>The name of the cell.</summary>
     public string CellName => Station.Settings.Name;
 
-    /// <summary>True if nobody can sign in, for the cell has no users yet.</summary>
+    /// <summary>True if the cell has no users yet, so that sign-in is impossible.</summary>
     public bool HasNoUsers { get; private set; }
 
-    /// <summary>The command that makes the first user.</summary>
+    /// <summary>The command that creates the first user.</summary>
     public string FirstUserCommand => $"errormatch user add {Path.GetFileName(Station.Settings.File)} NAME --role administrator";
 
-    /// <summary>Done when the users are listed.</summary>
+    /// <summary>Completes when the users are listed.</summary>
     internal Task Loading { get; private set; }
 
     /// <inheritdoc/>
@@ -105,7 +101,7 @@ public sealed class LoginViewModel : ScreenViewModel
     /// <inheritdoc/>
     protected override void Follow()
     {
-        // What follows the cell is in Live. A list that could not be read is read when the store is back.
+        // Live follows the cell. A list that could not be read is read when the store is available again.
         if (!_isListed && Loading.IsCompleted && Station.State.StoreTrouble is null)
         {
             Loading = LoadAsync().Watched();

@@ -3,13 +3,12 @@ using Avalonia.Interactivity;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What happened, and the record of it.</summary>
+/// <summary>Current messages and the audit trail.</summary>
 public sealed partial class MessagesView : UserControl
 {
-    // What there is to know has this of the height, however much it is: the record is read as well, and no button above it moves.
+    // Share of the height for messages, however many: the audit trail needs room as well, and no button above it moves.
     private const double ShareOfNow = 1.0 / 3;
 
-    /// <summary>The view.</summary>
     public MessagesView() => InitializeComponent();
 
     /// <inheritdoc/>

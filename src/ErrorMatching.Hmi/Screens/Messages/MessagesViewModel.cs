@@ -3,7 +3,7 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Messages and audit: what happened, what to do next, and whether the record of it is whole.</summary>
+/// <summary>Messages and audit trail: what happened, what to do next, and whether the trail is intact.</summary>
 public sealed partial class MessagesViewModel : ScreenViewModel
 {
     private const int Page = 200;
@@ -15,10 +15,10 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     private bool _isReading;
     private AuditFinding? _finding;
 
-    /// <summary>The screen.</summary>
+    /// <summary>Creates the screen.</summary>
     /// <param name="station">The station.</param>
-    /// <param name="look">Goes to a correction.</param>
-    /// <param name="lookAtPiece">Goes to how well a measured piece fits.</param>
+    /// <param name="look">Opens a correction.</param>
+    /// <param name="lookAtPiece">Opens the verification of a measured piece.</param>
     public MessagesViewModel(Station station, Action<long> look, Action<long> lookAtPiece)
         : base(station)
     {
@@ -37,22 +37,22 @@ public sealed partial class MessagesViewModel : ScreenViewModel
         Refresh();
     }
 
-    /// <summary>What a person should know, the worst first.</summary>
+    /// <summary>Messages, worst first.</summary>
     public RowList<MessageRow> Messages { get; } = [];
 
-    /// <summary>True if it is known that there is nothing to say.</summary>
+    /// <summary>True if there are known to be no messages.</summary>
     public bool IsQuiet => Station.State is { Status: not null, StoreTrouble: null } && Messages.Count == 0;
 
-    /// <summary>The audit trail, the latest first.</summary>
+    /// <summary>The audit trail, latest first.</summary>
     public RowList<AuditRow> Entries { get; } = [];
 
-    /// <summary>Looks at every entry of the trail.</summary>
+    /// <summary>Verifies every entry of the trail.</summary>
     public LongCommand Verify { get; }
 
     /// <summary>Shows older entries as well.</summary>
     public LongCommand More { get; }
 
-    /// <summary>What verifying found; null before.</summary>
+    /// <summary>The result of verifying; null before.</summary>
     public string? Finding => _finding switch
     {
         null => null,
@@ -61,13 +61,13 @@ public sealed partial class MessagesViewModel : ScreenViewModel
         _ => Texts.Current.With("Audit.Holds", Shown.Count(_finding.Entries)),
     };
 
-    /// <summary>A trail that is not whole is an alarm.</summary>
+    /// <summary>A broken trail is an alarm.</summary>
     public Severity FindingSeverity => _finding switch { { Fault: not null } => Severity.Alarm, { IsSealChecked: false } => Severity.Attention, _ => Severity.Quiet };
 
-    /// <summary>Done when the trail is read.</summary>
+    /// <summary>Completes when the trail is read.</summary>
     internal Task Reading { get; private set; } = Task.CompletedTask;
 
-    /// <summary>Goes to what a message tells of.</summary>
+    /// <summary>Opens the subject of a message.</summary>
     public void Look(MessageRow message)
     {
         if (message?.Correction is { } correction)
@@ -119,7 +119,7 @@ public sealed partial class MessagesViewModel : ScreenViewModel
             yield return new(Severity.Alarm, $"{where} · {since} · {what}", texts[NextOf(trouble)], null);
         }
 
-        // A cell that runs tells of it as a trouble.
+        // A running cell reports this itself.
         foreach (var tampered in status.IsRunning ? [] : status.Tampered)
         {
             yield return new(Severity.Alarm, RecordedText.Of(tampered), texts["Message.Trouble.Next"], null);
@@ -204,7 +204,7 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     private AuditRow Row(AuditEntry entry) => new(
         Shown.Id(entry.Seq), Shown.Time(entry.At, Station.Clock), RecordedText.Who(entry.Who), Texts.Current.Or("Audited." + entry.What, entry.What), Short(RecordedText.Of(entry.Subject ?? "")), Short(RecordedText.Of(entry.Basis)));
 
-    // Of a hash the first digits tell it from others; the whole one is in the export.
+    // The first digits identify a hash; the export has the whole one.
     private static string Short(string text) => Hash().Replace(text, m => m.Value[..Digits] + "…");
 
     [GeneratedRegex("[0-9a-f]{64}", RegexOptions.None, Timeout.Infinite)]

@@ -6,7 +6,6 @@ namespace ErrorMatching.Hmi;
 /// <summary>The cell at a glance.</summary>
 public sealed partial class OverviewView : UserControl
 {
-    /// <summary>The view.</summary>
     public OverviewView() => InitializeComponent();
 
     private void OnTile(object? sender, RoutedEventArgs e)

@@ -2,7 +2,7 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Overview: whether all is well, and one tap from what is not.</summary>
+/// <summary>Overview: whether all is well, and one tap to anything that is not.</summary>
 public sealed class OverviewViewModel : ScreenViewModel
 {
     private readonly Action<long>? _look;
@@ -10,8 +10,8 @@ public sealed class OverviewViewModel : ScreenViewModel
 
     /// <summary>The overview of a cell.</summary>
     /// <param name="station">The station.</param>
-    /// <param name="look">Goes to a correction; null where nobody may, for nobody is signed in.</param>
-    /// <param name="lookAtPiece">Goes to how well a measured piece fits; null where nobody may.</param>
+    /// <param name="look">Opens a correction; null before sign-in.</param>
+    /// <param name="lookAtPiece">Opens the verification of a measured piece; null before sign-in.</param>
     public OverviewViewModel(Station station, Action<long>? look, Action<long>? lookAtPiece)
         : base(station)
     {
@@ -19,34 +19,32 @@ public sealed class OverviewViewModel : ScreenViewModel
         Refresh();
     }
 
-    /// <summary>All slots.</summary>
     public RowList<SlotTile> Slots { get; } = [];
 
-    /// <summary>All gauges.</summary>
     public RowList<GaugeTile> Gauges { get; } = [];
 
-    /// <summary>What waits for a person, has failed, or is on its way, the worst first.</summary>
+    /// <summary>Corrections that wait for a person, have failed, or are on their way, worst first.</summary>
     public RowList<WaitingTile> Waiting { get; } = [];
 
-    /// <summary>How many approvals and how many measured pieces wait for a person; empty where none does, or <see cref="Summary"/> says how many.</summary>
+    /// <summary>How many approvals and measured pieces wait; empty if none do, or if <see cref="Summary"/> has the numbers.</summary>
     public string Counts { get; private set; } = "";
 
-    /// <summary>How it is, in a sentence.</summary>
+    /// <summary>The state of the cell, in a sentence.</summary>
     public string Summary { get; private set; } = "";
 
-    /// <summary>How much the cell asks for attention.</summary>
+    /// <summary>Severity of the cell's state.</summary>
     public Severity Severity { get; private set; }
 
-    /// <summary>True if there is nothing in <see cref="Waiting"/>.</summary>
+    /// <summary>True if <see cref="Waiting"/> is empty.</summary>
     public bool IsNothingWaiting => Waiting.Count == 0;
 
-    /// <summary>True if a tap leads on.</summary>
+    /// <summary>True if a tap opens something.</summary>
     public bool CanLook => _look is not null;
 
-    /// <summary>Goes to a correction.</summary>
+    /// <summary>Opens a correction.</summary>
     public void Look(long correction) => _look?.Invoke(correction);
 
-    /// <summary>Goes to how well a measured piece fits.</summary>
+    /// <summary>Opens the verification of a measured piece.</summary>
     public void LookAtPiece(long counterpart) => _lookAtPiece?.Invoke(counterpart);
 
     /// <inheritdoc/>
@@ -92,7 +90,7 @@ public sealed class OverviewViewModel : ScreenViewModel
         var name = $"{slot.Machine.Name}/{slot.Slot.Name}";
         var trouble = Troubles(status).FirstOrDefault(t => t.Concerns(slot.Machine.Name, slot.Slot.Name));
 
-        // What nobody has approved yet goes nowhere: it stands in no line.
+        // A correction without approval is not queued.
         var proposed = status.Proposed.Count(c => c.Machine == slot.Machine.Name && c.Slot == slot.Slot.Name);
         var inLine = Math.Max(0, slot.Waiting - proposed);
         var waiting = (inLine == 0 ? texts["Overview.NoneWaiting"] : texts.With("Overview.InLine", Shown.Count(inLine))) + (proposed == 0 ? "" : texts.With("Overview.ToApprove", Shown.Count(proposed)));
@@ -130,7 +128,7 @@ public sealed class OverviewViewModel : ScreenViewModel
         severity == Severity.Alarm && correction.Code is { } code ? CodeText.Of(code, correction.Reason) : string.Join(" · ", new[] { Texts.Current["Waiting." + correction.State], CorrectionLabel.Target(correction) }.OfType<string>()),
         severity);
 
-    // What is approved is listed until it is sent: nobody is to wait for it without knowing why.
+    // Approved corrections are listed until they are sent, so that a delay is explained.
     private WaitingTile Tile(CellStatus status, Correction approved)
     {
         var wait = WaitReason.Of(status, approved.Id);

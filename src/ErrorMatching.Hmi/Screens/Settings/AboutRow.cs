@@ -1,6 +1,6 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Something that the station is or stands on.</summary>
-/// <param name="What">What it is.</param>
+/// <summary>Information about the station or one of its components.</summary>
+/// <param name="What">Its name.</param>
 /// <param name="Value">Its version, place or license.</param>
 public sealed record AboutRow(string What, string Value);

@@ -4,17 +4,16 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>About: what the station is, where it keeps things, and what it is built from.</summary>
+/// <summary>About: what the station is, where it stores data, and its components.</summary>
 public sealed class AboutViewModel : ScreenViewModel
 {
     private const int CommitDigits = 10;
     private readonly ShellViewModel _shell;
 
-    /// <summary>The page.</summary>
     public AboutViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station) => _shell = shell;
 
-    /// <summary>Version and places.</summary>
+    /// <summary>Version and folders.</summary>
     public IReadOnlyList<AboutRow> Places =>
     [
         new(Texts.Current["About.Version"], "ErrorMatching " + Version),
@@ -26,7 +25,7 @@ public sealed class AboutViewModel : ScreenViewModel
         new(Texts.Current["About.Preferences"], _shell.Preferences.File ?? Shown.Nothing),
     ];
 
-    /// <summary>What it is built from, with licenses.</summary>
+    /// <summary>Its components with their licenses.</summary>
     public IReadOnlyList<AboutRow> Parts { get; } =
     [
         new("ErrorMatching", "MIT"),
@@ -37,13 +36,13 @@ public sealed class AboutViewModel : ScreenViewModel
     /// <inheritdoc/>
     protected override void Follow()
     {
-        // Nothing of it changes while it is looked at.
+        // Nothing here depends on the cell.
     }
 
     /// <inheritdoc/>
     protected override void Translate() => Say();
 
-    // Number of the release, and the first digits of the commit.
+    // Release number, and the first digits of the commit.
     private static string Version => typeof(AboutViewModel).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion.Split('+') switch
     {
         [var release, { Length: > CommitDigits } commit] => $"{release} ({commit[..CommitDigits]})",

@@ -2,9 +2,8 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where machines and gauges are tested.</summary>
+/// <summary>Test of machines and gauges.</summary>
 public sealed partial class ConnectionsView : UserControl
 {
-    /// <summary>The view.</summary>
     public ConnectionsView() => InitializeComponent();
 }

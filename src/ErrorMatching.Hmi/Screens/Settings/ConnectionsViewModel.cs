@@ -4,7 +4,8 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Machines and gauges: each is asked whether it answers, as <c>errormatch cell check</c> asks, and an administrator sets a machine's password.</summary>
+/// <summary>Machines and gauges: tests the connections, as <c>errormatch cell check</c> does. An administrator can set a
+/// machine's password.</summary>
 public sealed class ConnectionsViewModel : ScreenViewModel
 {
     private readonly ShellViewModel _shell;
@@ -13,7 +14,7 @@ public sealed class ConnectionsViewModel : ScreenViewModel
     private string _password = "";
     private double _progress;
 
-    /// <summary>The page, with nothing tested yet.</summary>
+    /// <summary>The page, before any test.</summary>
     public ConnectionsViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
@@ -23,20 +24,20 @@ public sealed class ConnectionsViewModel : ScreenViewModel
         Show();
     }
 
-    /// <summary>What has to answer.</summary>
+    /// <summary>The connections.</summary>
     public RowList<ConnectionRow> Rows { get; } = [];
 
-    /// <summary>Asks all of it.</summary>
+    /// <summary>Tests all connections.</summary>
     public LongCommand Test { get; }
 
-    /// <summary>What part of all is asked, up to 1.</summary>
+    /// <summary>The tested share, up to 1.</summary>
     public double Progress
     {
         get => _progress;
         private set => Set(ref _progress, value);
     }
 
-    /// <summary>The one that is looked at; null if none is.</summary>
+    /// <summary>The selected connection; null if there is none.</summary>
     public ConnectionRow? Chosen
     {
         get => _chosen;
@@ -52,10 +53,10 @@ public sealed class ConnectionsViewModel : ScreenViewModel
         }
     }
 
-    /// <summary>True if it is a machine with a password, and who sits here may set it.</summary>
+    /// <summary>True if it is a machine with a password, and the current user may set it.</summary>
     public bool TakesPassword => Machine is { NeedsPassword: true } && _shell.Who is { } who && Rights.Allows(who.Role, Act.ManageMachines);
 
-    /// <summary>Whose password it is.</summary>
+    /// <summary>Names the machine whose password it is.</summary>
     public string PasswordLabel => Texts.Current.With("Connection.Password", Chosen?.Name ?? "");
 
     /// <summary>The machine's new password.</summary>
@@ -79,7 +80,7 @@ public sealed class ConnectionsViewModel : ScreenViewModel
     /// <inheritdoc/>
     protected override void Follow()
     {
-        // What was found stays as it was found, until somebody tests again.
+        // Results stay until the next test.
     }
 
     /// <inheritdoc/>
@@ -110,7 +111,7 @@ public sealed class ConnectionsViewModel : ScreenViewModel
         var progress = new Progress<double>(p => Progress = Math.Max(Progress, p));
         CellCheck? check = null;
 
-        // A share that hangs cannot be interrupted: whoever cancels does not wait for it.
+        // A hanging share cannot be interrupted: canceling does not wait for it.
         try
         {
             check = await Task.Run(() => CellCheck.OfAsync(Station.Settings, progress, cancellation), cancellation).WaitAsync(cancellation);

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>What the station is built from, and under which terms: packages by the terms that they state themselves.</summary>
+/// <summary>The components of the station and their licenses, as stated by the packages themselves.</summary>
 internal static class Licenses
 {
     /// <summary>Packages, each with its license (SPDX).</summary>
@@ -23,7 +23,7 @@ internal static class Licenses
         ("System.CommandLine", "MIT"),
     ];
 
-    /// <summary>Libraries of the system that draw on Linux; they are not part of the station.</summary>
+    /// <summary>System libraries for drawing on Linux; they are not part of the station.</summary>
     public static IReadOnlyList<(string Package, string License)> OfLinux { get; } =
     [
         ("cairo", "LGPL-2.1 OR MPL-1.1"), ("fontconfig", "MIT (HPND)"), ("FreeType", "FTL OR GPL-2.0"), ("HarfBuzz", "MIT (Old)"), ("libX11", "MIT"),

@@ -1,19 +1,16 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>One way that the station can look. It stays the same in another language, so that what is chosen stays chosen.</summary>
-/// <param name="key">What is chosen.</param>
-/// <param name="name">Gives its name in the language of the screen.</param>
+/// <summary>An option for the appearance. The object stays the same in another language, so that it stays selected.</summary>
+/// <param name="key">Its key.</param>
+/// <param name="name">Returns its name in the display language.</param>
 public sealed class LookChoice(string key, Func<string> name) : Observable
 {
-    /// <summary>What is chosen.</summary>
     public string Key { get; } = key;
 
-    /// <summary>Its name.</summary>
     public string Name => name();
 
-    /// <summary>Identifies it.</summary>
     public string AutomationId => "look-" + Key;
 
-    /// <summary>Says that the language is another one.</summary>
+    /// <summary>Updates the name after a change of language.</summary>
     internal void Rename() => Say(nameof(Name));
 }

@@ -2,9 +2,8 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where language, theme and sizes are chosen.</summary>
+/// <summary>Choice of language, theme and sizes.</summary>
 public sealed partial class LookView : UserControl
 {
-    /// <summary>The view.</summary>
     public LookView() => InitializeComponent();
 }

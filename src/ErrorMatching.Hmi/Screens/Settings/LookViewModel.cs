@@ -1,11 +1,10 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>How the station looks to who sits there: language, theme, size of what is touched. It is kept with the name.</summary>
+/// <summary>The station's appearance for the current user: language, theme, height of touch targets. It is stored by user name.</summary>
 public sealed class LookViewModel : ScreenViewModel
 {
     private readonly ShellViewModel _shell;
 
-    /// <summary>The page.</summary>
     public LookViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
@@ -16,13 +15,11 @@ public sealed class LookViewModel : ScreenViewModel
     /// <summary>The languages, each in its own words.</summary>
     public IReadOnlyList<LookChoice> Languages { get; } = [.. Enum.GetValues<Language>().Select(l => new LookChoice(l.ToString(), () => Texts.Of(l)["Language.Name"]))];
 
-    /// <summary>Light and dark.</summary>
     public IReadOnlyList<LookChoice> Themes { get; } = [new("light", () => Texts.Current["Look.Light"]), new("dark", () => Texts.Current["Look.Dark"])];
 
-    /// <summary>The sizes of what is touched.</summary>
+    /// <summary>The heights of touch targets.</summary>
     public IReadOnlyList<LookChoice> Sizes { get; } = [.. Enum.GetValues<TouchSize>().Select(s => new LookChoice(s.ToString(), () => Texts.Current.Word(s)))];
 
-    /// <summary>The language.</summary>
     public LookChoice? Language
     {
         get => Languages.First(l => l.Key == Texts.Current.Language.ToString());
@@ -35,7 +32,6 @@ public sealed class LookViewModel : ScreenViewModel
         }
     }
 
-    /// <summary>The theme.</summary>
     public LookChoice? Theme
     {
         get => Themes[_shell.IsDark ? 1 : 0];
@@ -48,7 +44,6 @@ public sealed class LookViewModel : ScreenViewModel
         }
     }
 
-    /// <summary>The size.</summary>
     public LookChoice? Size
     {
         get => Sizes[(int)_shell.TouchSize];
@@ -61,7 +56,7 @@ public sealed class LookViewModel : ScreenViewModel
         }
     }
 
-    /// <summary>Where it is kept, in words.</summary>
+    /// <summary>Where it is stored, in words.</summary>
     public string Kept => _shell.Preferences.File is { } file ? Texts.Current.With("Look.Kept", _shell.UserName, file) : Texts.Current["Look.NotKept"];
 
     /// <inheritdoc/>
@@ -74,7 +69,7 @@ public sealed class LookViewModel : ScreenViewModel
     /// <inheritdoc/>
     protected override void Follow()
     {
-        // Nothing of it is the cell's.
+        // Nothing here depends on the cell.
     }
 
     /// <inheritdoc/>

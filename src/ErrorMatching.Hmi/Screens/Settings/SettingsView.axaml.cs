@@ -2,9 +2,8 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where the station is set up.</summary>
+/// <summary>The station's settings.</summary>
 public sealed partial class SettingsView : UserControl
 {
-    /// <summary>The view.</summary>
     public SettingsView() => InitializeComponent();
 }

@@ -1,11 +1,10 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Settings: who may do what, whether machines and gauges answer, how the station looks to who sits there, and what it is.</summary>
+/// <summary>Settings: users, connections, appearance, and information about the station.</summary>
 public sealed class SettingsViewModel : ScreenViewModel
 {
     private readonly ScreenViewModel[] _pages;
 
-    /// <summary>The screen, with its pages.</summary>
     public SettingsViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
@@ -13,16 +12,16 @@ public sealed class SettingsViewModel : ScreenViewModel
         _pages = [Users, Connections, Look, About];
     }
 
-    /// <summary>Who may sign in, and what for.</summary>
+    /// <summary>Users and their roles.</summary>
     public UsersViewModel Users { get; }
 
-    /// <summary>Whether machines and gauges answer.</summary>
+    /// <summary>Tests of machines and gauges.</summary>
     public ConnectionsViewModel Connections { get; }
 
-    /// <summary>How the station looks.</summary>
+    /// <summary>The station's appearance.</summary>
     public LookViewModel Look { get; }
 
-    /// <summary>What the station is.</summary>
+    /// <summary>Information about the station.</summary>
     public AboutViewModel About { get; }
 
     /// <inheritdoc/>
@@ -39,6 +38,6 @@ public sealed class SettingsViewModel : ScreenViewModel
     /// <inheritdoc/>
     protected override void Follow()
     {
-        // The pages follow by themselves.
+        // The pages follow the cell themselves.
     }
 }

@@ -2,9 +2,8 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where users are managed.</summary>
+/// <summary>User management.</summary>
 public sealed partial class UsersView : UserControl
 {
-    /// <summary>The view.</summary>
     public UsersView() => InitializeComponent();
 }

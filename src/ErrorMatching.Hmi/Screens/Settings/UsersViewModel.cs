@@ -2,7 +2,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Users: an administrator adds them, gives roles and passwords, disables them; everybody else sees them and changes the own password. Each change is signed.</summary>
+/// <summary>Users: an administrator adds and disables them and sets roles and passwords. All others can view them and change
+/// their own password. Each change is signed.</summary>
 public sealed class UsersViewModel : ScreenViewModel
 {
     private readonly ShellViewModel _shell;
@@ -12,7 +13,6 @@ public sealed class UsersViewModel : ScreenViewModel
     private string _password = "";
     private string _again = "";
 
-    /// <summary>The page.</summary>
     public UsersViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
@@ -27,19 +27,18 @@ public sealed class UsersViewModel : ScreenViewModel
         Loading = LoadAsync(shell.UserName).Watched();
     }
 
-    /// <summary>The users.</summary>
     public RowList<UserRow> Rows { get; } = [];
 
-    /// <summary>The roles, with the lowest first.</summary>
+    /// <summary>The roles, lowest first.</summary>
     public IReadOnlyList<RoleChoice> Roles { get; } = [.. Enum.GetValues<Role>().Select(r => new RoleChoice(r))];
 
-    /// <summary>True if who sits here may change users.</summary>
+    /// <summary>True if the current user may change users.</summary>
     public bool IsManaging => _shell.Who is { } who && Rights.Allows(who.Role, Act.ManageUsers);
 
-    /// <summary>True while a new user is described.</summary>
+    /// <summary>True while a new user is being entered.</summary>
     public bool IsNew => Chosen is null;
 
-    /// <summary>The user that is looked at; null for a new one.</summary>
+    /// <summary>The selected user; null for a new one.</summary>
     public UserRow? Chosen
     {
         get => _chosen;
@@ -55,19 +54,18 @@ public sealed class UsersViewModel : ScreenViewModel
         }
     }
 
-    /// <summary>What the right side is about.</summary>
+    /// <summary>Title of the right side.</summary>
     public string Title => Chosen?.Name ?? Texts.Current[IsManaging ? "Users.New" : "Users.Choose"];
 
-    /// <summary>True where the fields of a password are shown.</summary>
+    /// <summary>True if the password fields are shown.</summary>
     public bool TakesPassword => IsNew ? IsManaging : IsManaging || Chosen!.Name == _shell.UserName;
 
-    /// <summary>True where a user's role and standing are shown to be changed.</summary>
+    /// <summary>True if a user's role and status can be changed.</summary>
     public bool IsChanging => IsManaging && !IsNew;
 
-    /// <summary>True where a user is added.</summary>
+    /// <summary>True if a user is being added.</summary>
     public bool IsAdding => IsManaging && IsNew;
 
-    /// <summary>True if the user is disabled.</summary>
     public bool IsDisabled => Chosen is { IsDisabled: true };
 
     /// <summary>The name of a new user.</summary>
@@ -77,13 +75,13 @@ public sealed class UsersViewModel : ScreenViewModel
         set => Put(ref _name, value ?? "", nameof(Name));
     }
 
-    /// <summary>The role that is given.</summary>
+    /// <summary>The selected role.</summary>
     public RoleChoice Role
     {
         get => _role;
         set
         {
-            // A list that leaves the screen has nothing chosen any more.
+            // A list that leaves the screen loses its selection.
             if (value is not null)
             {
                 Put(ref _role, value, nameof(Role));
@@ -98,35 +96,33 @@ public sealed class UsersViewModel : ScreenViewModel
         set => Put(ref _password, value ?? "", nameof(Password));
     }
 
-    /// <summary>The same once more.</summary>
+    /// <summary>The password, repeated.</summary>
     public string Again
     {
         get => _again;
         set => Put(ref _again, value ?? "", nameof(Again));
     }
 
-    /// <summary>What is wrong with the two passwords; null if nothing is.</summary>
+    /// <summary>What is wrong with the two passwords; null if nothing.</summary>
     public string? PasswordProblem => Again.Length > 0 && Again != Password ? Texts.Current["Users.Differ"] : null;
 
-    /// <summary>Describes a new user.</summary>
+    /// <summary>Starts entering a new user.</summary>
     public Command New { get; }
 
-    /// <summary>Adds the new user.</summary>
     public Command Add { get; }
 
-    /// <summary>Gives the role.</summary>
+    /// <summary>Assigns the role.</summary>
     public Command SetRole { get; }
 
-    /// <summary>Sets the password.</summary>
     public Command SetPassword { get; }
 
-    /// <summary>Keeps the user from signing in.</summary>
+    /// <summary>Disables the user, who then cannot sign in.</summary>
     public Command Disable { get; }
 
-    /// <summary>Lets the user sign in again.</summary>
+    /// <summary>Enables the user again.</summary>
     public Command Enable { get; }
 
-    /// <summary>Done when the users are listed.</summary>
+    /// <summary>Completes when the users are listed.</summary>
     internal Task Loading { get; private set; }
 
     private bool HasPassword => Password.Length > 0 && Password == Again;
@@ -134,7 +130,7 @@ public sealed class UsersViewModel : ScreenViewModel
     /// <inheritdoc/>
     protected override void Follow()
     {
-        // Users change only by what is done here; what somebody else does at a console is seen with the next visit.
+        // Users change only through this page. Changes made at a console appear when the page is opened again.
     }
 
     /// <inheritdoc/>
@@ -149,7 +145,7 @@ public sealed class UsersViewModel : ScreenViewModel
         Say();
     }
 
-    // The signature is good for one act, and the book of users is who demands it.
+    // A signature is valid for one act only, and the user book demands it.
     private Command Change(string title, Func<string> name, Func<bool> can, Func<SignedIn, string, Func<string, Role, User>> change) => new(
         () =>
         {

@@ -3,10 +3,10 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>One piece and those before it, in the words, figures and drawings of the screen.</summary>
+/// <summary>One piece and the ones before it, formatted for display.</summary>
 public sealed class PieceDetail : Observable
 {
-    // So many points tell where to look; all of them are on the sides of errors and points.
+    // Enough points to show where to look; the error and point tabs list all of them.
     private const int MostMissed = 6;
 
     private readonly KeptPiece _piece;
@@ -14,9 +14,9 @@ public sealed class PieceDetail : Observable
     private bool _isCut;
     private readonly IReadOnlyDictionary<string, string> _features;
 
-    /// <summary>Puts it into words.</summary>
+    /// <summary>Formats the details.</summary>
     /// <param name="piece">The piece.</param>
-    /// <param name="series">The last pieces of its job, the first to arrive first.</param>
+    /// <param name="series">The last pieces of its job, in order of arrival.</param>
     public PieceDetail(KeptPiece piece, IReadOnlyList<KeptPiece> series)
     {
         _piece = piece ?? throw new ArgumentNullException(nameof(piece));
@@ -31,18 +31,17 @@ public sealed class PieceDetail : Observable
     /// <summary>Number and serial number or file.</summary>
     public string Title => CorrectionLabel.Of(_piece.Correction);
 
-    /// <summary>What people call the workpiece.</summary>
+    /// <summary>The workpiece's name.</summary>
     public string Job => _piece.JobName;
 
-    /// <summary>Measured or predicted.</summary>
     public string Kind => KindOf(_piece);
 
-    /// <summary>Whose figures these are, in a sentence.</summary>
+    /// <summary>The origin of the results, in a sentence.</summary>
     public string Origin => Sentence.Joined(
         _piece.Counterpart is { } counterpart ? Texts.Current.With("Verify.Measured", CorrectionLabel.Of(counterpart)) : Texts.Current["Verify.Predicted"],
         _piece.Before is { } before ? Texts.Current.With(_piece.IsMeasured ? "Verify.BeforeMeasured" : "Verify.BeforeOwn", before.Name) : Texts.Current["Verify.BeforeDesigned"]);
 
-    /// <summary>By how much it is better, in a sentence with the figures.</summary>
+    /// <summary>The improvement, in a sentence with numbers.</summary>
     public string Summary
     {
         get
@@ -57,28 +56,28 @@ public sealed class PieceDetail : Observable
     /// <summary>True if the piece is worse than without compensation.</summary>
     public bool IsWorse => _piece.Result.RmsImprovementPercent < 0;
 
-    /// <summary>Whether everything is within its limits, and where not.</summary>
+    /// <summary>Whether all errors are within their limits, and which are not.</summary>
     public string Verdict => VerdictOf(_piece);
 
-    /// <summary>How many warnings its correction has; null if none, or the correction is not known.</summary>
+    /// <summary>Number of warnings of its correction; null if there are none, or if the correction is unknown.</summary>
     public string? Warnings => _piece.Match is { Warnings: { Count: > 0 } warnings } ? Texts.Current.With("Head.Warnings", warnings.Count) : null;
 
-    /// <summary>Goes to those warnings.</summary>
+    /// <summary>Opens those warnings.</summary>
     public Command? ReadWarnings { get; init; }
 
-    /// <summary>Where the prediction was missed by more than measuring explains, which is twice the standard uncertainty; null where there is nothing to compare.</summary>
+    /// <summary>Points where the prediction was off by more than measuring explains (twice the standard uncertainty); null if
+    /// nothing can be compared.</summary>
     public string? Missed => _piece.Misses is not { Count: > 0 } all ? null
         : Significant is { Count: > 0 } missed && missed.MaxBy(m => Math.Abs(m.Mm)) is var worst
             ? Texts.Current.With("Verdict.Missed", missed.Count, Listed(missed.Take(MostMissed).Select(m => m.Point)) + (missed.Count > MostMissed ? " …" : ""), Shown.Mm(Math.Abs(worst.Mm)), worst.Point)
             : Texts.Current.With("Verdict.Met", Shown.Mm(all.Max(m => Math.Abs(m.Mm))));
 
-    /// <summary>True where the prediction was missed.</summary>
+    /// <summary>True if the prediction was off at some point.</summary>
     public bool IsMissed => Significant.Count > 0;
 
-    /// <summary>A prediction that was missed asks for attention.</summary>
     public Severity MissedSeverity => IsMissed ? Severity.Attention : Severity.Quiet;
 
-    /// <summary>What a person should do now, in a sentence.</summary>
+    /// <summary>What the user should do now, in a sentence.</summary>
     public string ToDo
     {
         get
@@ -97,45 +96,43 @@ public sealed class PieceDetail : Observable
         }
     }
 
-    /// <summary>An error outside of its limits asks for attention.</summary>
     public Severity Severity => SeverityOf(_piece);
 
-    /// <summary>True if all is within its limits.</summary>
+    /// <summary>True if all errors are within their limits.</summary>
     public bool IsWithin => _piece.IsWithin;
 
-    /// <summary>The error at each key point against its limits.</summary>
+    /// <summary>The error at each key point with its limits.</summary>
     public SeriesDrawing Errors { get; }
 
     /// <summary>The largest error and the root mean square, piece by piece.</summary>
     public SeriesDrawing Trend { get; }
 
-    /// <summary>How to read it, and that pieces are told from different counterparts, where they are.</summary>
+    /// <summary>How to read the trend. Also says if the pieces are based on different counterparts.</summary>
     public string TrendCaption => Sentence.Joined(Texts.Current["Verify.TrendCaption"], Trend.IsHollow.Any(h => h) ? Texts.Current["Verify.TrendHollow"] : "", Trend.Lines.Any(l => l.Beginnings.Count > 0) ? Texts.Current["Verify.TrendBreaks"] : "");
 
     /// <summary>The assembly without compensation.</summary>
     public GapDrawing Before { get; }
 
-    /// <summary>The assembly with it.</summary>
+    /// <summary>The assembly with compensation.</summary>
     public GapDrawing After { get; }
 
     /// <summary>The largest gap or overlap without compensation.</summary>
     public string BeforeCaption => Texts.Current.With("Verify.AssemblyBefore", Shown.Mm(Before.LargestMm));
 
-    /// <summary>The largest gap or overlap with it.</summary>
+    /// <summary>The largest gap or overlap with compensation.</summary>
     public string AfterCaption => Texts.Current.With(_piece.IsMeasured ? "Verify.AssemblyAfter" : "Verify.AssemblyPredicted", Shown.Mm(After.LargestMm));
 
-    /// <summary>How much deviations are exaggerated, and whether the drawing is turned.</summary>
+    /// <summary>Note on the exaggeration, and on whether the drawing is turned.</summary>
     public string Exaggeration => Before.Note;
 
     /// <summary>The features' quantities.</summary>
     public IReadOnlyList<ImprovementRow> Features { get; }
 
-    /// <summary>The key points.</summary>
     public IReadOnlyList<MatingErrorRow> Points { get; }
 
-    /// <summary>Says what comes next while it is a prediction, which changes while everything else stays.</summary>
-    /// <param name="correction">Its correction as it is now.</param>
-    /// <param name="next">By <see cref="NextStep"/>; null where nothing is to be said.</param>
+    /// <summary>Updates the next step of a prediction, which changes while all else stays the same.</summary>
+    /// <param name="correction">The current correction.</param>
+    /// <param name="next">The text of <see cref="NextStep"/>; null if there is none.</param>
     internal void Follow(Correction correction, string? next)
     {
         (_isCut, _next) = (correction.State == CorrectionState.Released, next);
@@ -145,15 +142,14 @@ public sealed class PieceDetail : Observable
     /// <summary>Measured or predicted, in a word.</summary>
     internal static string KindOf(KeptPiece piece) => Texts.Current[piece.IsMeasured ? "Verify.KindMeasured" : "Verify.KindPredicted"];
 
-    /// <summary>Whether everything of a piece is within its limits, and where not.</summary>
+    /// <summary>Whether all errors of a piece are within their limits, and which are not.</summary>
     internal static string VerdictOf(KeptPiece piece) => piece.Outside is not { Count: > 0 } outside ? Texts.Current["Verify.AllWithin"] : Sentence.Joined(
         Texts.Current.Counted("Verify.Outside", outside.Count, outside.Count, Listed(outside)),
         piece.PushedOut is { Count: > 0 } worse ? Texts.Current.With("Verify.PushedOut", Listed(worse)) : "");
 
-    /// <summary>How much a piece asks for attention.</summary>
     internal static Severity SeverityOf(KeptPiece piece) => piece.IsWithin ? Severity.Quiet : Severity.Attention;
 
-    // No program meets its deviation, and other limits or another point may: the correction warned of it.
+    // No program can meet its deviation, but other limits or another point may help: the correction warned of it.
     private bool IsOnCorner(string point) => _piece.Match?.Warnings.Any(w => w.Code == WarningForms.PointOnCorner.Name && w.Values is [var corner, ..] && corner == point) == true;
 
     private IReadOnlyList<PredictionMiss> Significant => [.. _piece.Misses.Where(m => m.IsSignificant)];
@@ -194,7 +190,7 @@ public sealed class PieceDetail : Observable
     {
         var texts = Texts.Current;
 
-        // Errors that are told from different counterparts say nothing of each other.
+        // Errors based on different counterparts cannot be compared.
         var breaks = Enumerable.Range(0, series.Count).Where(i => i > 0 && series[i].Before != series[i - 1].Before).ToHashSet();
         return new(
             [.. series.Select(p => p.Correction.Serial ?? "#" + Shown.Id(p.Correction.Id))],
@@ -210,10 +206,10 @@ public sealed class PieceDetail : Observable
             IsMagnitude: true);
     }
 
-    // Angles have as many decimals as lengths, so that they stand under each other.
+    // Angles have as many decimals as lengths, so that they align.
     private ImprovementRow Row(VerifiedFeature f)
     {
-        // By what is shown: a difference that rounds to nothing is none.
+        // Compares the displayed values: a difference that rounds to zero counts as none.
         var isWorse = f.ImprovementPercent is { } percent && Math.Round(percent) < 0;
         var improvement = isWorse ? Texts.Current.With("Verify.WorseBy", Shown.Percent(-f.ImprovementPercent)) : Shown.Percent(f.ImprovementPercent);
         var (quantity, unit) = (Texts.Current.Word(f.Quantity), f.Quantity == VerifiedQuantity.Angle ? "°" : "mm");
@@ -222,14 +218,14 @@ public sealed class PieceDetail : Observable
             return new(f.Name, quantity, Shown.Mm(f.Wanted), Shown.Mm(f.Before), Shown.Mm(f.After), improvement, unit, isWorse);
         }
 
-        // Which points a feature has is known; a comparison has its own.
+        // The points of a feature are known; a comparison lists its own.
         var isComparison = f.Points.Count > 0 && _piece.Boundaries.All(b => b.Name != f.Name);
         return new(
             f.Name, isComparison ? Texts.Current.With("Verify.OfPoints", quantity, LabelList.Short(f.Points)) : quantity, Shown.Nothing,
             Deviation(f, f.Before, p => p.BeforeError), Deviation(f, f.After, p => p.AfterError), improvement, unit, isWorse);
     }
 
-    // With its sign, where the report says whose it is.
+    // With its sign, if the report names the point.
     private string Deviation(VerifiedFeature f, double largestMm, Func<VerifiedPoint, MatingError> error) => f.Points.Count == 0 ? Shown.Mm(largestMm) : Shown.SignedMm(
         _piece.Result.Points.Where(p => f.Points.Contains(p.Label)).Select(p => f.Quantity == VerifiedQuantity.DeviationX ? error(p).Vector.X : error(p).NormalMm).MaxBy(Math.Abs));
 

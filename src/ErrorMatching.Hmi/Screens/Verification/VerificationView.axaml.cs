@@ -2,9 +2,8 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Whether the compensation did what it promised.</summary>
+/// <summary>Whether the compensation worked as predicted.</summary>
 public sealed partial class VerificationView : UserControl
 {
-    /// <summary>The view.</summary>
     public VerificationView() => InitializeComponent();
 }

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Verification: whether the compensation did what it promised, point by point, as an assembly, feature by feature, and from piece to piece.</summary>
+/// <summary>Verification: whether the compensation worked as predicted, by point, assembly and feature, and from piece to piece.</summary>
 public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
 {
     private readonly KeptPieces _kept = new();
@@ -14,7 +14,6 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     private string _shown = "";
     private int _load;
 
-    /// <summary>The screen.</summary>
     public VerificationViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
@@ -25,13 +24,13 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         Refresh();
     }
 
-    /// <summary>The matings of the cell.</summary>
+    /// <summary>The cell's matings.</summary>
     public IReadOnlyList<MatingChoice> Matings { get; }
 
-    /// <summary>True if there is more than one to choose from.</summary>
+    /// <summary>True if there is a choice.</summary>
     public bool HasMatings => Matings.Count > 1;
 
-    /// <summary>The mating whose pieces are looked at.</summary>
+    /// <summary>The selected mating.</summary>
     public MatingChoice? Mating
     {
         get => _mating;
@@ -46,13 +45,14 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         }
     }
 
-    /// <summary>The last pieces, the newest first.</summary>
+    /// <summary>The last pieces, newest first.</summary>
     public RowList<PieceRow> Rows { get; } = [];
 
-    /// <summary>True once it is known that there is none.</summary>
+    /// <summary>True once the list is known to be empty.</summary>
     public bool IsEmpty { get; private set; }
 
-    /// <summary>The piece that is looked at. Until a person chooses one, here or among the corrections, it is the one whose counterpart was measured last, or while there is none the one that arrived last.</summary>
+    /// <summary>The selected piece. Until the user selects one, here or among the corrections, it is the one whose counterpart
+    /// was measured last; without any, the one that arrived last.</summary>
     public PieceRow? Chosen
     {
         get => _chosen;
@@ -66,14 +66,14 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         }
     }
 
-    /// <summary>What is known of it; null while there is none.</summary>
+    /// <summary>Its details; null if there is none.</summary>
     public PieceDetail? Detail
     {
         get => _detail;
         private set => Set(ref _detail, value);
     }
 
-    /// <summary>Done when what is there is shown.</summary>
+    /// <summary>Completes when the content is shown.</summary>
     internal Task Loading { get; private set; } = Task.CompletedTask;
 
     /// <inheritdoc/>
@@ -89,7 +89,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     /// <inheritdoc/>
     protected override void Translate()
     {
-        // What is shown is made anew, in other words.
+        // Rebuild the view in the other language.
         var isKnown = _shown.Length > 0;
         _shown = "";
         Show(_pieces, isKnown);
@@ -103,7 +103,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         var (mating, sought) = (_mating, _sought);
         var isRead = await TryAsync(() =>
         {
-            // What was looked at on another screen may be of another mating.
+            // The piece selected on another screen may belong to another mating.
             mating = sought is { } id && Station.Store.Find(id)?.Job is { } job ? Matings.FirstOrDefault(m => m.Jobs.Contains(job, StringComparer.Ordinal)) ?? mating : mating;
             pieces = _kept.Read(Station.Store, mating?.Jobs ?? [], KeptPieces.Most);
         });
@@ -120,7 +120,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         }
         else if (_shown.Length == 0 || _pieces.Count == 0)
         {
-            // The pieces of another mating are none of this one's, and that there is none of this one is not known any more.
+            // The old pieces belong to the other mating, and whether this one has any is not known yet.
             Show([], isKnown: false);
         }
     }
@@ -136,7 +136,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         _chosen = piece is null ? null : Rows.First(r => r.Id == piece.Correction.Id);
         Say(nameof(Chosen));
 
-        // The same pieces make the same drawings, and what a person looks at closely stays.
+        // The same pieces give the same drawings; keep them, so that a zoomed view stays.
         var shown = !isKnown ? "" : $"{piece?.Correction.Id} of {string.Join(',', pieces.Select(p => p.LastId))}";
         if (shown != _shown || !isKnown)
         {
@@ -149,7 +149,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
             detail.Follow(piece.Correction, NextStep.Of(Station.Settings, Station.State.Status, piece.Correction));
         }
 
-        // Not where the screen is only made ready beside another one.
+        // Not if the screen is only being rehearsed.
         if (piece is { IsMeasured: true } && _shell.Current == this)
         {
             Station.See(piece);
