@@ -61,7 +61,7 @@ public sealed class VerificationTests
         Assert.True(missed.Length > 6);
         Assert.DoesNotContain("Hollow", detail.TrendCaption, StringComparison.Ordinal);
         Assert.Equal(
-            $"Prediction missed by more than twice the gauge's standard uncertainty: {missed.Length} ({string.Join(", ", missed.Take(6).Select(p => p.Label))} …); most by {Shown.Mm(worst.Mm)}\u00a0mm at {worst.Label}.", seat.TextOf("piece-missed"));
+            $"Prediction missed by more than twice the gauge's standard uncertainty: {missed.Length} ({string.Join(", ", missed.Take(6).Select(p => p.Label))} …); largest miss {Shown.Mm(worst.Mm)}\u00a0mm at {worst.Label}.", seat.TextOf("piece-missed"));
         var outside = detail.Points.Where(p => p.IsOutside).Select(p => p.Point).Intersect(missed.Select(p => p.Label));
         Assert.Equal($"Someone must decide whether to use this piece; the station does not. Before the next one, find out why {string.Join(", ", outside)} did not match the prediction: clamping, worn tool, chip under the probe.", seat.TextOf("piece-to-do"));
     });

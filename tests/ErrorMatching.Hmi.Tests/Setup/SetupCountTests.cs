@@ -102,7 +102,7 @@ public sealed class SetupCountTests
         Assert.Equal(["To fill in: 4", "To fill in: 2", "To fill in: 2", "To fill in: 1", "To fill in: 1"], seat.System.Heads.Select(h => h.Problem));
         seat.Seat.Type("edit-features[0].points[0]/x", "abc");
         seat.Settle();
-        Assert.Equal(("To correct: 1 · Still to fill: 9", "To correct: 1 · Still to fill: 3"), (seat.System.ProblemCount, seat.System.Heads[0].Problem));
+        Assert.Equal(("To correct: 1 · To fill in: 9", "To correct: 1 · To fill in: 3"), (seat.System.ProblemCount, seat.System.Heads[0].Problem));
         Assert.Contains("wrong", seat.Seat.See("edit-features[0].points[0]/x").Classes);
         Assert.Contains("alarm", seat.Seat.See("problem-features[0].points[0]/x").Classes);
     });
