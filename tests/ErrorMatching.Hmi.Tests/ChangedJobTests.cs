@@ -21,11 +21,11 @@ public sealed class ChangedJobTests
 
         Change(seat.Station.Settings);
         seat.WaitFor(() => seat.Find("detail-changed-job") is not null, "It is not said that the job was changed.");
-        Assert.StartsWith("Made with the job as it was before it was changed.", seat.TextOf("detail-changed-job"), StringComparison.Ordinal);
+        Assert.StartsWith("Made before the job was changed.", seat.TextOf("detail-changed-job"), StringComparison.Ordinal);
         Assert.Contains("made before the job was changed", Words(seat));
         seat.WaitFor(() => seat.Find("approve") is { IsEffectivelyEnabled: true }, "It cannot be approved any more.");
         seat.Tap("approve").See("signing-subject");
-        Assert.Contains(seat.See("signing-subject").FindAncestorOfType<Border>()!.GetVisualDescendants().OfType<TextBlock>(), t => t.Text?.Contains("Made with the job as it was before it was changed.", StringComparison.Ordinal) == true);
+        Assert.Contains(seat.See("signing-subject").FindAncestorOfType<Border>()!.GetVisualDescendants().OfType<TextBlock>(), t => t.Text?.Contains("Made before the job was changed.", StringComparison.Ordinal) == true);
         seat.Tap("signing-leave");
         seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", "compensation-changed-job-en.png"));
         Texts.Current.Language = Language.TraditionalChinese;

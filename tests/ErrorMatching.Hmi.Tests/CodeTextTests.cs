@@ -49,11 +49,11 @@ public sealed partial class CodeTextTests
     public Task What_nobody_has_words_for_is_quoted_and_a_part_of_the_cell_has_its_name_in_Chinese() => Drawing.Needed().RunAsync(() =>
     {
         Assert.Equal(Sentence, CodeText.Of("not-heard-of", Sentence));
-        Assert.Equal(("slot vmc1/A", "signs of life"), (CodeText.Where(CellTrouble.OfSlot("vmc1", "A")), CodeText.Where("signs of life")));
+        Assert.Equal(("slot vmc1/A", "heartbeat"), (CodeText.Where(CellTrouble.OfSlot("vmc1", "A")), CodeText.Where("signs of life")));
         Texts.Current.Language = Language.TraditionalChinese;
         try
         {
-            Assert.Equal("發生了本站沒有說明文字的問題。（原文：Something is so.）", CodeText.Of("not-heard-of", Sentence));
+            Assert.Equal("操作站沒有此問題的說明文字。（原文：Something is so.）", CodeText.Of("not-heard-of", Sentence));
             Assert.Equal("磁碟已滿。（原文：Something is so.）", CodeText.Of(CellCodes.Of(StoreError.Full), Sentence));
             Assert.Equal("機台不允許。", CodeText.Of(CellCodes.Of(TransportError.Denied), null));
             Assert.Equal(("程式槽 vmc1/A", "執行訊號"), (CodeText.Where(CellTrouble.OfSlot("vmc1", "A")), CodeText.Where("signs of life")));

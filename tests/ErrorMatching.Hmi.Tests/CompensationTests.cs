@@ -132,7 +132,7 @@ public sealed class CompensationTests
         seat.Type("signing-password", "not the password").Tap("signing-confirm");
         seat.WaitFor(() => seat.Find("signing-message") is not null, "A wrong password is not said.");
         seat.WaitFor(() => seat.Find("signing-password") is { IsFocused: true }, "Whoever types it again types into nothing.");
-        Assert.Equal("This is not the password of anna. Type it again.", seat.TextOf("signing-message"));
+        Assert.Equal("Wrong password for anna. Type it again.", seat.TextOf("signing-message"));
         Assert.Equal(CorrectionState.Proposed, seat.Station.Store.Find(1)!.State);
         seat.Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         var sent = seat.WaitFor(1, CorrectionState.Verified);
@@ -148,7 +148,7 @@ public sealed class CompensationTests
     {
         Arrive(seat, DemoCell.Operator);
         Assert.False(seat.See("approve").IsEffectivelyEnabled);
-        Assert.Equal("A setter has to approve this. You may reject it.", seat.TextOf("forbidden"));
+        Assert.Equal("A setter must approve this. You can reject it.", seat.TextOf("forbidden"));
     });
 
     [Fact]

@@ -52,7 +52,7 @@ public sealed partial class CompensationWordsTests
         // The same point, seen from the part and seen from the mating.
         Assert.Equal(("+0.1170", "−0.1170"), (detail.Decisions[0].Largest, detail.Points[0].Without));
         seat.Tap("tab-decisions").See("decisions-note");
-        Assert.Equal("Largest deviation: part − counterpart without compensation, the sign that limits have. +0.1359\u00a0mm here is a mating error of −0.1359\u00a0mm under Points.", seat.TextOf("decisions-note"));
+        Assert.Equal("Largest deviation: part − counterpart without compensation, with the sign of the limits. +0.1359\u00a0mm here is a mating error of −0.1359\u00a0mm under Points.", seat.TextOf("decisions-note"));
         Texts.Current.Language = Language.TraditionalChinese;
         seat.WaitFor(() => seat.TextOf("decisions-note") == "最大偏差：工件 − 未補償的對應件，與公差限的正負號一致。此處的 +0.1359\u00a0mm 即「關鍵點」頁的配合誤差 −0.1359\u00a0mm。", "It is said in English only.");
         Texts.Current.Language = Language.English;
@@ -62,7 +62,7 @@ public sealed partial class CompensationWordsTests
     public Task The_course_begins_with_what_was_last_and_counts_warnings_instead_of_saying_them_again() => Seat.AtAsync(seat =>
     {
         var detail = Arrive(seat);
-        Assert.Equal(["Waits for approval", "Computed", "Recognized", "Arrived"], detail.Steps.Select(s => s.State));
+        Assert.Equal(["Needs approval", "Calculated", "Recognized", "Arrived"], detail.Steps.Select(s => s.State));
         Assert.Equal("displaced by at most 0.2979\u00a0mm at block N150. Warnings: 2", detail.Steps[1].Basis);
         Assert.Contains("Point 2 lies on a rounded corner", seat.Station.Store.StepsOf(1).Single(s => s.To == CorrectionState.Computed).Basis, StringComparison.Ordinal);
     });
@@ -93,7 +93,7 @@ public sealed partial class CompensationWordsTests
         var detail = Arrive(seat);
         seat.Tap("tab-features").See("features-note");
         Assert.Equal(
-            "Ideal: as designed. Actual: as measured on the part. Corrected: as predicted on the counterpart, which is to come near the actual; what separates them is left over at the points, or lies along the boundary, where points are not moved.",
+            "Ideal: as designed. Actual: as measured on the part. Corrected: as predicted on the counterpart; it should come close to actual. The difference remains at the points, or is along the boundary, where points are not moved.",
             seat.TextOf("features-note"));
         var direction = detail.Quantities.Single(q => q.Feature == "L1" && q.Quantity == "direction");
         var turned = Angle.FromRadians(Math.Atan2(Value(detail.Points[0].LeftOver) - Value(detail.Points[1].LeftOver), Value(detail.Quantities.Single(q => q.Feature == "L1" && q.Quantity == "length").Corrected))).Degrees;

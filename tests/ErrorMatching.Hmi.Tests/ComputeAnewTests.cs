@@ -23,13 +23,13 @@ public sealed class ComputeAnewTests
         Change(seat, "-31.95", "-31.951");
         Assert.Contains("accent", seat.See("compute-anew").Classes);
         Assert.DoesNotContain("accent", seat.See("approve").Classes);
-        Assert.Equal("Made with the job as it was before it was changed. To use the job as it is now, compute this anew.", seat.TextOf("detail-changed-job"));
+        Assert.Equal("Made before the job was changed. To use the current job, recalculate this.", seat.TextOf("detail-changed-job"));
         BeClean(seat, "compensation-compute-anew");
         seat.Tap("compute-anew").WaitFor(() => seat.TextOf("detail-title") == "#3 · 0001" && seat.TextOf("detail-state") == Texts.Current.Word(CorrectionState.Proposed), "What came of it is not shown.");
         Assert.Null(seat.Find("signing-subject"));
         Assert.Null(seat.Find("compensation-undone"));
         Assert.Equal((CorrectionState.Superseded, "computed-anew"), seat.Station.Store.Find(1) is var old ? (old!.State, old.Code) : default);
-        Assert.Equal("Its job was changed after it was made: correction 3 computes the measurement anew, with the job as it is now.", CodeText.Of(old!.Code!, old.Reason));
+        Assert.Equal("Its job was changed after it was made: correction 3 recalculates the measurement with the current job.", CodeText.Of(old!.Code!, old.Reason));
         Assert.Contains((DemoCell.Operator, CorrectionState.Superseded), seat.Station.Store.StepsOf(1).Select(s => (s.By, s.To)));
 
         // In the place of the one before, chosen, and made with the job as it is.
@@ -124,8 +124,8 @@ public sealed class ComputeAnewTests
         seat.Save().WaitFor(() => seat.Find("setup-notice") is not null, "It is not saved.");
         seat.See("setup-compute-anew");
         Assert.Equal(before, Top());
-        Assert.Contains("Computed with the job as it was, and waiting: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
-        Assert.Equal("Compute these anew: 3", here.Shell.Editing.ComputeAnewText);
+        Assert.Contains("Waiting, calculated with the old job: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.Equal("Recalculate these: 3", here.Shell.Editing.ComputeAnewText);
         seat.See("setup-compute-anew");
         seat.Tap("setup-look").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0002", "The notice does not lead to the first that waits.");
 
@@ -148,9 +148,9 @@ public sealed class ComputeAnewTests
 
         // Somebody else decides about one of them meanwhile.
         decisions.Reject(3, DemoCell.Operator, "dirty");
-        seat.Tap("setup-compute-anew").WaitFor(() => seat.TextOf("setup-notice")!.StartsWith("Computed anew", StringComparison.Ordinal), "Nothing is said of it.");
+        seat.Tap("setup-compute-anew").WaitFor(() => seat.TextOf("setup-notice")!.StartsWith("Recalculated", StringComparison.Ordinal), "Nothing is said of it.");
         Assert.Equal(
-            "Computed anew: 2. #3 · 0003 was not computed anew: It is not in a state in which this can be done. Look at it again.",
+            "Recalculated: 2. #3 · 0003 was not recalculated: This cannot be done in its current state. Look at it again.",
             seat.TextOf("setup-notice"));
         Assert.Null(seat.Find("setup-compute-anew"));
         Assert.Equal(5, here.Shell.Editing.FirstWaiting);

@@ -20,7 +20,7 @@ public sealed class CorrectionHeadTests
         // Table 5 of Wang, Tu and Gunawan (2021): the part lies 0.117 mm further out at point 1, so a counterpart as designed leaves a gap there.
         Assert.Equal("−0.1170", detail.Points[0].Without);
         Assert.Equal(["2", "4"], detail.Points.Where(p => p.IsOutside).Select(p => p.Point));
-        Assert.Contains("above zero the pieces overlap, below a gap is left", seat.TextOf("points-note"), StringComparison.OrdinalIgnoreCase);
+        Assert.Contains("above zero the pieces overlap, below zero there is a gap", seat.TextOf("points-note"), StringComparison.OrdinalIgnoreCase);
         var marked = seat.See("points").GetVisualDescendants().OfType<ListBoxItem>().Where(i => i.GetVisualDescendants().OfType<Avalonia.Controls.Shapes.Path>().Any(p => p.IsEffectivelyVisible));
         Assert.Equal(["2", "4"], marked.Select(i => ((PointRow)i.Content!).Point));
 
@@ -36,10 +36,10 @@ public sealed class CorrectionHeadTests
         using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
         var (proof, points) = (report.RootElement.GetProperty("proof"), report.RootElement.GetProperty("keyPoints").EnumerateArray().ToArray());
         Assert.Equal(
-            $"Proved to {Shown.Mm(proof.GetProperty("maxDeviationFromWantedMm").GetDouble())}\u00a0mm: {proof.GetProperty("movedMotions")} of {proof.GetProperty("motions")} motions displaced as wanted, the rest unchanged.", seat.TextOf("detail-proof"));
+            $"Proved to {Shown.Mm(proof.GetProperty("maxDeviationFromWantedMm").GetDouble())}\u00a0mm: {proof.GetProperty("movedMotions")} of {proof.GetProperty("motions")} motions displaced as intended, the rest unchanged.", seat.TextOf("detail-proof"));
         var worst = points.MaxBy(p => Math.Abs(p.GetProperty("predictedMm").GetDouble()));
         Assert.Equal(
-            $"Left over, predicted: at most {Shown.Mm(Math.Abs(worst.GetProperty("predictedMm").GetDouble()))}\u00a0mm, at point {worst.GetProperty("point").GetString()}; driven out of limits: 2, 4", seat.TextOf("detail-left-over"));
+            $"Remaining, predicted: at most {Shown.Mm(Math.Abs(worst.GetProperty("predictedMm").GetDouble()))}\u00a0mm, at point {worst.GetProperty("point").GetString()}; driven out of limits: 2, 4", seat.TextOf("detail-left-over"));
 
         // The tip of the tooth moves most, where both flanks meet.
         Assert.Equal($"Largest displacement {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)}\u00a0mm at N150", seat.TextOf("detail-largest"));

@@ -24,14 +24,14 @@ public sealed class DecidingTests
         // What releases stands elsewhere and looks otherwise.
         Assert.False(approve.Intersects(Place(seat, "release")) || approve.Intersects(Place(seat, "revert")));
         Assert.DoesNotContain("accent", seat.See("release").Classes);
-        seat.WaitFor(() => seat.Find("forbidden") is not null && seat.TextOf("forbidden") == "The slot held no program before: there is none to restore.", "It is not said why nothing is restored.");
+        seat.WaitFor(() => seat.Find("forbidden") is not null && seat.TextOf("forbidden") == "The slot had no program before, so there is none to restore.", "It is not said why nothing is restored.");
 
         // Cut and released, it stays to be seen, with nothing left to tap.
         seat.Cell.FinishPiece();
         seat.WaitFor(() => seat.TextOf("detail-state") == "Cut and released", "The screen does not follow the release.");
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
         Assert.All(new[] { "approve", "reject", "release", "revert" }, id => Assert.Null(seat.Find(id)));
-        seat.WaitFor(() => seat.TextOf("forbidden") == "Nothing is left to decide about this piece. Choose another one at the left.", "It is not said that nothing is left.");
+        seat.WaitFor(() => seat.TextOf("forbidden") == "Nothing is left to decide for this piece. Choose another one on the left.", "It is not said that nothing is left.");
 
         // It is gone from the list, so whoever comes back begins at what waits.
         seat.Tap("nav-overview").See("waiting-2");
@@ -72,7 +72,7 @@ public sealed class DecidingTests
         seat.Clock.Stand();
         seat.Tap("reject").Type("signing-reason", "chip under the probe").Tap("signing-confirm");
         seat.WaitFor(() => seat.TextOf("detail-state") == "Rejected", "The screen does not follow.");
-        Assert.Equal("Nothing is left to decide about this piece. Choose another one at the left.", seat.TextOf("forbidden"));
+        Assert.Equal("Nothing is left to decide for this piece. Choose another one on the left.", seat.TextOf("forbidden"));
     });
 
     [Fact]

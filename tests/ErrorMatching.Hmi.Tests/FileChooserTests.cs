@@ -22,7 +22,7 @@ public sealed class FileChooserTests
         seat.See("entry-empty");
         Assert.NotNull(seat.Find("entry-programs"));
         Assert.Null(seat.Find("entry-notes.txt"));
-        Assert.Equal("Folders: 2, files: 0. Files of other kinds that are not shown: 1. Hidden: 1. Type the path to get to them.", seat.TextOf("chooser-summary"));
+        Assert.Equal("Folders: 2, files: 0. Other file types, not shown: 1. Hidden: 1. To open one, type its path.", seat.TextOf("chooser-summary"));
         seat.Tap("entry-programs").See("entry-b.NC");
         seat.Tap("entry-a.nc");
         Assert.Equal(Path.Combine(folder, "programs", "a.nc"), ((TextBox)seat.See("chooser-path")).Text);
@@ -45,7 +45,7 @@ public sealed class FileChooserTests
         _ = Open(seat, new(FileChoiceKind.Folder, "History.Folder", []) { Start = Path.Combine(folder, "programs") });
         seat.WaitFor(() => seat.Shell.Choosing!.Folder.Length > 0, "The folder does not appear.");
         Assert.True(seat.See("chooser-confirm").IsEffectivelyEnabled);
-        Assert.Contains("Files in it, which are not shown: 3.", seat.TextOf("chooser-summary"), StringComparison.Ordinal);
+        Assert.Contains("Files, not shown: 3.", seat.TextOf("chooser-summary"), StringComparison.Ordinal);
         return Task.CompletedTask;
     });
 
@@ -130,7 +130,7 @@ public sealed class FileChooserTests
         var chosen = Open(seat, new(FileChoiceKind.Open, "History.Program", [".nc"]) { Start = folder });
         seat.See("entry-programs");
         seat.Type("chooser-path", "programs/gone.nc").User.Press(Key.Enter);
-        Assert.Equal($"{Path.Combine(folder, "programs", "gone.nc")} is not there.", seat.TextOf("chooser-message"));
+        Assert.Equal($"{Path.Combine(folder, "programs", "gone.nc")} does not exist.", seat.TextOf("chooser-message"));
         seat.Type("chooser-path", "programs").User.Press(Key.Enter);
         seat.See("entry-a.nc");
         seat.Type("chooser-path", "../notes.txt").User.Press(Key.Enter);
@@ -156,7 +156,7 @@ public sealed class FileChooserTests
         seat.See("entry-empty");
         Directory.Delete(Path.Combine(folder, "empty"));
         seat.Tap("entry-empty");
-        Assert.Equal($"{Path.Combine(folder, "empty")} is not there.", seat.TextOf("chooser-message"));
+        Assert.Equal($"{Path.Combine(folder, "empty")} does not exist.", seat.TextOf("chooser-message"));
         Assert.Equal(folder, seat.Shell.Choosing!.Folder);
         Assert.NotNull(seat.Find("entry-programs"));
         return Task.CompletedTask;
@@ -164,7 +164,7 @@ public sealed class FileChooserTests
 
     [Fact]
     public void What_keeps_a_folder_from_being_shown_is_said() => Assert.Equal(
-        ["/x may not be looked into. Ask whoever manages this computer for the right, or take another folder.", "/x is not there.", "/x cannot be read: loop"],
+        ["You have no permission to open /x. Ask the administrator of this computer, or choose another folder.", "/x does not exist.", "/x cannot be read: loop"],
         new Exception[] { new UnauthorizedAccessException(), new DirectoryNotFoundException(), new IOException("loop") }.Select(e => FileChooserViewModel.Why(e, "/x")));
 
     [Fact]
@@ -186,7 +186,7 @@ public sealed class FileChooserTests
         seat.See("entry-a.nc");
         seat.Tap("chooser-confirm").See("chooser-message");
         Assert.False(chosen.IsCompleted);
-        Assert.Equal("Replace it", seat.Shell.Choosing!.ConfirmLabel);
+        Assert.Equal("Replace", seat.Shell.Choosing!.ConfirmLabel);
         seat.Type("chooser-path", "new");
         Assert.Equal("Save", seat.Shell.Choosing!.ConfirmLabel);
         seat.Type("chooser-path", "a.nc").Tap("chooser-confirm").See("chooser-message");
@@ -229,7 +229,7 @@ public sealed class FileChooserTests
     {
         var first = Open(seat, new(FileChoiceKind.Folder, "History.Folder", []) { Start = Path.Combine(folder, "programs") });
         seat.WaitFor(() => seat.Shell.Choosing!.Folder.Length > 0, "Nothing is shown.");
-        Assert.Equal("Folders: 0. Files in it, which are not shown: 3.", seat.TextOf("chooser-summary"));
+        Assert.Equal("Folders: 0. Files, not shown: 3.", seat.TextOf("chooser-summary"));
         seat.Tap("chooser-confirm");
         Assert.Equal(Path.Combine(folder, "programs"), await first);
         _ = Open(seat, new(FileChoiceKind.Open, "History.Program", []) { Start = folder });

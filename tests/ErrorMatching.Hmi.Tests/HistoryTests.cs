@@ -52,7 +52,7 @@ public sealed class HistoryTests
         Assert.False(seat.Find("history-revert") is { IsEffectivelyVisible: true });
         seat.Tap("history-back").Tap("found-2").See("history-revert");
         seat.Tap("history-revert");
-        Assert.Contains("the slot held the program of #1 · 0001", ((SigningViewModel)seat.Shell.Signing!).Consequence, StringComparison.Ordinal);
+        Assert.Contains("The previous program is that of #1 · 0001", ((SigningViewModel)seat.Shell.Signing!).Consequence, StringComparison.Ordinal);
         seat.Type("signing-reason", "chatter").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         seat.WaitFor(2, CorrectionState.Reverted);
         Assert.Equal(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ProgramSha256!), File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
@@ -110,12 +110,12 @@ public sealed class HistoryTests
     public Task A_day_that_is_none_is_said() => Seat.AtAsync(seat =>
     {
         seat.SignIn(DemoCell.Operator).Tap("nav-history").Type("history-from", "yesterday").Tap("history-search");
-        Assert.StartsWith("A day is written as year-month-day", seat.TextOf("history-message"), StringComparison.Ordinal);
+        Assert.StartsWith("Write a day as year-month-day", seat.TextOf("history-message"), StringComparison.Ordinal);
     });
 
     // On the screen the custom of the language; what is typed may follow either.
     [Theory]
-    [InlineData(Language.English, "2026-11-22", "A day is written as year-month-day, such as 2026-11-22;")]
+    [InlineData(Language.English, "2026-11-22", "Write a day as year-month-day, such as 2026-11-22 or")]
     [InlineData(Language.TraditionalChinese, "2026/11/22", "日期請寫成 年/月/日，例如 2026/11/22；")]
     public Task A_day_is_shown_by_the_custom_of_the_language_and_taken_in_either(Language language, string example, string rule) => Seat.AtAsync(seat =>
     {

@@ -95,15 +95,15 @@ public sealed class KeptPieceTests
         var measured = KeptPiece.Predicted(Part, match) with { Counterpart = Part with { Id = 2 } };
         Assert.Equal(["2", "4"], measured.Outside);
         Assert.Equal(
-            "Somebody has to decide whether this piece is used; the station does not. It was cut as predicted: before the next one, "
-                + "choose other points in the set-up than 2, 4, which lie on corners, or give them other limits.",
+            "Someone must decide whether to use this piece; the station does not. It was cut as predicted. Before the next one, "
+                + "choose points in the set-up other than 2, 4, which are on corners, or change their limits.",
             new PieceDetail(measured, [measured]).ToDo);
 
         // Where no warning says why, nothing is said of corners.
         var unwarned = measured with { Match = match with { Warnings = [] } };
         Assert.Equal(
-            "Somebody has to decide whether this piece is used; the station does not. It was cut as predicted: before the next one, give "
-                + "2, 4 other limits in the set-up, or see in the warnings why the compensation does not reach there.",
+            "Someone must decide whether to use this piece; the station does not. It was cut as predicted. Before the next one, change "
+                + "the limits of 2, 4 in the set-up, or read in the warnings why the compensation does not reach there.",
             new PieceDetail(unwarned, [unwarned]).ToDo);
 
         // The warning itself asks for nothing that cannot be done any more.

@@ -29,7 +29,7 @@ public sealed class LoginTests
     public Task A_wrong_password_is_said_and_forgotten() => Seat.AtAsync(seat =>
     {
         seat.Tap("login-user-anna").Type("login-password", "not the password").Tap("login-sign-in");
-        Assert.Equal("Name or password is wrong.", seat.TextOf("login-message"));
+        Assert.Equal("Wrong name or password.", seat.TextOf("login-message"));
         Assert.Equal("", ((TextBox)seat.See("login-password")).Text ?? "");
         Assert.True(seat.Shell.IsLocked);
     });
@@ -39,7 +39,7 @@ public sealed class LoginTests
     {
         using var demonstration = new Station(seat.Station.Settings, seat.Station.Clock, Station.DefaultIdle) { IsDemonstration = true };
         using var login = new LoginViewModel(demonstration, "", _ => { });
-        Assert.Equal("Demonstration: every password is “demonstration”. anna may set up and approve.", login.Hint);
+        Assert.Equal("Demonstration: every password is “demonstration”. anna can set up and approve.", login.Hint);
         Assert.Null(seat.Find("login-hint") is { IsEffectivelyVisible: true } ? "shown" : null);
     });
 

@@ -73,7 +73,7 @@ public sealed class MeasuredOutsideTests
         seat.Tap("measured-4").See("piece-title");
         Assert.Equal("#3 · 0002", seat.TextOf("piece-title"));
         Assert.Equal([("#3 · 0002", Severity.Attention), ("#1 · 0001", Severity.Attention)], ((VerificationViewModel)seat.Shell.Current!).Rows.Where(r => r.Kind == "Measured").Select(r => (r.Title, r.Severity)));
-        seat.Tap("nav-overview").WaitFor(() => (OverviewViewModel)seat.Shell.Current! is { Counts: "", Summary: "Waiting for an approval: 1" }, "What was looked at is still counted.");
+        seat.Tap("nav-overview").WaitFor(() => (OverviewViewModel)seat.Shell.Current! is { Counts: "", Summary: "Waiting for approval: 1" }, "What was looked at is still counted.");
     });
 
     [Fact]

@@ -14,7 +14,7 @@ public sealed class MessagesTests
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.SignIn(DemoCell.Setter).Tap("nav-messages").See("message-1");
-        Assert.Equal(("#1 · 0001 waits for an approval: largest displacement 0.2979\u00a0mm.", "Tap to see what will change, then approve or reject it."), ((MessagesViewModel)seat.Shell.Current!).Messages.Where(m => m.Severity == Severity.Attention).Select(m => (m.What, m.Next)).Single());
+        Assert.Equal(("#1 · 0001 needs approval: largest displacement 0.2979\u00a0mm.", "Tap to see what will change, then approve or reject it."), ((MessagesViewModel)seat.Shell.Current!).Messages.Where(m => m.Severity == Severity.Attention).Select(m => (m.What, m.Next)).Single());
         seat.Tap("message-1");
         seat.WaitFor(() => seat.Find("detail-title") is not null, "The tap does not lead there.");
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
@@ -29,7 +29,7 @@ public sealed class MessagesTests
         Assert.Equal((DemoCell.Setter, "signed in"), (screen.Entries[0].Who, screen.Entries[0].What));
         Assert.Equal(seat.Station.Store.AuditEntries(0, 1000).Count, screen.Entries.Count);
         seat.Tap("audit-verify").See("audit-finding");
-        Assert.Equal($"All {screen.Entries.Count} entries are as they were written.", seat.TextOf("audit-finding"));
+        Assert.Equal($"All {screen.Entries.Count} entries are unchanged.", seat.TextOf("audit-finding"));
     });
 
     [Fact]
@@ -40,11 +40,11 @@ public sealed class MessagesTests
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.SignIn(DemoCell.Setter).Tap("nav-messages");
         var screen = (MessagesViewModel)seat.Shell.Current!;
-        seat.WaitFor(() => screen.Entries.Any(e => e.What == "computed"), "Nothing was computed.");
-        var entry = screen.Entries.Single(e => e.What == "computed");
-        Assert.Contains("Point 4 lies on a rounded corner", entry.Basis, StringComparison.Ordinal);
+        seat.WaitFor(() => screen.Entries.Any(e => e.What == "calculated"), "Nothing was computed.");
+        var entry = screen.Entries.Single(e => e.What == "calculated");
+        Assert.Contains("Point 4 is on a rounded corner", entry.Basis, StringComparison.Ordinal);
         Assert.Equal("displaced by at most 0.2979\u00a0mm at block N150. …", entry.Short);
-        Assert.All(screen.Entries.Where(e => e.What != "computed"), e => Assert.Equal(e.Basis, e.Short));
+        Assert.All(screen.Entries.Where(e => e.What != "calculated"), e => Assert.Equal(e.Basis, e.Short));
 
         ListBoxItem Row() => ((ListBox)seat.See("audit")).GetVisualDescendants().OfType<ListBoxItem>().Single(i => Equals(i.DataContext, entry));
         string? Said() => Row().GetVisualDescendants().OfType<TextBlock>().Last().Text;
@@ -91,7 +91,7 @@ public sealed class MessagesTests
         }
 
         seat.SignIn(DemoCell.Setter).Tap("nav-messages").Tap("audit-verify").See("audit-finding");
-        Assert.Equal("Entry 2: it is not what was written.", seat.TextOf("audit-finding"));
+        Assert.Equal("Entry 2: it was changed.", seat.TextOf("audit-finding"));
         Assert.Equal(Severity.Alarm, ((MessagesViewModel)seat.Shell.Current!).FindingSeverity);
     });
 

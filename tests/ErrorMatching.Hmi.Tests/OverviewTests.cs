@@ -10,7 +10,7 @@ public sealed class OverviewTests
     public Task A_cell_that_does_not_run_is_said_with_what_still_works() => Seat.AtAsync(seat =>
     {
         seat.SignIn(DemoCell.Operator);
-        Assert.StartsWith("The cell is not running: no file is taken", seat.TextOf("banner"), StringComparison.Ordinal);
+        Assert.StartsWith("The cell is not running: no gauge files are collected", seat.TextOf("banner"), StringComparison.Ordinal);
         Assert.Equal("The cell is not running", seat.TextOf("overview-summary"));
     });
 
@@ -30,7 +30,7 @@ public sealed class OverviewTests
         seat.Cell.Run();
         seat.SignIn(DemoCell.Operator);
         seat.Cell.Deliver(1, 0);
-        seat.WaitFor(() => seat.TextOf("overview-summary") == "Waiting for an approval: 1", "Nothing waits for an approval.");
+        seat.WaitFor(() => seat.TextOf("overview-summary") == "Waiting for approval: 1", "Nothing waits for an approval.");
         var tile = ((OverviewViewModel)seat.Shell.Current!).Waiting.Single();
         var kept = seat.Station.Store.Find(1)!;
         Assert.Equal(CorrectionState.Proposed, kept.State);
@@ -52,12 +52,12 @@ public sealed class OverviewTests
         new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
         seat.WaitFor(1, CorrectionState.Failed);
         seat.WaitFor(() => ((OverviewViewModel)seat.Shell.Current!).Waiting is [{ Severity: Severity.Alarm }], "It is no alarm.");
-        Assert.Equal("Failed, and waiting for a setter: 1", seat.TextOf("overview-summary"));
+        Assert.Equal("Failed, waiting for a setter: 1", seat.TextOf("overview-summary"));
         Assert.Contains(Colored(seat), c => c is Avalonia.Controls.Shapes.Path);
-        Assert.Contains("The program at the machine was changed by somebody else.", seat.See("waiting-1").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text));
+        Assert.Contains("Someone else changed the program at the machine.", seat.See("waiting-1").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text));
         seat.Tap("waiting-1").See("detail-title");
         Assert.Equal(("#1 · 0001", Screens.Compensation), (seat.TextOf("detail-title"), seat.Shell.Chosen!.Screen.Key));
-        Assert.Contains("changed by somebody else", seat.TextOf("detail-reason"), StringComparison.Ordinal);
+        Assert.Contains("Someone else changed", seat.TextOf("detail-reason"), StringComparison.Ordinal);
     });
 
     [Fact]
@@ -66,7 +66,7 @@ public sealed class OverviewTests
         seat.Cell.Run();
         seat.SignIn(DemoCell.Operator).See("slot-vmc1/A");
         var overview = (OverviewViewModel)seat.Shell.Current!;
-        seat.WaitFor(() => overview.Slots is [{ Detail: "No program was sent yet." }, ..], "It is not said that none was sent.");
+        seat.WaitFor(() => overview.Slots is [{ Detail: "No program sent yet." }, ..], "It is not said that none was sent.");
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
         new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
@@ -91,7 +91,7 @@ public sealed class OverviewTests
         }
 
         // Nobody has let any of them go yet: they are in no line.
-        seat.WaitFor(() => Texts(seat).Contains("Nothing in line · to be approved: 3"), "What waits for an approval is not told from what is in line.");
+        seat.WaitFor(() => Texts(seat).Contains("Nothing in line · to approve: 3"), "What waits for an approval is not told from what is in line.");
         foreach (var id in new[] { 1, 2, 3 })
         {
             new CorrectionDecisions(seat.Station.Store).Approve(id, DemoCell.Setter, null);

@@ -85,7 +85,7 @@ public sealed class PreferenceTests
         seat.SignIn(DemoCell.Setter).See("banner");
         Assert.Null(seat.Find("notice"));
         seat.RunCell().See("notice");
-        Assert.StartsWith("Your preferences cannot be read, so the station stays as it is:", seat.TextOf("notice"), StringComparison.Ordinal);
+        Assert.StartsWith("Your preferences cannot be read, so nothing was changed:", seat.TextOf("notice"), StringComparison.Ordinal);
         Assert.False(seat.Shell.IsDark);
         seat.Tap("notice-close");
         Assert.Null(seat.Find("notice"));

@@ -58,14 +58,14 @@ public sealed class SamplesTests
         // A measurement has the labels of the drawing: nothing but its name tells.
         seat.Seat.Tap("nav-system").Tap("points-read").Tap("entry-part.csv").Tap("chooser-confirm");
         seat.Seat.WaitFor(() => seat.Seat.Find("setup-notice") is not null, "Nothing is said.");
-        Assert.StartsWith("part.csv is what the job calls its measurement: if it is one, undo and read the drawing. The table has 17 points.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.StartsWith("The job uses the name part.csv for its measurement. If it is one, undo and read the drawing. The table has 17 points.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         seat.Seat.Tap("setup-undo");
 
         // The job's own points have one that nobody measures.
         Begin(seat);
         seat.Seat.Tap("nav-system").Tap("points-read").Type("chooser-path", Path.Combine(Path.GetDirectoryName(seat.JobFile)!, "theoretical.csv")).Tap("chooser-confirm");
         seat.Seat.WaitFor(() => seat.Seat.Find("setup-message") is not null, "Nothing is said.");
-        Assert.StartsWith("Nothing was taken: 17 rows for 16 points", seat.TextOf("setup-message"), StringComparison.Ordinal);
+        Assert.StartsWith("Nothing imported: 17 rows for 16 points", seat.TextOf("setup-message"), StringComparison.Ordinal);
     });
 
     [Fact]
@@ -79,7 +79,7 @@ public sealed class SamplesTests
 
         // Without the apex the drawing has all that is measured: it would be taken for a perfect part.
         seat.Seat.Tap("dry-run-back").Tap("dry-run-file").Tap("entry-drawing.csv").Tap("chooser-confirm").WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
-        Assert.Equal("Every point of drawing.csv lies exactly as designed: this is a drawing and no measurement. Go back and choose what the gauge measured.", seat.TextOf("dry-run-doubt"));
+        Assert.Equal("Every point of drawing.csv is exactly as designed: this is a drawing, not a measurement. Go back and choose a file from the gauge.", seat.TextOf("dry-run-doubt"));
     });
 
     private static void Begin(SetupSeat seat)

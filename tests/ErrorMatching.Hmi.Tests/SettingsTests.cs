@@ -14,7 +14,7 @@ public sealed class SettingsTests
     public Task An_administrator_adds_a_user_who_may_then_sign_in() => At(DemoCell.Administrator, seat =>
     {
         seat.Tap("users-new").Type("users-name", "olga").Type("users-password", Fresh).Type("users-again", "another one");
-        Assert.Equal("The two passwords are not the same.", seat.TextOf("users-problem"));
+        Assert.Equal("The passwords do not match.", seat.TextOf("users-problem"));
         Assert.False(seat.See("users-add").IsEffectivelyEnabled);
         seat.Type("users-again", Fresh).Tap("users-add");
         Sign(seat);
@@ -48,7 +48,7 @@ public sealed class SettingsTests
     public Task The_last_administrator_stays_one() => At(DemoCell.Administrator, seat =>
     {
         seat.Tap("user-row-ada").Tap("users-disable").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
-        Assert.Equal("Nobody could manage users any more. Make another administrator first.", seat.TextOf("signing-message"));
+        Assert.Equal("This is the last administrator. Add another administrator first.", seat.TextOf("signing-message"));
         Assert.False(Of(seat, DemoCell.Administrator).IsDisabled);
     });
 
@@ -56,7 +56,7 @@ public sealed class SettingsTests
     public Task A_wrong_password_changes_nobody() => At(DemoCell.Administrator, seat =>
     {
         seat.Tap("user-row-otto").Tap("users-disable").Type("signing-password", "not the password").Tap("signing-confirm");
-        Assert.Equal("This is not the password of ada. Type it again.", seat.TextOf("signing-message"));
+        Assert.Equal("Wrong password for ada. Type it again.", seat.TextOf("signing-message"));
         seat.Tap("signing-leave");
         Assert.False(Of(seat, DemoCell.Operator).IsDisabled);
     });
@@ -92,7 +92,7 @@ public sealed class SettingsTests
         Directory.Move(seat.Cell.MachineFolder + "-away", seat.Cell.MachineFolder);
         seat.Tap("connections-test");
         seat.WaitFor(() => !page.Test.IsRunning && page.Rows.All(r => r.Found is Severity.Quiet), "The machine stays away.");
-        Assert.All(page.Rows.Where(r => r.Kind == "machine"), r => Assert.StartsWith("It answers.", r.Outcome, StringComparison.Ordinal));
+        Assert.All(page.Rows.Where(r => r.Kind == "machine"), r => Assert.StartsWith("Responding.", r.Outcome, StringComparison.Ordinal));
     });
 
     [Fact]
@@ -106,7 +106,7 @@ public sealed class SettingsTests
         seat.WaitFor(() => !page.Test.IsRunning && page.Rows.All(r => r.Found is not null), "The test does not end.");
         var alarm = page.Rows.Single(r => r.IsAlarm);
         Assert.Equal(("gauge", seat.Cell.Settings.Gauges[0].Name), (alarm.Kind, alarm.Name));
-        Assert.StartsWith("The gauge's folder cannot be looked into.", alarm.Outcome, StringComparison.Ordinal);
+        Assert.StartsWith("The gauge's folder cannot be read.", alarm.Outcome, StringComparison.Ordinal);
         Directory.Move(folder + "-away", folder);
     });
 
@@ -118,7 +118,7 @@ public sealed class SettingsTests
         page.Test.Execute(null);
         page.Test.Cancel.Execute(null);
         seat.WaitFor(() => !page.Test.IsRunning, "The test is not cancelled.");
-        Assert.Equal("The test was cancelled.", seat.TextOf("connections-message"));
+        Assert.Equal("The test was canceled.", seat.TextOf("connections-message"));
         Assert.All(page.Rows, r => Assert.Null(r.Found));
     });
 

@@ -79,7 +79,7 @@ public sealed class StoryTests
         here.Settle();
 
         // Blocks of three features, two limits each, the tool and the gauge's uncertainty.
-        Assert.Equal(isChinese ? "待填寫 11 項" : "Still to fill: 11", AutomationProperties.GetName(seat.See("setup-problems")));
+        Assert.Equal(isChinese ? "待填寫 11 項" : "To fill in: 11", AutomationProperties.GetName(seat.See("setup-problems")));
         Pick("N120", 0, "N120");
         Pick("N130", 3, "N130..N160");
         Pick("N170", 102, "N170..N1190");

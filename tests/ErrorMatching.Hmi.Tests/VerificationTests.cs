@@ -21,7 +21,7 @@ public sealed class VerificationTests
         seat.SignIn(DemoCell.Operator).Tap("nav-verification").See("piece-title");
         var detail = ((VerificationViewModel)seat.Shell.Current!).Detail!;
         Assert.Equal(("#1 · 0001", "Measured"), (seat.TextOf("piece-title"), seat.TextOf("piece-kind")));
-        Assert.Equal("With compensation: as measured on #2 · 0001. Without: the counterpart without compensation that the job names, as measured in counterpart.csv.", seat.TextOf("piece-origin"));
+        Assert.Equal("With compensation: as measured on #2 · 0001. Without: the uncompensated counterpart that the job names, as measured in counterpart.csv.", seat.TextOf("piece-origin"));
         Assert.Equal(
             $"Better by {Shown.Percent(100 * (1 - (console.Result.RmsAfterMm / console.Result.RmsBeforeMm)))}: root mean square {Shown.Mm(console.Result.RmsBeforeMm)} → {Shown.Mm(console.Result.RmsAfterMm)}\u00a0mm, largest error {Shown.Mm(console.Result.MaxBeforeMm)} → {Shown.Mm(console.Result.MaxAfterMm)}\u00a0mm.",
             seat.TextOf("piece-summary"));
@@ -61,9 +61,9 @@ public sealed class VerificationTests
         Assert.True(missed.Length > 6);
         Assert.DoesNotContain("Hollow", detail.TrendCaption, StringComparison.Ordinal);
         Assert.Equal(
-            $"Prediction missed by more than twice the gauge's standard uncertainty: {missed.Length} ({string.Join(", ", missed.Take(6).Select(p => p.Label))} …); most by {Shown.Mm(worst.Mm)}\u00a0mm at {worst.Label}.", seat.TextOf("piece-missed"));
+            $"Prediction missed by more than twice the gauge's standard uncertainty: {missed.Length} ({string.Join(", ", missed.Take(6).Select(p => p.Label))} …); largest miss {Shown.Mm(worst.Mm)}\u00a0mm at {worst.Label}.", seat.TextOf("piece-missed"));
         var outside = detail.Points.Where(p => p.IsOutside).Select(p => p.Point).Intersect(missed.Select(p => p.Label));
-        Assert.Equal($"Somebody has to decide whether this piece is used; the station does not. Before the next one, look for what made {string.Join(", ", outside)} other than predicted: clamping, worn tool, chip under the probe.", seat.TextOf("piece-to-do"));
+        Assert.Equal($"Someone must decide whether to use this piece; the station does not. Before the next one, find out why {string.Join(", ", outside)} did not match the prediction: clamping, worn tool, chip under the probe.", seat.TextOf("piece-to-do"));
     });
 
     [Fact]
@@ -85,12 +85,12 @@ public sealed class VerificationTests
         Assert.Equal(["2", "4"], detail.Points.Where(p => p.IsOutside).Select(p => p.Point));
 
         // Both lie beside corners, and within 0.05 mm as designed: -0.024 and +0.006.
-        Assert.Equal("2 points outside their limits: 2, 4. Without compensation within them: 2, 4.", seat.TextOf("piece-verdict"));
+        Assert.Equal("2 points outside their limits: 2, 4. Within limits without compensation: 2, 4.", seat.TextOf("piece-verdict"));
         Assert.StartsWith("Expected to be better by ", seat.TextOf("piece-summary"), StringComparison.Ordinal);
 
         // It is shown as soon as it is computed, and put forward a moment later.
         seat.WaitFor(
-            () => seat.TextOf("piece-to-do")?.StartsWith("Read the warnings of the correction before it is cut: 2, 4 will stay outside. Next: ", StringComparison.Ordinal) is true,
+            () => seat.TextOf("piece-to-do")?.StartsWith("Before cutting, read the warnings of the correction: 2, 4 will stay outside. Next: ", StringComparison.Ordinal) is true,
             "What to do is not said.");
         Assert.Null(seat.Find("piece-missed"));
 
@@ -134,7 +134,7 @@ public sealed class VerificationTests
         Assert.EndsWith("\nwithout: counterpart.csv, as measured", trend.Values[0], StringComparison.Ordinal);
         Assert.EndsWith("\nwithout: as designed", trend.Values[1], StringComparison.Ordinal);
         seat.Tap("tab-trend");
-        Assert.EndsWith("The lines “without” are broken where they begin to be told from another counterpart: tap a piece to see from which.", seat.TextOf("trend-caption"), StringComparison.Ordinal);
+        Assert.EndsWith("The “without” lines break where they start to refer to another counterpart. Tap a piece to see which one.", seat.TextOf("trend-caption"), StringComparison.Ordinal);
         Assert.Equal([false, true], new[] { SeriesKind.Before, SeriesKind.After }.Select(k => IsJoined(seat, (SeriesPlot)seat.See("plot-trend"), 0, k)));
         seat.Tap("piece-3");
         seat.WaitFor(() => seat.TextOf("piece-title") == "#3 · 0002", "The chosen one is not shown.");

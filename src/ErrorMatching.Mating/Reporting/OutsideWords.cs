@@ -23,7 +23,8 @@ public static class OutsideWords
     {
         ArgumentNullException.ThrowIfNull(outside);
         return outside.Points is not { Count: > 0 } points ? null
-            : $"Decide first whether a counterpart is of use on which {Named(points)} {(points.Count == 1 ? "lies" : "lie")} outside {Their(points)} limits: this program is predicted to cut it so. If not, do not cut it. For the next parts, give the job other points there, or other limits.";
+            : $"{Capital(Named(points))} will be out of tolerance. Is that acceptable? If not, do not cut. "
+                + "For the next parts, choose other points there in the job, or change their limits.";
     }
 
     private static string Named(IReadOnlyList<string> labels) => labels.Count == 1 ? $"point {labels[0]}" : $"points {string.Join(", ", labels.SkipLast(1))} and {labels[^1]}";

@@ -15,7 +15,7 @@ public sealed class FoundBlocksTests
         seat.Seat.Tap("blocks-find");
         Wait(seat);
         Assert.Equal(Paper, seat.Draft.Features.Select(f => f.Blocks));
-        Assert.Equal("Found for L1, L2L3, C1. Look at them in the drawn path.", seat.TextOf("setup-notice"));
+        Assert.Equal("Found for L1, L2L3, C1. Check them in the drawn path.", seat.TextOf("setup-notice"));
         Assert.Equal(["L1", "L2L3", "C1"], seat.System.Picture!.Marks.Where(m => m.Ranges.Count > 0).Select(m => m.Name));
         Assert.Empty(seat.Shell.Editing.Problems);
         Assert.False(seat.Seat.See("blocks-find").IsEffectivelyEnabled);

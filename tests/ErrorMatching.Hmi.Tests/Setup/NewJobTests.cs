@@ -93,11 +93,11 @@ public sealed class NewJobTests
         here.Tap("setup-put-in-use").See("signing-subject");
         Assert.Equal("Bracket", here.TextOf("signing-subject"));
         Assert.Equal(
-            "The old one is kept, with its files, and can be restored. "
+            "The old job and its files are kept and can be restored. "
             + "From the next measurement on, vmc1, slot A uses Bracket instead of Complex mating.",
             here.TextOf("signing-consequence"));
         Assert.Equal(
-            [new Fact("Corrections of the old job that wait: 1. Once the new one is in use, they can be computed anew.", Severity.Attention), new("Saving drops the comments in its file.", Severity.Attention)], here.Shell.Signing!.Facts);
+            [new Fact("Waiting corrections of the old job: 1. Once the new job is in use, you can recalculate them.", Severity.Attention), new("Saving removes the comments in its file.", Severity.Attention)], here.Shell.Signing!.Facts);
 
         // What a gauge runs changes by a signature alone, as a program does at its machine.
         Assert.NotNull(here.Find("signing-password"));

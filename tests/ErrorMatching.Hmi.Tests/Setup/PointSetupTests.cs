@@ -40,13 +40,13 @@ public sealed class PointSetupTests
         var count = seat.Setup.Features[2].Flanks[0].Count;
         seat.Seat.Type(count.AutomationId, "1o").User.Press(Key.Tab);
         seat.Settle();
-        Assert.Equal("A whole number up to 1000 is needed.", seat.Seat.TextOf(count.ProblemId));
+        Assert.Equal("Enter a whole number up to 1000.", seat.Seat.TextOf(count.ProblemId));
         Assert.Equal(("1o", 10, "To correct: 1"), (count.Text, seat.Draft.Features[2].Flanks[0].Count, seat.Setup.ProblemCount));
 
         // The next change puts the old value back.
         seat.Seat.Type(seat.Setup.WorkOrder.AutomationId, "WO-1");
         seat.Settle();
-        Assert.Equal(("10", "To consider: 2"), (count.Text, seat.Setup.ProblemCount));
+        Assert.Equal(("10", "To check: 2"), (count.Text, seat.Setup.ProblemCount));
         seat.Seat.Type(count.AutomationId, "-3").User.Press(Key.Tab);
         seat.Seat.Tap("setup-save");
         seat.Settle();
@@ -145,7 +145,7 @@ public sealed class PointSetupTests
     public Task An_operator_sees_everything_and_changes_nothing() => At(
         seat =>
         {
-            Assert.Equal("Jobs are changed by setters and administrators. You can look at everything here.", seat.Seat.TextOf("setup-forbidden"));
+            Assert.Equal("Only setters and administrators can change jobs. You can view everything here.", seat.Seat.TextOf("setup-forbidden"));
             Assert.All(new[] { "setup-save", "setup-anew", "add-line", "edit-name", "feature-0-remove", "feature-0-flank-0-more" }, id => Assert.False(seat.Seat.See(id).IsEffectivelyEnabled, id));
             seat.Seat.Type("edit-name", "Mine");
             seat.Shell.Editing.Change("", d => d with { Name = "Mine" });
@@ -160,7 +160,7 @@ public sealed class PointSetupTests
         seat.Seat.Type("edit-features[0].points", "1").Type("edit-features[2].name", "L1");
         seat.Settle();
         Assert.StartsWith("Too few points", seat.Seat.TextOf("problem-features[0].points"), StringComparison.Ordinal);
-        Assert.Equal("Another one has this name.", seat.Seat.TextOf("problem-features[2].name"));
+        Assert.Equal("This name is already used.", seat.Seat.TextOf("problem-features[2].name"));
         seat.Seat.Type("edit-name", " ");
         seat.Settle();
         Assert.Equal("Fill this in.", seat.Seat.TextOf("problem-name"));

@@ -36,7 +36,7 @@ public sealed class SetupCountTests
         Assert.Contains("accent", save.Classes);
 
         // The sample's points 2 and 4 lie on corners, which is asked about and saved all the same.
-        Assert.Equal(["To consider: 2", null, null, null, null], seat.System.Heads.Select(h => h.Problem));
+        Assert.Equal(["To check: 2", null, null, null, null], seat.System.Heads.Select(h => h.Problem));
     });
 
     [Fact]
@@ -45,7 +45,7 @@ public sealed class SetupCountTests
         var count = (Button)seat.Seat.See("setup-problems");
 
         // The sample's points 2 and 4 lie on corners: one tap leads to the first, from whichever side.
-        Assert.Equal((true, "To consider: 2", Color("Attention")), (count.IsEffectivelyEnabled, AutomationProperties.GetName(count), Words()));
+        Assert.Equal((true, "To check: 2", Color("Attention")), (count.IsEffectivelyEnabled, AutomationProperties.GetName(count), Words()));
         seat.Seat.Tap("side-machine").Tap("setup-problems").WaitFor(() => seat.Seat.Find("edit-features[0].points[1]") is { IsFocused: true }, "The point on a corner has no focus.");
         seat.Seat.Type("edit-features[0].points[1]/y", "59.846").Type("edit-features[1].points[1][1]/y", "39.5").Type("edit-features[1].points[1][1]/x", "-34.5");
         seat.Settle();
@@ -67,13 +67,13 @@ public sealed class SetupCountTests
     [Fact]
     public Task Points_on_corners_are_asked_about_before_the_job_is_saved_on_whichever_side_one_is() => At(seat =>
     {
-        const string Corners = "On rounded corners, not fully compensated: 2 (1.5\u00a0mm), 4 (1.4\u00a0mm). Better that much further from the corner; it can be saved as it is.";
+        const string Corners = "On rounded corners, not fully compensated: 2 (1.5\u00a0mm), 4 (1.4\u00a0mm). Better that much further from the corner; you can save it as it is.";
         Assert.Equal(Corners, seat.TextOf("points-corners"));
         Assert.Contains("asked", seat.Seat.See("edit-features[0].points[1]").Classes);
         Assert.DoesNotContain("asked", seat.Seat.See("edit-features[0].points[0]").Classes);
         Assert.Equal(
-            "It lies on a rounded corner, where its own deviation cannot be met exactly. Probe it at least 1.5 mm further from the corner.", AutomationProperties.GetHelpText(seat.Seat.See("edit-features[0].points[1]")));
-        Assert.Equal("To consider: 2", AutomationProperties.GetHelpText(seat.Seat.See("side-coordinates")));
+            "On a rounded corner, a point's own deviation cannot be matched exactly. Probe it at least 1.5 mm further from the corner.", AutomationProperties.GetHelpText(seat.Seat.See("edit-features[0].points[1]")));
+        Assert.Equal("To check: 2", AutomationProperties.GetHelpText(seat.Seat.See("side-coordinates")));
         BothLanguages.Take(seat.Seat, "system-corners");
 
         // So much further away, along L1, it is asked about no more; the job could have been saved with it.
@@ -81,7 +81,7 @@ public sealed class SetupCountTests
         seat.Seat.Type("edit-features[0].points[1]/y", "59.846");
         seat.Settle();
         Assert.Equal(Corners.Replace("2 (1.5\u00a0mm), ", "", StringComparison.Ordinal), seat.TextOf("points-corners"));
-        Assert.Equal("To consider: 1", seat.System.Heads[0].Problem);
+        Assert.Equal("To check: 1", seat.System.Heads[0].Problem);
         Assert.True(seat.Seat.See("setup-save").IsEffectivelyEnabled);
     });
 
@@ -93,16 +93,16 @@ public sealed class SetupCountTests
         seat.Settle();
 
         // Four coordinates, the program and blocks, two limits, the tool, the uncertainty.
-        Assert.Equal((0, 10, "Still to fill: 10"), (seat.Shell.Editing.WrongCount, seat.Shell.Editing.MissingCount, seat.System.ProblemCount));
+        Assert.Equal((0, 10, "To fill in: 10"), (seat.Shell.Editing.WrongCount, seat.Shell.Editing.MissingCount, seat.System.ProblemCount));
         seat.Seat.Tap("setup-problems");
         seat.Seat.WaitFor(() => seat.Seat.Find("edit-features[0].points[0]/x") is { IsFocused: true }, "The coordinate has no focus.");
         Assert.Equal("Fill this in.", seat.TextOf("problem-features[0].points[0]/x"));
         Assert.DoesNotContain("wrong", seat.Seat.See("edit-features[0].points[0]/x").Classes);
         Assert.DoesNotContain("alarm", seat.Seat.See("problem-features[0].points[0]/x").Classes);
-        Assert.Equal(["Still to fill: 4", "Still to fill: 2", "Still to fill: 2", "Still to fill: 1", "Still to fill: 1"], seat.System.Heads.Select(h => h.Problem));
+        Assert.Equal(["To fill in: 4", "To fill in: 2", "To fill in: 2", "To fill in: 1", "To fill in: 1"], seat.System.Heads.Select(h => h.Problem));
         seat.Seat.Type("edit-features[0].points[0]/x", "abc");
         seat.Settle();
-        Assert.Equal(("To correct: 1 · Still to fill: 9", "To correct: 1 · Still to fill: 3"), (seat.System.ProblemCount, seat.System.Heads[0].Problem));
+        Assert.Equal(("To correct: 1 · To fill in: 9", "To correct: 1 · To fill in: 3"), (seat.System.ProblemCount, seat.System.Heads[0].Problem));
         Assert.Contains("wrong", seat.Seat.See("edit-features[0].points[0]/x").Classes);
         Assert.Contains("alarm", seat.Seat.See("problem-features[0].points[0]/x").Classes);
     });
@@ -136,9 +136,9 @@ public sealed class SetupCountTests
     {
         // Name and features here; the program, the tool and the uncertainty are the next step's.
         seat.Seat.Tap("setup-anew");
-        Assert.Equal("Still to fill: 2", seat.Settle().Setup.ProblemCount);
+        Assert.Equal("To fill in: 2", seat.Settle().Setup.ProblemCount);
         seat.Seat.Tap("add-line").Tap("add-triangle").Tap("add-curve");
-        Assert.Equal("Still to fill: 1", seat.Settle().Setup.ProblemCount);
+        Assert.Equal("To fill in: 1", seat.Settle().Setup.ProblemCount);
         seat.Seat.Type("edit-name", "Piece");
         seat.Settle();
         var step = (Button)seat.Seat.See("setup-step");
@@ -150,7 +150,7 @@ public sealed class SetupCountTests
         // Nine points, program and blocks of three, limits of three, tool, uncertainty: 18 + 4 + 6 + 2.
         seat.Seat.Tap("setup-step");
         seat.Settle();
-        Assert.Equal(("Still to fill: 30", "Back: Point set-up"), (seat.System.ProblemCount, seat.System.StepText));
+        Assert.Equal(("To fill in: 30", "Back: Point set-up"), (seat.System.ProblemCount, seat.System.StepText));
         Assert.DoesNotContain("accent", seat.Seat.See("setup-step").Classes);
     });
 

@@ -18,7 +18,7 @@ public sealed class SetupFilesTests
         File.WriteAllText(good, "\uFEFFpoint,x,y\r\n1,-31.951,76\r\n2,-32.3,58\r\n");
         File.WriteAllText(broken, "point,x,y\n1,-40,76\n2,-32.3O,58\n");
         Choose(seat, "points-read", broken);
-        Assert.Equal("Nothing was taken: line 3 does not hold coordinates that can be read: 2,-32.3O,58", seat.TextOf("setup-message"));
+        Assert.Equal("Nothing imported: the coordinates in line 3 cannot be read: 2,-32.3O,58", seat.TextOf("setup-message"));
         Assert.True(seat.Draft.IsSame(before));
         seat.Seat.Tap("language");
         Choose(seat, "points-read", broken);

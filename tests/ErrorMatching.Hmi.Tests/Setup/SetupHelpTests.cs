@@ -10,7 +10,7 @@ public sealed class SetupHelpTests
     {
         seat.Seat.Tap("side-tolerances").Type("edit-features[1].toleranceMm[1]", "50");
         seat.Settle();
-        Assert.Equal("A limit is at most 1\u00a0mm either way, where the job stops. Is it in µm?", seat.TextOf("problem-features[1].toleranceMm[1]"));
+        Assert.Equal("Each limit must be at most 1\u00a0mm: the job stops there. Is it in µm?", seat.TextOf("problem-features[1].toleranceMm[1]"));
         Assert.Contains("wrong", seat.Seat.See("edit-features[1].toleranceMm[1]").Classes);
         Assert.Contains(seat.Shell.Editing.Problems, p => p.Code == "limit-implausible");
     });

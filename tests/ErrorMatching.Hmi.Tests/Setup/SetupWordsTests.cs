@@ -33,7 +33,7 @@ public sealed class SetupWordsTests
         File.WriteAllText(other, File.ReadAllText(program).Replace("%", "%\n(ANOTHER)", StringComparison.Ordinal));
         Import(seat, other);
         Save(seat);
-        Assert.Contains("The base program is another one.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.Contains("The base program has changed.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
     });
 
     [Fact]

@@ -100,7 +100,7 @@ public sealed class SystemSetupTests
         seat.Settle();
         seat.Seat.Save();
         seat.Seat.WaitFor(() => seat.Shell.Editing.Message is not null, "Nothing is said.");
-        Assert.StartsWith("Somebody else changed this job", seat.TextOf("setup-message"), StringComparison.Ordinal);
+        Assert.StartsWith("Someone else changed this job", seat.TextOf("setup-message"), StringComparison.Ordinal);
         Assert.Equal(job, File.ReadAllBytes(seat.JobFile));
     });
 
@@ -126,7 +126,7 @@ public sealed class SystemSetupTests
         Assert.Equal(("-31.951", "76", "-32.3"), (seat.Draft.Features[0].Flanks[0][0].X, seat.Draft.Features[0].Flanks[0][0].Y, seat.Draft.Features[0].Flanks[0][1].X));
         Assert.Equal("-31.951", ((Avalonia.Controls.TextBox)seat.Seat.See("edit-features[0].points[0]/x")).Text);
         Assert.StartsWith("The table has 3 points. No point had the label O: at the end of the list", seat.TextOf("setup-notice"), StringComparison.Ordinal);
-        Assert.EndsWith("It says nothing about 2a, 3a, 3b, 4, 5, 6, 7, 8, 9, 10, 11, 12 ….", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.EndsWith("Not in the table: 2a, 3a, 3b, 4, 5, 6, 7, 8, 9, 10, 11, 12 ….", seat.TextOf("setup-notice"), StringComparison.Ordinal);
 
         // Into a field: a table goes to all, a number to the field.
         Avalonia.Input.Platform.ClipboardExtensions.SetTextAsync(clipboard, "-7.5").GetAwaiter().GetResult();

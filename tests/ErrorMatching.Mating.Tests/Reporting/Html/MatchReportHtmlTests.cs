@@ -66,7 +66,7 @@ public sealed class MatchReportHtmlTests
         var summary = Summary(0.03, 0.03);
         Assert.EndsWith(" mating error left, as predicted: +0.030 mm. ⚠ Point 1 stays outside its limits, with the compensation as without it.", summary.Features[0], StringComparison.Ordinal);
         Assert.EndsWith(" mating error left, as predicted: +0.030 mm. ⚠ The compensation drives point 3 out of its limits; uncompensated it is within them.", summary.Features[1], StringComparison.Ordinal);
-        Assert.StartsWith("Decide first whether a counterpart is of use on which points 1 and 3 lie outside their limits:", summary.Steps[0], StringComparison.Ordinal);
+        Assert.StartsWith("Points 1 and 3 will be out of tolerance. Is that acceptable? If not, do not cut. ", summary.Steps[0], StringComparison.Ordinal);
         Assert.Equal(("⚠ +0.030", "⚠ +0.030", "-0.001"), (summary.Left("1"), summary.Left("3"), summary.Left("2")));
 
         var calm = Summary(-0.0004, -0.01);
