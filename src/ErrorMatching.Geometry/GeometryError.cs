@@ -27,6 +27,9 @@ public enum GeometryError
     /// <summary>A curve turns back over its chord, so that it is no function of the place along the chord.</summary>
     FoldedCurve,
 
+    /// <summary>Points that must lie around a center leave half a turn or more open.</summary>
+    NotAround,
+
     /// <summary>A degree or knots that no B-spline can have.</summary>
     BadKnots,
 

@@ -11,7 +11,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Total">How many points there are.</param>
 public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic, int Known, int Total)
 {
-    private const double Step = 10, Height = 12;
+    private const double Step = 10, Depth = 12;
 
     /// <summary>The drawing of a draft.</summary>
     public static PartDrawing Of(MatingDraft draft)
@@ -45,7 +45,7 @@ public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic
         var (lines, x) = (new List<PartLine>(), 0.0);
         foreach (var feature in draft.Features)
         {
-            var (sketch, right) = (feature.Kind.Sketch([.. feature.Flanks.Select(k => k.Count)], Step, Height), new Vector2(x, 0));
+            var (sketch, right) = (feature.Kind.Sketch([.. feature.Flanks.Select(k => k.Count)], Step, Depth), new Vector2(x, 0));
             lines.Add(new(feature.Name, [.. feature.Points.Zip(sketch.Points, (p, at) => (p.Label, at + right))], [.. sketch.Outline.Select(p => p + right)]));
             x += sketch.WidthMm;
         }

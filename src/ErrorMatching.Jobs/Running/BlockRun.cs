@@ -47,7 +47,7 @@ public static class BlockRun
             feature.Plane,
             [.. feature.Points.Select(p => (p, job.Counterpart.PlaceOf(theoretical[p], feature.Plane, theoretical.File)))])
         {
-            IsStraight = feature.Kind.IsStraight,
+            Kind = feature.Kind,
         };
 
     // What a match would refuse is not proposed.

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
@@ -46,6 +47,16 @@ public abstract class FeatureKind
     /// <param name="step">From one point to the next, mm.</param>
     /// <param name="height">How far it rises or falls, mm.</param>
     public abstract FeatureSketch Sketch(IReadOnlyList<int> counts, double step, double height);
+
+    /// <summary>
+    /// What cuts a feature of the kind where it is sought by its key points and where these do not lie one behind the other from its first motion to its last, as on a closed
+    /// contour.
+    /// </summary>
+    /// <param name="path">The program, interpreted.</param>
+    /// <param name="cut">An uninterrupted cut.</param>
+    /// <param name="motion">A motion of it that comes nearest to a key point.</param>
+    /// <returns>All motions of the cut that belong to the feature; null where its key points bound it.</returns>
+    internal virtual FoundPass? WholeOf(NcPath path, FoundPass cut, int motion) => null;
 
     /// <summary>The word.</summary>
     public sealed override string ToString() => Word;

@@ -31,7 +31,12 @@ public abstract record JobFeature(string Name, IReadOnlyList<string> Blocks, Job
     /// <exception cref="GeometryException">The points do not determine it; the message names it.</exception>
     internal abstract FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u);
 
-    /// <summary>Why its points do not say how its cut is to follow, or null.</summary>
+    /// <summary>Why its points or its blocks are none of a feature of its kind, or null.</summary>
+    /// <param name="path">The program, interpreted.</param>
+    /// <param name="map">The feature on it.</param>
+    internal virtual MatingRefusal? Refuse(NcPath path, FeatureMap map) => null;
+
+    /// <summary>Why a cut cannot follow the corrections at its points, or null.</summary>
     /// <param name="cut">One of its cuts.</param>
     internal virtual MatingRefusal? Refuse(FeatureCut cut) => null;
 
