@@ -34,14 +34,14 @@ public abstract record JobFeature(string Name, IReadOnlyList<string> Blocks, Job
     /// <summary>Why its points or its blocks are none of a feature of its kind, or null.</summary>
     /// <param name="path">The program, interpreted.</param>
     /// <param name="map">The feature on it.</param>
-    internal virtual MatingRefusal? Refuse(NcPath path, FeatureMap map) => null;
+    internal virtual MatingRefusal? RefuseMap(NcPath path, FeatureMap map) => null;
 
     /// <summary>Why a cut cannot follow the corrections at its points, or null.</summary>
     /// <param name="cut">One of its cuts.</param>
-    internal virtual MatingRefusal? Refuse(FeatureCut cut) => null;
+    internal virtual MatingRefusal? RefuseCut(FeatureCut cut) => null;
 
     /// <summary>The wishes for one of its cuts, in the order of its motions.</summary>
-    /// <param name="cut">The cut; <see cref="Refuse"/> has nothing against it.</param>
+    /// <param name="cut">The cut; <see cref="RefuseCut"/> has nothing against it.</param>
     internal abstract IEnumerable<ElementWish> Wishes(FeatureCut cut);
 
     /// <summary>The measured boundary as the compensation sees it, as a polyline in the part's frame.</summary>

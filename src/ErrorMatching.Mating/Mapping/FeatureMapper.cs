@@ -121,7 +121,7 @@ internal static class FeatureMapper
 
         var toPart = job.Counterpart.Frame.Inverse();
         map = new(feature, blocks, mapped, [.. mapped[0].Feet.Select(f => toPart.Apply(f.Normal))]);
-        return feature.Refuse(path, map);
+        return feature.RefuseMap(path, map);
     }
 
     // Why it cannot be said where a motion lies in the feature's plane, or null.

@@ -85,7 +85,7 @@ public static class Matcher
             Vector2[] corrections = [.. decided.Points.Select(p => input.Job.Counterpart.Frame.Apply(p.Correction))];
             foreach (var cut in map.Passes.Select(pass => new FeatureCut(input.Job, path, pass, corrections)))
             {
-                if (map.Feature.Refuse(cut) is { } cannotFollow)
+                if (map.Feature.RefuseCut(cut) is { } cannotFollow)
                 {
                     return MatchOutcome.Refused(cannotFollow);
                 }
