@@ -9,6 +9,7 @@ public static class FeatureKinds
         LineKind.Instance,
         TriangleKind.Instance,
         CurveKind.Instance,
+        CircleKind.Instance,
     ];
 
     /// <summary>The kind of a word.</summary>

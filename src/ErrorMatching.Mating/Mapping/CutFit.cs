@@ -19,6 +19,9 @@ internal sealed record CutFit(FoundPass Cut, IReadOnlyList<SoughtFoot> Feet, dou
     // Twice at one place of a path: nearer than an NC word can say.
     private const double SamePlaceMm = 1e-6;
 
+    // The first key point that the cut passes twice; -1 if there is none.
+    private int Twice { get; init; }
+
     /// <summary>True if the core is all that belongs to the boundary, whatever its key points bound.</summary>
     public bool IsWhole { get; init; }
 
@@ -37,16 +40,19 @@ internal sealed record CutFit(FoundPass Cut, IReadOnlyList<SoughtFoot> Feet, dou
 
         // Where an end of the boundary is a corner of the path, the motion within it counts.
         var (ahead, back) = (new FoundPass(feet[0].Last, feet[^1].First), new FoundPass(feet[^1].Last, feet[0].First));
-        var whole = boundary.Kind?.WholeOf(path, cut, feet[0].First);
+
+        // At a joint the way in or out is as near; a key point within a motion tells which is meant.
+        var whole = boundary.Kind?.WholeOf(path, cut, feet.Where(f => f.First == f.Last && !f.IsTwice).Append(feet[0]).First().First);
+        var twice = Enumerable.Range(0, feet.Length).FirstOrDefault(i => whole is null ? feet[i].IsTwice : ComesBack(path, cut, whole, feet[i], boundary.Points[i].At), -1);
         var isAgainst = whole is null && ahead.First > ahead.Last;
         var core = whole ?? (isAgainst ? back : ahead);
         var fault = most - wanted > mapMm || wanted - least > mapMm ? CutFault.Apart
             : Array.Exists(feet, f => f.IsCompensated != compensated) ? CutFault.Compensation
             : !compensated && Array.Exists(feet, f => f.IsLeft != feet[0].IsLeft) ? CutFault.Sides
-            : feet.Zip(boundary.Points).Any(p => whole is null ? p.First.IsTwice : ComesBack(path, cut, core, p.First, p.Second.At)) ? CutFault.Twice
+            : twice >= 0 ? CutFault.Twice
             : core.First > core.Last || Array.Exists(feet, f => f.Last < core.First || f.First > core.Last) ? CutFault.Order
             : CutFault.None;
-        return new(cut, feet, wanted, core, isAgainst, fault) { IsWhole = whole is not null };
+        return new(cut, feet, wanted, core, isAgainst, fault) { IsWhole = whole is not null, Twice = twice };
     }
 
     // A closed contour passes the place where it begins once more where it ends, and so do the ways in and out: only a cut beyond these comes back.
@@ -79,8 +85,6 @@ internal sealed record CutFit(FoundPass Cut, IReadOnlyList<SoughtFoot> Feet, dou
     }
 
     private string Where => Feet[0].IsCompensated ? "it on the path, since cutter compensation is active" : string.Create(CultureInfo.InvariantCulture, $"{WantedMm:0.###} mm, one tool radius");
-
-    private int Twice => Enumerable.Range(0, Feet.Count).First(i => Feet[i].IsTwice);
 
     private int Other(Func<SoughtFoot, bool> of) => Enumerable.Range(0, Feet.Count).First(i => of(Feet[i]) != of(Feet[0]));
 }
