@@ -14,6 +14,7 @@ public sealed class SameAsCellTests
     [InlineData("complex-mating")]
     [InlineData("curve-mating")]
     [InlineData("circle-mating")]
+    [InlineData("slot-mating")]
     public void A_match_is_that_of_the_cell(string sample)
     {
         using var folder = new TemporaryFolder();

@@ -10,6 +10,7 @@ public static class FeatureKinds
         TriangleKind.Instance,
         CurveKind.Instance,
         CircleKind.Instance,
+        SlotKind.Instance,
     ];
 
     /// <summary>The kind of a word.</summary>

@@ -14,6 +14,7 @@ public sealed class SampleTests
     [InlineData("curve-mating")]
     [InlineData("complex-mating")]
     [InlineData("circle-mating")]
+    [InlineData("slot-mating")]
     public void Key_points_lie_on_the_boundary_that_the_program_cuts(string sample)
     {
         var cut = new VirtualCut(SampleFile.Moves(sample, "counterpart.nc"), ToolRadius);
@@ -37,6 +38,7 @@ public sealed class SampleTests
     [InlineData("curve-mating")]
     [InlineData("complex-mating")]
     [InlineData("circle-mating")]
+    [InlineData("slot-mating")]
     public void Measured_files_name_the_points_of_the_theoretical_one_in_the_same_order(string sample)
     {
         var labels = SampleFile.Points(sample, "theoretical.csv").Select(p => p.Label);

@@ -10,7 +10,7 @@ public sealed class CircleKind : FeatureKind
 
     internal static readonly VerifiedQuantity ComparedDiameter = new("diameter", "diameter", "mm");
 
-    private const string LeastSquares = "least-squares", Inscribed = "inscribed", Circumscribed = "circumscribed";
+    private const string Inscribed = "inscribed", Circumscribed = "circumscribed";
 
     // So many pieces of a whole circle look round.
     private const int Pieces = 72;
@@ -35,7 +35,7 @@ public sealed class CircleKind : FeatureKind
     public override bool IsStraight => false;
 
     /// <inheritdoc/>
-    public override IReadOnlyList<FeatureKey> Keys { get; } = [new("method", [LeastSquares, Inscribed, Circumscribed])];
+    public override IReadOnlyList<FeatureKey> Keys { get; } = [new("method", ["least-squares", Inscribed, Circumscribed])];
 
     /// <inheritdoc/>
     public override IReadOnlyDictionary<string, string> Quantities { get; } = new Dictionary<string, string>
