@@ -27,6 +27,9 @@ public enum GeometryError
     /// <summary>A curve turns back over its chord, so that it is not a function of the position along the chord.</summary>
     FoldedCurve,
 
+    /// <summary>Points that must be around a center leave half a turn or more open.</summary>
+    NotAround,
+
     /// <summary>A degree or knots that are invalid for a B-spline.</summary>
     BadKnots,
 

@@ -13,6 +13,8 @@ public sealed class SameAsCellTests
     [Theory]
     [InlineData("complex-mating")]
     [InlineData("curve-mating")]
+    [InlineData("circle-mating")]
+    [InlineData("slot-mating")]
     public void A_match_is_that_of_the_cell(string sample)
     {
         using var folder = new TemporaryFolder();

@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
 using ErrorMatching.Jobs;
-using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
@@ -44,7 +43,7 @@ internal sealed partial record ProblemPlace(string Screen, int Side)
             return true;
         }
 
-        return Flank().Match(path) is { Success: true } match && int.TryParse(match.Groups["feature"].ValueSpan, NumberStyles.None, CultureInfo.InvariantCulture, out var feature) && feature < draft.Features.Count && draft.Features[feature].Kind == FeatureKind.Triangle;
+        return Flank().Match(path) is { Success: true } match && int.TryParse(match.Groups["feature"].ValueSpan, NumberStyles.None, CultureInfo.InvariantCulture, out var feature) && feature < draft.Features.Count && draft.Features[feature].Kind.LeastPoints.Count > 1;
     }
 
     [GeneratedRegex(

@@ -48,13 +48,11 @@ public sealed record KeptVerification(string JobName, string? WorkOrder, Verific
     private static Vector2 Error(JsonElement json) => new(json.GetProperty("dx").GetDouble(), json.GetProperty("dy").GetDouble());
 
     private static VerifiedFeature Feature(JsonElement json) => new(
-        json.GetProperty("name").GetString()!, Quantity(json.GetProperty("quantity").GetString()!), json.GetProperty("wanted").GetDouble(), json.GetProperty("before").GetDouble(), json.GetProperty("after").GetDouble())
+        json.GetProperty("name").GetString()!, VerifiedQuantity.Of(json.GetProperty("quantity").GetString()!), json.GetProperty("wanted").GetDouble(), json.GetProperty("before").GetDouble(), json.GetProperty("after").GetDouble())
     {
         // Older reports lack this list.
         Points = json.TryGetProperty("points", out var points) ? [.. points.EnumerateArray().Select(p => p.GetString()!)] : [],
     };
-
-    private static VerifiedQuantity Quantity(string word) => Enum.GetValues<VerifiedQuantity>().First(q => ReportWords.Of(q) == word);
 
     private static VerifiedBoundary Boundary(JsonElement json)
     {

@@ -61,22 +61,20 @@ internal sealed class DraftReader(JsonItem root, string file, MeasurementFile th
 
     private FeatureDraft Feature(JsonItem item)
     {
-        var kind = item["kind"].Text switch { "line" => FeatureKind.Line, "triangle" => FeatureKind.Triangle, _ => FeatureKind.Curve };
+        var kind = FeatureKinds.Of(item["kind"].Text);
         var (points, tolerance) = (item["points"], item["toleranceMm"]);
         var isStated = tolerance.Kind == JsonItemKind.List;
         return new()
         {
             Kind = kind,
             Name = Text(item, "name"),
-            Flanks = kind == FeatureKind.Triangle ? [.. points.Items.Select(Points)] : [Points(points)],
+            Flanks = kind.LeastPoints.Count > 1 ? [.. points.Items.Select(Points)] : [Points(points)],
             Blocks = Blocks(item["blocks"]),
             Tolerance = isStated ? FeatureDraft.Stated : tolerance.Text,
             Lower = isStated ? tolerance.Items[0].Text : "",
             Upper = isStated ? tolerance.Items[1].Text : "",
             Plane = Text(item, "plane", "XY"),
-            Method = Text(item, "method", "tls"),
-            Degree = Text(item, "degree"),
-            Ridge = Text(item, "ridge"),
+            Keys = kind.Keys.ToDictionary(k => k.Name, k => Text(item, k.Name, k.Default), StringComparer.Ordinal),
         };
     }
 

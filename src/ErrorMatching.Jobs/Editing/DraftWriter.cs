@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json.Nodes;
-using ErrorMatching.Mating;
 
 namespace ErrorMatching.Jobs;
 
@@ -96,8 +95,8 @@ internal sealed class DraftWriter(MatingDraft draft)
         var feature = new JsonObject
         {
             ["name"] = f.Name.Trim(),
-            ["kind"] = WordOf(f.Kind),
-            ["points"] = f.Kind == FeatureKind.Triangle ? List(f.Flanks, k => Texts(k.Select(p => p.Label.Trim()))) : Texts(f.Points.Select(p => p.Label.Trim())),
+            ["kind"] = f.Kind.Word,
+            ["points"] = f.Flanks.Count > 1 ? List(f.Flanks, k => Texts(k.Select(p => p.Label.Trim()))) : Texts(f.Points.Select(p => p.Label.Trim())),
             ["blocks"] = Texts(DraftList.Blocks(f.Blocks)),
             ["toleranceMm"] = f.Tolerance == FeatureDraft.Stated ? new JsonArray(Number(f.Lower), Number(f.Upper)) : f.Tolerance,
         };
@@ -106,17 +105,16 @@ internal sealed class DraftWriter(MatingDraft draft)
             feature["plane"] = f.Plane;
         }
 
-        switch (f.Kind)
+        foreach (var key in f.Kind.Keys)
         {
-            case FeatureKind.Line:
-                feature["method"] = f.Method;
-                break;
-            case FeatureKind.Curve:
-                OptionalNumber(feature, "degree", f.Degree);
-                OptionalNumber(feature, "ridge", f.Ridge);
-                break;
-            default:
-                break;
+            if (key.Words.Count > 0)
+            {
+                feature[key.Name] = f.Key(key.Name);
+            }
+            else
+            {
+                OptionalNumber(feature, key.Name, f.Key(key.Name));
+            }
         }
 
         return feature;
@@ -148,9 +146,6 @@ internal sealed class DraftWriter(MatingDraft draft)
         OptionalNumber(compensation, "limitMm", c.Limit);
         return compensation;
     }
-
-    /// <summary>The word of a kind.</summary>
-    internal static string WordOf(FeatureKind kind) => kind switch { FeatureKind.Line => "line", FeatureKind.Triangle => "triangle", _ => "curve" };
 
     private static bool HasText(string text) => !string.IsNullOrWhiteSpace(text);
 

@@ -6,13 +6,13 @@ namespace ErrorMatching.Jobs;
 /// <summary>A feature of the mating boundary as it is being typed.</summary>
 public sealed record FeatureDraft
 {
-    /// <summary>What shape it is.</summary>
-    public FeatureKind Kind { get; init; }
+    /// <summary>Its kind.</summary>
+    public FeatureKind Kind { get; init; } = FeatureKinds.All[0];
 
     /// <summary>Its name.</summary>
     public string Name { get; init; } = "";
 
-    /// <summary>Its key points in the order of cutting: one list, or for a triangle one for each of its two flanks.</summary>
+    /// <summary>Its key points in the order of cutting: as many lists as its kind has (<see cref="FeatureKind.LeastPoints"/>).</summary>
     public IReadOnlyList<IReadOnlyList<PointDraft>> Flanks { get; init; } = [[]];
 
     /// <summary>Selectors of the blocks that cut it, with commas between them.</summary>
@@ -34,14 +34,8 @@ public sealed record FeatureDraft
     /// <summary>The plane of its points: <c>XY</c>, <c>ZX</c> or <c>YZ</c>.</summary>
     public string Plane { get; init; } = "XY";
 
-    /// <summary>How a line is fitted: <c>tls</c> or <c>ols</c>.</summary>
-    public string Method { get; init; } = "tls";
-
-    /// <summary>Degree of a curve; empty or <c>auto</c> to have it chosen.</summary>
-    public string Degree { get; init; } = "";
-
-    /// <summary>Weight against overfitting of a curve; empty or <c>auto</c> to have it chosen.</summary>
-    public string Ridge { get; init; } = "";
+    /// <summary>What stands at each of the keys that only its kind has (<see cref="FeatureKind.Keys"/>).</summary>
+    public IReadOnlyDictionary<string, string> Keys { get; init; } = new Dictionary<string, string>();
 
     /// <summary>The word for limits that are stated.</summary>
     public const string Stated = "stated";
@@ -56,9 +50,22 @@ public sealed record FeatureDraft
     /// <param name="draft">The draft that it is for.</param>
     public static FeatureDraft New(FeatureKind kind, string name, MatingDraft draft)
     {
+        ArgumentNullException.ThrowIfNull(kind);
         ArgumentNullException.ThrowIfNull(draft);
         var next = draft.NextLabel;
-        int[] counts = kind switch { FeatureKind.Line => [2], FeatureKind.Triangle => [2, 2], _ => [3] };
-        return new() { Kind = kind, Name = name, Flanks = [.. counts.Select(c => (IReadOnlyList<PointDraft>)[.. Enumerable.Range(0, c).Select(_ => new PointDraft(PointLabel.Of(next++)))])] };
+        return new()
+        {
+            Kind = kind,
+            Name = name,
+            Flanks = [.. kind.LeastPoints.Select(c => (IReadOnlyList<PointDraft>)[.. Enumerable.Range(0, c).Select(_ => new PointDraft(PointLabel.Of(next++)))])],
+            Keys = kind.Keys.ToDictionary(k => k.Name, k => k.Default, StringComparer.Ordinal),
+        };
     }
+
+    /// <summary>What stands at a key of its kind.</summary>
+    public string Key(string name) => Keys[name];
+
+    /// <summary>The feature with another text at a key of its kind.</summary>
+    public FeatureDraft WithKey(string name, string text) =>
+        this with { Keys = Kind.Keys.ToDictionary(k => k.Name, k => k.Name == name ? text : Keys[k.Name], StringComparer.Ordinal) };
 }

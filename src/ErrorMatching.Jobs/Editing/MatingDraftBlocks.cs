@@ -21,7 +21,7 @@ public static class MatingDraftBlocks
             places[f.Name].FirstOrDefault()?.Plane ?? default,
             places[f.Name].Count() == f.Points.Count() ? [.. places[f.Name].Select(p => (p.Label, p.At))] : [])
         {
-            IsStraight = f.Kind != FeatureKind.Curve,
+            Kind = f.Kind,
         }).ToArray();
         return [.. BlockProposal.Of(path, sought, DraftNumber.Value(draft.Counterpart.ToolDiameter), DraftNumber.Value(draft.Counterpart.Map) ?? JobCounterpart.DefaultMapMm)
             .Where(p => draft.Features[p.Feature].BlockList.Count == 0)];

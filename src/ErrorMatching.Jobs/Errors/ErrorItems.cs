@@ -129,6 +129,7 @@ public static class ErrorItems
         GeometryError.NotConverged => "not-converged",
         GeometryError.NotFinite => "not-finite",
         GeometryError.FoldedCurve => "folded-curve",
+        GeometryError.NotAround => "not-around",
         GeometryError.BadKnots => "bad-knots",
         GeometryError.BadPoles => "bad-poles",
         GeometryError.OpenMesh => "open-mesh",

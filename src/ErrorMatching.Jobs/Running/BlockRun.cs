@@ -48,7 +48,7 @@ public static class BlockRun
             feature.Plane,
             [.. feature.Points.Select(p => (p, job.Counterpart.PlaceOf(theoretical[p], feature.Plane, theoretical.File)))])
         {
-            IsStraight = feature.Kind != FeatureKind.Curve,
+            Kind = feature.Kind,
         };
 
     // Do not propose what a match would refuse.

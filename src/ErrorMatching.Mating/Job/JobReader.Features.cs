@@ -17,31 +17,13 @@ internal sealed partial class JobReader
         var blocks = named.Select(b => b.Text).ToArray();
         var tolerance = ReadTolerance(item["toleranceMm"], chain);
         var plane = item.Find("plane")?.Text switch { "ZX" => CoordinatePlane.ZX, "YZ" => CoordinatePlane.YZ, _ => CoordinatePlane.XY };
-        var points = item["points"];
-        JobFeature feature = item["kind"].Text switch
-        {
-            "line" => new LineFeature(name, blocks, tolerance, plane, ReadPoints(points, name, 2), item.Find("method")?.Text == "ols" ? LineMethod.Ordinary : LineMethod.Total),
-            "triangle" => new TriangleFeature(name, blocks, tolerance, plane, ReadPoints(points.Items[0], name, 2), ReadPoints(points.Items[1], name, 2)),
-            _ => ReadCurve(item, name, blocks, tolerance, plane, ReadPoints(points, name, 3)),
-        };
+        var feature = FeatureKinds.Of(item["kind"].Text).Read(new(item, name, blocks, tolerance, plane, this));
         if (!_features.TryAdd(name, feature))
         {
             Refuse(item["name"], "duplicate-name", $"the name \"{name}\" again", "a name that no other feature has");
         }
 
         return feature;
-    }
-
-    private CurveFeature ReadCurve(JsonItem item, string name, string[] blocks, JobTolerance tolerance, CoordinatePlane plane, List<string> points)
-    {
-        int? degree = item.Find("degree") is { Kind: JsonItemKind.Number } d ? (int)Math.Min(d.Number, int.MaxValue) : null;
-        double? ridge = item.Find("ridge") is { Kind: JsonItemKind.Number } r ? r.Number : null;
-        if (degree >= points.Count && points.Count >= 3)
-        {
-            Refuse(item["degree"], "degree-too-high", $"the degree {item["degree"].Text}", string.Create(CultureInfo.InvariantCulture, $"at most {points.Count - 1} for {points.Count} points"));
-        }
-
-        return new(name, blocks, tolerance, plane, points, degree, ridge);
     }
 
     private JobTolerance ReadTolerance(JsonItem item, ToleranceChain? chain)
@@ -62,7 +44,8 @@ internal sealed partial class JobReader
         return new(computed.Band, source) { Place = item.Place };
     }
 
-    private List<string> ReadPoints(JsonItem list, string feature, int least)
+    /// <summary>The labels of a list of points; what is wrong with them becomes a problem.</summary>
+    public List<string> ReadPoints(JsonItem list, string feature, int least)
     {
         var labels = Labels(list);
         foreach (var (label, item) in labels)

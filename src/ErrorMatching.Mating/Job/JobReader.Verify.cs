@@ -41,15 +41,10 @@ internal sealed partial class JobReader
         var slash = item.Text.IndexOf('/', StringComparison.Ordinal);
         var name = slash < 0 ? item.Text : item.Text[..slash];
         int? flank = slash < 0 ? null : item.Text[slash..] switch { "/1" => 1, "/2" => 2, _ => 0 };
-        var fits = _features.GetValueOrDefault(name) switch
+        if (_features.GetValueOrDefault(name)?.Element(flank) is null)
         {
-            LineFeature => flank is null,
-            TriangleFeature => flank is 1 or 2,
-            _ => false,
-        };
-        if (!fits)
-        {
-            Refuse(item, "unknown-element", $"\"{item.Text}\"", "the name of a line, or of a triangle with /1 or /2 for its flank");
+            var expected = "the name " + string.Join(", or ", FeatureKinds.All.Select(k => k.ElementWords).OfType<string>());
+            Refuse(item, "unknown-element", $"\"{item.Text}\"", expected);
         }
 
         return new(name, flank);

@@ -169,5 +169,6 @@ internal sealed partial class JobReader(JsonItem root)
         return default;
     }
 
-    private void Refuse(JsonItem item, string code, string found, string expected) => Problems.Add(JsonProblem.At(item, code, found, expected));
+    /// <summary>Adds a problem with an item.</summary>
+    public void Refuse(JsonItem item, string code, string found, string expected) => Problems.Add(JsonProblem.At(item, code, found, expected));
 }

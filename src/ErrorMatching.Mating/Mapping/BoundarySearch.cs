@@ -54,7 +54,7 @@ public static class BoundarySearch
             {
                 var core = found[b][k];
                 taken.Remove(core.Core);
-                found[b][k] = core with { Core = Extended(path, core, boundaries[b].IsStraight, taken) };
+                found[b][k] = core.IsWhole ? core : core with { Core = Extended(path, core, boundaries[b].IsStraight, taken) };
                 taken.Add(found[b][k].Core);
             }
         }
@@ -128,7 +128,7 @@ public static class BoundarySearch
             return ([], new(NotFound, $"{boundary.Name}: fewer than two of its points have a place in the program. Give them their coordinates, or name the blocks yourself.", boundary.Name));
         }
 
-        var fits = cuts.ConvertAll(c => CutFit.Of(path, c, boundary.Points, radius, mapMm));
+        var fits = cuts.ConvertAll(c => CutFit.Of(path, c, boundary, radius, mapMm));
         var cores = fits.FindAll(f => f.Fault == CutFault.None).ConvertAll(f => Core(f, boundary, radius));
         if (cores.Count == 0)
         {
@@ -155,7 +155,7 @@ public static class BoundarySearch
     {
         Point2[] ordered = [.. (fit.IsAgainst ? boundary.Points.Reverse() : boundary.Points).Select(p => p.At)];
         var distance = fit.Feet.Average(f => radius is { } r && !f.IsCompensated ? Math.Abs(f.DistanceMm - r) : f.DistanceMm);
-        return new(fit.Cut, fit.Core, fit.IsAgainst, fit.WantedMm, distance, ordered[..2], [ordered[^1], ordered[^2]]);
+        return new(fit.Cut, fit.Core, fit.IsAgainst, fit.IsWhole, fit.WantedMm, distance, ordered[..2], [ordered[^1], ordered[^2]]);
     }
 
     // An arc that turns is no piece of a straight boundary but a corner, which follows both elements that meet there.
@@ -258,13 +258,14 @@ public static class BoundarySearch
         path.Motions[one.First].Block <= path.Motions[other.Last].Block && path.Motions[other.First].Block <= path.Motions[one.Last].Block;
 
     /// <summary>
-    /// A pass: the cut that it is of, what leads past all key points and whether from the last to the first, how far it must be away, how near
+    /// A pass: the cut that it is of, what leads past all key points, whether from the last to the first and whether that is all of it, how far it must be away, how near
     /// it is to that, and the two outermost points at both ends.
     /// </summary>
     private sealed record Pass(
         FoundPass Cut,
         FoundPass Core,
         bool IsAgainst,
+        bool IsWhole,
         double WantedMm,
         double DistanceMm,
         IReadOnlyList<Point2> Begin,

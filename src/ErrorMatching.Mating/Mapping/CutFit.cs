@@ -16,31 +16,49 @@ internal sealed record CutFit(FoundPass Cut, IReadOnlyList<SoughtFoot> Feet, dou
     /// <summary>How far a key point is from where it must be, at most.</summary>
     public double MissMm => Feet.Max(f => Math.Abs(f.DistanceMm - WantedMm));
 
+    // Twice at one place of a path: nearer than an NC word can say.
+    private const double SamePlaceMm = 1e-6;
+
+    // The first key point that the cut passes twice; -1 if there is none.
+    private int Twice { get; init; }
+
+    /// <summary>True if the core is all that belongs to the boundary, whatever its key points bound.</summary>
+    public bool IsWhole { get; init; }
+
     /// <summary>Judges a cut.</summary>
     /// <param name="path">The program, interpreted.</param>
     /// <param name="cut">The cut.</param>
-    /// <param name="points">The key points, at least two.</param>
+    /// <param name="boundary">The boundary, with at least two key points.</param>
     /// <param name="radius">Radius of the tool, mm; null if it is not known.</param>
     /// <param name="mapMm">How far a key point may lie from where it belongs.</param>
-    public static CutFit Of(NcPath path, FoundPass cut, IReadOnlyList<(string Label, Point2 At)> points, double? radius, double mapMm)
+    public static CutFit Of(NcPath path, FoundPass cut, SoughtBoundary boundary, double? radius, double mapMm)
     {
-        SoughtFoot[] feet = [.. points.Select(p => SoughtFoot.Of(path, cut, p.At))];
+        SoughtFoot[] feet = [.. boundary.Points.Select(p => SoughtFoot.Of(path, cut, p.At))];
         var compensated = feet[0].IsCompensated;
         var (least, most) = (feet.Min(f => f.DistanceMm), feet.Max(f => f.DistanceMm));
         var wanted = compensated ? 0 : radius ?? (least + most) / 2;
 
         // Where an end of the boundary is a corner of the path, the motion within it counts.
         var (ahead, back) = (new FoundPass(feet[0].Last, feet[^1].First), new FoundPass(feet[^1].Last, feet[0].First));
-        var isAgainst = ahead.First > ahead.Last;
-        var core = isAgainst ? back : ahead;
+
+        // At a joint the way in or out is as near; a key point within a motion tells which is meant.
+        var whole = boundary.Kind?.WholeOf(path, cut, feet.Where(f => f.First == f.Last && !f.IsTwice).Append(feet[0]).First().First);
+        var twice = Enumerable.Range(0, feet.Length).FirstOrDefault(i => whole is null ? feet[i].IsTwice : ComesBack(path, cut, whole, feet[i], boundary.Points[i].At), -1);
+        var isAgainst = whole is null && ahead.First > ahead.Last;
+        var core = whole ?? (isAgainst ? back : ahead);
         var fault = most - wanted > mapMm || wanted - least > mapMm ? CutFault.Apart
             : Array.Exists(feet, f => f.IsCompensated != compensated) ? CutFault.Compensation
             : !compensated && Array.Exists(feet, f => f.IsLeft != feet[0].IsLeft) ? CutFault.Sides
-            : Array.Exists(feet, f => f.IsTwice) ? CutFault.Twice
+            : twice >= 0 ? CutFault.Twice
             : core.First > core.Last || Array.Exists(feet, f => f.Last < core.First || f.First > core.Last) ? CutFault.Order
             : CutFault.None;
-        return new(cut, feet, wanted, core, isAgainst, fault);
+        return new(cut, feet, wanted, core, isAgainst, fault) { IsWhole = whole is not null, Twice = twice };
     }
+
+    // A closed contour passes the place where it begins once more where it ends, and so do the ways in and out: only a cut beyond these comes back.
+    private static bool ComesBack(NcPath path, FoundPass cut, FoundPass whole, SoughtFoot foot, Point2 point) =>
+        new[] { cut with { Last = whole.First - 2 }, cut with { First = whole.Last + 2 } }
+            .Any(rest => rest.First <= rest.Last && SoughtFoot.Of(path, rest, point).DistanceMm <= foot.DistanceMm + SamePlaceMm);
 
     /// <summary>Says why it does not cut the boundary.</summary>
     /// <param name="path">The program, interpreted.</param>
@@ -67,8 +85,6 @@ internal sealed record CutFit(FoundPass Cut, IReadOnlyList<SoughtFoot> Feet, dou
     }
 
     private string Where => Feet[0].IsCompensated ? "it on the path, since cutter compensation is active" : string.Create(CultureInfo.InvariantCulture, $"{WantedMm:0.###} mm, one tool radius");
-
-    private int Twice => Enumerable.Range(0, Feet.Count).First(i => Feet[i].IsTwice);
 
     private int Other(Func<SoughtFoot, bool> of) => Enumerable.Range(0, Feet.Count).First(i => of(Feet[i]) != of(Feet[0]));
 }

@@ -121,7 +121,7 @@ internal static class FeatureMapper
 
         var toPart = job.Counterpart.Frame.Inverse();
         map = new(feature, blocks, mapped, [.. mapped[0].Feet.Select(f => toPart.Apply(f.Normal))]);
-        return null;
+        return feature.RefuseMap(path, map);
     }
 
     // Why it cannot be said where a motion lies in the feature's plane, or null.
@@ -239,6 +239,7 @@ internal static class FeatureMapper
 
     private static string NameOf(NcPath path, int motion) => path.Program.NameOf(path.Program[path.Motions[motion].Block]);
 
-    private static MatingRefusal At(NcPath path, int block, string code, string message, string feature, string? point = null) =>
+    /// <summary>A refusal at a block of a feature.</summary>
+    internal static MatingRefusal At(NcPath path, int block, string code, string message, string feature, string? point = null) =>
         new(code, $"{feature}, {path.Program.NameOf(path.Program[block])}: {message}", feature, point, path.Program.NameOf(path.Program[block]), block + 1);
 }

@@ -8,6 +8,9 @@ namespace ErrorMatching.Mating;
 /// <param name="Points">Its key points in the order of cutting or against it: their labels, and where they lie in the program, mm.</param>
 public sealed record SoughtBoundary(string Name, CoordinatePlane Plane, IReadOnlyList<(string Label, Point2 At)> Points)
 {
+    /// <summary>Its kind; null if it is not known.</summary>
+    public FeatureKind? Kind { get; init; }
+
     /// <summary>True if it is straight at both ends, as a line and the flanks of a triangle are: no arc and no bend continues it.</summary>
-    public bool IsStraight { get; init; }
+    public bool IsStraight => Kind?.IsStraight == true;
 }

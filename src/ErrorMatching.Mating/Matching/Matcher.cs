@@ -80,11 +80,17 @@ public static class Matcher
         MatchInput input, NcPath path, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part, AlignedMeasurement? counterpart, MatingDecision decision)
     {
         var elements = new List<ElementWish>();
-        for (var i = 0; i < maps.Count; i++)
+        foreach (var (map, decided) in maps.Zip(decision.Features).Where(m => m.Second.Decision == Decision.Compensated))
         {
-            if (decision.Features[i].Decision == Decision.Compensated)
+            Vector2[] corrections = [.. decided.Points.Select(p => input.Job.Counterpart.Frame.Apply(p.Correction))];
+            foreach (var cut in map.Passes.Select(pass => new FeatureCut(input.Job, path, pass, corrections)))
             {
-                elements.AddRange(maps[i].Passes.SelectMany(pass => FeatureWish.For(input.Job, path, maps[i], pass, decision.Features[i])));
+                if (map.Feature.RefuseCut(cut) is { } cannotFollow)
+                {
+                    return MatchOutcome.Refused(cannotFollow);
+                }
+
+                elements.AddRange(map.Feature.Wishes(cut));
             }
         }
 

@@ -120,7 +120,7 @@ public static class MatchReportJson
     private static void WriteFeature(ReportWriter w, ReportFeature f)
     {
         w.Text("name", f.Name);
-        w.Text("kind", ReportWords.Of(f.Kind));
+        w.Text("kind", f.Kind.Word);
         Quantities("theoretical", q => q.Quantity.Theoretical);
         Quantities("actual", q => q.Quantity.Actual);
         Quantities("deviation", q => q.Quantity.Deviation);

@@ -84,10 +84,10 @@ public static class MatchReporter
             LargestMm = decision.LargestMm,
             UncertaintyMm = decision.StandardUncertaintyMm,
             ResidualsMm = evaluation.ResidualsMm,
-            Curve = evaluation.ActualCurve is { } curve ? ReportCurve.Of(curve) : null,
+            Curve = evaluation.Curve is { } curve ? ReportCurve.Of(curve) : null,
             TheoreticalOutline = Outlines.Boundary(job, result.Before, map.Passes[0]),
             CorrectedOutline = Outlines.Boundary(job, result.After, map.Passes[0]),
-            ActualOutline = Outlines.Measured(job, result.Before, map, [.. map.Feature.Points.Select(l => result.Part.Points[l])], Theoretical(result, map)),
+            ActualOutline = map.Feature.MeasuredOutline(new(job, result.Before, map, Theoretical(result, map), [.. map.Feature.Points.Select(l => result.Part.Points[l])])),
             StandsOutMm = map.Feature.Points.All(l => result.Input.Part[l].HasZ) ? heights.DefaultIfEmpty().Max() : null,
         };
     }

@@ -6,9 +6,6 @@ namespace ErrorMatching.Mating;
 /// <summary>The words that reports use for values of enumerations: those of the job where the job has them.</summary>
 public static class ReportWords
 {
-    /// <summary>line, triangle or curve.</summary>
-    public static string Of(FeatureKind kind) => kind switch { FeatureKind.Line => "line", FeatureKind.Triangle => "triangle", _ => "curve" };
-
     /// <summary>compensated, within-tolerance or not-significant.</summary>
     public static string Of(Decision decision) => decision switch
     {
@@ -22,15 +19,6 @@ public static class ReportWords
 
     /// <summary>job, chain:worst-case or chain:rss.</summary>
     public static string Of(ToleranceSource source) => source switch { ToleranceSource.Stated => "job", ToleranceSource.WorstCase => "chain:worst-case", _ => "chain:rss" };
-
-    /// <summary>deviation, deviation-x, length or angle.</summary>
-    public static string Of(VerifiedQuantity quantity) => quantity switch
-    {
-        VerifiedQuantity.Deviation => "deviation",
-        VerifiedQuantity.DeviationX => "deviation-x",
-        VerifiedQuantity.Length => "length",
-        _ => "angle",
-    };
 
     /// <summary>part or counterpart.</summary>
     public static string Of(CompensationSource source) => source == CompensationSource.Part ? "part" : "counterpart";

@@ -28,7 +28,7 @@ public static class VerifyReportJson
             w.List("features", report.Result.Features, f =>
             {
                 w.Text("name", f.Name);
-                w.Text("quantity", ReportWords.Of(f.Quantity));
+                w.Text("quantity", f.Quantity.Word);
                 w.Number("wanted", f.Wanted);
                 w.Number("before", f.Before);
                 w.Number("after", f.After);

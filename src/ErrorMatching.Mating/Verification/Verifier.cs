@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Compares counterparts with the part (Wang 2021, section 4): for a line deviations and length, for a triangle deviations and angle, for a curve deviations, and what the job asks for besides.</summary>
+/// <summary>Compares counterparts with the part (Wang 2021, section 4): deviations of every feature, what its kind has besides (for a line its length, for a triangle its angle), and what the job asks for.</summary>
 internal static class Verifier
 {
     /// <summary>Compares two counterparts with the part.</summary>
@@ -27,21 +27,12 @@ internal static class Verifier
     private static List<VerifiedFeature> OfFeature(JobFeature feature, Dictionary<string, VerifiedPoint> byLabel)
     {
         var points = Select(feature.Points, byLabel);
-        var quantities = new List<VerifiedFeature> { Deviation(feature.Name, false, points), Deviation(feature.Name, true, points) };
-        switch (feature)
-        {
-            case LineFeature line:
-                quantities.Add(Of(feature.Name, VerifiedQuantity.Length, at => FeatureFits.Line(line.Name, line.Method, [.. points.Select(at)], 0).Length));
-                break;
-            case TriangleFeature triangle:
-                var (first, second) = (Select(triangle.FirstFlank, byLabel), Select(triangle.SecondFlank, byLabel));
-                quantities.Add(Of(feature.Name, VerifiedQuantity.Angle, at => FeatureFits.Wedge(triangle.Name, [.. first.Select(at)], [.. second.Select(at)], 0).IncludedAngle.Degrees));
-                break;
-            default:
-                break;
-        }
-
-        return quantities;
+        return
+        [
+            Deviation(feature.Name, false, points),
+            Deviation(feature.Name, true, points),
+            .. feature.Compared.Select(c => Of(feature.Name, c.Quantity, at => c.Of([.. points.Select(at)]))),
+        ];
     }
 
     private static VerifiedFeature OfComparison(JobComparison comparison, MatingJob job, Dictionary<string, VerifiedPoint> byLabel)
@@ -58,13 +49,8 @@ internal static class Verifier
     private static LineFit Element(ElementReference reference, MatingJob job, Dictionary<string, VerifiedPoint> byLabel, Func<VerifiedPoint, Point2> at)
     {
         var feature = job.Features.First(f => f.Name == reference.Feature);
-        var (labels, method) = feature switch
-        {
-            TriangleFeature triangle => (reference.Flank == 1 ? triangle.FirstFlank : triangle.SecondFlank, LineMethod.Total),
-            LineFeature line => (line.Points, line.Method),
-            _ => throw new ArgumentException($"Found {reference}, which is not straight; expected a line or a flank.", nameof(reference)),
-        };
-        return FeatureFits.Line(feature.Name, method, [.. Select(labels, byLabel).Select(at)], 0);
+        var element = feature.Element(reference.Flank) ?? throw new ArgumentException($"Found {reference}, which is not straight; expected a line or a flank.", nameof(reference));
+        return FeatureFits.Line(feature.Name, element.Method, [.. Select(element.Points, byLabel).Select(at)], 0);
     }
 
     private static VerifiedFeature Deviation(string name, bool alongX, IReadOnlyList<VerifiedPoint> points) => alongX

@@ -5,7 +5,7 @@ namespace ErrorMatching.Cell.Tests;
 
 public sealed class CorrectionComputerTests
 {
-    public static TheoryData<string> Requests => ["complex-mating", "curve-mating", "surface-one", "surface-one displaced"];
+    public static TheoryData<string> Requests => ["complex-mating", "curve-mating", "circle-mating", "slot-mating", "surface-one", "surface-one displaced"];
 
     [Theory]
     [MemberData(nameof(Requests))]

@@ -10,6 +10,8 @@ public sealed class MatchTests
     [Theory]
     [InlineData("complex-mating", 16)]
     [InlineData("curve-mating", 10)]
+    [InlineData("circle-mating", 8)]
+    [InlineData("slot-mating", 8)]
     public async Task A_sample_becomes_a_program_a_report_and_a_proof_that_holds(string sample, int points)
     {
         using var shop = new Workshop();

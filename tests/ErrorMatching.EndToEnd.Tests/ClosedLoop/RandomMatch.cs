@@ -38,7 +38,7 @@ internal static class RandomMatch
 
     private static string Job(RandomPart part, string from)
     {
-        var features = part.Features.Select(f => $$"""{ "name": "{{f.Name}}", "kind": "{{f.Kind}}", "points": {{Points(f)}}, "blocks": ["{{f.Blocks}}"], "toleranceMm": [0, 0] }""");
+        var features = part.Features.Select(f => $$"""{ "name": "{{f.Name}}", "kind": "{{f.Kind}}", "points": {{Points(f)}}, "blocks": ["{{f.Blocks}}"], "toleranceMm": [0, 0]{{f.More}} }""");
         return $$"""
             {
               "kind": "mating", "name": "Random {{part.Seed}}",

@@ -151,6 +151,25 @@ public sealed partial class HouseTests
         }
     }
 
+    // A kind of feature is a folder: what is outside of it asks the feature, and never which kind it has.
+    [Fact]
+    public void No_source_outside_of_its_folder_names_a_kind_of_feature()
+    {
+        var features = Repository.PathTo("src", "ErrorMatching.Mating", "Features");
+        foreach (var kind in Directory.EnumerateDirectories(features))
+        {
+            var types = Directory.EnumerateFiles(kind, "*.cs").Select(f => Path.GetFileNameWithoutExtension(f)).ToArray();
+            Assert.Contains(Path.GetFileName(kind) + "Kind", types);
+            Assert.Contains(Path.GetFileName(kind) + "Feature", types);
+            foreach (var file in Directory.EnumerateFiles(Repository.PathTo("src"), "*.cs", SearchOption.AllDirectories)
+                .Where(f => Path.GetDirectoryName(f) != kind && f != Path.Combine(features, "FeatureKinds.cs") && !f.Contains($"{Path.DirectorySeparatorChar}obj{Path.DirectorySeparatorChar}", StringComparison.Ordinal)))
+            {
+                var words = File.ReadAllText(file).Split([' ', '.', ',', ';', '(', ')', '<', '>', '[', ']', '{', '}', '?', '"', '\n', '\r'], StringSplitOptions.RemoveEmptyEntries);
+                Assert.True(!words.Intersect(types).Any(), $"{file} names {string.Join(", ", words.Intersect(types))}");
+            }
+        }
+    }
+
     [Fact]
     public void Each_project_is_in_the_solution()
     {

@@ -171,8 +171,8 @@ public sealed class PointSetupTests
     public void A_drawing_grows_with_each_entry()
     {
         var draft = new MatingDraft();
-        draft = draft with { Features = [FeatureDraft.New(FeatureKind.Line, "L", draft)] };
-        draft = draft with { Features = [.. draft.Features, FeatureDraft.New(FeatureKind.Triangle, "T", draft)] };
+        draft = draft with { Features = [FeatureDraft.New(LineKind.Instance, "L", draft)] };
+        draft = draft with { Features = [.. draft.Features, FeatureDraft.New(TriangleKind.Instance, "T", draft)] };
         var schematic = PartDrawing.Of(draft);
         Assert.Equal((true, 0, 6), (schematic.IsSchematic, schematic.Known, schematic.Total));
         Assert.Equal(6, schematic.Lines.SelectMany(l => l.Points).Select(p => p.At).Distinct().Count());
@@ -185,7 +185,7 @@ public sealed class PointSetupTests
     public void A_triangle_is_drawn_over_the_apex_that_nobody_measures()
     {
         var draft = new MatingDraft();
-        draft = draft with { Features = [FeatureDraft.New(FeatureKind.Triangle, "T", draft)] };
+        draft = draft with { Features = [FeatureDraft.New(TriangleKind.Instance, "T", draft)] };
         var schematic = PartDrawing.Of(draft).Lines[0];
         Assert.Equal(5, schematic.Outline.Count);
         Assert.True(schematic.Outline[2].Y < schematic.Points.Min(p => p.At.Y) - 1, "It has a flat bottom.");
@@ -208,7 +208,7 @@ public sealed class PointSetupTests
     public void A_curve_without_coordinates_is_round_and_passes_through_its_points()
     {
         var draft = new MatingDraft();
-        draft = draft with { Features = [FeatureDraft.New(FeatureKind.Curve, "C", draft)] };
+        draft = draft with { Features = [FeatureDraft.New(CurveKind.Instance, "C", draft)] };
         var curve = PartDrawing.Of(draft.WithFeature(0, f => f with { Flanks = [[new("1", "", ""), new("2", "", ""), new("3", "", "")]] })).Lines[0];
         Assert.Equal(["1", "2", "3"], curve.Points.Select(p => p.Label));
         Assert.All(curve.Points, p => Assert.Contains(curve.Outline, o => o.DistanceTo(p.At) < 1e-9));

@@ -89,7 +89,7 @@ public sealed class SetupCountTests
     public Task What_is_still_to_be_filled_in_is_told_quietly_and_what_is_wrong_aloud() => At(seat =>
     {
         seat.Seat.Tap("setup-anew");
-        seat.Shell.Editing.Change("", d => d with { Name = "Piece", Features = [FeatureDraft.New(ErrorMatching.Mating.FeatureKind.Line, "L1", d)] });
+        seat.Shell.Editing.Change("", d => d with { Name = "Piece", Features = [FeatureDraft.New(ErrorMatching.Mating.LineKind.Instance, "L1", d)] });
         seat.Settle();
 
         // Four coordinates, the program and blocks, two limits, the tool, the uncertainty.

@@ -59,7 +59,7 @@ public sealed class SystemSetupTests
     public Task Limits_the_wrong_way_around_are_told_at_once_where_they_stand() => At(seat =>
     {
         seat.Seat.Tap("setup-anew");
-        seat.Shell.Editing.Change("", d => d with { Features = [FeatureDraft.New(ErrorMatching.Mating.FeatureKind.Line, "L1", d)], Chain = [new("cover", "15", "0.1", "-0.1")] });
+        seat.Shell.Editing.Change("", d => d with { Features = [FeatureDraft.New(ErrorMatching.Mating.LineKind.Instance, "L1", d)], Chain = [new("cover", "15", "0.1", "-0.1")] });
         seat.Seat.Tap("side-tolerances").Type("edit-features[0].toleranceMm[0]", "0.05").Type("edit-features[0].toleranceMm[1]", "-0.05");
         seat.Settle();
         Assert.Equal("The lower limit is above the upper one.", seat.TextOf("problem-features[0].toleranceMm[0]"));

@@ -41,8 +41,8 @@ public sealed class MatingDraftCheckTests
         ["too few points"] = (d => d.WithPoints(0, 0, 1), "$.features[0].points", "too-few-points"),
         ["too few points on a flank"] = (d => d.WithPoints(1, 1, 1), "$.features[1].points[1]", "too-few-points"),
         ["point twice"] = (d => Point(d, 1, 0, 1, p => p with { Label = "1" }), "$.features[1].points[0][1]", "duplicate-point"),
-        ["degree too high"] = (d => d.WithFeature(2, f => f with { Degree = "10" }), "$.features[2].degree", "degree-too-high"),
-        ["degree text"] = (d => d.WithFeature(2, f => f with { Degree = "two" }), "$.features[2].degree", "not-one-of"),
+        ["degree too high"] = (d => d.WithFeature(2, f => f.WithKey("degree", "10")), "$.features[2].degree", "degree-too-high"),
+        ["degree text"] = (d => d.WithFeature(2, f => f.WithKey("degree", "two")), "$.features[2].degree", "not-one-of"),
         ["no blocks"] = (d => d.WithFeature(0, f => f with { Blocks = "" }), "$.features[0].blocks", "too-few-items"),
         ["block wrong"] = (d => d.WithFeature(0, f => f with { Blocks = "N120, 130" }), "$.features[0].blocks[1]", "pattern-mismatch"),
         ["expression wrong"] = (d => d.WithFeature(0, f => f with { Blocks = "/(/" }), "$.features[0].blocks[0]", "bad-pattern"),
@@ -111,7 +111,7 @@ public sealed class MatingDraftCheckTests
     public void What_is_only_missing_is_told_from_what_is_wrong()
     {
         var draft = MatingDraftFiles.Open(File).Emptied() with { Name = "a" };
-        draft = draft with { Features = [FeatureDraft.New(FeatureKind.Line, "L1", draft) with { Blocks = "abc", Lower = "x" }] };
+        draft = draft with { Features = [FeatureDraft.New(LineKind.Instance, "L1", draft) with { Blocks = "abc", Lower = "x" }] };
         var problems = MatingDraftCheck.Of(draft, File).Problems;
         Assert.Equal(["$.features[0].blocks[0]", "$.features[0].toleranceMm[0]"], problems.Where(p => !p.IsMissing).Select(p => p.Field).Order(StringComparer.Ordinal));
         Assert.Contains("$.gauge.uncertaintyMm", problems.Where(p => p.IsMissing).Select(p => p.Field));
@@ -203,7 +203,7 @@ public sealed class MatingDraftCheckTests
     public void Every_empty_coordinate_is_told_by_itself()
     {
         var draft = new MatingDraft();
-        draft = draft with { Features = [FeatureDraft.New(FeatureKind.Triangle, "T", draft)] };
+        draft = draft with { Features = [FeatureDraft.New(TriangleKind.Instance, "T", draft)] };
         var told = MatingDraftCheck.Of(draft, File).Problems.Select(p => p.Field).Where(f => f.Contains('/', StringComparison.Ordinal)).ToArray();
         Assert.Equal(8, told.Length);
         Assert.Equal(["1", "2", "3", "4"], draft.Points.Select(p => p.Label));

@@ -21,6 +21,8 @@ public sealed class MatingDraftFilesTests
     [Theory]
     [InlineData("complex-mating")]
     [InlineData("curve-mating")]
+    [InlineData("circle-mating")]
+    [InlineData("slot-mating")]
     public void A_job_that_went_through_a_draft_gives_the_same_report(string sample)
     {
         using var folder = new TemporaryFolder();

@@ -60,7 +60,7 @@ public sealed class PointTableTests
     {
         // The paper's drawing has a tip of no feature in its middle; a line, a triangle and a curve were counted from 1 to 16.
         var drawing = File.ReadAllText(Repository.PathTo("samples", "complex-mating", "theoretical.csv"));
-        var counted = new[] { FeatureKind.Line, FeatureKind.Triangle, FeatureKind.Curve }.Aggregate(new MatingDraft(), (d, k) => d with { Features = [.. d.Features, FeatureDraft.New(k, k.ToString(), d)] }).WithPoints(2, 0, 10);
+        var counted = new FeatureKind[] { LineKind.Instance, TriangleKind.Instance, CurveKind.Instance }.Aggregate(new MatingDraft(), (d, k) => d with { Features = [.. d.Features, FeatureDraft.New(k, k.ToString(), d)] }).WithPoints(2, 0, 10);
         var refused = PointTable.Read(drawing).Into(counted);
         Assert.Equal((PointTableRefusal.OtherCount, 17, 16), (refused.Refusal, refused.Rows, refused.Points));
         Assert.Equal("2a 3a 3b | 15 16", $"{string.Join(' ', refused.OnlyInTable)} | {string.Join(' ', refused.OnlyInFeatures)}");

@@ -13,7 +13,7 @@ internal static class RandomDraft
         var hasZ = random.Next(2) == 0;
         var features = Enumerable.Range(0, random.Next(1, 5)).Select(i => Feature(i)).ToArray();
         var others = Points(random.Next(0, 3));
-        var (line, triangle) = (features.FirstOrDefault(f => f.Kind == FeatureKind.Line), features.FirstOrDefault(f => f.Kind == FeatureKind.Triangle));
+        var (line, triangle) = (features.FirstOrDefault(f => f.Kind == LineKind.Instance), features.FirstOrDefault(f => f.Kind == TriangleKind.Instance));
         return new()
         {
             Name = Any("Housing", "殼體", "a \"quoted\" name"),
@@ -48,20 +48,18 @@ internal static class RandomDraft
 
         FeatureDraft Feature(int i)
         {
-            var kind = (FeatureKind)random.Next(3);
+            var kind = FeatureKinds.All[random.Next(FeatureKinds.All.Count)];
             return new()
             {
                 Kind = kind,
                 Name = string.Create(CultureInfo.InvariantCulture, $"{Any("L", "線 ")}{i}"),
-                Flanks = kind == FeatureKind.Triangle ? [Points(random.Next(2, 4)), Points(random.Next(2, 4))] : [Points(random.Next(3, 8))],
+                Flanks = [.. kind.LeastPoints.Select(least => Points(random.Next(Math.Max(least, 3), least + 5)))],
                 Blocks = Any("N120", "N130..N160, N200", "/^N8[0-9]{3}\\b.*\\bG0?3\\b/", "/a, b; c/, n7"),
                 Tolerance = Any("stated", "chain:rss", "chain:worst-case") is var t ? t : "",
                 Lower = t == "stated" ? "-0.050" : "",
                 Upper = t == "stated" ? "0.05" : "",
                 Plane = Any("XY", "ZX", "YZ"),
-                Method = kind == FeatureKind.Line ? Any("tls", "ols") : "tls",
-                Degree = kind == FeatureKind.Curve ? Any("", "auto", "2") : "",
-                Ridge = kind == FeatureKind.Curve ? Any("", "auto", "0.001") : "",
+                Keys = kind.Keys.ToDictionary(k => k.Name, k => k.Words.Count > 0 ? Any([.. k.Words]) : Any("", "auto", "2")),
             };
         }
 

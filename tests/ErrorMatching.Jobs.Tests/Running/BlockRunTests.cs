@@ -15,6 +15,8 @@ public sealed class BlockRunTests
     [Theory]
     [InlineData("complex-mating", "N120", "N130..N160", "N170..N1190")]
     [InlineData("curve-mating", "N120..N1970")]
+    [InlineData("circle-mating", "N120..N130")]
+    [InlineData("slot-mating", "N120..N160")]
     public void A_sample_without_blocks_gets_those_of_the_paper_and_is_the_sample_again(string sample, params string[] blocks)
     {
         using var shop = Shop(sample);

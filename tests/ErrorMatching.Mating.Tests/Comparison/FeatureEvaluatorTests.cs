@@ -13,7 +13,6 @@ public sealed class FeatureEvaluatorTests
 
         var evaluation = FeatureEvaluator.Evaluate(line, [new(0, 0), new(-5, 0), new(-10, 0)], [new(0, 0.1), new(-5, 0.1), new(-10.2, 0.1)], 0.01);
 
-        Assert.Equal(("L1", FeatureKind.Line), (evaluation.Feature, evaluation.Kind));
         AssertQuantity(evaluation, "lengthMm", 10, 10.2);
         AssertQuantity(evaluation, "directionDeg", 180, 180);
         Assert.Equal(0.0141421, evaluation.Quantities[0].StandardUncertainty, 6);
@@ -90,7 +89,7 @@ public sealed class FeatureEvaluatorTests
 
         AssertQuantity(evaluation, "chordMm", 2, 2);
         AssertQuantity(evaluation, "arcLengthMm", Math.Sqrt(2) + Math.Asinh(1), Math.Sqrt(2) + Math.Asinh(1));
-        Assert.Equal(2, evaluation.ActualCurve!.Polynomial.Degree);
+        Assert.Equal(2, evaluation.Curve!.Polynomial.Degree);
         Assert.Equal(9, evaluation.ResidualsMm.Count);
         Assert.Empty(evaluation.Warnings);
     }
@@ -101,7 +100,7 @@ public sealed class FeatureEvaluatorTests
         Point2[] points = [.. Enumerable.Range(0, 6).Select(i => new Point2(i, Math.Sin(i)))];
         var curve = new CurveFeature("C1", ["N1"], Tolerance, CoordinatePlane.XY, [.. points.Select((_, i) => $"{i}")], 3, 0.5);
 
-        var fit = FeatureEvaluator.Evaluate(curve, points, points, 0).ActualCurve!.Polynomial;
+        var fit = FeatureEvaluator.Evaluate(curve, points, points, 0).Curve!.Polynomial;
 
         Assert.Equal((3, 0.5), (fit.Degree, fit.Ridge));
     }
@@ -126,7 +125,7 @@ public sealed class FeatureEvaluatorTests
 
         var evaluation = FeatureEvaluator.Evaluate(curve, points, points, 0);
 
-        Assert.Null(evaluation.ActualCurve);
+        Assert.Null(evaluation.Curve);
         AssertQuantity(evaluation, "chordMm", Math.Sqrt(200), Math.Sqrt(200));
         Assert.Contains("turns back over its chord", Assert.Single(evaluation.Warnings).Message, StringComparison.Ordinal);
     }

@@ -32,7 +32,7 @@ public sealed class MatingJobTests
     {
         var job = SampleJob.With();
 
-        Assert.Equal([FeatureKind.Line, FeatureKind.Triangle, FeatureKind.Curve], job.Features.Select(f => f.Kind));
+        Assert.Equal([LineKind.Instance, TriangleKind.Instance, CurveKind.Instance], job.Features.Select(f => f.Kind));
         Assert.Equal(["1", "2", "2a", "3a", "3b", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14"], job.KeyPoints);
         var triangle = Assert.IsType<TriangleFeature>(job.Features[1]);
         Assert.Equal(["2a", "3a"], triangle.FirstFlank);

@@ -7,6 +7,8 @@ public sealed class SampleChainTests
 {
     [Theory]
     [InlineData("curve-mating")]
+    [InlineData("circle-mating")]
+    [InlineData("slot-mating")]
     [InlineData("complex-mating")]
     public void A_compensated_program_can_be_corrected_by_what_it_cut(string sample)
     {

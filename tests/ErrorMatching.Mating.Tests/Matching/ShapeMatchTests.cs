@@ -77,7 +77,7 @@ public sealed class ShapeMatchTests
         Assert.Equal(angle.Quantity.Actual, feedback.Corrected!.Value, 2);
         Assert.Equal(ideal, Angle(match with { Part = Flanks, Counterpart = "1 3 -4; 2 9 -12; 3 21 -12; 4 26.92 -3.94", Compensation = """{ "from": "counterpart" }""" }).Corrected!.Value, 2);
 
-        static ReportQuantity Angle(MatchCase match) => match.Report().Features[0].Quantities.Single(q => q.Quantity.Name == FeatureQuantity.IncludedAngle);
+        static ReportQuantity Angle(MatchCase match) => match.Report().Features[0].Quantities.Single(q => q.Quantity.Name == TriangleKind.IncludedAngle);
     }
 
     [Fact]

@@ -11,7 +11,7 @@ public sealed class MatchReportTests
     private static readonly ReportFeature Curve = new()
     {
         Name = "C1",
-        Kind = FeatureKind.Curve,
+        Kind = CurveKind.Instance,
         Tolerance = new(new(-0.05, 0.05), ToleranceSource.RootSumOfSquares),
         Quantities = [new(new("lengthMm", 17.5, 17.82, 0.003), 17.6), new(new("directionDeg", 179, -179, 0.1), null)],
         Decision = Decision.Compensated,
@@ -47,7 +47,7 @@ public sealed class MatchReportTests
         Compensation = new(CompensationSource.Counterpart, 0.5, CompensationAmount.Excess, CompensationDirection.Vector, 0.4),
         Uncertainty = new([new("probing", 0.003), new("clamping", 0.004)]),
         Chain = new([new("a", 10, new(-0.03, 0.03), 1)]),
-        Features = [Curve, Curve with { Name = "L1", Kind = FeatureKind.Line, Decision = Decision.WithinTolerance, Curve = null, StandsOutMm = null }, Curve with { Name = "T1", Kind = FeatureKind.Triangle, Decision = Decision.NotSignificant }],
+        Features = [Curve, Curve with { Name = "L1", Kind = LineKind.Instance, Decision = Decision.WithinTolerance, Curve = null, StandsOutMm = null }, Curve with { Name = "T1", Kind = TriangleKind.Instance, Decision = Decision.NotSignificant }],
         KeyPoints = [Point, Point with { Counterpart = new(1, 2) }],
         Program = new("out/counterpart.nc", "dd", 1, 2, [new("N8960", 7, "N8960 X-34.995", "N8960 X-34.965", [new(6, 8)], [new(6, 8)])]),
         Proof = new(true, 12, 3, [new("N8950", 3, NeighborRole.Slides, 0.0151)], null, 0.0004, true),

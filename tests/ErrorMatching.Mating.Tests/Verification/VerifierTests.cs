@@ -25,7 +25,7 @@ public sealed class VerifierTests
         string[] curve = ["5", "6", "7", "8", "9", "10", "11", "12", "13", "14"];
         Assert.All(result.Features.Where(f => f.Name == "C1"), f => Assert.Equal(curve, f.Points));
         Assert.Equal(curve.Skip(1), result.Features.Single(f => f.Name == "C1 without the corner").Points);
-        Assert.All(result.Features, f => Assert.Equal(f.Quantity is VerifiedQuantity.Deviation or VerifiedQuantity.DeviationX, f.Points.Count > 0));
+        Assert.All(result.Features, f => Assert.Equal(f.Quantity.IsDeviation, f.Points.Count > 0));
 
         // The point beside the corner is what the paper leaves out.
         AssertFeature(result, "C1", VerifiedQuantity.DeviationX, 0, 0.137, 0.056, 59, 9);
@@ -137,7 +137,7 @@ public sealed class VerifierTests
 
         // Out along +x, back up and to the left at 135 degrees: 45 degrees inside.
         Assert.Equal(45, result.Features.Single(f => f.Name == "corner").Wanted, 9);
-        Assert.Equal(45, result.Features.Single(f => f is { Name: "L2L3", Quantity: VerifiedQuantity.Angle }).Wanted, 9);
+        Assert.Equal(45, result.Features.Single(f => f.Name == "L2L3" && f.Quantity == VerifiedQuantity.Angle).Wanted, 9);
     }
 
     [Fact]

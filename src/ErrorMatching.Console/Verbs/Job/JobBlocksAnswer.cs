@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Jobs;
-using ErrorMatching.Mating;
 
 namespace ErrorMatching.Console;
 
@@ -25,7 +24,7 @@ internal sealed class JobBlocksAnswer(FoundBlocks found, string? written) : Docu
             var feature = found.Job.Features[proposed.Feature];
             json.WriteStartObject();
             json.WriteString("name", feature.Name);
-            json.WriteString("kind", ReportWords.Of(feature.Kind));
+            json.WriteString("kind", feature.Kind.Word);
             Texts("points", feature.Points);
             Texts("blocks", proposed.Blocks);
             json.WriteStartArray("passes");
@@ -82,7 +81,7 @@ internal sealed class JobBlocksAnswer(FoundBlocks found, string? written) : Docu
             found.Features.Select(f => (IReadOnlyList<string>)
             [
                 f.Name,
-                ReportWords.Of(found.Job.Features[f.Feature].Kind),
+                found.Job.Features[f.Feature].Kind.Word,
                 found.Job.Features[f.Feature].Points.Count.ToString(CultureInfo.InvariantCulture),
                 f.Blocks.Count > 0 ? string.Join(", ", f.Blocks) : "not found",
                 string.Join(", ", f.Passes.Select(p => Lines(p.First, p.Last))),

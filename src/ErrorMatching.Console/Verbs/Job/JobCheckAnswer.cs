@@ -32,7 +32,7 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
         {
             json.WriteStartObject();
             json.WriteString("name", feature.Name);
-            json.WriteString("kind", ReportWords.Of(feature.Kind));
+            json.WriteString("kind", feature.Kind.Word);
             json.WriteNumber("points", feature.Points.Count);
             json.Numbers("toleranceMm", [feature.Tolerance.Band.LowerMm, feature.Tolerance.Band.UpperMm]);
             json.WriteEndObject();
@@ -58,7 +58,7 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
             ["feature", "kind", "points", "lower", "upper", "blocks"],
             job.Features.Select(f => (IReadOnlyList<string>)
             [
-                f.Name, ReportWords.Of(f.Kind), f.Points.Count.ToString(CultureInfo.InvariantCulture), Show.Mm(f.Tolerance.Band.LowerMm), Show.Mm(f.Tolerance.Band.UpperMm), string.Join(", ", f.Blocks),
+                f.Name, f.Kind.Word, f.Points.Count.ToString(CultureInfo.InvariantCulture), Show.Mm(f.Tolerance.Band.LowerMm), Show.Mm(f.Tolerance.Band.UpperMm), string.Join(", ", f.Blocks),
             ]));
         page.Line();
         page.Line($"Compensation from the {ReportWords.Of(job.Compensation.From)}, {ReportWords.Of(job.Compensation.Amount)} deviation along the {ReportWords.Of(job.Compensation.Along)}, dialect {job.Counterpart.Dialect}.");

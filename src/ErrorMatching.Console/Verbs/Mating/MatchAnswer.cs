@@ -28,7 +28,7 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
             ["feature", "kind", "largest", "lower", "upper", "uncertainty", "decision"],
             _report.Features.Select(f => (IReadOnlyList<string>)
             [
-                f.Name, ReportWords.Of(f.Kind), Show.Signed(f.LargestMm), Show.Signed(f.Tolerance.Band.LowerMm), Show.Signed(f.Tolerance.Band.UpperMm), Show.Mm(f.UncertaintyMm), ReportWords.Of(f.Decision),
+                f.Name, f.Kind.Word, Show.Signed(f.LargestMm), Show.Signed(f.Tolerance.Band.LowerMm), Show.Signed(f.Tolerance.Band.UpperMm), Show.Mm(f.UncertaintyMm), ReportWords.Of(f.Decision),
             ]));
         page.Line();
         page.Table(

@@ -21,7 +21,7 @@ internal sealed class VerifyAnswer(VerifyReport report, string? folder) : Answer
         page.Table(
             ["feature", "quantity", "wanted", "before", "after", "better by"],
             report.Result.Features.Select(f => (IReadOnlyList<string>)
-                [f.Name, ReportWords.Of(f.Quantity), Show.Mm(f.Wanted), Show.Mm(f.Before), Show.Mm(f.After), f.ImprovementPercent is { } percent ? Show.Percent(percent) : "-"]));
+                [f.Name, f.Quantity.Word, Show.Mm(f.Wanted), Show.Mm(f.Before), Show.Mm(f.After), f.ImprovementPercent is { } percent ? Show.Percent(percent) : "-"]));
         page.Line("Lengths in mm, angles in degrees. Wanted is the part's value; deviations are the largest of their points, counterpart - part.");
         page.Line();
         page.Table(

@@ -25,10 +25,10 @@ public sealed class FeatureEdit : Observable
     public FeatureKind Kind { get; }
 
     /// <summary>Its kind in a word.</summary>
-    public string KindName => Texts.Current["Kind." + Kind switch { FeatureKind.Line => "line", FeatureKind.Triangle => "triangle", _ => "curve" }];
+    public string KindName => Texts.Current["Kind." + Kind.Word];
 
     /// <summary>Key of the icon of its kind.</summary>
-    public string Icon => "Icon.kind-" + Kind switch { FeatureKind.Line => "line", FeatureKind.Triangle => "triangle", _ => "curve" };
+    public string Icon => "Icon.kind-" + Kind.Word;
 
     /// <summary>Its name.</summary>
     public TextField Name { get; }

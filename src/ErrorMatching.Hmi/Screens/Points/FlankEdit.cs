@@ -23,7 +23,7 @@ public sealed class FlankEdit : Observable
         Count = new(
             editing,
             path,
-            _isOne ? "Points.Count" : flank == 0 ? "Points.CountFirst" : "Points.CountSecond",
+            _isOne ? "Points.Count" : string.Create(CultureInfo.InvariantCulture, $"Points.Count.{editing.Draft.Features[feature].Kind}.{flank + 1}"),
             d => CountOf(d).ToString(CultureInfo.InvariantCulture),
             (d, t) => IsCount(t, out var count) ? d.WithPoints(feature, flank, count) : d,
             t => IsCount(t, out _) ? null : "not-a-count");

@@ -19,9 +19,7 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         WorkOrder = new(Editing, "$.workOrder", "Points.WorkOrder", d => d.WorkOrder, (d, t) => d with { WorkOrder = t });
         Workpiece = new(Editing, "$.name", "Points.Workpiece", d => d.Name, (d, t) => d with { Name = t });
         _features = new(Editing, "$.features", "Points.Features");
-        AddLine = Adding(FeatureKind.Line, "L");
-        AddTriangle = Adding(FeatureKind.Triangle, "T");
-        AddCurve = Adding(FeatureKind.Curve, "C");
+        Adds = [.. FeatureKinds.All.Select(k => new KindChoice(k, Adding(k)))];
         _minute = Station.Clock.CreateTimer(_ => _screen.Post(_ => Say(nameof(Time)), null), null, TimeSpan.FromSeconds(1), TimeSpan.FromSeconds(1));
         Editing.Begun += GoToFirstField;
         Begin();
@@ -48,14 +46,8 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
     /// <summary>True if there are none yet.</summary>
     public bool IsEmpty => Features.Count == 0;
 
-    /// <summary>Adds a straight line.</summary>
-    public Command AddLine { get; }
-
-    /// <summary>Adds a triangle.</summary>
-    public Command AddTriangle { get; }
-
-    /// <summary>Adds a curve.</summary>
-    public Command AddCurve { get; }
+    /// <summary>The kinds of features that can be added.</summary>
+    public IReadOnlyList<KindChoice> Adds { get; }
 
     /// <summary>A code that is scanned is the work order.</summary>
     public void TakeCode(string code)
@@ -119,9 +111,9 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
             feature.Refresh();
         }
 
-        foreach (var command in new[] { AddLine, AddTriangle, AddCurve })
+        foreach (var choice in Adds)
         {
-            command.Refresh();
+            choice.Refresh();
         }
     }
 
@@ -134,16 +126,16 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         }
     }
 
-    private Command Adding(FeatureKind kind, string letter) => new(
+    private Command Adding(FeatureKind kind) => new(
         () => Editing.Change("", d =>
         {
             var number = 1;
-            while (d.Features.Any(f => f.Name == letter + Shown.Id(number)))
+            while (d.Features.Any(f => f.Name == kind.Letter + Shown.Id(number)))
             {
                 number++;
             }
 
-            return d with { Features = [.. d.Features, FeatureDraft.New(kind, letter + Shown.Id(number), d)] };
+            return d with { Features = [.. d.Features, FeatureDraft.New(kind, kind.Letter + Shown.Id(number), d)] };
         }),
         () => Editing.CanEdit);
 }

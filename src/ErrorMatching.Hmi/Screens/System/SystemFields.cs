@@ -7,8 +7,8 @@ namespace ErrorMatching.Hmi;
 /// <summary>The fields of the system set-up, side by side, as they stand in the job.</summary>
 internal sealed class SystemFields(JobEditing editing)
 {
-    // Those of a curve, which has most.
-    private const int ToleranceColumns = 6;
+    // What every feature has, and the keys of the kind that has most.
+    private static readonly int ToleranceColumns = 4 + FeatureKinds.All.Max(k => k.Keys.Count);
 
     /// <summary>The blocks of each feature.</summary>
     public IReadOnlyList<FieldRow> Blocks() => [.. Features().Select(f => new FieldRow(editing.Draft.Features[f].Name, [Text(DraftPaths.Feature(f, "blocks"), "System.Blocks", d => d.Features[f].Blocks, (d, t) => d.WithFeature(f, x => x with { Blocks = t }))]))];
@@ -131,14 +131,12 @@ internal sealed class SystemFields(JobEditing editing)
         }
 
         cells.Add(Choice("plane", "System.Plane", ["XY", "ZX", "YZ"], x => x.Plane, (x, t) => x with { Plane = t }));
-        if (feature.Kind == FeatureKind.Line)
+        foreach (var key in feature.Kind.Keys)
         {
-            cells.Add(Choice("method", "System.Method", ["tls", "ols"], x => x.Method, (x, t) => x with { Method = t }));
-        }
-        else if (feature.Kind == FeatureKind.Curve)
-        {
-            cells.Add(Automatic("degree", "System.Degree", x => x.Degree, (x, t) => x with { Degree = t }));
-            cells.Add(Automatic("ridge", "System.Ridge", x => x.Ridge, (x, t) => x with { Ridge = t }));
+            var label = $"Key.{feature.Kind}.{key.Name}";
+            cells.Add(key.Words.Count > 0
+                ? Choice(key.Name, label, key.Words, x => x.Key(key.Name), (x, t) => x.WithKey(key.Name, t))
+                : Automatic(key.Name, label, x => x.Key(key.Name), (x, t) => x.WithKey(key.Name, t)));
         }
 
         return new(feature.Name, cells) { Columns = ToleranceColumns };

@@ -212,8 +212,8 @@ public sealed class PieceDetail : Observable
         // Compares the displayed values: a difference that rounds to zero counts as none.
         var isWorse = f.ImprovementPercent is { } percent && Math.Round(percent) < 0;
         var improvement = isWorse ? Texts.Current.With("Verify.WorseBy", Shown.Percent(-f.ImprovementPercent)) : Shown.Percent(f.ImprovementPercent);
-        var (quantity, unit) = (Texts.Current.Word(f.Quantity), f.Quantity == VerifiedQuantity.Angle ? "°" : "mm");
-        if (f.Quantity is not (VerifiedQuantity.Deviation or VerifiedQuantity.DeviationX))
+        var (quantity, unit) = (Texts.Current["VerifiedQuantity." + f.Quantity.Word], f.Quantity.Unit);
+        if (!f.Quantity.IsDeviation)
         {
             return new(f.Name, quantity, Shown.Mm(f.Wanted), Shown.Mm(f.Before), Shown.Mm(f.After), improvement, unit, isWorse);
         }

@@ -1,4 +1,5 @@
 using System.Xml.Linq;
+using ErrorMatching.Geometry;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating.Tests;
@@ -132,6 +133,15 @@ public sealed class DrawingTests
 
         Assert.Equal((1, "true to scale"), (scene.Factor, scene.FactorText));
         Assert.Null(Scene(new DrawnPoint("1", new(0, 0), new(0, 1), 0.1, 0, 0)));
+    }
+
+    // A square of side 10 from its corner, a deviation in the middle of its first side and of its last: the corner lies half way between both, seen from either end.
+    [Fact]
+    public void A_closed_boundary_closes_in_its_drawing()
+    {
+        Point2[] square = [new(0, 0), new(10, 0), new(10, 10), new(0, 10), new(0, 0)];
+        var feature = DrawnFeature.Of(square, [new("1", new(5, 0), new(0, -1), 1, 0, 0), new("2", new(0, 5), new(-1, 0), 3, 0, 0)])!;
+        Assert.Equal((2, 2), (feature.At(0, p => p.Part), feature.At(feature.Segments, p => p.Part)));
     }
 
     private static AssemblyScene? Scene(params DrawnPoint[] points) => AssemblyScene.Of([DrawnFeature.Of([], points)]);

@@ -9,7 +9,7 @@ internal static class HandMadeReport
     public static ReportFeature Line { get; } = new()
     {
         Name = "L1",
-        Kind = FeatureKind.Line,
+        Kind = LineKind.Instance,
         Tolerance = new(new(-0.02, 0.05), ToleranceSource.Stated),
         Quantities = [new(new("lengthMm", 100, 100.02, 0.003), 100.019), new(new("directionDeg", 0, -0.012, 0.0024), null)],
         Decision = Decision.Compensated,

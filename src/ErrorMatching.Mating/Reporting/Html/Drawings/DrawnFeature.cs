@@ -32,6 +32,8 @@ internal sealed class DrawnFeature
     /// <summary>Where it ends.</summary>
     public Point2 End => _outline.Vertex(Segments);
 
+    private bool IsClosed => _stations.Length > 1 && Start.DistanceTo(End) <= 1e-6 * _outline.StationOf(Segments);
+
     /// <summary>A feature, or null if fewer than two places of it are known. Without an outline its key points are one.</summary>
     public static DrawnFeature? Of(IReadOnlyList<Point2> outline, IReadOnlyList<DrawnPoint> points) =>
         points.Count > 0 && DrawnOutline.Of(outline.Count >= 2 ? outline : [.. points.Select(p => p.At)]) is { } drawn ? new(drawn, points) : null;
@@ -42,11 +44,18 @@ internal sealed class DrawnFeature
     /// <summary>Unit normal of a piece, into the part.</summary>
     public Vector2 Normal(int segment) => _outline.Left(segment) * _side;
 
-    /// <summary>A deviation at a vertex: even between the key points, that of the nearest key point beyond them.</summary>
+    /// <summary>A deviation at a vertex: even between the key points, across the ends of a closed boundary as well; that of the nearest key point beyond those of an open one.</summary>
     public double At(int vertex, Func<DrawnPoint, double> deviation)
     {
         var station = _outline.StationOf(vertex);
         var next = Array.FindIndex(_stations, s => s.Station >= station);
+        if (next <= 0 && IsClosed)
+        {
+            var (last, first, length) = (_stations[^1], _stations[0], _outline.StationOf(Segments));
+            var beyond = station < last.Station ? station + length - last.Station : station - last.Station;
+            return deviation(last.Point) + ((deviation(first.Point) - deviation(last.Point)) * beyond / (first.Station + length - last.Station));
+        }
+
         if (next <= 0)
         {
             return deviation(_stations[next < 0 ? ^1 : 0].Point);

@@ -17,7 +17,7 @@ internal static class MatchDecisions
         {
             var outside = Outside(report, feature);
             row.Header(feature.Name);
-            row.Text(ReportWords.Of(feature.Kind));
+            row.Text(feature.Kind.Word);
             using (row.Cell())
             {
                 DecisionMark.Write(html, feature.Decision);

@@ -56,7 +56,7 @@ internal static class MatchSummary
                 using (html.In("li"))
                 {
                     html.Put("strong", feature.Name);
-                    html.Text($" ({ReportWords.Of(feature.Kind)}): ");
+                    html.Text($" ({feature.Kind.Word}): ");
                     DecisionMark.Write(html, feature.Decision);
                     html.Text($". Largest deviation {ReportNumber.SignedMm(feature.LargestMm)}" + (MatchDecisions.Left(report, feature) is { } left ? $"; mating error left, as predicted: {ReportNumber.SignedMm(left)}." : ".") + string.Concat(OutsideWords.Of(MatchDecisions.Outside(report, feature)).Select(s => " ⚠ " + s)));
                 }

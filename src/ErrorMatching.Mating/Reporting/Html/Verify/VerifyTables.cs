@@ -16,8 +16,8 @@ internal static class VerifyTables
         HtmlTable.Write(html, "features-table", "Quantities of the counterpart: wanted, without compensation, with it", FeatureColumns, result.Features, (row, f) =>
         {
             row.Header(f.Name);
-            row.Text(Words(f.Quantity));
-            row.Text(f.Quantity == VerifiedQuantity.Angle ? "°" : "mm");
+            row.Text(f.Quantity.Words);
+            row.Text(f.Quantity.Unit);
             row.Number(ReportNumber.Plain(f.Wanted));
             row.Number(ReportNumber.Plain(f.Before));
             row.Number(ReportNumber.Plain(f.After));
@@ -47,12 +47,4 @@ internal static class VerifyTables
         row.Number(ReportNumber.Signed(error.Vector.Y));
         row.Number(ReportNumber.Signed(error.NormalMm));
     }
-
-    private static string Words(VerifiedQuantity quantity) => quantity switch
-    {
-        VerifiedQuantity.Deviation => "largest deviation along the normals",
-        VerifiedQuantity.DeviationX => "largest deviation in X",
-        VerifiedQuantity.Length => "length",
-        _ => "angle",
-    };
 }

@@ -1,0 +1,115 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>A bore or a boss, cut by arcs of one circle, which follow by a shift of their center and a growth of their radius.</summary>
+/// <param name="Name">Its name, unique in the job.</param>
+/// <param name="Blocks">Selectors of the blocks that cut it.</param>
+/// <param name="Tolerance">The limits of its deviation.</param>
+/// <param name="Plane">The plane that its points are projected to.</param>
+/// <param name="Points">At least three labels around it.</param>
+/// <param name="Method">Which circle stands for its points.</param>
+public sealed record CircleFeature(string Name, IReadOnlyList<string> Blocks, JobTolerance Tolerance, CoordinatePlane Plane, IReadOnlyList<string> Points, CircleMethod Method)
+    : JobFeature(Name, Blocks, Tolerance, Plane)
+{
+    /// <summary>Code of the refusal of key points that say too little about their circle.</summary>
+    public const string AngleTooSmall = "angle-too-small";
+
+    /// <summary>Code of the refusal of blocks that are not arcs of one circle.</summary>
+    public const string NotOneCircle = "not-one-circle";
+
+    /// <summary>Code of the refusal of a circle that would have no radius any more.</summary>
+    public const string RadiusVanishes = "radius-vanishes";
+
+    /// <summary>
+    /// What points must cover for least squares, degrees: over less, the radius is more than ten times as uncertain as the mean of the points, for over 90 degrees the cosine, which a
+    /// shift follows, spreads about its mean by 0.088.
+    /// </summary>
+    private const double LeastAngle = 90;
+
+    /// <summary>A circle inside of points, or around them, needs them on more than this, degrees.</summary>
+    private const double HalfTurn = 180;
+
+    /// <inheritdoc/>
+    public override FeatureKind Kind => CircleKind.Instance;
+
+    /// <inheritdoc/>
+    public override IReadOnlyList<string> Points { get; } = Points;
+
+    /// <inheritdoc/>
+    internal override IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared =>
+        [(CircleKind.ComparedDiameter, points => 2 * Fit(points, 0).Circle.Radius)];
+
+    /// <inheritdoc/>
+    internal override StraightElement? Element(int? flank) => null;
+
+    /// <inheritdoc/>
+    internal override FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u)
+    {
+        var (wanted, found) = (Fit(theoretical, 0), Fit(actual, u));
+        return new(
+            [
+                new(CircleKind.CenterX, wanted.Circle.Center.X, found.Circle.Center.X, found.CenterStandardError.X),
+                new(CircleKind.CenterY, wanted.Circle.Center.Y, found.Circle.Center.Y, found.CenterStandardError.Y),
+                new(CircleKind.Diameter, 2 * wanted.Circle.Radius, 2 * found.Circle.Radius, 2 * found.RadiusStandardError),
+                new(CircleKind.Roundness, wanted.RoundnessMm, found.RoundnessMm, Math.Sqrt(2) * u),
+            ],
+            found.Residuals,
+            []);
+    }
+
+    /// <inheritdoc/>
+    internal override MatingRefusal? RefuseMap(NcPath path, FeatureMap map)
+    {
+        foreach (var pass in map.Passes)
+        {
+            var other = FeaturePass.Moving(path, pass.First, pass.Last).Select(i => (int?)i).FirstOrDefault(i => !path.Motions[i!.Value].IsArc || !CircleKind.BelongsTo(path, pass.First, i.Value));
+            if (other is { } motion)
+            {
+                return FeatureMapper.At(path, path.Motions[motion].Block, NotOneCircle, "it is no arc of the circle that the other blocks cut. Name the arcs of the circle alone, without the way in and out.", Name);
+            }
+        }
+
+        var covered = 360 - ExtremeCircle.LargestGap(Point2.Origin, [.. map.Normals.Select(n => Point2.Origin + n)]).Degrees;
+        var (isEnough, needed) = Method == CircleMethod.LeastSquares ? (covered >= LeastAngle - 1e-9, "at least 90") : (covered > HalfTurn, "more than 180");
+        return isEnough ? null : FeatureMapper.At(
+            path,
+            path.Motions[map.Passes[0].First].Block,
+            AngleTooSmall,
+            string.Create(CultureInfo.InvariantCulture, $"its key points cover {covered:0} degrees of the circle; expected {needed}. Measure points further round."),
+            Name);
+    }
+
+    /// <inheritdoc/>
+    internal override MatingRefusal? RefuseCut(FeatureCut cut)
+    {
+        var path = CutCircle.Of(cut);
+        var wanted = Fit(path.Moved(cut.Corrections), 0).Circle;
+        var growth = wanted.Radius - path.Boundary.Radius;
+        var shift = wanted.Center.DistanceTo(path.Boundary.Center);
+        return Math.Min(path.Path.Radius, path.Boundary.Radius) + growth > shift ? null : FeatureMapper.At(
+            cut.Path,
+            cut.Path.Motions[cut.Pass.First].Block,
+            RadiusVanishes,
+            string.Create(CultureInfo.InvariantCulture, $"its radius would change by {growth:+0.000;-0.000} mm to {path.Path.Radius + growth:0.000} mm, and no circle about its center would be left. The tool is too large for this circle, or the points are wrong."),
+            Name);
+    }
+
+    /// <inheritdoc/>
+    internal override IEnumerable<ElementWish> Wishes(FeatureCut cut)
+    {
+        var path = CutCircle.Of(cut);
+        return path.Wishes(cut, Fit(path.Moved(cut.Corrections), 0).Circle);
+    }
+
+    /// <inheritdoc/>
+    internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured)
+    {
+        var (wanted, found) = (Fit(measured.Theoretical, 0).Circle, Fit(measured.Actual, 0).Circle);
+        return [.. Outlines.Boundary(measured.Job, measured.Path, measured.Map.Passes[0]).Select(p => found.Foot(found.Center + (p - wanted.Center)))];
+    }
+
+    private MeasuredCircle Fit(IReadOnlyList<Point2> points, double u) => FeatureFits.Named(Name, () => MeasuredCircle.Of(Method, points, u));
+}

@@ -1,0 +1,116 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+using ErrorMatching.Reporting;
+using MathNet.Numerics.Integration;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>A hill or a valley.</summary>
+/// <param name="Name">Its name, unique in the job.</param>
+/// <param name="Blocks">Selectors of the blocks that cut it.</param>
+/// <param name="Tolerance">The limits of its deviation.</param>
+/// <param name="Plane">The plane that its points are projected to.</param>
+/// <param name="Points">At least three labels in the order of cutting.</param>
+/// <param name="Degree">Degree of the polynomial; null if it is chosen by leave-one-out error.</param>
+/// <param name="Ridge">Weight against overfitting; null if it is chosen by leave-one-out error.</param>
+public sealed record CurveFeature(
+    string Name,
+    IReadOnlyList<string> Blocks,
+    JobTolerance Tolerance,
+    CoordinatePlane Plane,
+    IReadOnlyList<string> Points,
+    int? Degree,
+    double? Ridge)
+    : JobFeature(Name, Blocks, Tolerance, Plane)
+{
+    /// <summary>One key point is recommended for so many millimetres of a curve (Wang 2021, section 2.1).</summary>
+    private const double RecommendedSpacingMm = 5;
+
+    // 64 nodes integrate the arc length of a polynomial of degree 10 to nanometres while its slope stays below 10.
+    private const int QuadratureOrder = 64;
+
+    /// <summary>Leave-one-out errors below half the usual least increment are all alike, mm.</summary>
+    private const double Rounding = 0.0005;
+
+    /// <inheritdoc/>
+    public override FeatureKind Kind => CurveKind.Instance;
+
+    /// <inheritdoc/>
+    public override IReadOnlyList<string> Points { get; } = Points;
+
+    /// <inheritdoc/>
+    internal override IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared => [];
+
+    /// <inheritdoc/>
+    internal override StraightElement? Element(int? flank) => null;
+
+    /// <inheritdoc/>
+    internal override FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u)
+    {
+        var options = new PolynomialFitOptions { Degree = Degree, Ridge = Ridge, PointUncertaintyMm = u };
+        var chord = new FeatureQuantity(CurveKind.Chord, theoretical[0].DistanceTo(theoretical[^1]), actual[0].DistanceTo(actual[^1]), Math.Sqrt(2) * u);
+        var (wanted, found) = (Fit(theoretical, options), Fit(actual, options));
+        if (wanted is null || found is null)
+        {
+            return new([chord], [], [.. Sparse(Polyline(theoretical)), WarningForms.Warning(WarningForms.FoldedCurve, Name)]);
+        }
+
+        var length = ArcLength(wanted);
+        return new([chord, new(CurveKind.ArcLength, length, ArcLength(found), Math.Sqrt(2) * u)], found.Residuals, Sparse(length)) { Curve = found };
+    }
+
+    /// <inheritdoc/>
+    internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) => FeatureWish.Along(cut, CurveCourse(cut));
+
+    /// <inheritdoc/>
+    internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) =>
+        Outlines.Boundary(measured.Job, measured.Path, measured.Map.Passes[0], Smooth(measured.Job, measured.Map.Passes[0], measured.Normals).At);
+
+    // An arc of the program can only follow as an arc. Only where that predicts its key points clearly worse than a smooth course does, the smooth course is taken and the arc comes as near as it can.
+    private Func<double, Vector2, Vector2> CurveCourse(FeatureCut cut)
+    {
+        if (cut.Job.Compensation.Along == CompensationDirection.Vector || CircleField.Of(cut.Path, cut.Pass, cut.Corrections) is not { } circle)
+        {
+            return FeatureWish.Course(cut, values => Smooth(cut.Job, cut.Pass, values));
+        }
+
+        var smooth = Smooth(cut.Job, cut.Pass, [.. cut.Corrections.Select((c, i) => c.Dot(FeatureWish.LeftOf(cut.Pass.Feet[i])))]);
+        return double.IsPositiveInfinity(circle.LeaveOneOutRms) || circle.LeaveOneOutRms <= Math.Max(Rounding, smooth.Fit.LeaveOneOutRms ?? double.PositiveInfinity)
+            ? circle.At
+            : (s, normal) => normal * smooth.At(s);
+    }
+
+    private ArcLengthField Smooth(MatingJob job, FeaturePass pass, double[] values) =>
+        ArcLengthField.Smooth([.. pass.Feet.Select(pass.Along)], values, Degree, Ridge, job.Gauge.Uncertainty.CombinedMm);
+
+    /// <summary>The fit, or null for a curve that is no function over its chord: its compensation works along the boundary and does not need one.</summary>
+    private CurveFit? Fit(IReadOnlyList<Point2> points, PolynomialFitOptions options)
+    {
+        try
+        {
+            return FeatureFits.Named(Name, () => CurveFit.Fit(points, options));
+        }
+        catch (GeometryException e) when (e.Error == GeometryError.FoldedCurve)
+        {
+            return null;
+        }
+    }
+
+    /// <summary>Length of the fitted curve: the integral of sqrt(1 + f'^2) over its chord by Gauss-Legendre quadrature.</summary>
+    private static double ArcLength(CurveFit curve) => GaussLegendreRule.Integrate(
+        along => Math.Sqrt(1 + Math.Pow(curve.Polynomial.Derivative(along), 2)), 0, curve.Chord.Length, QuadratureOrder);
+
+    private static double Polyline(IReadOnlyList<Point2> points) => points.Zip(points.Skip(1), (a, b) => a.DistanceTo(b)).Sum();
+
+    private List<ReportWarning> Sparse(double lengthMm)
+    {
+        if (Points.Count >= lengthMm / RecommendedSpacingMm)
+        {
+            return [];
+        }
+
+        var (count, length, spacing) = (Points.Count.ToString(CultureInfo.InvariantCulture), lengthMm.ToString("0.#", CultureInfo.InvariantCulture), RecommendedSpacingMm.ToString(CultureInfo.InvariantCulture));
+        return [WarningForms.Warning(WarningForms.SparsePoints, Name, count, length, spacing)];
+    }
+}

@@ -1,0 +1,16 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>A feature of the measured part on the counterpart's program.</summary>
+/// <param name="Job">The job.</param>
+/// <param name="Path">The program, interpreted.</param>
+/// <param name="Map">The feature on it.</param>
+/// <param name="Theoretical">Its key points as designed, in the part's frame.</param>
+/// <param name="Actual">Its key points as measured, aligned.</param>
+internal sealed record MeasuredFeature(MatingJob Job, NcPath Path, FeatureMap Map, IReadOnlyList<Point2> Theoretical, IReadOnlyList<Point2> Actual)
+{
+    /// <summary>The measured deviations along the normals, in the order of the points.</summary>
+    public double[] Normals => [.. Actual.Select((p, i) => (p - Theoretical[i]).Dot(Map.Normals[i]))];
+}
